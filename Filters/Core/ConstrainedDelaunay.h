@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Monitor.h"
+#include "TetrahedralMesh.h"
+
+#include <string>
+
+namespace insideout
+{
+/**
+ * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
+ * faces (thesis, section 8.4). TetGen does the work in a program of its own (TetgenProcess.h), for
+ * it exits or crashes on some inputs. What comes back is checked before it is believed: ids in
+ * range, exact positive volumes, every face shared by at most two cells, facets present.
+ *
+ * @param[in] surface a complex whose constraints do not cross
+ * @throws Error Planar, TetrahedralizerDied, TetrahedralizerFailed, Inconsistent, Stopped
+ */
+TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor);
+} // namespace insideout

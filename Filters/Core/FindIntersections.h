@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "FacetComplex.h"
+#include "Monitor.h"
+
+namespace insideout
+{
+/**
+ * All pairs of triangles that meet in more than the points and edges they share by id: crossing,
+ * touching in a point or along a line, overlapping in a plane. Decided with exact predicates.
+ *
+ * @param[in] points finite coordinates
+ * @param[in] facets non-degenerate triangles (three points not on a line, exactly), no two with the
+ *            same three points
+ * @return pairs (i, j) with i < j, sorted
+ * @throws Error (Stopped)
+ */
+std::vector<std::array<Id, 2>> FindIntersections(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "FacetComplex.h"
+#include "Monitor.h"
+
+namespace insideout
+{
+struct Resolution
+{
+  FacetComplex Surface;
+  std::vector<std::array<Id, 2>> IntersectingPairs; ///< facets of the input complex, sorted
+  int Rounds = 0; ///< how often facets were cut: more than 1 where rounding made new crossings
+};
+
+/**
+ * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
+ * more (thesis, section 8.3). Cutting is exact; then new points are rounded to doubles, and what
+ * crosses after that is cut again. Input points keep their coordinates and come first, in their
+ * order. Pieces that coincide become one facet with all sources and the sum of the multiplicities.
+ * Facets that still cross after the last round stand behind Surface.NumberOfConstraints.
+ *
+ * @param[in] surface a validated complex
+ * @throws Error (Stopped)
+ */
+Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor);
+} // namespace insideout

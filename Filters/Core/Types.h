@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+/**
+ * The algorithms of InsideOut, without VTK: plain structs in, plain structs out. A file here is a
+ * stage or a part of one; README.md names the section of the paper that each follows.
+ */
+namespace insideout
+{
+/** Index of a point, facet or cell. TetGen counts in int, so 32 bits lose nothing. */
+using Id = std::int32_t;
+
+/** The id of what is not there: no facet on a face, no cell beyond the hull. */
+constexpr Id None = -1;
+
+using Point = std::array<double, 3>;
+using Triangle = std::array<Id, 3>;
+using Tetrahedron = std::array<Id, 4>;
+
+/**
+ * Corners of the faces of a tetrahedron, as vtkTetra numbers them: seen from outside a positively
+ * oriented tetrahedron they run counter-clockwise.
+ */
+constexpr std::array<std::array<int, 3>, 4> TetrahedronFaces = { { { { 0, 1, 3 } }, { { 1, 2, 3 } },
+  { { 2, 0, 3 } }, { { 0, 2, 1 } } } };
+} // namespace insideout

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Monitor.h"
+#include "TetrahedralMesh.h"
+
+namespace insideout
+{
+/**
+ * Whether the facets' signed sum is zero on every edge: each edge, counted with the multiplicities
+ * and orientations of its facets, cancels. Then the winding number is an integer everywhere.
+ */
+bool IsClosed(const FacetComplex& surface);
+
+/**
+ * Stage w: the generalized winding number of the complex in each cell (thesis, equation 8.5).
+ *
+ * On a closed complex it is carried from cell to cell: entering a cell through a face adds the
+ * multiplicity there, so that every value is an exact integer. On an open complex, or one with
+ * facets that the mesh lost or the resolver left out, it is the sum of the solid angles at the
+ * cell's barycentre, where on which side of a facet the barycentre lies is decided exactly.
+ *
+ * @return one value per cell
+ * @throws Error (Stopped), (Inconsistent) when two ways to a cell give different integers
+ */
+std::vector<double> WindingNumberOfCells(
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor);
+
+/** Sum of w times volume over the cells: negative where the surface is inside out as a whole. */
+double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w);
+} // namespace insideout
