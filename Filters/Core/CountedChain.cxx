@@ -25,6 +25,12 @@ void CheckTriangles(const TriangleSoup& soup)
   {
     throw Error(ErrorCode::EmptySurface, "the surface has no polygons");
   }
+  if (!soup.Multiplicity.empty() && soup.Multiplicity.size() != soup.Triangles.size())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::to_string(soup.Multiplicity.size()) + " multiplicities are given for " +
+        std::to_string(soup.Triangles.size()) + " triangles");
+  }
   const Id numberOfPoints = static_cast<Id>(soup.Points.size());
   for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
   {
@@ -190,17 +196,17 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     const SortedTriangle& leader = triangles[first];
     const Triangle& given = soup.Triangles[leader.Index];
     surface.Facets.push_back({ { merged[given[0]], merged[given[1]], merged[given[2]] } });
-    std::size_t reversed = 0;
+    std::array<long, 2> count{ { 0, 0 } }; // along the facet's orientation, and against it
     for (std::size_t i = first; i < last; ++i)
     {
-      const bool isReversed = triangles[i].Odd != leader.Odd;
-      reversed += isReversed;
-      surface.Sources.push_back({ triangles[i].Index, isReversed });
+      const bool reversed = triangles[i].Odd != leader.Odd;
+      count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangles[i].Index];
+      surface.Sources.push_back({ triangles[i].Index, reversed });
     }
     surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
-    const std::size_t same = last - first - reversed;
+    const bool oncePerOrientation = soup.Multiplicity.empty() && !countDuplicates;
     const long multiplicity =
-      countDuplicates ? static_cast<long>(same) - static_cast<long>(reversed) : 1L - (reversed > 0);
+      oncePerOrientation ? (count[0] > 0) - (count[1] > 0) : count[0] - count[1];
     if (std::abs(multiplicity) > std::numeric_limits<std::int16_t>::max())
     {
       throw Error(ErrorCode::TooLarge,
@@ -209,7 +215,7 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     }
     surface.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
     counts.DuplicateFacets += static_cast<Id>(last - first - 1);
-    counts.CancelledFacets += reversed > 0 && multiplicity == 0;
+    counts.CancelledFacets += last - first > 1 && multiplicity == 0;
   }
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
@@ -312,9 +318,12 @@ CountedChain CountFacets(
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
   CountEdges(edges, chain.Counts);
-  const TwoSidedComponents twoSided = KeepTwoSidedSolids(chain.Surface, edges, components);
-  chain.Counts.TwoSidedSolids = twoSided.Solids;
-  chain.Counts.TwoSidedSheets = twoSided.Sheets;
+  if (soup.Multiplicity.empty())
+  {
+    const TwoSidedComponents twoSided = KeepTwoSidedSolids(chain.Surface, edges, components);
+    chain.Counts.TwoSidedSolids = twoSided.Solids;
+    chain.Counts.TwoSidedSheets = twoSided.Sheets;
+  }
   chain.Warnings = WarningsAbout(chain.Counts);
   monitor.Check(StageName, 1);
   return chain;

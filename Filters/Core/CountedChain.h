@@ -49,7 +49,7 @@ struct CountedChain
  * triangles are left out. Triangles with the same three points become one facet, whose multiplicity
  * counts them once per orientation, opposite ones cancelling; it stays a constraint at 0. Where a
  * whole component cancels, it is two-sided: if it closes a volume when kept once, it is, turned
- * outward.
+ * outward. None of this is for a soup that comes with multiplicities: those of equal triangles add.
  *
  * @throws Error EmptySurface, PointNotFinite, PointOutOfRange, AllDegenerate, InvalidParameter,
  *         TooLarge, Stopped; triangles and points are named by their index in `soup`

@@ -12,6 +12,9 @@ struct TriangleSoup
 {
   std::vector<Point> Points;
   std::vector<Triangle> Triangles;
+
+  /** How often each triangle counts, where that is known (a resolved surface); else empty. */
+  std::vector<std::int16_t> Multiplicity;
 };
 
 /**

@@ -184,6 +184,23 @@ TEST(CountedChain, OrientsATwoSidedSolidWhoseFirstFacetsDisagree)
   EXPECT_DOUBLE_EQ(SignedVolume(Count(soup).Surface), 1);
 }
 
+TEST(CountedChain, TakesGivenMultiplicitiesForWhatTheyAre)
+{
+  TriangleSoup box = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  box.Multiplicity.assign(12, 0); // no two-sided solid: whoever gave these has decided
+  box.Multiplicity[3] = 5;
+  box.Triangles.push_back({ { box.Triangles[3][0], box.Triangles[3][2], box.Triangles[3][1] } });
+  box.Multiplicity.push_back(2);
+  const CountedChain chain = Count(box);
+  std::vector<std::int16_t> expected(12, 0);
+  expected[3] = 5 - 2;
+  EXPECT_EQ(chain.Surface.Multiplicity, expected);
+  EXPECT_EQ(chain.Counts.TwoSidedSolids, 0);
+
+  box.Multiplicity.pop_back();
+  ExpectError(box, ErrorCode::InvalidParameter, "12 multiplicities are given for 13 triangles");
+}
+
 TEST(CountedChain, LeavesATwoSidedSheetAtZero)
 {
   TriangleSoup soup = Box({ 0, 0, 0 }, { 1, 1, 1 });

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "CountedChain.h"
+#include "Statistics.h"
+#include "TetrahedralMesh.h"
+
+namespace insideout
+{
+/** Which way the surface as a whole is meant to face. */
+enum class Orientation
+{
+  Automatic, ///< turned over when its signed content is negative: it was given inside out
+  AsGiven,
+  Reverse
+};
+
+struct HullMeshParameters
+{
+  CountedChainParameters Chain;
+  insideout::Orientation Orientation = insideout::Orientation::Automatic;
+};
+
+/** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
+struct HullMesh
+{
+  FacetComplex Surface; ///< resolved; turned over where the orientation asked for it
+  TetrahedralMesh Mesh;
+  std::vector<double> W; ///< one per cell
+  insideout::Statistics Statistics;
+  std::vector<std::string> Warnings;
+};
+
+/**
+ * Stages validate to w in a row: count the facets, resolve their intersections, tetrahedralize the
+ * convex hull, and find the winding numbers.
+ *
+ * @throws Error whatever the stages throw
+ */
+HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
+
+/** The counts of validation under their names, for `statistics`. */
+void AddCounts(const SurfaceCounts& counts, Statistics& statistics);
+} // namespace insideout

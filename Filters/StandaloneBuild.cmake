@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds the module on its own, against an installed ParaView (module, plugin, Python) or VTK
+# (module, Python). Everything is found here, at the root's scope: targets that are imported inside
+# the module's folder are not seen by the Python wrapping.
+
+set(BUILD_SHARED_LIBS ON)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN)
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+if (INSIDEOUT_USE_PARAVIEW)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore OPTIONAL_COMPONENTS VTKExtensionsFiltersPython)
+  set(INSIDEOUT_VTK_PACKAGE ParaView)
+  set(INSIDEOUT_VTK_VERSION ${ParaView_VERSION})
+  paraview_plugin_scan(
+    PLUGIN_FILES      ${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin
+    PROVIDES_PLUGINS  plugins
+    REQUIRES_MODULES  required_modules
+    ENABLE_BY_DEFAULT ON)
+else ()
+  find_package(VTK 9.1 REQUIRED COMPONENTS
+    CommonCore CommonDataModel CommonExecutionModel FiltersCore WrappingPythonCore Python)
+  set(INSIDEOUT_VTK_PACKAGE VTK)
+  set(INSIDEOUT_VTK_VERSION ${VTK_VERSION})
+endif ()
+
+# vtk_module_build adds each module's folder, which cannot be the project's root: give it one in the
+# build tree that holds the same module file.
+set(module_folder ${CMAKE_CURRENT_BINARY_DIR}/module)
+configure_file(${PROJECT_SOURCE_DIR}/vtk.module ${module_folder}/vtk.module COPYONLY)
+file(WRITE ${module_folder}/CMakeLists.txt
+  "include(${PROJECT_SOURCE_DIR}/Filters/CMakeLists.txt)\n")
+vtk_module_scan(
+  MODULE_FILES     ${module_folder}/vtk.module
+  REQUEST_MODULES  VTK::FiltersInsideOut ${required_modules}
+  PROVIDES_MODULES modules)
+
+set(INSIDEOUT_CMAKE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/InsideOut)
+set(INSIDEOUT_PYTHON_DESTINATION
+  ${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages)
+vtk_module_build(
+  MODULES             ${modules}
+  PACKAGE             InsideOut
+  INSTALL_EXPORT      InsideOut
+  HEADERS_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/InsideOut
+  CMAKE_DESTINATION   ${INSIDEOUT_CMAKE_DESTINATION}
+  VERSION             ${PROJECT_VERSION}
+  SOVERSION           ${PROJECT_VERSION_MAJOR})
+
+vtk_module_wrap_python(
+  MODULES            ${modules}
+  TARGET             InsideOut::Python
+  PYTHON_PACKAGE     insideout
+  MODULE_DESTINATION ${INSIDEOUT_PYTHON_DESTINATION}
+  CMAKE_DESTINATION  ${INSIDEOUT_CMAKE_DESTINATION}
+  INSTALL_HEADERS    OFF)
+add_subdirectory(Filters/Python)
+
+if (INSIDEOUT_USE_PARAVIEW)
+  paraview_plugin_build(
+    PLUGINS              ${plugins}
+    PLUGINS_FILE_NAME    insideout.plugins.xml
+    LIBRARY_SUBDIRECTORY ${PARAVIEW_PLUGIN_SUBDIR}
+    INSTALL_HEADERS      OFF)
+endif ()
+
+# find_package(InsideOut) of another project.
+include(CMakePackageConfigHelpers)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/InsideOutConfig.cmake.in
+  ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfig.cmake
+  INSTALL_DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
+write_basic_package_version_file(
+  ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfigVersion.cmake
+  COMPATIBILITY SameMajorVersion)
+install(FILES
+  ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfig.cmake
+  ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfigVersion.cmake
+  DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
+install(EXPORT InsideOut
+  NAMESPACE   VTK::
+  FILE        InsideOutTargets.cmake
+  DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})

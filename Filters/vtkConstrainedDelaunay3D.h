@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkConstrainedDelaunay3D
+ * @brief   tetrahedra of the convex hull of a surface that respect each of its facets
+ *
+ * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills
+ * its convex hull with tetrahedra so that every facet is a union of their faces and every vertex
+ * one of their points. Steiner points are added only where there is no other way. TetGen does
+ * the work in a program of its own, insideout-tetgen, so that nothing it does can take the host
+ * down; the environment variable INSIDEOUT_TETGEN names another place for that program.
+ *
+ * Output: positively oriented vtkTetra with two cell arrays of four components, one for each
+ * face in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none;
+ * of several one whose normal leaves the cell, else the lowest) and FacetMultiplicity (short: by
+ * how much the winding number rises when entering the cell there). Points carry
+ * vtkOriginalPointIds (-1 for Steiner points) and the input's point data: interpolated on
+ * facets, NaN (0 for integers) in the volume.
+ *
+ * Errors, with an empty output: facets that cross, all facets in one plane, points not finite or
+ * ids out of range, and a tetrahedralizer that fails.
+ *
+ * @sa vtkResolveSelfIntersections vtkGeneralizedWindingNumber
+ *
+ */
+#ifndef vtkConstrainedDelaunay3D_h
+#define vtkConstrainedDelaunay3D_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkConstrainedDelaunay3D : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkConstrainedDelaunay3D* New();
+  vtkTypeMacro(vtkConstrainedDelaunay3D, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surface; of several the one with the
+   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a polygon as often as it is given. Default off: triangles with the same three points
+   * count once per orientation, and opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+protected:
+  vtkConstrainedDelaunay3D();
+  ~vtkConstrainedDelaunay3D() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double MergeTolerance = 0.0;
+  bool CountDuplicates = false;
+
+private:
+  vtkConstrainedDelaunay3D(const vtkConstrainedDelaunay3D&) = delete;
+  void operator=(const vtkConstrainedDelaunay3D&) = delete;
+};
+
+#endif

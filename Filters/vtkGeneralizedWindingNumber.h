@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkGeneralizedWindingNumber
+ * @brief   the winding number of a surface in tetrahedra of its convex hull
+ *
+ * Takes any triangle or polygon surface, however broken, resolves its self-intersections,
+ * tetrahedralizes its convex hull and computes in each cell the generalized winding number w of
+ * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around the cell. On a
+ * closed surface w is an exact integer in every cell; holes make it a fraction that fades
+ * smoothly.
+ *
+ * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
+ * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
+ * each stage.
+ *
+ * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
+ *
+ */
+#ifndef vtkGeneralizedWindingNumber_h
+#define vtkGeneralizedWindingNumber_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkGeneralizedWindingNumber : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkGeneralizedWindingNumber* New();
+  vtkTypeMacro(vtkGeneralizedWindingNumber, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Which way the surface faces. */
+  enum OrientationType
+  {
+    AUTOMATIC = 0, ///< turned over, with a warning, when it is inside out as a whole
+    AS_GIVEN = 1,
+    REVERSE = 2
+  };
+
+  ///@{
+  /**
+   * Which way the surface as a whole is meant to face: AUTOMATIC (0) turns it over when the sum of
+   * w times volume over the hull is negative, AS_GIVEN (1) never, REVERSE (2) always. Default
+   * AUTOMATIC.
+   */
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, REVERSE);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surface; of several the one with the
+   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a polygon as often as it is given. Default off: triangles with the same three points
+   * count once per orientation, and opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+protected:
+  vtkGeneralizedWindingNumber();
+  ~vtkGeneralizedWindingNumber() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Orientation = AUTOMATIC;
+  double MergeTolerance = 0.0;
+  bool CountDuplicates = false;
+
+private:
+  vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;
+  void operator=(const vtkGeneralizedWindingNumber&) = delete;
+};
+
+#endif

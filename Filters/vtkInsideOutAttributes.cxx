@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutAttributes.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+using Warnings = std::vector<std::string>;
+
+/**
+ * A shallow copy of the input's data in which no array has a name that InsideOut gives to its own.
+ * FacetMultiplicity was read and is given anew, so it does not come along.
+ */
+template <typename Attributes>
+vtkSmartPointer<Attributes> WithoutClashes(Attributes* input, Warnings& warnings)
+{
+  auto copy = vtkSmartPointer<Attributes>::New();
+  copy->ShallowCopy(input);
+  for (const char* name :
+    { "vtkOriginalPointIds", "vtkOriginalCellIds", "w", "Inside", "FacetIds" })
+  {
+    if (vtkAbstractArray* array = copy->GetAbstractArray(name))
+    {
+      const std::string renamed = std::string("Input_") + name;
+      vtkSmartPointer<vtkAbstractArray> clone;
+      clone.TakeReference(array->NewInstance());
+      clone->DeepCopy(array);
+      clone->SetName(renamed.c_str());
+      copy->RemoveArray(name);
+      copy->AddArray(clone);
+      const std::string warning = std::string("the input's array ") + name + " is passed on as " +
+        renamed + ", for the output has its own";
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      {
+        warnings.push_back(warning);
+      }
+    }
+  }
+  copy->RemoveArray("FacetMultiplicity");
+  return copy;
+}
+
+/** Set tuple `id` of every array to NaN, or 0 where the type has none. */
+void SetNoValue(vtkDataSetAttributes* data, vtkIdType id)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = data->GetArray(i))
+    {
+      const bool isReal = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+      const double value = isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      {
+        array->SetComponent(id, k, value);
+      }
+    }
+  }
+}
+
+/** Make room for `size` tuples in every array, so that none is left without a value. */
+void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    data->GetAbstractArray(i)->SetNumberOfTuples(size);
+  }
+}
+
+void AddIds(vtkDataSetAttributes* data, const char* name, const std::vector<vtkIdType>& values)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(name);
+  ids->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), ids->GetPointer(0));
+  data->AddArray(ids);
+}
+} // namespace
+
+void vtkInsideOutAttributes::PassPointData(vtkPointData* input,
+  const std::vector<insideout::PointOrigin>& origins, vtkPointData* output, Warnings& warnings)
+{
+  const vtkIdType size = static_cast<vtkIdType>(origins.size());
+  const vtkSmartPointer<vtkPointData> source = WithoutClashes(input, warnings);
+  output->InterpolateAllocate(source, size);
+  SetNumberOfTuples(output, size);
+
+  std::vector<vtkIdType> inputPoints(size, -1);
+  vtkNew<vtkIdList> corners;
+  corners->SetNumberOfIds(3);
+  for (vtkIdType p = 0; p < size; ++p)
+  {
+    insideout::PointOrigin origin = origins[p];
+    if (origin.IsInput())
+    {
+      inputPoints[p] = origin.Points[0];
+      output->CopyData(source, origin.Points[0], p);
+    }
+    else if (origin.Points[0] == insideout::None)
+    {
+      SetNoValue(output, p);
+    }
+    else
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        corners->SetId(k, origin.Points[k]);
+      }
+      output->InterpolatePoint(source, p, corners, origin.Weights.data());
+    }
+  }
+  AddIds(output, "vtkOriginalPointIds", inputPoints);
+}
+
+void vtkInsideOutAttributes::PassCellData(
+  vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output, Warnings& warnings)
+{
+  const vtkIdType size = static_cast<vtkIdType>(cells.size());
+  const vtkSmartPointer<vtkCellData> source = WithoutClashes(input, warnings);
+  output->CopyAllocate(source, size);
+  SetNumberOfTuples(output, size);
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    if (cells[c] >= 0)
+    {
+      output->CopyData(source, cells[c], c);
+    }
+    else
+    {
+      SetNoValue(output, c);
+    }
+  }
+  AddIds(output, "vtkOriginalCellIds", cells);
+}

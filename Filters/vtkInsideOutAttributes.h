@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkInsideOutAttributes
+ * @brief   Carries the input's point and cell data to the outputs of InsideOut's filters.
+ */
+#ifndef vtkInsideOutAttributes_h
+#define vtkInsideOutAttributes_h
+
+#include "FacetComplex.h"
+
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkCellData;
+class vtkPointData;
+
+namespace vtkInsideOutAttributes
+{
+/**
+ * Point data by origin: copied from an input point, interpolated on a facet, and for a point in the
+ * volume NaN (0 in integer arrays). Adds vtkOriginalPointIds: the input point, -1 for a new one.
+ *
+ * @param[in,out] warnings gains a line per input array that had to be renamed
+ */
+void PassPointData(vtkPointData* input, const std::vector<insideout::PointOrigin>& origins,
+  vtkPointData* output, std::vector<std::string>& warnings);
+
+/**
+ * Cell data by input cell, NaN (0 in integer arrays) where it is -1. Adds vtkOriginalCellIds.
+ */
+void PassCellData(vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output,
+  std::vector<std::string>& warnings);
+} // namespace vtkInsideOutAttributes
+
+#endif

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutConversion.h"
+
+#include "vtkInsideOutAttributes.h"
+
+#include <vtkAOSDataArrayTemplate.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolygon.h>
+#include <vtkShortArray.h>
+#include <vtkThreshold.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using insideout::Error;
+using insideout::ErrorCode;
+using insideout::FacetComplex;
+using insideout::Id;
+using insideout::TetrahedralMesh;
+
+namespace
+{
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<insideout::Point>& values)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(values.size()));
+  if (!values.empty())
+  {
+    std::copy_n(
+      values.front().data(), 3 * values.size(), static_cast<double*>(points->GetVoidPointer(0)));
+  }
+  return points;
+}
+
+/** Cells of `Size` points each. */
+template <std::size_t Size>
+vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::array<Id, Size>>& values)
+{
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(Size * values.size()));
+  if (!values.empty())
+  {
+    std::copy_n(values.front().data(), Size * values.size(), connectivity->GetPointer(0));
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(static_cast<vtkIdType>(Size), connectivity);
+  return cells;
+}
+
+template <typename Value>
+vtkSmartPointer<vtkDataArray> MakeArray(
+  const insideout::Attribute& attribute, const std::vector<Value>& values)
+{
+  auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<Value>>::New();
+  array->SetName(attribute.Name.c_str());
+  array->SetNumberOfComponents(attribute.Components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / attribute.Components));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+/** Add the attribute as an array, and as VTK's normals, texture coordinates or colours if it is
+ * these. */
+void AddAttribute(const insideout::Attribute& attribute, vtkDataSetAttributes* data)
+{
+  const vtkSmartPointer<vtkDataArray> array =
+    std::visit([&](const auto& values) { return MakeArray(attribute, values); }, attribute.Values);
+  if (attribute.Name == "Normals")
+  {
+    data->SetNormals(array);
+  }
+  else if (attribute.Name == "TCoords")
+  {
+    data->SetTCoords(array);
+  }
+  else if (attribute.Name == "Colors")
+  {
+    data->SetScalars(array);
+  }
+  else
+  {
+    data->AddArray(array);
+  }
+}
+
+insideout::Point GetPoint(vtkPolyData* input, vtkIdType id)
+{
+  insideout::Point point;
+  input->GetPoint(id, point.data());
+  return point;
+}
+} // namespace
+
+vtkInsideOutConversion::vtkInsideOutConversion(vtkPolyData* input)
+  : Input(input)
+{
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  if (numberOfPoints > std::numeric_limits<Id>::max() ||
+    input->GetNumberOfCells() > std::numeric_limits<Id>::max())
+  {
+    throw Error(ErrorCode::TooLarge,
+      "the surface has " + std::to_string(numberOfPoints) + " points and " +
+        std::to_string(input->GetNumberOfCells()) + " cells; at most " +
+        std::to_string(std::numeric_limits<Id>::max()) + " of each can be handled");
+  }
+  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    throw Error(ErrorCode::EmptySurface,
+      input->GetNumberOfCells() == 0 ? "the surface is empty: it has no polygons"
+                                     : "the surface has no polygons, only lines or vertices");
+  }
+  if (const vtkIdType ignored = input->GetNumberOfVerts() + input->GetNumberOfLines())
+  {
+    this->Warnings.push_back(
+      std::to_string(ignored) + " vertices and lines are ignored: only polygons and strips count");
+  }
+  this->Soup.Points.resize(numberOfPoints);
+  for (vtkIdType p = 0; p < numberOfPoints; ++p)
+  {
+    this->Soup.Points[p] = GetPoint(input, p);
+  }
+  this->ReadPolygons(input);
+  this->ReadStrips(input);
+  this->ReadMultiplicity(input);
+}
+
+void vtkInsideOutConversion::CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+{
+  const vtkIdType numberOfPoints = static_cast<vtkIdType>(this->Soup.Points.size());
+  for (vtkIdType k = 0; k < size; ++k)
+  {
+    if (corners[k] < 0 || corners[k] >= numberOfPoints)
+    {
+      throw Error(ErrorCode::PointOutOfRange,
+        "cell " + std::to_string(cell) + " refers to point " + std::to_string(corners[k]) + " of " +
+          std::to_string(numberOfPoints));
+    }
+    const insideout::Point& x = this->Soup.Points[corners[k]];
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      throw Error(
+        ErrorCode::PointNotFinite, "point " + std::to_string(corners[k]) + " is not finite");
+    }
+  }
+}
+
+void vtkInsideOutConversion::AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+{
+  this->Soup.Triangles.push_back(
+    { { static_cast<Id>(a), static_cast<Id>(b), static_cast<Id>(c) } });
+  this->CellOfTriangle.push_back(cell);
+}
+
+void vtkInsideOutConversion::ReadPolygons(vtkPolyData* input)
+{
+  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  vtkIdType tooSmall = 0;
+  vtkIdType fans = 0;
+  vtkNew<vtkPolygon> polygon;
+  vtkNew<vtkIdList> triangles;
+  const auto polygons = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
+  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    polygons->GetCurrentCell(size, corners);
+    this->CheckCell(cell, size, corners);
+    if (size == 3)
+    {
+      this->AddTriangle(cell, corners[0], corners[1], corners[2]);
+    }
+    else if (size > 3)
+    {
+      polygon->Initialize(static_cast<int>(size), corners, input->GetPoints());
+      // Where the polygon crosses itself ears run out. A fan then keeps at least its outline, so
+      // that a closed surface stays closed.
+      if (polygon->Triangulate(triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
+      {
+        for (vtkIdType k = 0; k < triangles->GetNumberOfIds(); k += 3)
+        {
+          this->AddTriangle(cell, corners[triangles->GetId(k)], corners[triangles->GetId(k + 1)],
+            corners[triangles->GetId(k + 2)]);
+        }
+      }
+      else
+      {
+        ++fans;
+        for (vtkIdType k = 1; k + 1 < size; ++k)
+        {
+          this->AddTriangle(cell, corners[0], corners[k], corners[k + 1]);
+        }
+      }
+    }
+    else
+    {
+      ++tooSmall;
+    }
+    ++cell;
+  }
+  if (fans > 0)
+  {
+    this->Warnings.push_back(std::to_string(fans) +
+      " polygons cross themselves and cannot be clipped into ears: they are cut into fans");
+  }
+  if (tooSmall > 0)
+  {
+    this->Warnings.push_back(
+      std::to_string(tooSmall) + " polygons of fewer than three points are left out");
+  }
+}
+
+void vtkInsideOutConversion::ReadStrips(vtkPolyData* input)
+{
+  vtkIdType cell =
+    input->GetNumberOfVerts() + input->GetNumberOfLines() + input->GetNumberOfPolys();
+  const auto strips = vtk::TakeSmartPointer(input->GetStrips()->NewIterator());
+  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    strips->GetCurrentCell(size, corners);
+    this->CheckCell(cell, size, corners);
+    for (vtkIdType k = 0; k + 2 < size; ++k)
+    {
+      const bool odd = k % 2 != 0; // every other triangle of a strip runs the other way
+      this->AddTriangle(
+        cell, corners[k], corners[odd ? k + 2 : k + 1], corners[odd ? k + 1 : k + 2]);
+    }
+    ++cell;
+  }
+}
+
+void vtkInsideOutConversion::ReadMultiplicity(vtkPolyData* input)
+{
+  auto* multiplicity =
+    vtkShortArray::SafeDownCast(input->GetCellData()->GetAbstractArray("FacetMultiplicity"));
+  if (multiplicity && multiplicity->GetNumberOfComponents() == 1)
+  {
+    for (const vtkIdType cell : this->CellOfTriangle)
+    {
+      this->Soup.Multiplicity.push_back(multiplicity->GetValue(cell));
+    }
+  }
+}
+
+vtkIdType vtkInsideOutConversion::CellOfFacet(const FacetComplex& surface, Id facet, int side) const
+{
+  vtkIdType lowest = -1;
+  for (const bool alongSideOnly : { true, false })
+  {
+    for (Id s = surface.SourceOffsets[facet]; s < surface.SourceOffsets[facet + 1]; ++s)
+    {
+      const insideout::FacetSource& source = surface.Sources[s];
+      const vtkIdType cell = this->CellOfTriangle[source.Triangle];
+      if ((!alongSideOnly || (side > 0) != source.Reversed) && (lowest < 0 || cell < lowest))
+      {
+        lowest = cell;
+      }
+    }
+    if (lowest >= 0)
+    {
+      break;
+    }
+  }
+  return lowest;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
+  const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
+  const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells)
+{
+  std::vector<Id> index(points.size(), insideout::None);
+  std::vector<insideout::Point> usedPoints;
+  std::vector<insideout::PointOrigin> usedOrigins;
+  std::vector<insideout::Triangle> renumbered = triangles;
+  for (insideout::Triangle& triangle : renumbered)
+  {
+    for (const Id p : triangle)
+    {
+      index[p] = 0;
+    }
+  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (index[p] != insideout::None)
+    {
+      index[p] = static_cast<Id>(usedPoints.size());
+      usedPoints.push_back(points[p]);
+      usedOrigins.push_back(origins[p]);
+    }
+  }
+  for (insideout::Triangle& triangle : renumbered)
+  {
+    for (Id& p : triangle)
+    {
+      p = index[p];
+    }
+  }
+
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(MakePoints(usedPoints));
+  output->SetPolys(MakeCells(renumbered));
+  vtkInsideOutAttributes::PassPointData(
+    this->Input->GetPointData(), usedOrigins, output->GetPointData(), this->Warnings);
+  vtkInsideOutAttributes::PassCellData(
+    this->Input->GetCellData(), cells, output->GetCellData(), this->Warnings);
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
+  const FacetComplex& surface, const std::vector<Id>& facets)
+{
+  std::vector<insideout::Triangle> triangles;
+  std::vector<vtkIdType> cells;
+  vtkNew<vtkShortArray> multiplicity;
+  multiplicity->SetName("FacetMultiplicity");
+  for (const Id f : facets)
+  {
+    triangles.push_back(surface.Facets[f]);
+    cells.push_back(this->CellOfFacet(surface, f, +1));
+    multiplicity->InsertNextValue(surface.Multiplicity[f]);
+  }
+  auto output = this->MakeSurface(surface.Points, surface.Origins, triangles, cells);
+  output->GetCellData()->AddArray(multiplicity);
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(const TetrahedralMesh& mesh,
+  const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells)
+{
+  return this->MakeSurface(mesh.Points, mesh.Origins, triangles, cells);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
+  const FacetComplex& surface, const TetrahedralMesh& mesh)
+{
+  vtkNew<vtkIdTypeArray> facetIds;
+  facetIds->SetName("FacetIds");
+  facetIds->SetNumberOfComponents(4);
+  facetIds->SetNumberOfTuples(mesh.NumberOfCells());
+  vtkNew<vtkShortArray> multiplicity;
+  multiplicity->SetName("FacetMultiplicity");
+  multiplicity->SetNumberOfComponents(4);
+  multiplicity->SetNumberOfTuples(mesh.NumberOfCells());
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id facet = mesh.Facets[cell][k];
+      facetIds->SetTypedComponent(cell, k,
+        facet == insideout::None ? -1
+                                 : this->CellOfFacet(surface, facet, mesh.FacetSides[cell][k]));
+      multiplicity->SetTypedComponent(
+        cell, k, static_cast<short>(MultiplicityOnEntering(surface, mesh, cell, k)));
+    }
+  }
+
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(MakePoints(mesh.Points));
+  grid->SetCells(VTK_TETRA, MakeCells(mesh.Cells));
+  grid->GetCellData()->AddArray(facetIds);
+  grid->GetCellData()->AddArray(multiplicity);
+  vtkInsideOutAttributes::PassPointData(
+    this->Input->GetPointData(), mesh.Origins, grid->GetPointData(), this->Warnings);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
+  const insideout::HullMesh& hull)
+{
+  auto grid = this->MakeGrid(hull.Surface, hull.Mesh);
+  vtkNew<vtkDoubleArray> w;
+  w->SetName("w");
+  w->SetNumberOfValues(static_cast<vtkIdType>(hull.W.size()));
+  std::copy(hull.W.begin(), hull.W.end(), w->GetPointer(0));
+  grid->GetCellData()->SetScalars(w);
+  return grid;
+}
+
+void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName("Inside");
+  array->SetNumberOfValues(static_cast<vtkIdType>(inside.size()));
+  std::copy(inside.begin(), inside.end(), array->GetPointer(0));
+  grid->GetCellData()->AddArray(array);
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolyData(const insideout::PolygonSurface& surface)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> corners;
+  for (const Id offset : surface.Offsets)
+  {
+    offsets->InsertNextValue(offset);
+  }
+  for (const Id corner : surface.Corners)
+  {
+    corners->InsertNextValue(corner);
+  }
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, corners);
+  output->SetPoints(MakePoints(surface.Points));
+  output->SetPolys(polygons);
+  for (const insideout::Attribute& attribute : surface.PointAttributes)
+  {
+    AddAttribute(attribute, output->GetPointData());
+  }
+  for (const insideout::Attribute& attribute : surface.PolygonAttributes)
+  {
+    AddAttribute(attribute, output->GetCellData());
+  }
+  return output;
+}
+
+void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)
+{
+  for (const auto& [name, value] : statistics)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(("Statistics_" + name).c_str());
+    array->InsertNextValue(value);
+    output->GetFieldData()->AddArray(array);
+  }
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputData(grid);
+  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Inside");
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+  threshold->SetUpperThreshold(0.5);
+  threshold->Update();
+  return threshold->GetOutput();
+}

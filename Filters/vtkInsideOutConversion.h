@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkInsideOutConversion
+ * @brief   The one place where VTK's data become InsideOut's and back.
+ *
+ * Reads a vtkPolyData into plain triangles, checked as far as VTK's structures need it, and
+ * remembers where they came from; then makes VTK data sets of the stages' results that carry the
+ * input's point and cell data along.
+ */
+#ifndef vtkInsideOutConversion_h
+#define vtkInsideOutConversion_h
+
+#include "HullMesh.h"
+#include "SurfaceFile.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataSet;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+class vtkInsideOutConversion
+{
+public:
+  /**
+   * Read the polygons and strips of a surface. Polygons are triangulated by ear clipping. A cell
+   * array FacetMultiplicity (short, as vtkResolveSelfIntersections makes it) says how often a cell
+   * counts.
+   *
+   * @throws insideout::Error that names the cell or point at fault
+   */
+  explicit vtkInsideOutConversion(vtkPolyData* input);
+
+  /** The input's triangles. Their points have the input's ids. */
+  insideout::TriangleSoup Soup;
+
+  /** What was passed over or looks wrong, one line each. */
+  std::vector<std::string> Warnings;
+
+  /** The input cell of a facet: of several the lowest, of those along `side` (+1 or -1) if there is
+   * one. */
+  vtkIdType CellOfFacet(
+    const insideout::FacetComplex& surface, insideout::Id facet, int side) const;
+
+  /** Facets as a surface with FacetMultiplicity, vtkOriginalCellIds, vtkOriginalPointIds and the
+   * input's data. */
+  vtkSmartPointer<vtkPolyData> MakeSurface(
+    const insideout::FacetComplex& surface, const std::vector<insideout::Id>& facets);
+
+  /** Triangles between points of the mesh, each with the input cell it lies on or -1, and the
+   * input's data. */
+  vtkSmartPointer<vtkPolyData> MakeSurface(const insideout::TetrahedralMesh& mesh,
+    const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells);
+
+  /** The mesh with FacetIds, FacetMultiplicity, vtkOriginalPointIds and the input's point data. */
+  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+    const insideout::FacetComplex& surface, const insideout::TetrahedralMesh& mesh);
+
+  /** The same with w. */
+  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const insideout::HullMesh& hull);
+
+private:
+  void ReadPolygons(vtkPolyData* input);
+  void ReadStrips(vtkPolyData* input);
+  void ReadMultiplicity(vtkPolyData* input);
+  void CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners);
+  void AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c);
+  vtkSmartPointer<vtkPolyData> MakeSurface(const std::vector<insideout::Point>& points,
+    const std::vector<insideout::PointOrigin>& origins,
+    const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells);
+
+  vtkPolyData* Input;
+  std::vector<vtkIdType> CellOfTriangle;
+};
+
+/** The polygons of a file, with their attributes. */
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolyData(const insideout::PolygonSurface& surface);
+
+/** Put each figure into the data set's field data, as a one-value array Statistics_NAME. */
+void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);
+
+/** Put the labels on the grid as its cell array Inside. */
+void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
+
+/** The cells whose array Inside is 1, with the points they use. */
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(vtkUnstructuredGrid* grid);
+
+#endif

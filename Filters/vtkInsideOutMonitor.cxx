@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutMonitor.h"
+
+#include <vtkAlgorithm.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace
+{
+// VTK 9.2 and later ask every algorithm upstream too; 9.1 knows only the algorithm's own flag.
+template <typename Algorithm>
+auto ShouldAbort(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
+{
+  return algorithm->CheckAbort();
+}
+
+template <typename Algorithm>
+bool ShouldAbort(Algorithm* algorithm, long)
+{
+  return algorithm->GetAbortExecute() != 0;
+}
+} // namespace
+
+vtkInsideOutMonitor::vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages)
+  : Algorithm(algorithm)
+  , Stages(std::move(stages))
+{
+}
+
+bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
+{
+  const auto found = std::find(this->Stages.begin() + this->Stage, this->Stages.end(), stage);
+  if (found != this->Stages.end() && found != this->Stages.begin() + this->Stage)
+  {
+    this->Stage = found - this->Stages.begin();
+    this->Shown = -1;
+  }
+  const double progress =
+    (this->Stage + std::min(std::max(fraction, 0.0), 1.0)) / this->Stages.size();
+  constexpr double SmallestStepShown = 0.002;
+  if (this->Shown < 0 || progress - this->Shown >= SmallestStepShown)
+  {
+    this->Shown = progress;
+    this->Algorithm->SetProgressText(this->Stages[this->Stage].c_str());
+    this->Algorithm->UpdateProgress(progress);
+  }
+  return !ShouldAbort(this->Algorithm, 0);
+}
+
+int vtkInsideOutRun(vtkAlgorithm* algorithm, const std::function<void()>& work)
+{
+  try
+  {
+    work();
+    return 1;
+  }
+  catch (const insideout::Error& error)
+  {
+    if (error.Code == insideout::ErrorCode::Stopped)
+    {
+      return 1;
+    }
+    vtkErrorWithObjectMacro(algorithm, << error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(algorithm, << "out of memory");
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(algorithm, << "internal error: " << error.what());
+  }
+  return 0;
+}
+
+void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningWithObjectMacro(algorithm, << warning);
+  }
+}

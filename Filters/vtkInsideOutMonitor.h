@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkInsideOutMonitor
+ * @brief   Shows the progress of InsideOut's stages as a VTK algorithm's, and passes on its abort
+ * flag.
+ */
+#ifndef vtkInsideOutMonitor_h
+#define vtkInsideOutMonitor_h
+
+#include "Monitor.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+class vtkInsideOutMonitor : public insideout::Monitor
+{
+public:
+  /**
+   * @param stages the names of the stages that the algorithm runs, in order. Each takes an equal
+   * share of the progress, so that an observer can tell the stage's own progress from it.
+   */
+  vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages);
+
+  bool Continue(const char* stage, double fraction) override;
+
+private:
+  vtkAlgorithm* Algorithm;
+  std::vector<std::string> Stages;
+  std::size_t Stage = 0;
+  double Shown = -1;
+};
+
+/**
+ * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
+ * is no error.
+ *
+ * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed
+ */
+int vtkInsideOutRun(vtkAlgorithm* algorithm, const std::function<void()>& work);
+
+/** A warning event of the algorithm for each line. */
+void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings);
+
+#endif

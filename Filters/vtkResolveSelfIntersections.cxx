@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkResolveSelfIntersections.h"
+
+#include "ResolveSelfIntersections.h"
+#include "vtkInsideOutConversion.h"
+#include "vtkInsideOutMonitor.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <numeric>
+#include <set>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkResolveSelfIntersections);
+
+vtkResolveSelfIntersections::vtkResolveSelfIntersections() = default;
+
+void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+}
+
+int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return vtkInsideOutRun(this,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(
+        this, { "validating", "finding self-intersections", "resolving self-intersections" });
+      vtkInsideOutConversion conversion(input);
+      const CountedChain chain =
+        CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
+      const Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);
+      const FacetComplex& surface = resolution.Surface;
+
+      std::vector<Id> facets(surface.NumberOfConstraints);
+      std::iota(facets.begin(), facets.end(), 0);
+      output->ShallowCopy(conversion.MakeSurface(surface, facets));
+
+      Statistics statistics;
+      AddCounts(chain.Counts, statistics);
+      statistics.emplace_back("IntersectingPairs", resolution.IntersectingPairs.size());
+      statistics.emplace_back("ResolvedFacets", facets.size());
+      statistics.emplace_back(
+        "LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
+      vtkInsideOutAddStatistics(statistics, output);
+
+      vtkInsideOutWarn(this, chain.Warnings);
+      vtkInsideOutWarn(this, conversion.Warnings);
+      if (surface.NumberOfConstraints < surface.NumberOfFacets())
+      {
+        std::set<vtkIdType> cells;
+        for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
+        {
+          cells.insert(conversion.CellOfFacet(surface, f, +1));
+        }
+        vtkWarningMacro(
+          << surface.NumberOfFacets() - surface.NumberOfConstraints
+          << " facets still cross others after rounding and are left out; they are pieces of "
+          << cells.size() << " input cells, of which cell " << *cells.begin() << " is the first");
+      }
+    });
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkRobustTetrahedralize
+ * @brief   from a broken surface to tetrahedra of the solid that it means
+ *
+ * Takes any triangle or polygon surface, with holes, self-intersections, duplicates or non-
+ * manifold edges, and gives tetrahedra of the solid that it most likely means. Facets are cut
+ * where they cross, the convex hull is tetrahedralized so that each of them is a union of faces,
+ * and the tetrahedra are labelled inside or outside by the surface's generalized winding number
+ * and a graph cut (Jacobson, Kavan and Sorkine-Hornung 2013). Every input vertex is a point of
+ * the hull, with its exact coordinates.
+ *
+ * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
+ * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME. Output 1, its boundary:
+ * triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell each lies
+ * on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets that are
+ * no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
+ * surfaces its cell data.
+ *
+ * When no cell is inside there is a warning that gives the range of w. Errors, which name the
+ * culprit, leave all outputs empty.
+ *
+ * @sa vtkGeneralizedWindingNumber vtkGraphCutSegmentation
+ *
+ */
+#ifndef vtkRobustTetrahedralize_h
+#define vtkRobustTetrahedralize_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkPolyData;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkRobustTetrahedralize : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkRobustTetrahedralize* New();
+  vtkTypeMacro(vtkRobustTetrahedralize, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The boundary of the solid (output 1) and the facets that are not part of it (output 2). */
+  vtkPolyData* GetBoundary();
+  vtkPolyData* GetOutliers();
+  ///@}
+
+  ///@{
+  /**
+   * Weight of a smooth boundary against the winding number, without unit. 0 is thresholding: inside
+   * where w > 1/2. Larger values cut off and fill up thin parts where w is unsure. Default 1, range
+   * 0 to infinity.
+   */
+  vtkSetClampMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Gamma, double);
+  ///@}
+
+  ///@{
+  /**
+   * How large a step in w may be noise. Steps between two cells that are several times larger cost
+   * nothing to cut along, smaller ones cost up to Gamma. Default 0.1, above 0.
+   */
+  vtkSetClampMacro(Sigma, double, VTK_DBL_MIN, VTK_DOUBLE_MAX);
+  vtkGetMacro(Sigma, double);
+  ///@}
+
+  ///@{
+  /**
+   * On: the output holds only the cells inside. Off: all cells of the hull, with the array Inside
+   * to tell them apart. Default on.
+   */
+  vtkSetMacro(ExtractInside, bool);
+  vtkGetMacro(ExtractInside, bool);
+  vtkBooleanMacro(ExtractInside, bool);
+  ///@}
+
+  /** Which way the surface faces. */
+  enum OrientationType
+  {
+    AUTOMATIC = 0, ///< turned over, with a warning, when it is inside out as a whole
+    AS_GIVEN = 1,
+    REVERSE = 2
+  };
+
+  ///@{
+  /**
+   * Which way the surface as a whole is meant to face: AUTOMATIC (0) turns it over when the sum of
+   * w times volume over the hull is negative, AS_GIVEN (1) never, REVERSE (2) always. Default
+   * AUTOMATIC.
+   */
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, REVERSE);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surface; of several the one with the
+   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a polygon as often as it is given. Default off: triangles with the same three points
+   * count once per orientation, and opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+protected:
+  vtkRobustTetrahedralize();
+  ~vtkRobustTetrahedralize() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double Gamma = 1.0;
+  double Sigma = 0.1;
+  bool ExtractInside = true;
+  int Orientation = AUTOMATIC;
+  double MergeTolerance = 0.0;
+  bool CountDuplicates = false;
+
+private:
+  vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;
+  void operator=(const vtkRobustTetrahedralize&) = delete;
+};
+
+#endif

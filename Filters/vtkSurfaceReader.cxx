@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSurfaceReader.h"
+
+#include "SurfaceFile.h"
+#include "vtkInsideOutConversion.h"
+#include "vtkInsideOutMonitor.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkSurfaceReader);
+
+vtkSurfaceReader::vtkSurfaceReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkSurfaceReader::~vtkSurfaceReader()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
+
+int vtkSurfaceReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return vtkInsideOutRun(this,
+    [&]()
+    {
+      if (!this->FileName || !*this->FileName)
+      {
+        throw Error(ErrorCode::FileUnreadable, "no file name is set");
+      }
+      vtkInsideOutMonitor monitor(this, { "reading" });
+      const PolygonSurface surface = ReadSurface(this->FileName, monitor);
+      output->ShallowCopy(vtkInsideOutMakePolyData(surface));
+      vtkInsideOutWarn(this, surface.Warnings);
+    });
+}

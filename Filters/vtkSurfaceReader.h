@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSurfaceReader
+ * @brief   reads a surface from an OBJ, OFF, PLY or STL file in full precision
+ *
+ * Reads polygons from the four formats that surfaces travel in, ascii or binary. Coordinates
+ * keep all their digits (points are double), and nothing in the file is trusted: an id out of
+ * range, a count that the file does not hold, or a truncated file is an error that names the
+ * line or the element, and the output is empty.
+ *
+ * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors,
+ * GroupIds and MaterialIds, and any other property of a PLY file under its own name. Points
+ * stand in the file's order; where an OBJ file gives a point several normals or texture
+ * coordinates, copies follow behind the last.
+ *
+ * @sa vtkRobustTetrahedralize
+ *
+ */
+#ifndef vtkSurfaceReader_h
+#define vtkSurfaceReader_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceReader* New();
+  vtkTypeMacro(vtkSurfaceReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to read. The format is told by its content, or else by the name's ending. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkSurfaceReader();
+  ~vtkSurfaceReader() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  char* FileName = nullptr;
+
+private:
+  vtkSurfaceReader(const vtkSurfaceReader&) = delete;
+  void operator=(const vtkSurfaceReader&) = delete;
+};
+
+#endif
