@@ -41,7 +41,7 @@ struct Segmentation
  *
  * @param[in] w one finite value per cell
  * @param[in] faces every face between two cells, once
- * @throws Error InvalidParameter, Stopped
+ * @throws Error InvalidParameter, TooLarge, Stopped
  */
 Segmentation GraphCutSegmentation(const std::vector<double>& w,
   const std::vector<InteriorFace>& faces, const GraphCutParameters& parameters, Monitor& monitor);

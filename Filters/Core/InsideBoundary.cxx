@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "InsideBoundary.h"
+
+#include "Error.h"
+
+namespace insideout
+{
+namespace
+{
+void CheckLabels(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  if (inside.size() != mesh.Cells.size())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::to_string(inside.size()) + " inside labels for " + std::to_string(mesh.Cells.size()) +
+        " cells");
+  }
+}
+
+bool IsInside(const std::vector<unsigned char>& inside, Id cell)
+{
+  return cell != None && inside[cell] != 0;
+}
+} // namespace
+
+std::vector<BoundaryFace> BoundaryFaces(
+  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  CheckLabels(mesh, inside);
+  std::vector<BoundaryFace> faces;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; inside[cell] != 0 && k < 4; ++k)
+    {
+      if (!IsInside(inside, mesh.Neighbors[cell][k]))
+      {
+        const Tetrahedron& points = mesh.Cells[cell];
+        const std::array<int, 3>& corners = TetrahedronFaces[k];
+        faces.push_back({ { points[corners[0]], points[corners[1]], points[corners[2]] }, cell, k,
+          mesh.Facets[cell][k] });
+      }
+    }
+  }
+  return faces;
+}
+
+std::vector<Id> OutlierFacets(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::vector<unsigned char>& inside)
+{
+  CheckLabels(mesh, inside);
+  std::vector<char> hasPiece(surface.Facets.size(), 0);
+  std::vector<char> leftOut(surface.Facets.size(), 0);
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id facet = mesh.Facets[cell][k];
+      if (facet != None)
+      {
+        hasPiece[facet] = 1;
+        if (!IsInside(inside, cell) && !IsInside(inside, mesh.Neighbors[cell][k]))
+        {
+          leftOut[facet] = 1;
+        }
+      }
+    }
+  }
+  for (Id facet : mesh.LostFacets)
+  {
+    leftOut[facet] = 1;
+  }
+  std::vector<Id> outliers;
+  for (Id facet = 0; facet < surface.NumberOfFacets(); ++facet)
+  {
+    if (leftOut[facet] || !hasPiece[facet] || facet >= surface.NumberOfConstraints)
+    {
+      outliers.push_back(facet);
+    }
+  }
+  return outliers;
+}
+} // namespace insideout

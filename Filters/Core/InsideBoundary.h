@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "TetrahedralMesh.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** A face between an inside cell and the outside. */
+struct BoundaryFace
+{
+  Triangle Corners; ///< points of the mesh, counter-clockwise seen from outside the solid
+  Id Cell;          ///< the inside cell
+  int Face;         ///< which of its faces (TetrahedronFaces)
+  Id Facet;         ///< facet of the complex that the face lies on, None for none
+};
+
+/**
+ * The boundary of the solid that the inside cells make up: their faces with no inside cell beyond.
+ * It is watertight: every edge is run through as often one way as the other.
+ *
+ * @param[in] inside one value per cell, 0 for outside
+ * @return faces in the order of their cells, then of the faces in the cell
+ * @throws Error InvalidParameter when there is not one label per cell
+ */
+std::vector<BoundaryFace> BoundaryFaces(
+  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
+
+/**
+ * The facets that the solid leaves out (thesis, section 8.5). A facet is satisfied when each of its
+ * pieces, the faces of the mesh that lie on it, has an inside cell on at least one side. All others
+ * are outliers; so are facets without a piece: those that the mesh lost and those behind
+ * NumberOfConstraints. Facets of multiplicity 0 are treated like the others.
+ *
+ * @param[in] surface the complex that `mesh` was made of
+ * @param[in] inside one value per cell, 0 for outside
+ * @return ids of facets of the complex, ascending
+ * @throws Error InvalidParameter when there is not one label per cell
+ */
+std::vector<Id> OutlierFacets(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::vector<unsigned char>& inside);
+} // namespace insideout

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolidAngle.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/determinant.h>
+#include <CGAL/number_utils.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+// 168 bits: half angles keep 16 digits even where the barycentre is 1e-30 sizes from an edge.
+using Precise = boost::multiprecision::cpp_bin_float_50;
+
+template <typename Number>
+using Vector = std::array<Number, 3>;
+
+/** From the barycentre to `corner`, times 4 so that nothing has to be divided. */
+template <typename Number>
+Vector<Number> FourTimesFromBarycentre(const std::array<Point, 4>& cell, const Point& corner)
+{
+  Vector<Number> result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = Number(4) * Number(corner[axis]) - Number(cell[0][axis]) -
+      Number(cell[1][axis]) - Number(cell[2][axis]) - Number(cell[3][axis]);
+  }
+  return result;
+}
+
+template <typename Number>
+Number Determinant(const Vector<Number>& a, const Vector<Number>& b, const Vector<Number>& c)
+{
+  return CGAL::determinant<Number>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
+}
+
+Precise Dot(const Vector<Precise>& a, const Vector<Precise>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** +1 where the triangle's normal points away from the barycentre, -1 towards it, 0 in plane. */
+int Side(const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell)
+{
+  using Exact = CGAL::Exact_rational;
+  return static_cast<int>(CGAL::sign(Determinant(FourTimesFromBarycentre<Exact>(cell, triangle[0]),
+    FourTimesFromBarycentre<Exact>(cell, triangle[1]),
+    FourTimesFromBarycentre<Exact>(cell, triangle[2]))));
+}
+} // namespace
+
+std::complex<double> HalfSolidAngle(
+  const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell)
+{
+  const int side = Side(triangle, cell);
+  if (side == 0)
+  {
+    return 1.0;
+  }
+  const Vector<Precise> a = FourTimesFromBarycentre<Precise>(cell, triangle[0]);
+  const Vector<Precise> b = FourTimesFromBarycentre<Precise>(cell, triangle[1]);
+  const Vector<Precise> c = FourTimesFromBarycentre<Precise>(cell, triangle[2]);
+  const Precise lengthA = sqrt(Dot(a, a));
+  const Precise lengthB = sqrt(Dot(b, b));
+  const Precise lengthC = sqrt(Dot(c, c));
+  const Precise real =
+    lengthA * lengthB * lengthC + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
+  const Precise imaginary = abs(Determinant(a, b, c));
+  const Precise modulus = sqrt(real * real + imaginary * imaginary);
+  if (modulus == 0)
+  {
+    return { 0.0, static_cast<double>(side) };
+  }
+  // A side that is known must not get lost by underflow on the way to double.
+  const double least = 1e-180;
+  return { static_cast<double>(Precise(real / modulus)),
+    side * std::max(static_cast<double>(Precise(imaginary / modulus)), least) };
+}
+} // namespace insideout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "FacetComplex.h"
+#include "Monitor.h"
+
+namespace insideout
+{
+/**
+ * The generalized winding number of a complex at the barycentre of each cell, as the sum over all
+ * facets of multiplicity times solid angle over 4 pi (thesis, equation 8.5; the solid angle by van
+ * Oosterom and Strackee 1983). The barycentre is not rounded, and on which side of a facet it lies
+ * is decided exactly, so that no value is off by a whole facet. Where it lies on a facet, that
+ * facet counts 0, the mean of its two sides.
+ *
+ * Takes time facets times cells, on all threads; the values do not depend on their number, nor on a
+ * scaling of all coordinates by a power of two. Turning all facets over negates the values.
+ *
+ * @param[in] surface every facet counts, the ones behind NumberOfConstraints too
+ * @param[in] points finite, what the cells refer to
+ * @param[in] cells of any volume, even none
+ * @return one value per cell, to about 1e-14 times the root of the number of facets
+ * @throws Error (Stopped)
+ */
+std::vector<double> WindingNumberSum(const FacetComplex& surface, const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, Monitor& monitor);
+} // namespace insideout
