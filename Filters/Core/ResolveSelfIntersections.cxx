@@ -19,8 +19,15 @@ namespace
 {
 constexpr const char* Stage = "resolving self-intersections";
 
-/** Rounds after which what still crosses is left out. Real models take two to ten. */
+/** Rounds after which what still crosses is left out. Most real models take one to three. */
 constexpr int MaximumRounds = 30;
+
+/** Rounds without fewer crossings than ever before, after which no more are tried. */
+constexpr int Patience = 6;
+
+/** Where crossings become this many times more than they once were, cutting makes things worse:
+ * facets in nearly one plane, that cross along ever more lines. */
+constexpr std::size_t Divergence = 4;
 
 /**
  * How far new points of a round move at most to an existing point, relative to the largest
@@ -125,6 +132,16 @@ struct CutFacet
   Meaning Means;
 };
 
+/** The surface between two rounds. */
+struct State
+{
+  std::vector<Point> Points;
+  std::vector<PointOrigin> Origins;
+  std::vector<Triangle> Facets;
+  std::vector<Meaning> Meanings; ///< one per facet
+  Pairs Crossings;               ///< pairs of facets that cross
+};
+
 class Resolver
 {
 public:
@@ -132,13 +149,14 @@ public:
   Resolution Resolve();
 
 private:
-  Id Cut(const Pairs& pairs);
-  void PreparePoints(const Pairs& pairs);
+  void CutRepeatedly();
+  Id Cut();
+  void PreparePoints();
   std::vector<CutFacet> TakePieces(const PlanarSubdivision& subdivision);
   std::vector<Id> PlacePoints(const PlanarSubdivision& subdivision);
   Id PlacePoint(const Point& p, Id root);
   PointOrigin OriginOf(const Point& p, Id root) const;
-  Id KeepUncut(const Pairs& pairs);
+  Id KeepUncut();
   void AddFacets(std::vector<CutFacet> facets);
   FacetComplex Assemble(const std::vector<Id>& leftOut) const;
 
@@ -147,10 +165,7 @@ private:
   const double Size; ///< the largest coordinate
   int Round = 0;
 
-  std::vector<Point> Points;
-  std::vector<PointOrigin> Origins;
-  std::vector<Triangle> Facets;
-  std::vector<Meaning> Meanings; ///< one per facet
+  State Now;
 
   PointIndex Positions{ 0 }; ///< of all points
   PointIndex Nearby{ 0 };    ///< the points that new ones of this round may snap to
@@ -161,54 +176,75 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
   : Surface(surface)
   , Watch(monitor)
   , Size(LargestCoordinate(surface.Points))
-  , Points(surface.Points)
-  , Origins(surface.Origins)
-  , Facets(surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints)
 {
+  this->Now.Points = surface.Points;
+  this->Now.Origins = surface.Origins;
+  this->Now.Facets.assign(
+    surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
   for (Id f = 0; f < surface.NumberOfConstraints; ++f)
   {
-    this->Meanings.push_back(MeaningOf(surface, f));
+    this->Now.Meanings.push_back(MeaningOf(surface, f));
   }
 }
 
 Resolution Resolver::Resolve()
 {
+  this->Now.Crossings = FindIntersections(this->Now.Points, this->Now.Facets, this->Watch);
   Resolution resolution;
-  Pairs pairs = FindIntersections(this->Points, this->Facets, this->Watch);
-  resolution.IntersectingPairs = pairs;
-  if (!pairs.empty())
+  resolution.IntersectingPairs = this->Now.Crossings;
+  if (!this->Now.Crossings.empty())
   {
-    for (Id p = 0; p < static_cast<Id>(this->Points.size()); ++p)
+    for (Id p = 0; p < static_cast<Id>(this->Now.Points.size()); ++p)
     {
-      this->Positions.Add(this->Points[p], p);
+      this->Positions.Add(this->Now.Points[p], p);
     }
-  }
-  while (!pairs.empty() && this->Round < MaximumRounds)
-  {
-    ++this->Round;
-    const Id firstNew = this->Cut(pairs);
-    pairs = FindIntersections(this->Points, this->Facets, firstNew, this->Watch);
+    this->CutRepeatedly();
   }
   resolution.Rounds = this->Round;
-  resolution.Surface = this->Assemble(CoverOf(std::move(pairs)));
+  resolution.Surface = this->Assemble(CoverOf(this->Now.Crossings));
   this->Watch.Check(Stage, 1);
   return resolution;
 }
 
+/** Cuts until nothing crosses, or else goes back to where the fewest facets crossed. */
+void Resolver::CutRepeatedly()
+{
+  State best;
+  int bestRound = 0;
+  while (!this->Now.Crossings.empty() && this->Round < MaximumRounds)
+  {
+    ++this->Round;
+    const Id firstNew = this->Cut();
+    this->Now.Crossings =
+      FindIntersections(this->Now.Points, this->Now.Facets, firstNew, this->Watch);
+    const std::size_t count = this->Now.Crossings.size();
+    if (bestRound == 0 || count < best.Crossings.size())
+    {
+      best = this->Now;
+      bestRound = this->Round;
+    }
+    if (count > Divergence * best.Crossings.size() || this->Round - bestRound == Patience)
+    {
+      break;
+    }
+  }
+  this->Now = std::move(best);
+}
+
 /**
- * Cuts the facets of the pairs. Afterwards the uncut facets come first.
+ * Cuts the facets that cross. Afterwards the uncut facets come first.
  * @return the first new facet
  */
-Id Resolver::Cut(const Pairs& pairs)
+Id Resolver::Cut()
 {
   // How many rounds there will be is unknown: each takes half of the progress that is left.
   const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
   const double end = 1 - std::ldexp(1.0, -this->Round);
   this->Watch.Check(Stage, begin);
-  const std::vector<PlanarSubdivision> subdivisions =
-    CutFacets(this->Points, this->Facets, pairs, this->Watch, { Stage, begin, end });
+  const std::vector<PlanarSubdivision> subdivisions = CutFacets(
+    this->Now.Points, this->Now.Facets, this->Now.Crossings, this->Watch, { Stage, begin, end });
 
-  this->PreparePoints(pairs);
+  this->PreparePoints();
   std::vector<CutFacet> pieces;
   for (const PlanarSubdivision& subdivision : subdivisions)
   {
@@ -216,25 +252,25 @@ Id Resolver::Cut(const Pairs& pairs)
     std::move(taken.begin(), taken.end(), std::back_inserter(pieces));
   }
   this->Watch.Check(Stage, end);
-  const Id firstNew = this->KeepUncut(pairs);
+  const Id firstNew = this->KeepUncut();
   this->AddFacets(std::move(pieces));
   return firstNew;
 }
 
-void Resolver::PreparePoints(const Pairs& pairs)
+void Resolver::PreparePoints()
 {
   this->Moved = PointIndex(0);
   this->Nearby = PointIndex(SnappingRadius(this->Round, this->Size));
-  std::vector<char> added(this->Points.size(), 0);
-  for (const auto& pair : pairs)
+  std::vector<char> added(this->Now.Points.size(), 0);
+  for (const auto& pair : this->Now.Crossings)
   {
     for (const Id f : pair)
     {
-      for (const Id p : this->Facets[f])
+      for (const Id p : this->Now.Facets[f])
       {
         if (!added[p])
         {
-          this->Nearby.Add(this->Points[p], p);
+          this->Nearby.Add(this->Now.Points[p], p);
           added[p] = 1;
         }
       }
@@ -251,15 +287,16 @@ std::vector<CutFacet> Resolver::TakePieces(const PlanarSubdivision& subdivision)
   {
     const Triangle corners = { ids[piece.Corners[0]], ids[piece.Corners[1]],
       ids[piece.Corners[2]] };
-    if (IsDegenerate(this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]]))
+    if (IsDegenerate(
+          this->Now.Points[corners[0]], this->Now.Points[corners[1]], this->Now.Points[corners[2]]))
     {
       continue;
     }
     CutFacet facet{ corners, {} };
-    facet.Means.Root = this->Meanings[piece.Sources[0].Facet].Root;
+    facet.Means.Root = this->Now.Meanings[piece.Sources[0].Facet].Root;
     for (const PieceSource& source : piece.Sources)
     {
-      Add(facet.Means, this->Meanings[source.Facet], source.Reversed);
+      Add(facet.Means, this->Now.Meanings[source.Facet], source.Reversed);
     }
     facets.push_back(std::move(facet));
   }
@@ -275,7 +312,7 @@ std::vector<Id> Resolver::PlacePoints(const PlanarSubdivision& subdivision)
     {
       if (ids[p] == None)
       {
-        const Id root = this->Meanings[piece.Sources[0].Facet].Root;
+        const Id root = this->Now.Meanings[piece.Sources[0].Facet].Root;
         ids[p] = this->PlacePoint(subdivision.Points[p], root);
       }
     }
@@ -302,9 +339,9 @@ Id Resolver::PlacePoint(const Point& p, Id root)
     this->Moved.Add(p, near);
     return near;
   }
-  const Id id = static_cast<Id>(this->Points.size());
-  this->Points.push_back(p);
-  this->Origins.push_back(this->OriginOf(p, root));
+  const Id id = static_cast<Id>(this->Now.Points.size());
+  this->Now.Points.push_back(p);
+  this->Now.Origins.push_back(this->OriginOf(p, root));
   this->Positions.Add(p, id);
   this->Nearby.Add(p, id);
   return id;
@@ -324,44 +361,44 @@ PointOrigin Resolver::OriginOf(const Point& p, Id root) const
   return origin;
 }
 
-/** Removes the facets of the pairs; returns how many are left. */
-Id Resolver::KeepUncut(const Pairs& pairs)
+/** Removes the facets that cross; returns how many are left. */
+Id Resolver::KeepUncut()
 {
-  std::vector<char> isCut(this->Facets.size(), 0);
-  for (const auto& pair : pairs)
+  std::vector<char> isCut(this->Now.Facets.size(), 0);
+  for (const auto& pair : this->Now.Crossings)
   {
     isCut[pair[0]] = isCut[pair[1]] = 1;
   }
   std::size_t kept = 0;
-  for (std::size_t f = 0; f < this->Facets.size(); ++f)
+  for (std::size_t f = 0; f < this->Now.Facets.size(); ++f)
   {
     if (!isCut[f])
     {
       if (kept != f)
       {
-        this->Facets[kept] = this->Facets[f];
-        this->Meanings[kept] = std::move(this->Meanings[f]);
+        this->Now.Facets[kept] = this->Now.Facets[f];
+        this->Now.Meanings[kept] = std::move(this->Now.Meanings[f]);
       }
       ++kept;
     }
   }
-  this->Facets.resize(kept);
-  this->Meanings.resize(kept);
+  this->Now.Facets.resize(kept);
+  this->Now.Meanings.resize(kept);
   return static_cast<Id>(kept);
 }
 
 /** Adds facets, or what they mean to the ones with the same corners. */
 void Resolver::AddFacets(std::vector<CutFacet> facets)
 {
-  std::vector<char> touched(this->Points.size(), 0);
+  std::vector<char> touched(this->Now.Points.size(), 0);
   for (const CutFacet& facet : facets)
   {
     touched[facet.Corners[0]] = touched[facet.Corners[1]] = touched[facet.Corners[2]] = 1;
   }
   std::map<Triangle, Id> ids;
-  for (Id f = 0; f < static_cast<Id>(this->Facets.size()); ++f)
+  for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
-    const Triangle& corners = this->Facets[f];
+    const Triangle& corners = this->Now.Facets[f];
     if (touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
     {
       ids.insert({ Sorted(corners), f });
@@ -369,16 +406,16 @@ void Resolver::AddFacets(std::vector<CutFacet> facets)
   }
   for (CutFacet& facet : facets)
   {
-    const Id next = static_cast<Id>(this->Facets.size());
+    const Id next = static_cast<Id>(this->Now.Facets.size());
     const auto inserted = ids.insert({ Sorted(facet.Corners), next });
     if (inserted.second)
     {
-      this->Facets.push_back(facet.Corners);
-      this->Meanings.push_back(std::move(facet.Means));
+      this->Now.Facets.push_back(facet.Corners);
+      this->Now.Meanings.push_back(std::move(facet.Means));
       continue;
     }
     const Id same = inserted.first->second;
-    Add(this->Meanings[same], facet.Means, AreOpposite(this->Facets[same], facet.Corners));
+    Add(this->Now.Meanings[same], facet.Means, AreOpposite(this->Now.Facets[same], facet.Corners));
   }
 }
 
@@ -406,22 +443,22 @@ void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meani
 FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut) const
 {
   FacetComplex surface;
-  surface.Points = this->Points;
-  surface.Origins = this->Origins;
+  surface.Points = this->Now.Points;
+  surface.Origins = this->Now.Origins;
   auto next = leftOut.begin();
-  for (Id f = 0; f < static_cast<Id>(this->Facets.size()); ++f)
+  for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
     if (next != leftOut.end() && *next == f)
     {
       ++next;
       continue;
     }
-    Append(surface, this->Facets[f], this->Meanings[f]);
+    Append(surface, this->Now.Facets[f], this->Now.Meanings[f]);
   }
   surface.NumberOfConstraints = surface.NumberOfFacets();
   for (const Id f : leftOut)
   {
-    Append(surface, this->Facets[f], this->Meanings[f]);
+    Append(surface, this->Now.Facets[f], this->Now.Meanings[f]);
   }
   for (Id f = this->Surface.NumberOfConstraints; f < this->Surface.NumberOfFacets(); ++f)
   {
