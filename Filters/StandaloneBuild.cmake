@@ -20,7 +20,8 @@ if (INSIDEOUT_USE_PARAVIEW)
     ENABLE_BY_DEFAULT ON)
 else ()
   find_package(VTK 9.1 REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonExecutionModel FiltersCore WrappingPythonCore Python)
+    CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore IOCore
+    WrappingPythonCore Python)
   set(INSIDEOUT_VTK_PACKAGE VTK)
   set(INSIDEOUT_VTK_VERSION ${VTK_VERSION})
 endif ()

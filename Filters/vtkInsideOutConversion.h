@@ -81,6 +81,16 @@ private:
 /** The polygons of a file, with their attributes. */
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolyData(const insideout::PolygonSurface& surface);
 
+/**
+ * The polygons and strips of a surface, for a file: strips become triangles, lines and vertices
+ * stay behind. VTK's normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are
+ * called Normals, TCoords and Colors, whatever their name; other numeric arrays keep theirs.
+ * Integers of other types become int, or double where they do not fit.
+ *
+ * @throws insideout::Error that names the cell whose point is out of range
+ */
+insideout::PolygonSurface vtkInsideOutReadPolyData(vtkPolyData* input);
+
 /** Put each figure into the data set's field data, as a one-value array Statistics_NAME. */
 void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSurfaceWriter.h"
+
+#include "SurfaceFile.h"
+#include "vtkInsideOutConversion.h"
+#include "vtkInsideOutMonitor.h"
+
+#include <vtkErrorCode.h>
+#include <vtkInformation.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkSurfaceWriter);
+
+vtkSurfaceWriter::vtkSurfaceWriter() = default;
+
+vtkSurfaceWriter::~vtkSurfaceWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
+
+int vtkSurfaceWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkSurfaceWriter::GetInput()
+{
+  return this->GetInput(0);
+}
+
+vtkPolyData* vtkSurfaceWriter::GetInput(int port)
+{
+  return vtkPolyData::SafeDownCast(this->Superclass::GetInput(port));
+}
+
+void vtkSurfaceWriter::WriteData()
+{
+  const int written = vtkInsideOutRun(this,
+    [&]()
+    {
+      if (!this->FileName || !*this->FileName)
+      {
+        throw Error(ErrorCode::FileUnwritable, "no file name is set");
+      }
+      WriteSurface(this->FileName, vtkInsideOutReadPolyData(this->GetInput()));
+    });
+  if (!written)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // Write() gives 0 then
+  }
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSurfaceWriter
+ * @brief   writes a surface as a PLY, OBJ or STL file, in full precision where the format has it
+ *
+ * Writes the polygons and strips of its input. The file name's ending says how: .ply (binary,
+ * coordinates as doubles), .obj (text with 17 digits) or .stl (binary; the format has only
+ * floats). What vtkSurfaceReader reads back from the first two has the same coordinates to the
+ * last bit.
+ *
+ * Normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are written to PLY
+ * and OBJ, every other numeric array to PLY. Lines and vertices are not written.
+ *
+ * Write() gives 1, or 0 after an error event that says which file cannot be written or which cell
+ * refers to a point that does not exist.
+ *
+ * @sa vtkSurfaceReader
+ *
+ */
+#ifndef vtkSurfaceWriter_h
+#define vtkSurfaceWriter_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkWriter.h"
+
+class vtkPolyData;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceWriter : public vtkWriter
+{
+public:
+  static vtkSurfaceWriter* New();
+  vtkTypeMacro(vtkSurfaceWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to write, with the ending .ply, .obj or .stl. An older file is overwritten. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** The surface to write. */
+  vtkPolyData* GetInput();
+  vtkPolyData* GetInput(int port);
+  ///@}
+
+protected:
+  vtkSurfaceWriter();
+  ~vtkSurfaceWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+  char* FileName = nullptr;
+
+private:
+  vtkSurfaceWriter(const vtkSurfaceWriter&) = delete;
+  void operator=(const vtkSurfaceWriter&) = delete;
+};
+
+#endif
