@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCutSegmentation.h"
 
+// In optimized builds gcc 12 suspects uninitialized values all over Boost's algorithm.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/push_relabel_max_flow.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <string>
 
@@ -191,16 +192,19 @@ TEST(GraphCutSegmentation, KeepsAPreferenceHoweverSmallNextToHugeWeights)
   EXPECT_EQ(Solve(problem).Inside, std::vector<unsigned char>({ 1, 0, 0, 0 }));
 }
 
-TEST(GraphCutSegmentation, AgreesWithPushAndRelabel)
+TEST(GraphCutSegmentation, AgreesWithBoost)
 {
   using Capacity = std::int64_t;
   using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
   using Edge = Traits::edge_descriptor;
-  using Graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
-      boost::property<boost::edge_capacity_t, Capacity,
-        boost::property<boost::edge_residual_capacity_t, Capacity,
-          boost::property<boost::edge_reverse_t, Edge>>>>;
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS,
+    boost::property<boost::vertex_index_t, long,
+      boost::property<boost::vertex_color_t, boost::default_color_type,
+        boost::property<boost::vertex_distance_t, long,
+          boost::property<boost::vertex_predecessor_t, Edge>>>>,
+    boost::property<boost::edge_capacity_t, Capacity,
+      boost::property<boost::edge_residual_capacity_t, Capacity,
+        boost::property<boost::edge_reverse_t, Edge>>>>;
   const double unit = 0x1p-50; // the flow fits in 63 bits
   for (unsigned seed = 0; seed < 6; ++seed)
   {
@@ -229,7 +233,7 @@ TEST(GraphCutSegmentation, AgreesWithPushAndRelabel)
       add(problem.Faces[f].First, problem.Faces[f].Second, capacity, capacity);
     }
     const double flow =
-      unit * static_cast<double>(boost::push_relabel_max_flow(graph, cells, cells + 1));
+      unit * static_cast<double>(boost::boykov_kolmogorov_max_flow(graph, cells, cells + 1));
     const Segmentation result = Solve(problem);
     EXPECT_NEAR(result.Energy, flow, 1e-12 * flow);
     EXPECT_NEAR(Energy(problem, smoothness, result.Inside), flow, 1e-12 * flow);
@@ -284,30 +288,31 @@ TEST(GraphCutSegmentation, DoesNotDependOnTheScaleOfAreas)
   }
 }
 
-TEST(GraphCutSegmentation, IsNotPutOffByOneHugeWindingNumber)
+TEST(GraphCutSegmentation, IsNotPutOffByHugeWindingNumbers)
 {
-  Problem problem = RandomProblem(4, 12, 30);
-  problem.W.push_back(1e200);
-  problem.W.push_back(-1e200);
-  problem.Faces.push_back({ 0, 12, 1 });
-  problem.Faces.push_back({ 1, 13, 1 });
-  problem.Faces.push_back({ 2, 13, 1 });
-  const Segmentation result = Solve(problem);
-  EXPECT_EQ(result.Inside[12], 1);
-  EXPECT_EQ(result.Inside[13], 0);
-  // The faces of those two weigh nothing, so the rest is as it would be without them.
-  Problem rest = problem;
-  rest.W.resize(12);
-  const double areas = std::accumulate(rest.Faces.begin(), rest.Faces.end(), 0.0,
-    [](double sum, const InteriorFace& face) { return sum + face.Area; });
-  const double faces = static_cast<double>(rest.Faces.size());
-  rest.Faces.resize(rest.Faces.size() - 3);
-  const double mean = (areas - 3) / (faces - 3);
-  rest.Parameters.Gamma *= mean / (areas / faces); // the mean of the areas has changed
-  std::vector<unsigned char> inside = result.Inside;
-  inside.resize(12);
-  const double least = BruteForce(rest).first;
-  EXPECT_NEAR(Energy(rest, Smoothness(rest), inside), least, 1e-12 * least);
+  for (unsigned seed = 0; seed < 30; ++seed)
+  {
+    const Problem alone = RandomProblem(seed, 12, 40);
+    Problem problem = alone;
+    problem.W.push_back(1e200);
+    problem.W.push_back(-1e200);
+    double areas = 0;
+    for (const InteriorFace& face : alone.Faces)
+    {
+      areas += face.Area;
+    }
+    // Faces of average area leave the mean as it is; across such steps they weigh nothing.
+    const double mean = areas / static_cast<double>(alone.Faces.size());
+    problem.Faces.push_back({ 0, 12, mean });
+    problem.Faces.push_back({ 1, 13, mean });
+    problem.Faces.push_back({ 13, 2, mean });
+    std::vector<unsigned char> inside = Solve(problem).Inside;
+    EXPECT_EQ(inside[12], 1);
+    EXPECT_EQ(inside[13], 0);
+    inside.resize(12);
+    const double least = BruteForce(alone).first;
+    EXPECT_NEAR(Energy(alone, Smoothness(alone), inside), least, 1e-12 * least) << seed;
+  }
 }
 
 TEST(GraphCutSegmentation, WorksWithoutFacesWithoutCellsAndWithoutAreas)

@@ -296,7 +296,8 @@ TEST(WindingNumberSum, KeepsItsDigitsFarFromTheOrigin)
   const std::vector<double> w = Sum(surface, mesh);
   for (Point& p : mesh.Points)
   {
-    p = { p[0] + 0x1p40, p[1] - 0x1p44, p[2] + 0x1p45 }; // integers, so this is exact
+    // Exact, for these are integers; barycentres no longer fit in a double.
+    p = { p[0] + 0x1p51, p[1] - 0x1p51, p[2] + 0x1p51 };
   }
   surface.Points = mesh.Points;
   const std::vector<double> far = Sum(surface, mesh);
@@ -350,6 +351,24 @@ TEST(WindingNumberSum, CountsEveryTurnOfLargeMultiplicities)
     EXPECT_NEAR(Sum(box, CellAround({ 0, 0, 0 }, 0.25))[0], multiplicity, 1e-10);
     EXPECT_NEAR(Sum(box, CellAround({ 0.5, 0.25, -0.125 }, 0.125))[0], multiplicity, 1e-10);
     EXPECT_NEAR(Sum(box, CellAround({ 2, 0, 0 }, 0.25))[0], 0, 1e-10);
+  }
+}
+
+TEST(WindingNumberSum, KeepsProductsOfManySmallFactorsInRange)
+{
+  // From a hundredth of its length beside an edge, |z| is a few hundredths.
+  FacetComplex surface;
+  surface.Points = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  surface.Facets = { { { 0, 1, 2 } } };
+  surface.Multiplicity = { 1 };
+  for (Point centre :
+    { Point{ 0, -0.02, 0.01 }, Point{ 0, 0.03, -0.01 }, Point{ 0.1, 0.01, 0.02 } })
+  {
+    const TetrahedralMesh mesh = CellAround(centre, 0x1p-10);
+    surface.Multiplicity[0] = 1;
+    const double once = WindingNumberInQuads(surface, mesh, mesh.Cells[0]);
+    surface.Multiplicity[0] = 30000;
+    EXPECT_NEAR(Sum(surface, mesh)[0], 30000 * once, 1e-10);
   }
 }
 
