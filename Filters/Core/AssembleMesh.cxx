@@ -43,9 +43,9 @@ void CheckInputPoints(const std::vector<Point>& input, const std::vector<Point>&
   }
 }
 
-std::vector<bool> UsedPoints(std::size_t numberOfPoints, const std::vector<Tetrahedron>& cells)
+std::vector<bool> PointsInCells(std::size_t points, const std::vector<Tetrahedron>& cells)
 {
-  std::vector<bool> used(numberOfPoints, false);
+  std::vector<bool> used(points, false);
   for (const Tetrahedron& cell : cells)
   {
     for (const Id corner : cell)
@@ -56,58 +56,62 @@ std::vector<bool> UsedPoints(std::size_t numberOfPoints, const std::vector<Tetra
   return used;
 }
 
-/** TetGen hands out Steiner points too that it has taken out of every cell again: drop them. */
-void DropUnusedSteinerPoints(std::size_t numberOfInputPoints, TetgenAnswer& answer)
+/** Of the first `count` points only a second one at the same place may be in no cell. */
+void CheckPointsAreUsed(
+  const std::vector<Point>& points, std::size_t count, const std::vector<bool>& used)
 {
-  const std::vector<bool> used = UsedPoints(answer.Points.size(), answer.Cells);
-  std::vector<Id> index(answer.Points.size());
-  std::size_t kept = 0;
-  for (std::size_t p = 0; p < answer.Points.size(); ++p)
-  {
-    index[p] = static_cast<Id>(kept);
-    answer.Points[kept] = answer.Points[p];
-    kept += p < numberOfInputPoints || used[p];
-  }
-  answer.Points.resize(kept);
-  for (Tetrahedron& cell : answer.Cells)
-  {
-    for (Id& corner : cell)
-    {
-      corner = index[corner];
-    }
-  }
-  for (Triangle& face : answer.Faces)
-  {
-    for (Id& corner : face)
-    {
-      corner = index[corner];
-    }
-  }
-}
-
-/** Only a second point at the same place may be in no cell. */
-void CheckPointsAreUsed(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
-{
-  const std::vector<bool> used = UsedPoints(points.size(), cells);
-  if (std::find(used.begin(), used.end(), false) == used.end())
+  if (std::find(used.begin(), used.begin() + count, false) == used.begin() + count)
   {
     return;
   }
   std::set<Point> places;
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (std::size_t p = 0; p < count; ++p)
   {
     if (used[p])
     {
       places.insert(points[p]);
     }
   }
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (std::size_t p = 0; p < count; ++p)
   {
     if (!used[p] && places.count(points[p]) == 0)
     {
       ThrowInconsistent("point " + std::to_string(p) + " is in no cell");
     }
   }
+}
+
+/** Steiner points that TetGen added and took back are still in its list: leave them out. */
+void RemoveUnusedSteinerPoints(
+  std::size_t inputPoints, const std::vector<bool>& used, TetgenAnswer& answer)
+{
+  std::vector<Id> renamed(answer.Points.size(), None);
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < answer.Points.size(); ++p)
+  {
+    if (p < inputPoints || used[p])
+    {
+      answer.Points[kept] = answer.Points[p];
+      renamed[p] = static_cast<Id>(kept++);
+    }
+  }
+  if (kept == answer.Points.size())
+  {
+    return;
+  }
+  answer.Points.resize(kept);
+  const auto rename = [&](auto& elements)
+  {
+    for (auto& element : elements)
+    {
+      for (Id& p : element)
+      {
+        p = renamed[p];
+      }
+    }
+  };
+  rename(answer.Cells);
+  rename(answer.Faces);
 }
 
 /** TetGen's cells are oriented the other way than VTK's. */
@@ -167,8 +171,9 @@ void MatchNeighbors(const FaceTable& faces, TetrahedralMesh& mesh)
 TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer)
 {
   CheckInputPoints(surface.Points, answer.Points);
-  DropUnusedSteinerPoints(surface.Points.size(), answer);
-  CheckPointsAreUsed(answer.Points, answer.Cells);
+  const std::vector<bool> used = PointsInCells(answer.Points.size(), answer.Cells);
+  CheckPointsAreUsed(answer.Points, surface.Points.size(), used);
+  RemoveUnusedSteinerPoints(surface.Points.size(), used, answer);
   OrientCells(answer.Points, answer.Cells);
   TetrahedralMesh mesh;
   mesh.Points = std::move(answer.Points);

@@ -87,13 +87,18 @@ public:
     const FaceEntry* end() const { return this->Last; }
   };
 
-  /** The one or two entries of a face, none if it is not one. */
+  /** The one or two entries of a face, none if it is not one or has the point None. */
   Range Find(const SortedTriangle& face) const
   {
+    if (face.Points[0] == None)
+    {
+      return { nullptr, nullptr };
+    }
+    // Any cell comes behind None.
+    const FaceEntry wanted = { face.Points[1], face.Points[2], None, 0, false };
     const FaceEntry* const end = this->EndOf(face.Points[0]);
-    const FaceEntry* const first = std::lower_bound(this->BeginOf(face.Points[0]), end,
-      FaceEntry{ face.Points[1], face.Points[2], None, 0, false });
-    return { first, EndOfFace(first, end) };
+    const FaceEntry* const first = std::lower_bound(this->BeginOf(face.Points[0]), end, wanted);
+    return { first, EndOfFace(first, end, wanted) };
   }
 
   /** Call visit(range, lowest point) for each face once. */
@@ -105,7 +110,7 @@ public:
       const FaceEntry* const end = this->EndOf(static_cast<Id>(p));
       for (const FaceEntry* first = this->BeginOf(static_cast<Id>(p)); first != end;)
       {
-        const FaceEntry* const last = EndOfFace(first, end);
+        const FaceEntry* const last = EndOfFace(first, end, *first);
         visit(Range{ first, last }, static_cast<Id>(p));
         first = last;
       }
@@ -130,10 +135,12 @@ private:
   const FaceEntry* BeginOf(Id p) const { return this->Entries.data() + this->Begin[p]; }
   const FaceEntry* EndOf(Id p) const { return this->Entries.data() + this->Begin[p + 1]; }
 
-  static const FaceEntry* EndOfFace(const FaceEntry* first, const FaceEntry* end)
+  /** Behind the last of the entries from `first` on that are of the same face as `wanted`. */
+  static const FaceEntry* EndOfFace(
+    const FaceEntry* first, const FaceEntry* end, const FaceEntry& wanted)
   {
     const FaceEntry* last = first;
-    while (last != end && last->Middle == first->Middle && last->Highest == first->Highest)
+    while (last != end && last->Middle == wanted.Middle && last->Highest == wanted.Highest)
     {
       ++last;
     }
