@@ -10,6 +10,7 @@
 #include <clocale>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 
@@ -647,7 +648,7 @@ TEST(ReadSurface, WarnsOfWhatFollowsThePlyElements)
   EXPECT_TRUE(HasWarning(Read("a.ply", PlyOfEveryType(1) + "x"), "more was in the file"));
   EXPECT_TRUE(HasWarning(Read("a.ply", PlyOfEveryType(0) + "x"), "more was in the file"));
   const PolygonSurface extras = Read("a.ply",
-    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+    "ply \nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
     "property float z\nend_header\n1 2 3 4 5\n6 7 8\n");
   ExpectSamePoints(extras.Points, { { 1, 2, 3 }, { 6, 7, 8 } });
   EXPECT_TRUE(HasWarning(extras, "more was in the file"));
@@ -681,6 +682,9 @@ TEST(ReadSurface, ReadsAsciiStlOfSeveralSolids)
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "GroupIds", 1),
     (std::vector<std::int32_t>{ 0, 1 }));
   const std::string text = AsciiStl;
+  EXPECT_EQ(ValuesOf<std::int32_t>(
+              Read("a.stl", "solid empty\nendsolid\n" + text).PolygonAttributes, "GroupIds", 1),
+    (std::vector<std::int32_t>{ 0, 1 }));
   EXPECT_TRUE(Read("a.stl", text.substr(text.find("SOLID"))).PolygonAttributes.empty());
 }
 
@@ -735,6 +739,40 @@ TEST(ReadSurface, NamesFilesThatItCannotOpen)
   for (const char* name : { "a.obj", "a.off", "a.ply", "a.stl", "a" })
   {
     ExpectMalformed(name, "", ": is empty");
+  }
+}
+
+TEST(ReadSurface, SaysWhenAFileDoesNotFitIntoMemory)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer ends the program where memory is refused";
+#endif
+  struct Stopper : Monitor
+  {
+    int Left = 4;
+    bool Continue(const char*, double) override { return this->Left-- > 0; }
+  };
+  const TemporaryFile file("a.stl", BinaryStl(""));
+  std::error_code error;
+  std::filesystem::resize_file(file.Path, std::uintmax_t(1) << 43, error);
+  if (error)
+  {
+    GTEST_SKIP() << "the file system has no sparse files of 8 TiB: " << error.message();
+  }
+  Stopper monitor;
+  try
+  {
+    ReadSurface(file.Path, monitor);
+    ADD_FAILURE() << "was read";
+  }
+  catch (const Error& caught)
+  {
+    if (caught.Code == ErrorCode::Stopped)
+    {
+      GTEST_SKIP() << "the system promises 8 TiB of memory";
+    }
+    EXPECT_EQ(caught.Code, ErrorCode::TooLarge);
+    EXPECT_EQ(caught.what(), file.Path + ": does not fit into memory");
   }
 }
 
