@@ -393,14 +393,17 @@ TEST(ReadSurface, KeepsEveryBitOfADecimalNumber)
 TEST(ReadSurface, ReadsNumbersThatDoNotFitADouble)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::string zeros(400, '0');
   const PolygonSurface surface = Read("a.obj",
-    "v 1e400 -1e400 1e-400\nv inf -Infinity -1e-99999999999999999999\n"
+    "v 1e400 -1e400 1e-400\n"
+    "v inf -Infinity -1e-99999999999999999999\n"
     "v 0." +
-      std::string(400, '0') + "1 1" + std::string(400, '0') + " +5e99999999999999999999\n" + "v 1" +
-      std::string(400, '0') + "e-100000 0." + std::string(400, '0') + "1e100000 4.9e-324\n");
+      zeros + "1 1" + zeros + " +5e99999999999999999999\n" + "v 1" + zeros + "e-100000 0." + zeros +
+      "1e100000 4.9e-324\n" + "v 1" + zeros + zeros + "e-400 0." + zeros + zeros + "1e400 1" +
+      zeros + "e-400\n");
   ExpectSamePoints(surface.Points,
     { { infinite, -infinite, 0.0 }, { infinite, -infinite, -0.0 }, { 0.0, infinite, infinite },
-      { 0.0, infinite, 4.9e-324 } });
+      { 0.0, infinite, 4.9e-324 }, { infinite, 0.0, 1.0 } });
   EXPECT_TRUE(std::isnan(Read("a.obj", "v nan 0 0\n").Points[0][0]));
 }
 
@@ -629,6 +632,13 @@ TEST(ReadSurface, NamesTheFirstPlyElementThatIsMissing)
     ": vertex 812 of 1000 is missing: the file is truncated");
   ExpectMalformed("a.ply", little + "element vertex 2000000000\n" + xyz + "end_header\n",
     ": vertex 0 of 2000000000 is missing: the file is truncated");
+  for (const char* body : { "", "0 0 0\n" })
+  {
+    ExpectMalformed("a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4000000000000000000\n" + xyz + "end_header\n" + body,
+      std::string(": vertex ") + (*body ? "1" : "0") +
+        " of 4000000000000000000 is missing: the file is truncated");
+  }
   const std::string triangle = little + "element vertex 1\n" + xyz + faces + std::string(12, '\0') +
     Binary(3) + Binary(0) + Binary(0) + Binary(0);
   ExpectMalformed("a.ply", triangle + "a", ": face 1 of 2 is missing: the file is truncated");
@@ -890,7 +900,7 @@ TEST(ReadSurface, DamagedFilesAreAValidSurfaceOrAnError)
     { "a.off", TetrahedronOff }, { "a.off", coff }, { "a.ply", PlyOfEveryType(0) },
     { "a.ply", PlyOfEveryType(1) }, { "a.ply", PlyOfEveryType(2) }, { "a.stl", AsciiStl },
     { "a.stl", BinaryStl("solid") } };
-  constexpr int triesPerSeed = 1500;
+  constexpr int triesPerSeed = 800;
   std::mt19937 random(20130813);
   Monitor monitor;
   for (const auto& [name, content] : seeds)
