@@ -249,8 +249,9 @@ private:
   /** One line end after end_header, of the kind that the first line has: data may look like one. */
   void FindBody()
   {
-    const char* const firstEnd = this->File.Begin() + 3;
-    const bool onlyReturns = *firstEnd == '\r' && firstEnd[1] != '\n';
+    const std::string_view text(this->File.Begin(), this->File.Size);
+    const std::size_t firstEnd = text.find_first_of("\r\n");
+    const bool onlyReturns = text[firstEnd] == '\r' && text.substr(firstEnd, 2) != "\r\n";
     while (!this->Scanner.AtLineEnd())
     {
       this->Scanner.Word();
@@ -800,7 +801,7 @@ void WarnOfUnused(const FileContent& file, PlyHeader& header, PolygonSurface& su
 bool IsPly(const FileContent& file)
 {
   const std::string_view text(file.Begin(), file.Size);
-  return text.size() > 3 && text.substr(0, 3) == "ply" && (text[3] == '\n' || text[3] == '\r');
+  return text.substr(0, 3) == "ply" && text.find_first_of(" \t\r\n") == 3;
 }
 
 PolygonSurface ReadPly(const FileContent& file, Monitor& monitor)

@@ -138,11 +138,13 @@ public:
 
   PolygonSurface Read()
   {
-    for (; this->Scanner.SkipToContent(); ++this->Solids)
+    while (this->Scanner.SkipToContent())
     {
       this->Expect("solid");
       this->Scanner.SkipLine();
+      const std::size_t facets = this->GroupIds.size();
       this->ReadFacets();
+      this->Solids += this->GroupIds.size() > facets ? 1 : 0;
     }
     AddFacetsOfOwnPoints(this->Surface);
     if (this->Solids > 1)
@@ -229,7 +231,7 @@ private:
   TextScanner Scanner;
   PolygonSurface Surface;
   std::vector<std::int32_t> GroupIds;
-  std::int32_t Solids = 0;
+  std::int32_t Solids = 0; ///< that have facets
 };
 } // namespace
 

@@ -34,6 +34,8 @@ public:
 
   void Write(const std::string& content) const
   {
+    // A file system may wait for the disk when a file is overwritten, but not when it is new.
+    std::remove(this->Path.c_str());
     std::ofstream(this->Path, std::ios::binary)
       .write(content.data(), static_cast<std::streamsize>(content.size()));
   }

@@ -10,6 +10,7 @@
 #include <clocale>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 
@@ -392,14 +393,17 @@ TEST(ReadSurface, KeepsEveryBitOfADecimalNumber)
 TEST(ReadSurface, ReadsNumbersThatDoNotFitADouble)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::string zeros(400, '0');
   const PolygonSurface surface = Read("a.obj",
-    "v 1e400 -1e400 1e-400\nv inf -Infinity -1e-99999999999999999999\n"
+    "v 1e400 -1e400 1e-400\n"
+    "v inf -Infinity -1e-99999999999999999999\n"
     "v 0." +
-      std::string(400, '0') + "1 1" + std::string(400, '0') + " +5e99999999999999999999\n" + "v 1" +
-      std::string(400, '0') + "e-100000 0." + std::string(400, '0') + "1e100000 4.9e-324\n");
+      zeros + "1 1" + zeros + " +5e99999999999999999999\n" + "v 1" + zeros + "e-100000 0." + zeros +
+      "1e100000 4.9e-324\n" + "v 1" + zeros + zeros + "e-400 0." + zeros + zeros + "1e400 1" +
+      zeros + "e-400\n");
   ExpectSamePoints(surface.Points,
     { { infinite, -infinite, 0.0 }, { infinite, -infinite, -0.0 }, { 0.0, infinite, infinite },
-      { 0.0, infinite, 4.9e-324 } });
+      { 0.0, infinite, 4.9e-324 }, { infinite, 0.0, 1.0 } });
   EXPECT_TRUE(std::isnan(Read("a.obj", "v nan 0 0\n").Points[0][0]));
 }
 
@@ -628,6 +632,13 @@ TEST(ReadSurface, NamesTheFirstPlyElementThatIsMissing)
     ": vertex 812 of 1000 is missing: the file is truncated");
   ExpectMalformed("a.ply", little + "element vertex 2000000000\n" + xyz + "end_header\n",
     ": vertex 0 of 2000000000 is missing: the file is truncated");
+  for (const char* body : { "", "0 0 0\n" })
+  {
+    ExpectMalformed("a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4000000000000000000\n" + xyz + "end_header\n" + body,
+      std::string(": vertex ") + (*body ? "1" : "0") +
+        " of 4000000000000000000 is missing: the file is truncated");
+  }
   const std::string triangle = little + "element vertex 1\n" + xyz + faces + std::string(12, '\0') +
     Binary(3) + Binary(0) + Binary(0) + Binary(0);
   ExpectMalformed("a.ply", triangle + "a", ": face 1 of 2 is missing: the file is truncated");
@@ -647,7 +658,7 @@ TEST(ReadSurface, WarnsOfWhatFollowsThePlyElements)
   EXPECT_TRUE(HasWarning(Read("a.ply", PlyOfEveryType(1) + "x"), "more was in the file"));
   EXPECT_TRUE(HasWarning(Read("a.ply", PlyOfEveryType(0) + "x"), "more was in the file"));
   const PolygonSurface extras = Read("a.ply",
-    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+    "ply \nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
     "property float z\nend_header\n1 2 3 4 5\n6 7 8\n");
   ExpectSamePoints(extras.Points, { { 1, 2, 3 }, { 6, 7, 8 } });
   EXPECT_TRUE(HasWarning(extras, "more was in the file"));
@@ -681,6 +692,9 @@ TEST(ReadSurface, ReadsAsciiStlOfSeveralSolids)
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "GroupIds", 1),
     (std::vector<std::int32_t>{ 0, 1 }));
   const std::string text = AsciiStl;
+  EXPECT_EQ(ValuesOf<std::int32_t>(
+              Read("a.stl", "solid empty\nendsolid\n" + text).PolygonAttributes, "GroupIds", 1),
+    (std::vector<std::int32_t>{ 0, 1 }));
   EXPECT_TRUE(Read("a.stl", text.substr(text.find("SOLID"))).PolygonAttributes.empty());
 }
 
@@ -735,6 +749,40 @@ TEST(ReadSurface, NamesFilesThatItCannotOpen)
   for (const char* name : { "a.obj", "a.off", "a.ply", "a.stl", "a" })
   {
     ExpectMalformed(name, "", ": is empty");
+  }
+}
+
+TEST(ReadSurface, SaysWhenAFileDoesNotFitIntoMemory)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer ends the program where memory is refused";
+#endif
+  struct Stopper : Monitor
+  {
+    int Left = 4;
+    bool Continue(const char*, double) override { return this->Left-- > 0; }
+  };
+  const TemporaryFile file("a.stl", BinaryStl(""));
+  std::error_code error;
+  std::filesystem::resize_file(file.Path, std::uintmax_t(1) << 43, error);
+  if (error)
+  {
+    GTEST_SKIP() << "the file system has no sparse files of 8 TiB: " << error.message();
+  }
+  Stopper monitor;
+  try
+  {
+    ReadSurface(file.Path, monitor);
+    ADD_FAILURE() << "was read";
+  }
+  catch (const Error& caught)
+  {
+    if (caught.Code == ErrorCode::Stopped)
+    {
+      GTEST_SKIP() << "the system promises 8 TiB of memory";
+    }
+    EXPECT_EQ(caught.Code, ErrorCode::TooLarge);
+    EXPECT_EQ(caught.what(), file.Path + ": does not fit into memory");
   }
 }
 
@@ -852,7 +900,7 @@ TEST(ReadSurface, DamagedFilesAreAValidSurfaceOrAnError)
     { "a.off", TetrahedronOff }, { "a.off", coff }, { "a.ply", PlyOfEveryType(0) },
     { "a.ply", PlyOfEveryType(1) }, { "a.ply", PlyOfEveryType(2) }, { "a.stl", AsciiStl },
     { "a.stl", BinaryStl("solid") } };
-  constexpr int triesPerSeed = 1500;
+  constexpr int triesPerSeed = 800;
   std::mt19937 random(20130813);
   Monitor monitor;
   for (const auto& [name, content] : seeds)

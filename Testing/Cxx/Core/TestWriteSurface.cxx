@@ -209,8 +209,9 @@ TEST(WriteSurface, KeepsAttributesThroughObj)
   const Attribute normals = RandomAttribute<double>("Normals", 3, points, 1);
   const Attribute tcoords = RandomAttribute<double>("TCoords", 2, points, 2);
   const Attribute colors = RandomAttribute<unsigned char>("Colors", 3, points, 3);
+  const Attribute dark = { "Colors", 3, std::vector<unsigned char>(3 * points, 1) };
   const std::vector<std::vector<Attribute>> cases = { { normals }, { tcoords }, { colors },
-    { normals, tcoords, colors } };
+    { dark }, { normals, tcoords, colors } };
   for (const std::vector<Attribute>& attributes : cases)
   {
     surface.PointAttributes = attributes;
