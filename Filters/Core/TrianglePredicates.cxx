@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TrianglePredicates.h"
 
-#include <CGAL/Segment_2.h>
-#include <CGAL/Triangle_2.h>
-#include <CGAL/intersections.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -68,14 +64,28 @@ std::array<int, 3> SidesOfPlane(const std::vector<FilteredPoint>& points, const 
   return sides;
 }
 
-/** Whether a segment and a triangle of one plane meet. */
+/**
+ * Whether a segment and a triangle of one plane meet: they do unless the line of one of the four
+ * edges keeps them apart.
+ */
 bool SegmentMeetsInPlane(
   const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
 {
   const int axis = ProjectionAxis(triangle);
   const PlanarTriangle image = Image(triangle, axis);
-  return CGAL::do_intersect(FilteredKernel::Segment_2(Project(p, axis), Project(q, axis)),
-    FilteredKernel::Triangle_2(image[0], image[1], image[2]));
+  const PlanarPoint first = Project(p, axis);
+  const PlanarPoint last = Project(q, axis);
+  const CGAL::Orientation outside = -CGAL::orientation(image[0], image[1], image[2]);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (CGAL::orientation(image[k], image[(k + 1) % 3], first) == outside &&
+      CGAL::orientation(image[k], image[(k + 1) % 3], last) == outside)
+    {
+      return false;
+    }
+  }
+  return !Apart({ CGAL::orientation(first, last, image[0]),
+    CGAL::orientation(first, last, image[1]), CGAL::orientation(first, last, image[2]) });
 }
 
 /** Whether a segment whose ends lie on opposite sides of the triangle's plane meets the triangle.

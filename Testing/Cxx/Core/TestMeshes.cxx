@@ -2,6 +2,7 @@
 #include "TestMeshes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -95,5 +96,74 @@ FacetComplex ToComplex(const TriangleSoup& soup)
   }
   complex.NumberOfConstraints = complex.NumberOfFacets();
   return complex;
+}
+
+TriangleSoup Merged(const TriangleSoup& soup)
+{
+  TriangleSoup merged;
+  std::map<Point, Id> ids;
+  std::vector<Id> idOf;
+  for (const Point& p : soup.Points)
+  {
+    const auto inserted = ids.insert({ p, static_cast<Id>(merged.Points.size()) });
+    if (inserted.second)
+    {
+      merged.Points.push_back(p);
+    }
+    idOf.push_back(inserted.first->second);
+  }
+  for (const Triangle& t : soup.Triangles)
+  {
+    merged.Triangles.push_back({ idOf[t[0]], idOf[t[1]], idOf[t[2]] });
+  }
+  return merged;
+}
+
+TriangleSoup Fan(int blades)
+{
+  TriangleSoup fan;
+  for (int i = 0; i < blades; ++i)
+  {
+    const double angle = 3.14159 * i / blades;
+    const double x = (1 + 0.1 * i) * std::cos(angle);
+    const double y = (1 + 0.1 * i) * std::sin(angle);
+    const Id first = 3 * i;
+    // The triangle's plane contains the axis exactly: its first two corners are opposite.
+    fan.Points.insert(
+      fan.Points.end(), { { -x, -y, -0.5 }, { x, y, 0.25 * (i % 3) }, { 0, 0, 2.0 + i % 5 } });
+    fan.Triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return fan;
+}
+
+TriangleSoup ThroughOnePoint(unsigned seed, int count)
+{
+  TriangleSoup soup = RandomSoup(seed, count);
+  for (const Triangle& t : soup.Triangles)
+  {
+    Point& a = soup.Points[t[0]];
+    Point& b = soup.Points[t[1]];
+    Point& c = soup.Points[t[2]];
+    for (int k = 0; k < 3; ++k)
+    {
+      c[k] = -(a[k] + b[k]);
+    }
+  }
+  return soup;
+}
+
+TriangleSoup Comb(int teeth)
+{
+  TriangleSoup comb;
+  comb.Points = { { 0, 0, 0 }, { 1.0 * teeth, 0, 0 }, { 0, 1.0 * teeth, 0 } };
+  comb.Triangles = { { 0, 1, 2 } };
+  for (Id i = 0; i < teeth; ++i)
+  {
+    const double x = 0.05 + i / 3.0;
+    const Id first = 3 + 3 * i;
+    comb.Points.insert(comb.Points.end(), { { x, 0.1, 0 }, { x, 0.2, 1 }, { x + 0.1, 0.1, 1 } });
+    comb.Triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return comb;
 }
 } // namespace testmeshes

@@ -59,4 +59,17 @@ TriangleSoup RandomSoup(unsigned seed, int triangles);
 /** The soup as it is: each triangle a facet of multiplicity 1, its own source. Nothing is merged.
  */
 FacetComplex ToComplex(const TriangleSoup& soup);
+
+/** The soup with points at equal coordinates made one, the first of them. */
+TriangleSoup Merged(const TriangleSoup& soup);
+
+/** `blades` triangles through the z axis, each on both sides of it, slanted and of ever other size.
+ */
+TriangleSoup Fan(int blades);
+
+/** `count` random triangles that all contain the origin, up to rounding, away from their edges. */
+TriangleSoup ThroughOnePoint(unsigned seed, int count);
+
+/** `teeth` thin triangles that stand on a long one, each touching it with one corner. */
+TriangleSoup Comb(int teeth);
 } // namespace testmeshes

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "FacetComplex.h"
+
+/** What the algorithms are compared with: slow, exact and straight from the definition. */
+namespace testmeshes
+{
+using namespace insideout;
+
+/**
+ * Whether two triangles have a point in common that is not in the corner or edge that they share by
+ * id. Clips one with the other in rational numbers.
+ */
+bool MeetBeyondSharedByClipping(
+  const std::vector<Point>& points, const Triangle& a, const Triangle& b);
+
+/** All such pairs (i, j), i < j, sorted. */
+std::vector<std::array<Id, 2>> IntersectionsByClipping(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets);
+} // namespace testmeshes
