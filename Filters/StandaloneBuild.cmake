@@ -82,3 +82,4 @@ install(EXPORT InsideOut
   NAMESPACE   VTK::
   FILE        InsideOutTargets.cmake
   DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/env.sh.in ${CMAKE_BINARY_DIR}/env.sh @ONLY)

@@ -32,7 +32,7 @@ class VTKFILTERSINSIDEOUT_EXPORT vtkConstrainedDelaunay3D : public vtkUnstructur
 {
 public:
   static vtkConstrainedDelaunay3D* New();
-  vtkTypeMacro(vtkConstrainedDelaunay3D, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkConstrainedDelaunay3D, vtkUnstructuredGridAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

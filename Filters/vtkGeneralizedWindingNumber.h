@@ -26,7 +26,7 @@ class VTKFILTERSINSIDEOUT_EXPORT vtkGeneralizedWindingNumber : public vtkUnstruc
 {
 public:
   static vtkGeneralizedWindingNumber* New();
-  vtkTypeMacro(vtkGeneralizedWindingNumber, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkGeneralizedWindingNumber, vtkUnstructuredGridAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Which way the surface faces. */

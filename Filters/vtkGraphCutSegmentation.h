@@ -26,7 +26,7 @@ class VTKFILTERSINSIDEOUT_EXPORT vtkGraphCutSegmentation : public vtkUnstructure
 {
 public:
   static vtkGraphCutSegmentation* New();
-  vtkTypeMacro(vtkGraphCutSegmentation, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkGraphCutSegmentation, vtkUnstructuredGridAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -42,9 +42,9 @@ public:
   ///@{
   /**
    * How large a step in w may be noise. Steps between two cells that are several times larger cost
-   * nothing to cut along, smaller ones cost up to Gamma. Default 0.1, above 0.
+   * nothing to cut along, smaller ones cost up to Gamma. Default 0.1, range 1e-6 to infinity.
    */
-  vtkSetClampMacro(Sigma, double, VTK_DBL_MIN, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
   ///@}
 

@@ -32,7 +32,7 @@ class VTKFILTERSINSIDEOUT_EXPORT vtkResolveSelfIntersections : public vtkPolyDat
 {
 public:
   static vtkResolveSelfIntersections* New();
-  vtkTypeMacro(vtkResolveSelfIntersections, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkResolveSelfIntersections, vtkPolyDataAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -26,7 +26,7 @@ class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSurfaceReader* New();
-  vtkTypeMacro(vtkSurfaceReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceReader, vtkPolyDataAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

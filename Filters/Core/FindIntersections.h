@@ -18,4 +18,8 @@ namespace insideout
  */
 std::vector<std::array<Id, 2>> FindIntersections(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
+
+/** The same, but only the pairs (i, j) with j at least `firstNew`: those that new facets made. */
+std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor);
 } // namespace insideout

@@ -141,10 +141,10 @@ double CostInside(double w)
   return std::max(1 - w, 0.0);
 }
 
-/** CostOutside less CostInside, with the exact sign of w - 1/2. */
+/** Positive exactly where w > 1/2 and 0 where it is 1/2, for 1 - w never rounds across 1/2. */
 double GainInside(double w)
 {
-  return w < 0 ? w - 1 : w > 1 ? w : 2 * (w - 0.5);
+  return CostOutside(w) - CostInside(w);
 }
 
 /** The energy's terms as capacities: integers below 2^52. */

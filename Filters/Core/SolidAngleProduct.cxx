@@ -43,9 +43,9 @@ constexpr double SideError = 0x1p-48;
 constexpr double LeastImaginary = 1e-200;
 constexpr double LeastSide = 1e-180;
 
-// Unit vectors to points nearer than this (times the largest coordinate) are not trusted: the
-// barycentre is known to 1e-31, so above it they have full precision.
-constexpr double LeastSquaredDistance = 1e-24;
+// Unit vectors to points nearer than 2^-48 are not trusted. Barycentres are known to some 2^-104,
+// so that from there on they have full precision.
+constexpr double LeastSquaredDistance = 0x1p-96;
 
 /** a + b = sum + the value returned, exactly (Knuth). */
 double TwoSum(double a, double b, double& sum)

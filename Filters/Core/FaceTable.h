@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Types.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace insideout
+{
+/** A triangle's points in ascending order, and whether that order turned it over. */
+struct SortedTriangle
+{
+  explicit SortedTriangle(Triangle t)
+  {
+    const auto order = [&](int i, int j)
+    {
+      if (t[i] > t[j])
+      {
+        std::swap(t[i], t[j]);
+        this->Turned = !this->Turned;
+      }
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+    this->Points = t;
+  }
+
+  Triangle Points;
+  bool Turned = false;
+};
+
+/** Face of a cell: the two higher ids of its three points, whose it is, how it is turned. */
+struct FaceEntry
+{
+  Id Middle;
+  Id Highest;
+  Id Cell;
+  std::int8_t Face;
+  bool Turned;
+
+  bool operator<(const FaceEntry& other) const
+  {
+    return std::tie(this->Middle, this->Highest, this->Cell) <
+      std::tie(other.Middle, other.Highest, other.Cell);
+  }
+};
+
+/** Every face of every cell, in buckets by lowest point and sorted in each. */
+class FaceTable
+{
+public:
+  FaceTable(std::size_t points, const std::vector<Tetrahedron>& cells)
+    : Begin(points + 2, 0)
+    , Entries(4 * cells.size())
+  {
+    // Counted one bucket ahead, so that filling moves each Begin to where it belongs.
+    this->ForEachFace(cells,
+      [&](const SortedTriangle& face, Id, int)
+      { ++this->Begin[static_cast<std::size_t>(face.Points[0]) + 2]; });
+    for (std::size_t p = 2; p < this->Begin.size(); ++p)
+    {
+      this->Begin[p] += this->Begin[p - 1];
+    }
+    this->ForEachFace(cells,
+      [&](const SortedTriangle& face, Id cell, int k)
+      {
+        this->Entries[this->Begin[static_cast<std::size_t>(face.Points[0]) + 1]++] = {
+          face.Points[1], face.Points[2], cell, static_cast<std::int8_t>(k), face.Turned
+        };
+      });
+    for (std::size_t p = 0; p < points; ++p)
+    {
+      std::sort(&this->Entries[0] + this->Begin[p], &this->Entries[0] + this->Begin[p + 1]);
+    }
+  }
+
+  struct Range
+  {
+    const FaceEntry* First;
+    const FaceEntry* Last;
+    const FaceEntry* begin() const { return this->First; }
+    const FaceEntry* end() const { return this->Last; }
+  };
+
+  /** The one or two entries of a face, none if it is not one. */
+  Range Find(const SortedTriangle& face) const
+  {
+    const FaceEntry* const end = this->EndOf(face.Points[0]);
+    const FaceEntry* const first = std::lower_bound(this->BeginOf(face.Points[0]), end,
+      FaceEntry{ face.Points[1], face.Points[2], None, 0, false });
+    return { first, EndOfFace(first, end) };
+  }
+
+  /** Call visit(range, lowest point) for each face once. */
+  template <typename Visit>
+  void ForEach(Visit visit) const
+  {
+    for (std::size_t p = 0; p + 2 < this->Begin.size(); ++p)
+    {
+      const FaceEntry* const end = this->EndOf(static_cast<Id>(p));
+      for (const FaceEntry* first = this->BeginOf(static_cast<Id>(p)); first != end;)
+      {
+        const FaceEntry* const last = EndOfFace(first, end);
+        visit(Range{ first, last }, static_cast<Id>(p));
+        first = last;
+      }
+    }
+  }
+
+private:
+  template <typename Visit>
+  static void ForEachFace(const std::vector<Tetrahedron>& cells, Visit visit)
+  {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const std::array<int, 3>& corners = TetrahedronFaces[k];
+        visit(SortedTriangle({ cells[c][corners[0]], cells[c][corners[1]], cells[c][corners[2]] }),
+          static_cast<Id>(c), k);
+      }
+    }
+  }
+
+  const FaceEntry* BeginOf(Id p) const { return this->Entries.data() + this->Begin[p]; }
+  const FaceEntry* EndOf(Id p) const { return this->Entries.data() + this->Begin[p + 1]; }
+
+  static const FaceEntry* EndOfFace(const FaceEntry* first, const FaceEntry* end)
+  {
+    const FaceEntry* last = first;
+    while (last != end && last->Middle == first->Middle && last->Highest == first->Highest)
+    {
+      ++last;
+    }
+    return last;
+  }
+
+  std::vector<std::size_t> Begin;
+  std::vector<FaceEntry> Entries;
+};
+} // namespace insideout

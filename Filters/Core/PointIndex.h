@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Types.h"
+
+#include <unordered_map>
+
+namespace insideout
+{
+/** Finds points by their coordinates: equal ones (-0 equals 0), or the nearest within a radius. */
+class PointIndex
+{
+public:
+  /** @param[in] radius 0 for equal coordinates only */
+  explicit PointIndex(double radius);
+
+  void Add(const Point& p, Id id);
+
+  /** The nearest point at most the radius away, of several the one of lowest id; None for none. */
+  Id Find(const Point& p) const;
+
+private:
+  /** The corner of a cube of the radius' size, or with radius 0 the point itself. */
+  using Cell = std::array<double, 3>;
+  struct Hash
+  {
+    std::size_t operator()(const Cell& cell) const;
+  };
+  struct Entry
+  {
+    Point Position;
+    Id PointId;
+  };
+
+  Cell CellOf(const Point& p) const;
+
+  double Radius;
+  std::unordered_multimap<Cell, Entry, Hash> Cells;
+};
+} // namespace insideout

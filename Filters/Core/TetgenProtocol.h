@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+/**
+ * What the library and the helper program insideout-tetgen say to each other: one request, one
+ * answer, both in the byte order of the machine that the two share. Each side includes this file
+ * and nothing else of the other's. Every count is checked before anything is allocated by it.
+ */
+namespace insideout
+{
+namespace tetgenprotocol
+{
+/** First bytes of a message; the last digit is the protocol's version. */
+constexpr std::uint64_t RequestMagic = 0x3151544F49534E49;
+constexpr std::uint64_t AnswerMagic = 0x3141544F49534E49;
+
+/** TetGen indexes its arrays of four numbers per element by int. */
+constexpr std::int64_t MaximumCount = INT32_MAX / 4;
+constexpr std::int64_t MaximumMessageLength = 4096;
+
+/**
+ * Followed by the points (3 double each) and the facets (3 int32 each).
+ */
+struct RequestHeader
+{
+  std::uint64_t Magic;
+  std::int64_t AllowSurfaceSteinerPoints; ///< 0 or 1
+  std::int64_t NumberOfPoints;
+  std::int64_t NumberOfFacets;
+};
+
+/**
+ * Followed by the message (char), the points (3 double each; the request's come first, in their
+ * order), the cells (4 int32 each), the faces that lie on facets (3 int32 each) and the facet of
+ * each of these faces (int32). Where the status is not 0 there is a message and nothing else.
+ */
+struct AnswerHeader
+{
+  std::uint64_t Magic;
+  std::int64_t Status; ///< 0 for a mesh, else what TetGen threw
+  std::int64_t MessageLength;
+  std::int64_t NumberOfPoints;
+  std::int64_t NumberOfCells;
+  std::int64_t NumberOfFaces;
+};
+
+static_assert(sizeof(RequestHeader) == 32 && sizeof(AnswerHeader) == 48, "no padding");
+static_assert(sizeof(double) == 8 && sizeof(int) == 4, "numbers go as they are in memory");
+} // namespace tetgenprotocol
+} // namespace insideout

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TrianglePredicates.h"
+
+#include <CGAL/Segment_2.h>
+#include <CGAL/Triangle_2.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+using PlanarPoint = FilteredKernel::Point_2;
+using PlanarTriangle = std::array<PlanarPoint, 3>;
+
+PlanarTriangle Image(const FilteredTriangle& triangle, int axis)
+{
+  return { Project(triangle[0], axis), Project(triangle[1], axis), Project(triangle[2], axis) };
+}
+
+/** Whether a line along an edge of `a` has all of `b` on its outer side or on itself. */
+bool EdgeSeparates(const PlanarTriangle& a, const PlanarTriangle& b)
+{
+  const CGAL::Orientation inside = CGAL::orientation(a[0], a[1], a[2]);
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto within = [&](const PlanarPoint& p)
+    { return CGAL::orientation(a[k], a[(k + 1) % 3], p) == inside; };
+    if (!within(b[0]) && !within(b[1]) && !within(b[2]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Apart(const std::array<int, 3>& sides)
+{
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+/** Corner of `b` that is corner k of `a` by id, None for none. */
+std::array<int, 3> SharedCorners(const Triangle& a, const Triangle& b)
+{
+  std::array<int, 3> shared;
+  for (int k = 0; k < 3; ++k)
+  {
+    shared[k] = a[k] == b[0] ? 0 : a[k] == b[1] ? 1 : a[k] == b[2] ? 2 : None;
+  }
+  return shared;
+}
+
+/** SidesOfPlane, but a corner that both share is on the plane without asking. */
+std::array<int, 3> SidesOfPlane(const std::vector<FilteredPoint>& points, const Triangle& triangle,
+  const Triangle& other, const std::array<int, 3>& sharedOfOther)
+{
+  std::array<int, 3> sides{ { 0, 0, 0 } };
+  for (int k = 0; k < 3; ++k)
+  {
+    if (sharedOfOther[k] == None)
+    {
+      sides[k] = CGAL::orientation(
+        points[triangle[0]], points[triangle[1]], points[triangle[2]], points[other[k]]);
+    }
+  }
+  return sides;
+}
+
+/** Whether a segment and a triangle of one plane meet. */
+bool SegmentMeetsInPlane(
+  const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
+{
+  const int axis = ProjectionAxis(triangle);
+  const PlanarTriangle image = Image(triangle, axis);
+  return CGAL::do_intersect(FilteredKernel::Segment_2(Project(p, axis), Project(q, axis)),
+    FilteredKernel::Triangle_2(image[0], image[1], image[2]));
+}
+
+/** Whether a segment whose ends lie on opposite sides of the triangle's plane meets the triangle.
+ */
+bool SegmentPierces(
+  const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
+{
+  bool left = false;
+  bool right = false;
+  for (int k = 0; k < 3; ++k)
+  {
+    const CGAL::Orientation side = CGAL::orientation(p, q, triangle[k], triangle[(k + 1) % 3]);
+    left = left || side == CGAL::POSITIVE;
+    right = right || side == CGAL::NEGATIVE;
+  }
+  return !(left && right);
+}
+
+/** Whether the segment from p to q, on these sides of the triangle's plane, meets the triangle. */
+bool SegmentMeets(const FilteredPoint& p, int sideOfP, const FilteredPoint& q, int sideOfQ,
+  const FilteredTriangle& triangle)
+{
+  if (sideOfP * sideOfQ > 0)
+  {
+    return false;
+  }
+  if (sideOfP != 0 && sideOfQ != 0)
+  {
+    return SegmentPierces(p, q, triangle);
+  }
+  if (sideOfP == 0 && sideOfQ == 0)
+  {
+    return SegmentMeetsInPlane(p, q, triangle);
+  }
+  return ContainsInPlane(triangle, sideOfP == 0 ? p : q);
+}
+
+/**
+ * Whether an edge of `a` meets `b`; `sides` are those of a's corners. Where a corner is shared, the
+ * edges at it are passed over: what the triangles have in common beyond that corner reaches from it
+ * to the opposite edge of one of them.
+ */
+bool EdgeMeets(const FilteredTriangle& a, const std::array<int, 3>& sides,
+  const std::array<int, 3>& shared, const FilteredTriangle& b)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    if (shared[k] == None && shared[next] == None &&
+      SegmentMeets(a[k], sides[k], a[next], sides[next], b))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+FilteredTriangle Corners(const std::vector<FilteredPoint>& points, const Triangle& triangle)
+{
+  return { points[triangle[0]], points[triangle[1]], points[triangle[2]] };
+}
+} // namespace
+
+std::vector<FilteredPoint> ToFiltered(const std::vector<Point>& points)
+{
+  std::vector<FilteredPoint> filtered;
+  filtered.reserve(points.size());
+  for (const Point& p : points)
+  {
+    filtered.emplace_back(p[0], p[1], p[2]);
+  }
+  return filtered;
+}
+
+bool IsDegenerate(const Point& a, const Point& b, const Point& c)
+{
+  return CGAL::collinear(FilteredPoint(a[0], a[1], a[2]), FilteredPoint(b[0], b[1], b[2]),
+    FilteredPoint(c[0], c[1], c[2]));
+}
+
+std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other)
+{
+  std::array<int, 3> sides;
+  for (int k = 0; k < 3; ++k)
+  {
+    sides[k] = CGAL::orientation(triangle[0], triangle[1], triangle[2], other[k]);
+  }
+  return sides;
+}
+
+FilteredKernel::Point_2 Project(const FilteredPoint& point, int axis)
+{
+  return { point[(axis + 1) % 3], point[(axis + 2) % 3] };
+}
+
+int ProjectionAxis(const FilteredTriangle& triangle)
+{
+  const FilteredKernel::Vector_3 normal =
+    CGAL::cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  std::array<int, 3> axes{ { 0, 1, 2 } };
+  std::stable_sort(axes.begin(), axes.end(),
+    [&](int a, int b) { return std::abs(normal[a]) > std::abs(normal[b]); });
+  for (const int axis : axes)
+  {
+    const PlanarTriangle image = Image(triangle, axis);
+    if (CGAL::orientation(image[0], image[1], image[2]) != CGAL::COLLINEAR)
+    {
+      return axis;
+    }
+  }
+  return axes[0];
+}
+
+bool OverlapInPlane(const FilteredTriangle& a, const FilteredTriangle& b)
+{
+  const int axis = ProjectionAxis(a);
+  const PlanarTriangle p = Image(a, axis);
+  const PlanarTriangle q = Image(b, axis);
+  return !EdgeSeparates(p, q) && !EdgeSeparates(q, p);
+}
+
+bool ContainsInPlane(const FilteredTriangle& triangle, const FilteredPoint& point)
+{
+  const int axis = ProjectionAxis(triangle);
+  const PlanarTriangle image = Image(triangle, axis);
+  const PlanarPoint p = Project(point, axis);
+  const CGAL::Orientation outside = -CGAL::orientation(image[0], image[1], image[2]);
+  return CGAL::orientation(image[0], image[1], p) != outside &&
+    CGAL::orientation(image[1], image[2], p) != outside &&
+    CGAL::orientation(image[2], image[0], p) != outside;
+}
+
+bool MeetBeyondSharedCorners(
+  const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b)
+{
+  const std::array<int, 3> sharedOfA = SharedCorners(a, b);
+  const std::array<int, 3> sharedOfB = SharedCorners(b, a);
+  const std::array<int, 3> sidesOfB = SidesOfPlane(points, a, b, sharedOfB);
+  const int shared = (sharedOfA[0] != None) + (sharedOfA[1] != None) + (sharedOfA[2] != None);
+  const bool coplanar = sidesOfB[0] == 0 && sidesOfB[1] == 0 && sidesOfB[2] == 0;
+  if (shared == 2)
+  {
+    // Else they lie on either side of the line through their common edge, or in two planes.
+    return coplanar && OverlapInPlane(Corners(points, a), Corners(points, b));
+  }
+  if (Apart(sidesOfB))
+  {
+    return false;
+  }
+  const std::array<int, 3> sidesOfA =
+    coplanar ? std::array<int, 3>{ { 0, 0, 0 } } : SidesOfPlane(points, b, a, sharedOfA);
+  if (Apart(sidesOfA))
+  {
+    return false;
+  }
+  const FilteredTriangle p = Corners(points, a);
+  const FilteredTriangle q = Corners(points, b);
+  return EdgeMeets(p, sidesOfA, sharedOfA, q) || EdgeMeets(q, sidesOfB, sharedOfB, p);
+}
+} // namespace insideout

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// insideout-tetgen: reads a surface from standard input, lets TetGen make constrained Delaunay
+// tetrahedra of its convex hull, and writes them to standard output (TetgenProtocol.h). TetGen
+// exits, aborts, loops or corrupts memory on some surfaces; here it harms nobody but this process.
+
+#include "TetgenProtocol.h"
+
+#include <tetgen.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+using namespace insideout::tetgenprotocol;
+
+namespace
+{
+/** Exit statuses for when there is nobody to tell, or nothing sensible was asked. */
+constexpr int BadRequest = 2;
+constexpr int NobodyListens = 3;
+
+struct Request
+{
+  bool AllowSurfaceSteinerPoints = false;
+  std::vector<double> Points;
+  std::vector<std::int32_t> Facets;
+};
+
+void ReadBytes(void* data, std::size_t bytes)
+{
+  char* to = static_cast<char*>(data);
+  while (bytes > 0)
+  {
+    const ssize_t got = read(STDIN_FILENO, to, bytes);
+    if (got > 0)
+    {
+      to += got;
+      bytes -= static_cast<std::size_t>(got);
+    }
+    else if (got == 0 || errno != EINTR)
+    {
+      _exit(BadRequest);
+    }
+  }
+}
+
+void WriteBytes(int descriptor, const void* data, std::size_t bytes)
+{
+  const char* from = static_cast<const char*>(data);
+  while (bytes > 0)
+  {
+    const ssize_t put = write(descriptor, from, bytes);
+    if (put >= 0)
+    {
+      from += put;
+      bytes -= static_cast<std::size_t>(put);
+    }
+    else if (errno != EINTR)
+    {
+      _exit(NobodyListens);
+    }
+  }
+}
+
+Request ReadRequest()
+{
+  RequestHeader header;
+  ReadBytes(&header, sizeof(header));
+  if (header.Magic != RequestMagic || header.NumberOfPoints < 4 ||
+    header.NumberOfPoints > MaximumCount || header.NumberOfFacets < 0 ||
+    header.NumberOfFacets > MaximumCount)
+  {
+    _exit(BadRequest);
+  }
+  Request request;
+  request.AllowSurfaceSteinerPoints = header.AllowSurfaceSteinerPoints != 0;
+  request.Points.resize(3 * static_cast<std::size_t>(header.NumberOfPoints));
+  request.Facets.resize(3 * static_cast<std::size_t>(header.NumberOfFacets));
+  ReadBytes(request.Points.data(), request.Points.size() * sizeof(double));
+  ReadBytes(request.Facets.data(), request.Facets.size() * sizeof(std::int32_t));
+  for (const std::int32_t corner : request.Facets)
+  {
+    if (corner < 0 || corner >= header.NumberOfPoints)
+    {
+      _exit(BadRequest);
+    }
+  }
+  return request;
+}
+
+/** The request as TetGen wants it; each facet its own marker, or coplanar ones would be merged. */
+void FillInput(const Request& request, tetgenio& input)
+{
+  input.numberofpoints = static_cast<int>(request.Points.size() / 3);
+  input.pointlist = new double[request.Points.size()];
+  std::copy(request.Points.begin(), request.Points.end(), input.pointlist);
+  const int facets = static_cast<int>(request.Facets.size() / 3);
+  input.facetlist = new tetgenio::facet[facets];
+  input.facetmarkerlist = new int[facets];
+  for (int f = 0; f < facets; ++f)
+  {
+    tetgenio::facet& facet = input.facetlist[f];
+    tetgenio::init(&facet);
+    facet.polygonlist = new tetgenio::polygon[1];
+    facet.numberofpolygons = 1;
+    tetgenio::init(&facet.polygonlist[0]);
+    facet.polygonlist[0].vertexlist = new int[3];
+    facet.polygonlist[0].numberofvertices = 3;
+    std::copy_n(
+      &request.Facets[3 * static_cast<std::size_t>(f)], 3, facet.polygonlist[0].vertexlist);
+    input.facetmarkerlist[f] = f + 1;
+    input.numberoffacets = f + 1;
+  }
+}
+
+/**
+ * TetGen's manual, section 4.2. c: the whole convex hull; T0: no tolerance, which would drop
+ * points; J: keep points that no cell uses, so that ids stay; Q: quiet; p: facets are constraints;
+ * M: do not merge coplanar ones; Y: no Steiner points on facets and segments, as far as TetGen can
+ * avoid it.
+ */
+std::string Switches(const Request& request)
+{
+  std::string switches = "cT0JQ";
+  if (!request.Facets.empty())
+  {
+    switches += request.AllowSurfaceSteinerPoints ? "pM" : "pMY";
+  }
+  return switches;
+}
+
+std::string Words(int thrown)
+{
+  switch (thrown)
+  {
+    case 1:
+      return "it ran out of memory";
+    case 2:
+      return "it met an internal error";
+    case 3:
+      return "it holds that two facets intersect";
+    case 4:
+      return "it met a feature too small for it";
+    case 5:
+      return "it met two facets too close to each other";
+    case 10:
+      return "it does not accept the input";
+    default:
+      return "it gave up with code " + std::to_string(thrown);
+  }
+}
+
+void WriteFailure(int descriptor, int status, const std::string& message)
+{
+  const AnswerHeader header = { AnswerMagic, status, static_cast<std::int64_t>(message.size()), 0,
+    0, 0 };
+  WriteBytes(descriptor, &header, sizeof(header));
+  WriteBytes(descriptor, message.data(), message.size());
+}
+
+void WriteMesh(int descriptor, const tetgenio& mesh)
+{
+  // Markers of facets count from 1; what has another marker is the hull.
+  std::vector<std::int32_t> faces;
+  std::vector<std::int32_t> facets;
+  for (std::size_t face = 0; face < static_cast<std::size_t>(mesh.numberoftrifaces); ++face)
+  {
+    if (mesh.trifacemarkerlist && mesh.trifacemarkerlist[face] > 0)
+    {
+      faces.insert(faces.end(), &mesh.trifacelist[3 * face], &mesh.trifacelist[3 * face] + 3);
+      facets.push_back(mesh.trifacemarkerlist[face] - 1);
+    }
+  }
+  const AnswerHeader header = { AnswerMagic, 0, 0, mesh.numberofpoints, mesh.numberoftetrahedra,
+    static_cast<std::int64_t>(facets.size()) };
+  WriteBytes(descriptor, &header, sizeof(header));
+  WriteBytes(
+    descriptor, mesh.pointlist, 3 * sizeof(double) * static_cast<std::size_t>(mesh.numberofpoints));
+  WriteBytes(descriptor, mesh.tetrahedronlist,
+    4 * sizeof(std::int32_t) * static_cast<std::size_t>(mesh.numberoftetrahedra));
+  WriteBytes(descriptor, faces.data(), faces.size() * sizeof(std::int32_t));
+  WriteBytes(descriptor, facets.data(), facets.size() * sizeof(std::int32_t));
+}
+
+/** TetGen prints to standard output: take that away from it. Returns where answers go. */
+int TakeStandardOutput()
+{
+  const int answers = dup(STDOUT_FILENO);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (answers < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0 ||
+    dup2(nowhere, STDERR_FILENO) < 0)
+  {
+    _exit(NobodyListens);
+  }
+  return answers;
+}
+
+/** No core file when TetGen crashes, and no life after the process that asked. */
+void BindToParent()
+{
+  const rlimit none = { 0, 0 };
+  setrlimit(RLIMIT_CORE, &none);
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+}
+
+/** Whether the parent went away before it could be bound to; nothing follows a request. */
+bool ParentIsGone()
+{
+  pollfd input = { STDIN_FILENO, 0, 0 };
+  return poll(&input, 1, 0) == 1 && (input.revents & (POLLHUP | POLLERR));
+}
+} // namespace
+
+int main()
+{
+  BindToParent();
+  const int answers = TakeStandardOutput();
+  try
+  {
+    tetgenio input;
+    tetgenio mesh;
+    std::string switches;
+    {
+      const Request request = ReadRequest();
+      FillInput(request, input);
+      switches = Switches(request);
+    }
+    if (ParentIsGone())
+    {
+      _exit(NobodyListens);
+    }
+    tetrahedralize(&switches[0], &input, &mesh);
+    WriteMesh(answers, mesh);
+    // TetGen may have damaged memory that destructors would trip over: the answer is out.
+    _exit(0);
+  }
+  catch (int thrown)
+  {
+    WriteFailure(answers, thrown, Words(thrown));
+  }
+  catch (const std::bad_alloc&)
+  {
+    WriteFailure(answers, 1, Words(1));
+  }
+  _exit(0);
+}

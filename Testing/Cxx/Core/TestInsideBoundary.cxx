@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "InsideBoundary.h"
+
+#include "Error.h"
+#include "TestTetrahedra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace
+{
+using namespace insideout;
+using testtetrahedra::Grid;
+
+std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const unsigned share = 1 + seed % 4; // from one cell in four to all but the empty ones
+  std::vector<unsigned char> inside;
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    inside.push_back(random() % 4 < share);
+  }
+  return inside;
+}
+
+/** det(a, b, c) of integer points: six times the volume of the cone from the origin. */
+std::int64_t Determinant(const Point& a, const Point& b, const Point& c)
+{
+  const auto i = [](double x) { return static_cast<std::int64_t>(x); };
+  return i(a[0]) * (i(b[1]) * i(c[2]) - i(b[2]) * i(c[1])) +
+    i(a[1]) * (i(b[2]) * i(c[0]) - i(b[0]) * i(c[2])) +
+    i(a[2]) * (i(b[0]) * i(c[1]) - i(b[1]) * i(c[0]));
+}
+
+Point Difference(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+TEST(BoundaryFaces, EnclosesExactlyTheInsideCells)
+{
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    const TetrahedralMesh mesh = Grid(seed, 3);
+    const std::vector<unsigned char> inside = RandomInside(mesh, seed);
+    std::int64_t cells = 0;
+    for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+    {
+      const Tetrahedron& t = mesh.Cells[cell];
+      const Point& apex = mesh.Points[t[0]];
+      cells += inside[cell] *
+        Determinant(Difference(mesh.Points[t[1]], apex), Difference(mesh.Points[t[2]], apex),
+          Difference(mesh.Points[t[3]], apex));
+    }
+    std::int64_t enclosed = 0;
+    for (const BoundaryFace& face : BoundaryFaces(mesh, inside))
+    {
+      enclosed += Determinant(
+        mesh.Points[face.Corners[0]], mesh.Points[face.Corners[1]], mesh.Points[face.Corners[2]]);
+    }
+    EXPECT_GT(cells, 0);
+    EXPECT_EQ(enclosed, cells);
+  }
+}
+
+TEST(BoundaryFaces, BalancesEveryEdge)
+{
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    const TetrahedralMesh mesh = Grid(seed, 3);
+    std::map<std::pair<Id, Id>, int> balance;
+    for (const BoundaryFace& face : BoundaryFaces(mesh, RandomInside(mesh, seed)))
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Id a = face.Corners[k];
+        const Id b = face.Corners[(k + 1) % 3];
+        balance[{ std::min(a, b), std::max(a, b) }] += a < b ? 1 : -1;
+      }
+    }
+    EXPECT_FALSE(balance.empty());
+    for (const auto& edge : balance)
+    {
+      EXPECT_EQ(edge.second, 0);
+    }
+  }
+}
+
+TEST(BoundaryFaces, AreTheFacesOfInsideCellsInTheirOrder)
+{
+  for (unsigned seed = 0; seed < 8; ++seed)
+  {
+    TetrahedralMesh mesh = Grid(seed, 3);
+    testtetrahedra::RandomFaces(mesh, seed);
+    const std::vector<unsigned char> inside = RandomInside(mesh, seed);
+    std::pair<Id, int> last = { None, 0 };
+    int onFacets = 0;
+    for (const BoundaryFace& face : BoundaryFaces(mesh, inside))
+    {
+      EXPECT_LT(last, std::make_pair(face.Cell, face.Face));
+      last = { face.Cell, face.Face };
+      EXPECT_EQ(inside[face.Cell], 1);
+      const Id beyond = mesh.Neighbors[face.Cell][face.Face];
+      EXPECT_TRUE(beyond == None || inside[beyond] == 0);
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_EQ(face.Corners[k], mesh.Cells[face.Cell][TetrahedronFaces[face.Face][k]]);
+      }
+      EXPECT_EQ(face.Facet, mesh.Facets[face.Cell][face.Face]);
+      onFacets += face.Facet != None;
+    }
+    EXPECT_GT(onFacets, 0);
+  }
+}
+
+TEST(BoundaryFaces, IsTheHullWhenAllIsInsideAndNothingWhenNothingIs)
+{
+  const TetrahedralMesh mesh = Grid(1, 3);
+  EXPECT_EQ(BoundaryFaces(mesh, std::vector<unsigned char>(162, 1)).size(), 2u * 6 * 9);
+  EXPECT_TRUE(BoundaryFaces(mesh, std::vector<unsigned char>(162, 0)).empty());
+}
+
+/** Give the faces of the mesh to `facets` facets at random, several pieces each. */
+FacetComplex DealFaces(TetrahedralMesh& mesh, unsigned seed, int facets)
+{
+  FacetComplex surface = testtetrahedra::RandomFaces(mesh, seed);
+  surface.Facets.resize(facets);
+  surface.Multiplicity.resize(facets);
+  surface.NumberOfConstraints = facets;
+  for (std::array<Id, 4>& ids : mesh.Facets)
+  {
+    for (Id& id : ids)
+    {
+      id = id == None ? None : id % facets;
+    }
+  }
+  return surface;
+}
+
+TEST(OutlierFacets, AreThoseWithAPieceThatTouchesNoInsideCell)
+{
+  std::size_t outlying = 0;
+  std::size_t satisfied = 0;
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    TetrahedralMesh mesh = Grid(seed, 3);
+    const FacetComplex surface = DealFaces(mesh, seed, 30);
+    const std::vector<unsigned char> inside = RandomInside(mesh, seed);
+
+    // Per piece, by its points: its facet and how many inside cells it touches.
+    std::map<std::array<Id, 3>, std::pair<Id, int>> pieces;
+    for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        if (mesh.Facets[cell][k] != None)
+        {
+          std::array<Id, 3> key;
+          for (int j = 0; j < 3; ++j)
+          {
+            key[j] = mesh.Cells[cell][TetrahedronFaces[k][j]];
+          }
+          std::sort(key.begin(), key.end());
+          pieces[key].first = mesh.Facets[cell][k];
+          pieces[key].second += inside[cell];
+        }
+      }
+    }
+    std::set<Id> expected;
+    for (const auto& piece : pieces)
+    {
+      if (piece.second.second == 0)
+      {
+        expected.insert(piece.second.first);
+      }
+    }
+    outlying += expected.size();
+    satisfied += 30 - expected.size();
+    EXPECT_EQ(
+      OutlierFacets(surface, mesh, inside), std::vector<Id>(expected.begin(), expected.end()));
+  }
+  EXPECT_GT(outlying, 100u);
+  EXPECT_GT(satisfied, 100u);
+}
+
+TEST(OutlierFacets, IncludeLostUnresolvedAndMissingFacets)
+{
+  TetrahedralMesh mesh = Grid(1, 3);
+  FacetComplex surface = DealFaces(mesh, 1, 30);
+  const std::vector<unsigned char> all(mesh.Cells.size(), 1);
+  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>());
+  mesh.LostFacets = { 17 };
+  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>({ 17 }));
+  surface.NumberOfConstraints = 28;
+  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>({ 17, 28, 29 }));
+  surface.Facets.push_back(surface.Facets[0]);
+  surface.NumberOfConstraints = 31;
+  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>({ 17, 30 }));
+}
+
+TEST(InsideBoundary, WantsOneLabelPerCell)
+{
+  TetrahedralMesh mesh = Grid(1, 1);
+  const FacetComplex surface = testtetrahedra::RandomFaces(mesh, 1);
+  const auto code = [](auto function)
+  {
+    try
+    {
+      function();
+    }
+    catch (const Error& error)
+    {
+      EXPECT_STREQ(error.what(), "5 inside labels for 6 cells");
+      return error.Code;
+    }
+    return ErrorCode::EmptySurface;
+  };
+  const std::vector<unsigned char> five(5, 1);
+  EXPECT_EQ(code([&] { BoundaryFaces(mesh, five); }), ErrorCode::InvalidParameter);
+  EXPECT_EQ(code([&] { OutlierFacets(surface, mesh, five); }), ErrorCode::InvalidParameter);
+}
+} // namespace

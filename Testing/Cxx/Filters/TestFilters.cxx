@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkConstrainedDelaunay3D.h"
+#include "vtkGeneralizedWindingNumber.h"
+#include "vtkGraphCutSegmentation.h"
+#include "vtkResolveSelfIntersections.h"
+#include "vtkRobustTetrahedralize.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+/** A box of quadrilaterals, normals outward, added to `surface`. */
+void AddBox(vtkPolyData* surface, double low, double high)
+{
+  const vtkIdType first = surface->GetNumberOfPoints();
+  for (int i = 0; i < 8; ++i)
+  {
+    surface->GetPoints()->InsertNextPoint(
+      i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low);
+  }
+  const vtkIdType quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+    { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+  for (const auto& quad : quads)
+  {
+    vtkIdType corners[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      corners[k] = first + quad[k];
+    }
+    surface->GetPolys()->InsertNextCell(4, corners);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> EmptySurface()
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  surface->SetPoints(points);
+  surface->SetPolys(vtkNew<vtkCellArray>());
+  return surface;
+}
+
+/** Two boxes of side 1 that overlap in a box of side 1/2. */
+vtkSmartPointer<vtkPolyData> TwoBoxes()
+{
+  auto surface = EmptySurface();
+  AddBox(surface, 0, 1);
+  AddBox(surface, 0.5, 1.5);
+  return surface;
+}
+
+double Volume(vtkUnstructuredGrid* grid)
+{
+  double volume = 0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    vtkPoints* p = grid->GetCell(c)->GetPoints();
+    double x[4][3];
+    for (int k = 0; k < 4; ++k)
+    {
+      p->GetPoint(k, x[k]);
+    }
+    const auto d = [&](int k, int i) { return x[k][i] - x[0][i]; };
+    volume += (d(1, 0) * (d(2, 1) * d(3, 2) - d(2, 2) * d(3, 1)) +
+                d(1, 1) * (d(2, 2) * d(3, 0) - d(2, 0) * d(3, 2)) +
+                d(1, 2) * (d(2, 0) * d(3, 1) - d(2, 1) * d(3, 0))) /
+      6;
+  }
+  return volume;
+}
+
+/** Collects the texts of an algorithm's events instead of printing them. */
+class Listener
+{
+public:
+  Listener(vtkAlgorithm* algorithm, unsigned long event)
+  {
+    this->Command->SetClientData(&this->Texts);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* texts, void* text) {
+        static_cast<std::vector<std::string>*>(texts)->push_back(static_cast<const char*>(text));
+      });
+    algorithm->AddObserver(event, this->Command);
+    if (event == vtkCommand::ErrorEvent)
+    {
+      algorithm->GetExecutive()->AddObserver(event, this->Silence); // its generic line adds nothing
+    }
+    this->Silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  }
+
+  bool Heard(const std::string& words) const
+  {
+    for (const std::string& text : this->Texts)
+    {
+      if (text.find(words) != std::string::npos)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::string> Texts;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+  vtkNew<vtkCallbackCommand> Silence;
+};
+
+/** Expect one error that holds `words` and three empty outputs; then that the filter still works.
+ */
+void ExpectError(vtkPolyData* surface, const std::string& words)
+{
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener errors(filter, vtkCommand::ErrorEvent);
+  filter->SetInputData(surface);
+  filter->Update();
+  EXPECT_EQ(errors.Texts.size(), 1u);
+  EXPECT_TRUE(errors.Heard(words)) << (errors.Texts.empty() ? "no error" : errors.Texts[0]);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetBoundary()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetOutliers()->GetNumberOfCells(), 0);
+
+  filter->SetInputData(TwoBoxes());
+  filter->Update();
+  EXPECT_EQ(errors.Texts.size(), 1u);
+  EXPECT_NEAR(Volume(filter->GetOutput()), 1.875, 1e-12);
+}
+} // namespace
+
+TEST(vtkRobustTetrahedralize, MeshesTheUnionOfOverlappingBoxes)
+{
+  vtkNew<vtkRobustTetrahedralize> filter;
+  filter->SetInputData(TwoBoxes());
+  filter->Update();
+  EXPECT_NEAR(Volume(filter->GetOutput()), 2 - 0.125, 1e-12);
+  EXPECT_EQ(filter->GetOutliers()->GetNumberOfCells(), 0);
+  vtkFieldData* statistics = filter->GetOutput()->GetFieldData();
+  EXPECT_EQ(statistics->GetArray("Statistics_Components")->GetTuple1(0), 2);
+  EXPECT_EQ(statistics->GetArray("Statistics_MaximumW")->GetTuple1(0), 2);
+  EXPECT_EQ(statistics->GetArray("Statistics_Closed")->GetTuple1(0), 1);
+}
+
+TEST(vtkRobustTetrahedralize, GivesTheWholeHullWhenNotExtracting)
+{
+  vtkNew<vtkRobustTetrahedralize> filter;
+  filter->SetInputData(TwoBoxes());
+  filter->ExtractInsideOff();
+  filter->Update();
+  vtkUnstructuredGrid* hull = filter->GetOutput();
+  const double hullVolume = Volume(hull);
+  EXPECT_GT(hullVolume, 1.9);
+  auto* inside = vtkUnsignedCharArray::SafeDownCast(hull->GetCellData()->GetArray("Inside"));
+  auto* w = vtkDoubleArray::SafeDownCast(hull->GetCellData()->GetArray("w"));
+  ASSERT_TRUE(inside && w);
+  std::set<double> values;
+  for (vtkIdType c = 0; c < hull->GetNumberOfCells(); ++c)
+  {
+    values.insert(w->GetValue(c));
+    EXPECT_EQ(inside->GetValue(c), w->GetValue(c) > 0.5);
+  }
+  EXPECT_EQ(values, (std::set<double>{ 0, 1, 2 }));
+}
+
+TEST(vtkRobustTetrahedralize, NamesThePointThatIsNotFinite)
+{
+  auto surface = TwoBoxes();
+  surface->GetPoints()->SetPoint(11, 0, std::nan(""), 0);
+  ExpectError(surface, "point 11 is not finite");
+}
+
+TEST(vtkRobustTetrahedralize, NamesTheCellWhosePointIsOutOfRange)
+{
+  auto surface = TwoBoxes();
+  const vtkIdType corners[3] = { 0, 1, 99 };
+  surface->GetPolys()->InsertNextCell(3, corners);
+  ExpectError(surface, "cell 12 refers to point 99 of 16");
+}
+
+TEST(vtkRobustTetrahedralize, SaysThatThereAreNoPolygons)
+{
+  ExpectError(EmptySurface(), "the surface is empty");
+  auto surface = EmptySurface();
+  surface->GetPoints()->InsertNextPoint(0, 0, 0);
+  surface->GetPoints()->InsertNextPoint(1, 0, 0);
+  const vtkIdType corners[2] = { 0, 1 };
+  surface->SetLines(vtkNew<vtkCellArray>());
+  surface->GetLines()->InsertNextCell(2, corners);
+  ExpectError(surface, "only lines or vertices");
+}
+
+TEST(vtkRobustTetrahedralize, SaysThatAllIsDegenerateOrFlat)
+{
+  auto surface = EmptySurface();
+  for (int i = 0; i < 4; ++i)
+  {
+    surface->GetPoints()->InsertNextPoint(i, i, i);
+  }
+  const vtkIdType line[3] = { 0, 1, 2 };
+  surface->GetPolys()->InsertNextCell(3, line);
+  ExpectError(surface, "degenerate");
+
+  surface->GetPoints()->SetPoint(2, 0, 1, 0);
+  surface->GetPoints()->SetPoint(3, 1, 1, 1);
+  surface->GetPoints()->SetPoint(1, 1, 0, 1);
+  const vtkIdType other[3] = { 1, 3, 2 };
+  surface->GetPolys()->InsertNextCell(3, other);
+  ExpectError(surface, "plane");
+}
+
+TEST(vtkRobustTetrahedralize, CanBeStoppedInEveryStageAndRunAgain)
+{
+  vtkNew<vtkRobustTetrahedralize> filter;
+  filter->SetInputData(TwoBoxes());
+  filter->Update();
+  vtkNew<vtkUnstructuredGrid> undisturbed;
+  undisturbed->DeepCopy(filter->GetOutput());
+
+  struct Stopper
+  {
+    std::string Stage;
+    bool Met = false;
+  };
+  for (const char* stage : { "validating", "finding self-intersections",
+         "resolving self-intersections", "tetrahedralizing", "winding numbers", "segmenting" })
+  {
+    Stopper stopper{ stage };
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetClientData(&stopper);
+    observer->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+        auto* wanted = static_cast<Stopper*>(data);
+        if (algorithm->GetProgressText() && wanted->Stage == algorithm->GetProgressText())
+        {
+          wanted->Met = true;
+          algorithm->SetAbortExecute(1);
+        }
+      });
+    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, observer);
+    Listener errors(filter, vtkCommand::ErrorEvent);
+    filter->Modified();
+    filter->Update();
+    EXPECT_TRUE(stopper.Met) << stage;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << stage;
+    EXPECT_TRUE(errors.Texts.empty()) << "stopping is no error: " << errors.Texts[0];
+
+    filter->RemoveObserver(tag);
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    filter->Update();
+    ASSERT_EQ(filter->GetOutput()->GetNumberOfCells(), undisturbed->GetNumberOfCells()) << stage;
+    EXPECT_EQ(Volume(filter->GetOutput()), Volume(undisturbed)) << stage;
+  }
+}
+
+TEST(vtkRobustTetrahedralize, IgnoresLinesAndVerticesWithAWarningAndKeepsCellNumbers)
+{
+  auto surface = TwoBoxes();
+  const vtkIdType corners[2] = { 0, 1 };
+  surface->SetLines(vtkNew<vtkCellArray>());
+  surface->GetLines()->InsertNextCell(2, corners);
+  surface->GetLines()->InsertNextCell(2, corners);
+  vtkNew<vtkDoubleArray> number;
+  number->SetName("number");
+  for (int c = 0; c < 14; ++c)
+  {
+    number->InsertNextValue(c);
+  }
+  surface->GetCellData()->AddArray(number);
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputData(surface);
+  filter->Update();
+  EXPECT_TRUE(warnings.Heard("2 vertices and lines are ignored"));
+  vtkCellData* boundary = filter->GetBoundary()->GetCellData();
+  std::set<double> cells;
+  for (vtkIdType c = 0; c < filter->GetBoundary()->GetNumberOfCells(); ++c)
+  {
+    cells.insert(boundary->GetArray("vtkOriginalCellIds")->GetTuple1(c));
+    EXPECT_EQ(boundary->GetArray("number")->GetTuple1(c),
+      boundary->GetArray("vtkOriginalCellIds")->GetTuple1(c));
+  }
+  std::set<double>
+    expected; // each face of each box is partly on the boundary; lines are cells 0, 1
+  for (int c = 2; c < 14; ++c)
+  {
+    expected.insert(c);
+  }
+  EXPECT_EQ(cells, expected);
+}
+
+TEST(vtkRobustTetrahedralize, ReadsStripsLikePolygons)
+{
+  auto surface = EmptySurface();
+  for (int i = 0; i < 4; ++i)
+  {
+    surface->GetPoints()->InsertNextPoint(i & 1, i >> 1 & 1, i == 3 ? 0 : i == 0 ? 1 : 0);
+  }
+  // A tetrahedron as one strip: 0 1 2 3 0 1.
+  surface->SetPolys(nullptr);
+  surface->SetStrips(vtkNew<vtkCellArray>());
+  const vtkIdType strip[6] = { 0, 1, 2, 3, 0, 1 };
+  surface->GetStrips()->InsertNextCell(6, strip);
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent); // it may be inside out
+  filter->SetInputData(surface);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1);
+  EXPECT_NEAR(Volume(filter->GetOutput()), 1.0 / 6, 1e-15);
+}
+
+TEST(vtkRobustTetrahedralize, TurnsASurfaceThatIsInsideOut)
+{
+  auto surface = EmptySurface();
+  AddBox(surface, 1, 0); // the box mirrored in all axes: its normals point inward
+  for (const int orientation : { vtkRobustTetrahedralize::AUTOMATIC,
+         vtkRobustTetrahedralize::AS_GIVEN, vtkRobustTetrahedralize::REVERSE })
+  {
+    vtkNew<vtkRobustTetrahedralize> filter;
+    Listener warnings(filter, vtkCommand::WarningEvent);
+    filter->SetInputData(surface);
+    filter->SetOrientation(orientation);
+    filter->Update();
+    const bool asGiven = orientation == vtkRobustTetrahedralize::AS_GIVEN;
+    EXPECT_NEAR(Volume(filter->GetOutput()), asGiven ? 0 : 1, 1e-15);
+    EXPECT_EQ(warnings.Heard("inside out"), orientation == vtkRobustTetrahedralize::AUTOMATIC);
+    EXPECT_EQ(warnings.Heard("nothing is inside: w ranges from -1"), asGiven);
+  }
+}
+
+TEST(vtkConstrainedDelaunay3D, RefusesFacetsThatCrossAndNamesTheirCells)
+{
+  vtkNew<vtkConstrainedDelaunay3D> filter;
+  Listener errors(filter, vtkCommand::ErrorEvent);
+  filter->SetInputData(TwoBoxes());
+  filter->Update();
+  EXPECT_TRUE(errors.Heard("intersect")) << errors.Texts.size();
+  EXPECT_TRUE(errors.Heard("vtkResolveSelfIntersections"));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(vtkConstrainedDelaunay3D, TakesWhatTheResolverGivesWithItsMultiplicities)
+{
+  auto surface = EmptySurface();
+  AddBox(surface, 0, 1);
+  AddBox(surface, 0, 1); // every face twice, which counts once
+  vtkNew<vtkResolveSelfIntersections> resolve;
+  resolve->SetInputData(surface);
+  vtkNew<vtkConstrainedDelaunay3D> mesh;
+  Listener warnings(mesh, vtkCommand::WarningEvent);
+  mesh->SetInputConnection(resolve->GetOutputPort());
+  mesh->Update();
+  vtkUnstructuredGrid* grid = mesh->GetOutput();
+  EXPECT_NEAR(Volume(grid), 1, 1e-15);
+  vtkDataArray* multiplicity = grid->GetCellData()->GetArray("FacetMultiplicity");
+  vtkDataArray* facets = grid->GetCellData()->GetArray("FacetIds");
+  ASSERT_EQ(multiplicity->GetNumberOfComponents(), 4);
+  int onFacets = 0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const bool onFacet = facets->GetComponent(c, k) >= 0;
+      EXPECT_EQ(multiplicity->GetComponent(c, k), onFacet ? 1 : 0);
+      onFacets += onFacet;
+    }
+  }
+  EXPECT_EQ(onFacets, 12);
+}
+
+TEST(vtkGraphCutSegmentation, LabelsWhatTheWindingNumberFilterGives)
+{
+  vtkNew<vtkGeneralizedWindingNumber> w;
+  w->SetInputData(TwoBoxes());
+  vtkNew<vtkGraphCutSegmentation> cut;
+  cut->SetInputConnection(w->GetOutputPort());
+  cut->Update();
+  EXPECT_NEAR(Volume(cut->GetOutput()), 1.875, 1e-12);
+  cut->ExtractInsideOff();
+  cut->Update();
+  EXPECT_EQ(cut->GetOutput()->GetNumberOfCells(), w->GetOutput()->GetNumberOfCells());
+  EXPECT_TRUE(cut->GetOutput()->GetCellData()->GetArray("Inside"));
+}
+
+TEST(vtkGraphCutSegmentation, SaysThatThereIsNoW)
+{
+  vtkNew<vtkGeneralizedWindingNumber> w;
+  w->SetInputData(TwoBoxes());
+  w->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->ShallowCopy(w->GetOutput());
+  grid->GetCellData()->RemoveArray("w");
+  vtkNew<vtkGraphCutSegmentation> cut;
+  Listener errors(cut, vtkCommand::ErrorEvent);
+  cut->SetInputData(grid);
+  cut->Update();
+  EXPECT_TRUE(errors.Heard("no cell array w"));
+}
+
+TEST(vtkResolveSelfIntersections, KeepsInputPointsAndInterpolatesDataAtNewOnes)
+{
+  auto surface = TwoBoxes();
+  vtkNew<vtkDoubleArray> x;
+  x->SetName("x");
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+  {
+    x->InsertNextValue(surface->GetPoint(p)[0]);
+  }
+  surface->GetPointData()->AddArray(x);
+  vtkNew<vtkResolveSelfIntersections> filter;
+  filter->SetInputData(surface);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("vtkOriginalPointIds"));
+  ASSERT_TRUE(ids);
+  vtkIdType newPoints = 0;
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_NEAR(output->GetPointData()->GetArray("x")->GetTuple1(p), output->GetPoint(p)[0], 1e-15);
+    newPoints += ids->GetValue(p) < 0;
+    if (ids->GetValue(p) >= 0)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_EQ(output->GetPoint(p)[k], surface->GetPoint(ids->GetValue(p))[k]);
+      }
+    }
+  }
+  EXPECT_GE(newPoints, 6) << "edges of either box pierce faces of the other";
+}
+
+TEST(vtkResolveSelfIntersections, RenamesAnInputArrayThatClashes)
+{
+  auto surface = TwoBoxes();
+  vtkNew<vtkDoubleArray> clash;
+  clash->SetName("vtkOriginalCellIds");
+  for (int c = 0; c < 12; ++c)
+  {
+    clash->InsertNextValue(100 + c);
+  }
+  surface->GetCellData()->AddArray(clash);
+  vtkNew<vtkResolveSelfIntersections> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputData(surface);
+  filter->Update();
+  EXPECT_TRUE(warnings.Heard("Input_vtkOriginalCellIds"));
+  vtkCellData* data = filter->GetOutput()->GetCellData();
+  ASSERT_TRUE(data->GetArray("Input_vtkOriginalCellIds"));
+  EXPECT_EQ(data->GetArray("Input_vtkOriginalCellIds")->GetTuple1(0),
+    100 + data->GetArray("vtkOriginalCellIds")->GetTuple1(0));
+}

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The plugin's proxies work, and say of their properties what the classes do.
+
+    pvbatch TestPlugin.py PLUGIN.so SURFACE.off
+"""
+import sys
+import unittest
+
+from paraview import servermanager, simple
+
+import insideout
+
+PLUGIN, SURFACE = sys.argv[1:3]
+simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
+
+FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
+           "GeneralizedWindingNumber", "GraphCutSegmentation"]
+
+
+def volume(proxy, port=0):
+    """The summed volume of the cells that a filter gives."""
+    sizes = simple.CellSize(Input=servermanager.OutputPort(proxy, port))
+    data = servermanager.Fetch(sizes)
+    array = data.GetCellData().GetArray("Volume")
+    return sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
+
+
+class TestPlugin(unittest.TestCase):
+    def setUp(self):
+        self.surface = simple.SurfaceReader(FileName=SURFACE)
+
+    def test_the_filter_gives_solid_boundary_and_outliers(self):
+        solid = simple.RobustTetrahedralize(Input=self.surface)
+        solid.UpdatePipeline()
+        self.assertAlmostEqual(volume(solid), 1.75, 12)
+        information = solid.GetDataInformation()
+        self.assertEqual(information.GetCellArrayInformation("w").GetNumberOfComponents(), 1)
+        boundary = servermanager.Fetch(servermanager.OutputPort(solid, 1))
+        self.assertEqual(boundary.GetClassName(), "vtkPolyData")
+        self.assertGreater(boundary.GetNumberOfCells(), 0)
+        outliers = servermanager.Fetch(servermanager.OutputPort(solid, 2))
+        self.assertEqual(outliers.GetNumberOfCells(), 0)
+
+    def test_the_stages_chain(self):
+        resolved = simple.ResolveSelfIntersections(Input=self.surface)
+        hull = simple.ConstrainedDelaunay3D(Input=resolved)
+        hull.UpdatePipeline()
+        w = simple.GeneralizedWindingNumber(Input=self.surface)
+        solid = simple.GraphCutSegmentation(Input=w)
+        solid.UpdatePipeline()
+        self.assertAlmostEqual(volume(hull), volume(w), 12)
+        self.assertAlmostEqual(volume(solid), 1.75, 12)
+
+    def test_a_property_changes_the_result(self):
+        solid = simple.RobustTetrahedralize(Input=self.surface, ExtractInside=0)
+        whole = volume(solid)
+        solid.ExtractInside = 1
+        self.assertLess(volume(solid), whole)
+
+    def test_defaults_and_documentation_match_the_classes(self):
+        for name in FILTERS:
+            proxy = servermanager.ProxyManager().NewProxy("filters", name)
+            self.assertIsNotNone(proxy, name)
+            fresh = getattr(insideout, "vtk" + name)()
+            properties = proxy.NewPropertyIterator()
+            properties.Begin()
+            while not properties.IsAtEnd():
+                key, prop = properties.GetKey(), properties.GetProperty()
+                properties.Next()
+                with self.subTest(filter=name, property=key):
+                    self.assertTrue(prop.GetDocumentation().GetDescription().strip())
+                    if key != "Input":
+                        default = prop.GetElement(0)
+                        self.assertEqual(default, getattr(fresh, "Get" + key)())
+
+    def test_every_property_of_the_classes_is_offered(self):
+        for name in FILTERS:
+            proxy = servermanager.ProxyManager().NewProxy("filters", name)
+            own = vars(getattr(insideout, "vtk" + name))
+            setters = {m[3:] for m in own if m.startswith("Set") and "Get" + m[3:] in own}
+            self.assertTrue(setters or name == "None", name)
+            for setter in setters:
+                self.assertIsNotNone(proxy.GetProperty(setter), f"{name}.{setter}")
+
+
+if __name__ == "__main__":
+    program = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(not program.result.wasSuccessful())

@@ -1,0 +1,27 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Rules of the source tree, run from its root: formatting, no VTK in Core, a licence line in each file.
+set -u
+failed=0
+complain() {
+  echo "$1"
+  failed=1
+}
+
+sources=$(find Filters Plugin Testing Examples -name '*.h' -o -name '*.cxx')
+[ -n "$sources" ] || complain "no sources found: run from the root of the tree"
+for source in $sources; do
+  clang-format --dry-run -Werror "$source" || complain "$source: run clang-format -i"
+done
+
+vtk_in_core=$(grep -rlE '#include *[<"]vtk' Filters/Core Filters/Tetgen Testing/Cxx/Core)
+[ -z "$vtk_in_core" ] || complain "VTK headers in the algorithms: $vtk_in_core"
+
+files=$(find Filters Plugin Testing Examples -type f \
+  ! -name LICENSE ! -path '*/Data/*' ! -name '*.plugin' ! -name '*.pyc' ! -name '*.png' ! -name '*.md')
+for file in $files; do
+  head -n 3 "$file" | grep -q 'SPDX-License-Identifier: A\{0,1\}GPL-3.0-or-later' ||
+    complain "$file: no SPDX line"
+done
+
+exit $failed

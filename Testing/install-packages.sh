@@ -1,0 +1,36 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Install the Debian 12 packages that building, testing and the examples need. Root or sudo.
+set -eu
+
+as_root=
+[ "$(id -u)" = 0 ] || as_root=sudo
+
+# What the project itself uses.
+packages="g++ cmake ninja-build paraview paraview-dev python3-paraview python3-dev python3-numpy
+  libcgal-dev libeigen3-dev libtet1.5-dev libmaxflow-dev libgtest-dev"
+
+# What find_package(ParaView) asks for beyond what paraview-dev brings.
+packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev libqt5x11extras5-dev
+  libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools libutfcpp-dev libprotobuf-dev protobuf-compiler
+  libhdf5-mpi-dev mpi-default-dev libxml2-dev libexpat1-dev liblz4-dev liblzma-dev libjsoncpp-dev
+  libfreetype-dev libjpeg-dev libpng-dev libtiff-dev libdouble-conversion-dev libglew-dev libgl-dev
+  libx11-dev libxcursor-dev libxt-dev libtheora-dev libogg-dev libnetcdf-dev libproj-dev libcgns-dev
+  libpugixml-dev zlib1g-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  libgl2ps-dev"
+
+# Real meshes, a display for pictures, and the style check.
+packages="$packages libcgal-demo openfoam-examples xvfb xauth clang-format"
+
+missing=
+for package in $packages; do
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
+    missing="$missing $package"
+done
+if [ -n "$missing" ]; then
+  echo "Installing Debian packages (one to three minutes) ..."
+  $as_root apt-get update -qq
+  # shellcheck disable=SC2086 # a list of words
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    $missing >/dev/null
+fi
