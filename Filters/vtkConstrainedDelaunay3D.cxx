@@ -54,7 +54,7 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRun(this,
+  return vtkInsideOutRun(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(

@@ -37,7 +37,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRun(this,
+  return vtkInsideOutRun(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this,

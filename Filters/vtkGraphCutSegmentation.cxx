@@ -146,7 +146,7 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRun(this,
+  return vtkInsideOutRun(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this, { "segmenting" });

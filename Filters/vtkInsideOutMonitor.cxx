@@ -2,6 +2,13 @@
 #include "vtkInsideOutMonitor.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkCellArray.h>
+#include <vtkDataObject.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <exception>
@@ -48,8 +55,31 @@ bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
   return !ShouldAbort(this->Algorithm, 0);
 }
 
-int vtkInsideOutRun(vtkAlgorithm* algorithm, const std::function<void()>& work)
+namespace
 {
+/** VTK's XML writers crash on a grid that has no cell array at all. */
+void MakeEmpty(vtkInformationVector* outputs)
+{
+  for (int port = 0; outputs && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    output->Initialize();
+    if (auto* points = vtkPointSet::SafeDownCast(output))
+    {
+      points->SetPoints(vtkNew<vtkPoints>());
+    }
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(output))
+    {
+      grid->SetCells(VTK_TETRA, vtkNew<vtkCellArray>());
+    }
+  }
+}
+} // namespace
+
+int vtkInsideOutRun(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work)
+{
+  MakeEmpty(outputs);
   try
   {
     work();

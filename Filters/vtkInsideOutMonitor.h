@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkInformationVector;
 
 class vtkInsideOutMonitor : public insideout::Monitor
 {
@@ -35,11 +36,13 @@ private:
 
 /**
  * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
- * is no error.
+ * is no error. Either way the outputs are then empty, but complete, so that every writer copes.
  *
+ * @param outputs RequestData's, or nullptr for a writer, which has none
  * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed
  */
-int vtkInsideOutRun(vtkAlgorithm* algorithm, const std::function<void()>& work);
+int vtkInsideOutRun(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
 
 /** A warning event of the algorithm for each line. */
 void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings);

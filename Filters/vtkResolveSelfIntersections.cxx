@@ -31,7 +31,7 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkInsideOutRun(this,
+  return vtkInsideOutRun(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(

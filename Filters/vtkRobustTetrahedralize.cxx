@@ -88,7 +88,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  return vtkInsideOutRun(this,
+  return vtkInsideOutRun(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this,

@@ -45,7 +45,7 @@ vtkPolyData* vtkSurfaceWriter::GetInput(int port)
 
 void vtkSurfaceWriter::WriteData()
 {
-  const int written = vtkInsideOutRun(this,
+  const int written = vtkInsideOutRun(this, nullptr,
     [&]()
     {
       if (!this->FileName || !*this->FileName)

@@ -29,7 +29,7 @@ class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceWriter : public vtkWriter
 {
 public:
   static vtkSurfaceWriter* New();
-  vtkTypeMacro(vtkSurfaceWriter, vtkWriter);
+  vtkTypeMacro(vtkSurfaceWriter, vtkWriter)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -43,10 +43,9 @@ void CheckInputPoints(const std::vector<Point>& input, const std::vector<Point>&
   }
 }
 
-/** Only a second point at the same place may be in no cell. */
-void CheckPointsAreUsed(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
+std::vector<bool> UsedPoints(std::size_t numberOfPoints, const std::vector<Tetrahedron>& cells)
 {
-  std::vector<bool> used(points.size(), false);
+  std::vector<bool> used(numberOfPoints, false);
   for (const Tetrahedron& cell : cells)
   {
     for (const Id corner : cell)
@@ -54,6 +53,42 @@ void CheckPointsAreUsed(const std::vector<Point>& points, const std::vector<Tetr
       used[corner] = true;
     }
   }
+  return used;
+}
+
+/** TetGen hands out Steiner points too that it has taken out of every cell again: drop them. */
+void DropUnusedSteinerPoints(std::size_t numberOfInputPoints, TetgenAnswer& answer)
+{
+  const std::vector<bool> used = UsedPoints(answer.Points.size(), answer.Cells);
+  std::vector<Id> index(answer.Points.size());
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < answer.Points.size(); ++p)
+  {
+    index[p] = static_cast<Id>(kept);
+    answer.Points[kept] = answer.Points[p];
+    kept += p < numberOfInputPoints || used[p];
+  }
+  answer.Points.resize(kept);
+  for (Tetrahedron& cell : answer.Cells)
+  {
+    for (Id& corner : cell)
+    {
+      corner = index[corner];
+    }
+  }
+  for (Triangle& face : answer.Faces)
+  {
+    for (Id& corner : face)
+    {
+      corner = index[corner];
+    }
+  }
+}
+
+/** Only a second point at the same place may be in no cell. */
+void CheckPointsAreUsed(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
+{
+  const std::vector<bool> used = UsedPoints(points.size(), cells);
   if (std::find(used.begin(), used.end(), false) == used.end())
   {
     return;
@@ -132,6 +167,7 @@ void MatchNeighbors(const FaceTable& faces, TetrahedralMesh& mesh)
 TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer)
 {
   CheckInputPoints(surface.Points, answer.Points);
+  DropUnusedSteinerPoints(surface.Points.size(), answer);
   CheckPointsAreUsed(answer.Points, answer.Cells);
   OrientCells(answer.Points, answer.Cells);
   TetrahedralMesh mesh;
