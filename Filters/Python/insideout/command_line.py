@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command `python3 -m insideout`.
+
+Everything that can be known to fail is checked before the work begins: names, endings, folders and
+parameters. Files are written before anything is printed about them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import resource
+import sys
+import time
+from typing import Iterator, Optional, Sequence
+
+from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, read_surface, write_grid, write_surface
+from .pipeline import Error
+from .progress import StageBars
+from .summary import defects, summary
+from .tetrahedralization import STAGES, Tetrahedralization, make_filter, tetrahedralize
+from .version import __version__
+
+SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Do what the arguments say. Returns the exit status: 0 when tetrahedra were written."""
+    return Job(_parser().parse_args(arguments)).run()
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="insideout",
+        allow_abbrev=False,
+        description="From a broken surface to tetrahedra of the solid that it means.",
+        epilog="Exit status 0 when tetrahedra were written, 1 when not, 2 when the arguments make no sense.",
+    )
+    surface_endings = ", ".join(WRITABLE_SURFACES)
+    parser.add_argument("surface", metavar="SURFACE", help="a .ply, .obj, .off, .stl or .vtp file")
+    parser.add_argument("output", metavar="OUTPUT.vtu", help="where to write the tetrahedra inside")
+    parser.add_argument("--hull", metavar="HULL.vtu", help="write all tetrahedra of the convex hull, with w and Inside")
+    parser.add_argument("--boundary", metavar="FILE", help=f"write the solid's boundary ({surface_endings})")
+    parser.add_argument(
+        "--outliers", metavar="FILE.vtp", help=f"write the facets that are no part of the solid ({surface_endings})"
+    )
+    parser.add_argument("--report", metavar="FILE.json", help="write what was found and done, also when it fails")
+    parser.add_argument(
+        "--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2"
+    )
+    parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, above 0")
+    parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    parser.add_argument("--version", action="version", version=f"insideout {__version__}")
+    return parser
+
+
+class Job:
+    """One run of the command, and what is known of it so far."""
+
+    def __init__(self, options: argparse.Namespace):
+        self.options = options
+        self.bars = StageBars(None if options.quiet else sys.stderr)
+        self.report_is_writable = False
+        self.parameters: dict[str, float] = {}
+        self.outputs: dict[str, str] = {}
+        self.statistics: dict[str, float] = {}
+        self.warnings: list[str] = []
+        self.error: Optional[str] = None
+        self.begin = time.monotonic()
+
+    def run(self) -> int:
+        status = FAILURE
+        try:
+            self.check()
+            self.work()
+            status = SUCCESS
+        except Error as error:
+            self.error = str(error)
+        except OSError as error:
+            self.error = f"{error.filename or 'system'}: {(error.strerror or str(error)).lower()}"
+        except MemoryError:
+            self.error = "out of memory"
+        except KeyboardInterrupt:
+            self.error, status = "interrupted", INTERRUPTED
+        self.bars.abandon()
+        status = self.write_report(status)
+        if self.statistics and not self.options.quiet:
+            self.print_summary()
+        if self.error is not None:
+            _print_error(self.error)
+        return status
+
+    def check(self) -> None:
+        """Raise `Error` for whatever can be known to fail before the work begins."""
+        options = self.options
+        if options.report is not None:
+            check_output(options.report, (".json",))
+            self.report_is_writable = True
+        tetrahedralizer = make_filter(options.gamma, options.sigma)
+        self.parameters = {"gamma": tetrahedralizer.GetGamma(), "sigma": tetrahedralizer.GetSigma()}
+        check_input(options.surface)
+        check_output(options.output, WRITABLE_GRIDS)
+        for path, endings in (
+            (options.hull, WRITABLE_GRIDS),
+            (options.boundary, WRITABLE_SURFACES),
+            (options.outliers, WRITABLE_SURFACES),
+        ):
+            if path is not None:
+                check_output(path, endings)
+        self.check_that_files_differ()
+
+    def check_that_files_differ(self) -> None:
+        options = self.options
+        seen = set()
+        for path in (options.surface, options.output, options.hull, options.boundary, options.outliers, options.report):
+            if path is not None:
+                real = os.path.realpath(path)
+                if real in seen:
+                    raise Error(f"{path} is named twice: a file cannot be two things")
+                seen.add(real)
+
+    def work(self) -> None:
+        options = self.options
+        began = time.monotonic()
+        self.bars.show("reading", 0)
+        surface, self.warnings = read_surface(options.surface, lambda _, fraction: self.bars.show("reading", fraction))
+        self.bars.finish()
+        seconds_read = time.monotonic() - began
+
+        result = tetrahedralize(
+            surface,
+            gamma=options.gamma,
+            sigma=options.sigma,
+            progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
+        )
+        self.bars.finish()
+        self.warnings = self.warnings + result.warnings
+        self.statistics = dict(result.statistics, SecondsRead=seconds_read)
+        try:
+            self.write(result)
+        finally:
+            self.statistics["SecondsTotal"] = time.monotonic() - self.begin
+            self.statistics["PeakMemory"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        if "solid" not in self.outputs:
+            least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
+            raise Error(f"{options.surface}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
+
+    def write(self, result: Tetrahedralization) -> None:
+        """Write what was asked for; when nothing is inside, the hull alone."""
+        began = time.monotonic()
+        self.bars.show("writing", 0)
+        for kind, data, path, write in self.files_to_write(result):
+            write(data, path)
+            self.outputs[kind] = path
+        self.bars.finish()
+        self.statistics["SecondsWrite"] = time.monotonic() - began
+
+    def files_to_write(self, result: Tetrahedralization) -> Iterator[tuple]:
+        options = self.options
+        if options.hull is not None:
+            yield "hull", result.hull, options.hull, write_grid
+        if result.solid.GetNumberOfCells() > 0:
+            yield "solid", result.solid, options.output, write_grid
+            if options.boundary is not None:
+                yield "boundary", result.boundary, options.boundary, write_surface
+            if options.outliers is not None:
+                yield "outliers", result.outliers, options.outliers, write_surface
+
+    def write_report(self, status: int) -> int:
+        """Write the report, if asked to and possible. Returns the exit status with this in mind."""
+        if not self.report_is_writable:
+            return status
+        report = {
+            "version": __version__,
+            "input": self.options.surface,
+            "outputs": self.outputs,
+            "parameters": self.parameters,
+            "exit_status": status,
+            "error": self.error,
+            "defects": defects(self.statistics),
+            "warnings": self.warnings,
+            "statistics": self.statistics,
+        }
+        try:
+            with open(self.options.report, "w", encoding="utf-8", errors="backslashreplace") as file:
+                json.dump(report, file, indent=2)
+                file.write("\n")
+        except OSError as error:
+            self.error = self.error or f"cannot write {self.options.report}: {(error.strerror or str(error)).lower()}"
+            return status or FAILURE
+        return status
+
+    def print_summary(self) -> None:
+        lines = summary(os.path.basename(self.options.surface), self.statistics)
+        lines += [f"Warning: {warning}" for warning in self.warnings]
+        lines += [f"Wrote {kind:10} {path}" for kind, path in self.outputs.items()]
+        try:
+            print("\n".join(lines), flush=True)
+        except OSError:
+            # Nobody reads on (`| head`). The files are written, and Python is not to complain on exit.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _print_error(message: str) -> None:
+    try:
+        print(f"insideout: {message}", file=sys.stderr, flush=True)
+    except OSError:
+        pass  # the exit status says it

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Run VTK algorithms the Python way: errors are exceptions, warnings come back as a list.
+
+VTK reports errors as events and prints those that nobody observes. `run` observes them, so that
+nothing is printed and nothing goes unnoticed.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Callable, Optional
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+Progress = Callable[[str, float], None]
+"""Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
+
+STATISTICS_PREFIX = "Statistics_"
+MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "PeakMemory")  # all other statistics count
+
+
+class Error(RuntimeError):
+    """What a filter could not do, in one line that names the culprit."""
+
+
+class Messages:
+    """The errors and warnings of VTK objects, kept instead of printed.
+
+    A context manager: it observes the objects from `with` on and lets go of them at its end.
+    """
+
+    def __init__(self, *objects: vtkObject):
+        self.errors: list[str] = []
+        self.warnings: list[str] = []
+        self._objects = objects
+        self._tags: list[tuple[vtkObject, int]] = []
+
+    def __enter__(self) -> Messages:
+        for observed in self._objects:
+            for event, messages in (("ErrorEvent", self.errors), ("WarningEvent", self.warnings)):
+                self._tags.append((observed, observed.AddObserver(event, _appender(messages))))
+        return self
+
+    def __exit__(self, *_) -> None:
+        for observed, tag in self._tags:
+            observed.RemoveObserver(tag)
+        self._tags.clear()
+
+
+def run(
+    algorithm: vtkAlgorithm, progress: Optional[Progress] = None, action: Optional[Callable[[], object]] = None
+) -> list[str]:
+    """Bring an algorithm up to date, or do `action` with it (`writer.Write`, say).
+
+    Returns its warnings. Raises `Error` with its first error. What is upstream of the algorithm
+    reports for itself: run that before.
+    """
+    executive = algorithm.GetExecutive()
+    with Messages(algorithm) as messages, Messages(executive) as executive_messages:
+        tag = algorithm.AddObserver("ProgressEvent", _progress_observer(progress)) if progress else None
+        try:
+            (action or algorithm.Update)()
+        finally:
+            if tag is not None:
+                algorithm.RemoveObserver(tag)
+    # That a request failed, which is all the executive knows, counts only if nobody says why.
+    for error in (*messages.errors, *executive_messages.errors):
+        raise Error(error)
+    return messages.warnings
+
+
+def statistics_of(data: vtkDataObject) -> dict[str, float]:
+    """The figures that a filter put into the field data, by name; counts are ints."""
+    field_data = data.GetFieldData()
+    statistics: dict[str, float] = {}
+    for index in range(field_data.GetNumberOfArrays()):
+        name = field_data.GetArrayName(index) or ""
+        array = field_data.GetArray(index)
+        if name.startswith(STATISTICS_PREFIX) and array is not None and array.GetNumberOfValues() == 1:
+            name, value = name[len(STATISTICS_PREFIX) :], array.GetTuple1(0)
+            statistics[name] = value if name.startswith(MEASURED) else int(value)
+    return statistics
+
+
+def plain_message(decorated: str) -> str:
+    """A VTK message without the file, line and address that VTK puts around it, in one line."""
+    match = re.match(r"\w+: In .*?, line \d+\n\w+ \(\w+\): (.*)", decorated, re.DOTALL)
+    lines = (match.group(1) if match else decorated).strip().splitlines()
+    return lines[0] if lines else "unknown error"
+
+
+def _appender(messages: list[str]) -> Callable:
+    @calldata_type(VTK_STRING)
+    def append(_object: vtkObject, _event: str, message: str) -> None:
+        messages.append(plain_message(message))
+
+    return append
+
+
+def _progress_observer(progress: Progress) -> Callable:
+    def report(algorithm: vtkAlgorithm, _event: str) -> None:
+        progress(algorithm.GetProgressText() or "working", algorithm.GetProgress())
+
+    return report

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The result in words: what was wrong with the surface, sizes and times."""
+
+from __future__ import annotations
+
+from typing import Mapping
+
+DEFECTS = (
+    # statistic, one, several
+    ("OpenEdges", "open edge", "open edges"),
+    ("IntersectingPairs", "pair of facets that intersect", "pairs of facets that intersect"),
+    ("NonManifoldEdges", "non-manifold edge", "non-manifold edges"),
+    ("DuplicateFacets", "duplicate facet", "duplicate facets"),
+    ("CancelledFacets", "facet cancelled by its opposite", "facets cancelled by their opposites"),
+    ("DegenerateFacets", "degenerate facet, left out", "degenerate facets, left out"),
+    ("TwoSidedSolids", "two-sided component, kept once", "two-sided components, kept once"),
+    ("TwoSidedSheets", "two-sided sheet, which bounds nothing", "two-sided sheets, which bound nothing"),
+    ("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
+    ("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
+)
+
+TIMES = (
+    ("SecondsRead", "reading"),
+    ("SecondsValidate", "validating"),
+    ("SecondsPre", "resolving self-intersections"),
+    ("SecondsCDT", "tetrahedralizing"),
+    ("SecondsW", "winding numbers"),
+    ("SecondsCut", "segmenting"),
+    ("SecondsWrite", "writing"),
+)
+
+
+def defects(statistics: Mapping[str, float]) -> list[str]:
+    """What was wrong with the surface, one line each; none when nothing was."""
+    lines = [
+        f"{_count(statistics[name])} {one if statistics[name] == 1 else several}"
+        for name, one, several in DEFECTS
+        if statistics.get(name, 0) > 0
+    ]
+    if statistics.get("TurnedOver", 0):
+        lines.append("turned over")
+    return lines
+
+
+def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
+    """The lines that the command ends with."""
+    count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
+    merged = f" ({count['MergedPoints']} merged with others in their place)" if statistics["MergedPoints"] else ""
+    components = "1 component" if statistics["Components"] == 1 else f"{count['Components']} components"
+    total = statistics["SecondsTotal"]
+    return [
+        f"Surface {name}",
+        f"  {count['InputPoints']} points{merged}, {count['InputTriangles']} triangles, {components}",
+        *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
+        "Solid",
+        f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
+        f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets",
+        f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
+        f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+        *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
+    ]
+
+
+def _count(value: float) -> str:
+    return f"{int(value):,}"

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces that the tests use, and the laws that solids obey, each checked without InsideOut's own code."""
+
+from __future__ import annotations
+
+from collections import Counter
+from fractions import Fraction
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+
+BOX_FACETS = (
+    *((0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)),
+    *((0, 1, 5), (0, 5, 4), (2, 3, 7), (2, 7, 6)),
+    *((1, 2, 6), (1, 6, 5), (3, 0, 4), (3, 4, 7)),
+)
+"""Outward; 0 to 3 run around the bottom, 4 to 7 above them."""
+
+
+def polydata(points, polygons) -> vtkPolyData:
+    coordinates = vtkPoints()
+    coordinates.SetDataTypeToDouble()
+    for point in points:
+        coordinates.InsertNextPoint(point)
+    cells = vtkCellArray()
+    for polygon in polygons:
+        cells.InsertNextCell(len(polygon), polygon)
+    surface = vtkPolyData()
+    surface.SetPoints(coordinates)
+    surface.SetPolys(cells)
+    return surface
+
+
+def box(low=(0, 0, 0), size=1, facets=BOX_FACETS) -> vtkPolyData:
+    return polydata(box_points(low, size), facets)
+
+
+def box_points(low=(0, 0, 0), size=1):
+    x, y, z = low
+    outline = ((0, 0), (1, 0), (1, 1), (0, 1))
+    return [(x + size * a, y + size * b, z + size * c) for c in (0, 1) for a, b in outline]
+
+
+def two_boxes() -> vtkPolyData:
+    """Two unit boxes that share an eighth of each. Together they fill 15/8."""
+    second = [tuple(corner + 8 for corner in facet) for facet in BOX_FACETS]
+    return polydata(box_points() + box_points((0.5, 0.5, 0.5)), [*BOX_FACETS, *second])
+
+
+def open_box() -> vtkPolyData:
+    """A box without its lid."""
+    return box(facets=[facet for facet in BOX_FACETS if facet not in ((4, 5, 6), (4, 6, 7))])
+
+
+def reversed_box() -> vtkPolyData:
+    return box(facets=[facet[::-1] for facet in BOX_FACETS])
+
+
+def closed_both_ways() -> vtkPolyData:
+    """A box one half of whose facets faces inward, so that w is small everywhere: nothing is inside."""
+    return box(facets=[facet[::-1] if k % 2 else facet for k, facet in enumerate(BOX_FACETS)])
+
+
+def add_array(data, name: str, values):
+    array = numpy_to_vtk(np.asarray(values), deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+    return array
+
+
+def points_of(data) -> np.ndarray:
+    return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else np.zeros((0, 3))
+
+
+def tetrahedra_of(grid: vtkUnstructuredGrid) -> np.ndarray:
+    assert all(grid.GetCellType(cell) == VTK_TETRA for cell in range(grid.GetNumberOfCells()))
+    return vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+
+
+def triangles_of(surface: vtkPolyData) -> np.ndarray:
+    cells = surface.GetPolys()
+    assert cells.GetNumberOfConnectivityIds() == 3 * surface.GetNumberOfCells(), "not all cells are triangles"
+    return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 3)
+
+
+def cell_array(data, name: str) -> np.ndarray:
+    return vtk_to_numpy(data.GetCellData().GetArray(name))
+
+
+def point_array(data, name: str) -> np.ndarray:
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def exact_volumes(grid: vtkUnstructuredGrid) -> list[Fraction]:
+    points = [tuple(map(Fraction, point)) for point in points_of(grid).tolist()]
+    return [_volume(*(points[corner] for corner in cell)) for cell in tetrahedra_of(grid).tolist()]
+
+
+def _volume(a, b, c, d) -> Fraction:
+    u, v, w = ([p - q for p, q in zip(point, a)] for point in (b, c, d))
+    determinant = (
+        u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])
+    )
+    return determinant / 6
+
+
+def is_watertight(surface: vtkPolyData) -> bool:
+    """Whether every edge is run along as often one way as the other."""
+    edges = Counter()
+    for triangle in triangles_of(surface).tolist():
+        for k in range(3):
+            edges[triangle[k], triangle[(k + 1) % 3]] += 1
+    return all(edges[b, a] == count for (a, b), count in list(edges.items()))
+
+
+def enclosed_volume(surface: vtkPolyData) -> float:
+    corners = points_of(surface)[triangles_of(surface)]
+    return float(np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6)
