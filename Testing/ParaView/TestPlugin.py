@@ -11,7 +11,7 @@ from paraview import servermanager, simple
 import insideout
 
 PLUGIN, SURFACE = sys.argv[1:3]
-simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
+simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
            "GeneralizedWindingNumber", "GraphCutSegmentation"]
@@ -33,12 +33,11 @@ class TestPlugin(unittest.TestCase):
         solid = simple.RobustTetrahedralize(Input=self.surface)
         solid.UpdatePipeline()
         self.assertAlmostEqual(volume(solid), 1.75, 12)
-        information = solid.GetDataInformation()
-        self.assertEqual(information.GetCellArrayInformation("w").GetNumberOfComponents(), 1)
-        boundary = servermanager.Fetch(servermanager.OutputPort(solid, 1))
+        self.assertEqual(solid.CellData["w"].GetNumberOfComponents(), 1)
+        boundary = servermanager.Fetch(solid, idx=1)
         self.assertEqual(boundary.GetClassName(), "vtkPolyData")
         self.assertGreater(boundary.GetNumberOfCells(), 0)
-        outliers = servermanager.Fetch(servermanager.OutputPort(solid, 2))
+        outliers = servermanager.Fetch(solid, idx=2)
         self.assertEqual(outliers.GetNumberOfCells(), 0)
 
     def test_the_stages_chain(self):
