@@ -133,7 +133,7 @@ void FillInput(const Request& request, tetgenio& input)
  */
 std::string Switches(const Request& request)
 {
-  std::string switches = "cT0JQ";
+  std::string switches = "cT1e-40JQ";
   if (!request.Facets.empty())
   {
     switches += request.AllowSurfaceSteinerPoints ? "pM" : "pMY";
