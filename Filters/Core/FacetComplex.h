@@ -14,7 +14,7 @@ struct TriangleSoup
   std::vector<Triangle> Triangles;
 
   /** How often each triangle counts, where that is known (a resolved surface); else empty. */
-  std::vector<std::int16_t> Multiplicity;
+  std::vector<std::int16_t> Multiplicity = {};
 };
 
 /**

@@ -126,14 +126,15 @@ void FillInput(const Request& request, tetgenio& input)
 }
 
 /**
- * TetGen's manual, section 4.2. c: the whole convex hull; T0: no tolerance, which would drop
- * points; J: keep points that no cell uses, so that ids stay; Q: quiet; p: facets are constraints;
- * M: do not merge coplanar ones; Y: no Steiner points on facets and segments, as far as TetGen can
- * avoid it.
+ * TetGen's manual, section 4.2. c: the whole convex hull; T1e-60: no tolerance, which would
+ * drop points (not 0, for TetGen asks whether exact zeros are *below* it, and aborts on cospherical
+ * points when they are not); J: keep points that no cell uses, so that ids stay; Q: quiet; p:
+ * facets are constraints; M: do not merge coplanar ones; Y: no Steiner points on facets and
+ * segments, as far as TetGen can avoid it.
  */
 std::string Switches(const Request& request)
 {
-  std::string switches = "cT1e-40JQ";
+  std::string switches = "cT1e-60JQ";
   if (!request.Facets.empty())
   {
     switches += request.AllowSurfaceSteinerPoints ? "pM" : "pMY";
