@@ -5,8 +5,8 @@
     mpirun -np 2 pvbatch batch.py SURFACE FOLDER
 
 writes solid.vtu, boundary.vtp and outliers.vtp (with mpirun .pvtu and .pvtp with their pieces) into
-the folder. ParaView finds the plugin in a folder of PV_PLUGIN_PATH or of its own plugins; the
-environment variable INSIDEOUT_PLUGIN names its file otherwise.
+the folder. ParaView loads the plugin itself from a folder of PV_PLUGIN_PATH. Where it is installed
+among ParaView's own plugins it is loaded by name; otherwise INSIDEOUT_PLUGIN names its file.
 """
 
 import os
@@ -19,6 +19,8 @@ import paraview.simple
 
 def load_plugin():
     file = os.environ.get("INSIDEOUT_PLUGIN")
+    if hasattr(paraview.simple, "RobustTetrahedralize"):
+        return
     if file:
         LoadPlugin(file, ns=vars(paraview.simple))
     else:

@@ -424,7 +424,7 @@ void WriteStl(OutputFile& file, const PolygonSurface& surface)
 {
   constexpr std::size_t titleLength = 80;
   std::string title = "Binary STL of InsideOut"; // not "solid", which would look like ascii
-  title.resize(titleLength, ' ');
+  title.resize(titleLength, '\0');               // by which VTK tells an empty file from ascii
   file.Text(title);
   const std::size_t triangles = surface.Offsets.size() - 1;
   file.Binary(static_cast<std::uint32_t>(triangles));

@@ -11,7 +11,7 @@ import unittest
 import insideout
 import surfaces
 from insideout.files import read_surface, write_surface
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 
 def run(*arguments: str, **options) -> subprocess.CompletedProcess:
@@ -84,7 +84,7 @@ class Success(CommandLine):
                 os.remove(self.output)
 
     def test_every_output(self):
-        source = self.file("boxes.ply", surfaces.two_boxes())
+        source = self.file("boxes.ply", surfaces.two_boxes_and_a_stray_facet())
         for ending in (".vtp", ".ply", ".stl", ".obj"):
             with self.subTest(ending):
                 names = [self.path(name) for name in ("hull.vtu", "boundary" + ending, "outliers" + ending, "report.json")]
@@ -100,6 +100,7 @@ class Success(CommandLine):
                     found = json.load(file)
                 self.assertEqual(read_grid(hull).GetNumberOfCells(), found["statistics"]["HullCells"])
                 self.assertEqual(read_surface(outliers)[0].GetNumberOfCells(), found["statistics"]["OutlierFacets"])
+                self.assertGreater(found["statistics"]["OutlierFacets"], 0)
                 self.assertEqual(found["parameters"], {"gamma": 0.5, "sigma": 0.2})
 
     def test_empty_outliers_are_written_in_every_format(self):
@@ -177,7 +178,8 @@ class Success(CommandLine):
 
 class Failure(CommandLine):
     def test_files_that_cannot_be_read(self):
-        whole = open(self.file("whole.ply", surfaces.box()), "rb").read()
+        with open(self.file("whole.ply", surfaces.box()), "rb") as file:
+            whole = file.read()
         os.mkdir(self.path("folder.ply"))
         for name, content, expected in (
             ("missing.ply", None, "no such file"),
@@ -275,15 +277,6 @@ class Failure(CommandLine):
         self.assertEqual(found["exit_status"], 1)
         self.assertEqual("insideout: " + found["error"] + "\n", done.stderr)
         self.assertEqual(found["outputs"], {})
-
-    def test_appended_files_are_explained(self):
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(surfaces.box())
-        writer.SetFileName(self.path("appended.vtp"))
-        writer.Write()
-        done = run(self.path("appended.vtp"), self.output)
-        if done.returncode != 0:  # where expat is an old one VTK reads it
-            self.check_failure(done, "appended mode")
 
 
 if __name__ == "__main__":

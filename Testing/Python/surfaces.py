@@ -49,6 +49,13 @@ def two_boxes() -> vtkPolyData:
     return polydata(box_points() + box_points((0.5, 0.5, 0.5)), [*BOX_FACETS, *second])
 
 
+def two_boxes_and_a_stray_facet() -> vtkPolyData:
+    """The same, and a triangle far off that bounds nothing."""
+    boxes = two_boxes()
+    stray = [(3, 3, 3), (4, 3, 3), (3, 4, 3)]
+    return polydata([*map(tuple, points_of(boxes)), *stray], [*triangles_of(boxes).tolist(), (16, 17, 18)])
+
+
 def open_box() -> vtkPolyData:
     """A box without its lid."""
     return box(facets=[facet for facet in BOX_FACETS if facet not in ((4, 5, 6), (4, 6, 7))])

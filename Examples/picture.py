@@ -1,0 +1,335 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One picture of what InsideOut does to a surface.
+
+    xvfb-run -a python3 picture.py SURFACE HULL.vtu PICTURE.png
+
+HULL.vtu is what `python3 -m insideout SURFACE SOLID.vtu --hull HULL.vtu` writes. Side by side, seen
+from the same place: the surface with its defects, a slice of the winding number w through the hull,
+and the tetrahedra inside, cut open.
+"""
+
+import sys
+
+import insideout
+import numpy as np
+import vtkmodules.vtkInteractionStyle  # noqa: F401
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from insideout.files import read_surface
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkThreshold, vtkTriangleFilter
+from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+PANEL_WIDTH, HEIGHT = 800, 900
+WIDTH_USED, HEIGHT_USED = 0.92, 0.80  # of a panel; the rest is for words
+BACKGROUND = (1.0, 1.0, 1.0)
+INK = (0.15, 0.15, 0.18)
+SOUND = (0.86, 0.86, 0.83)
+CROSSING = (0.90, 0.20, 0.15)
+OPEN = (0.50, 0.05, 0.05)
+NON_MANIFOLD = (0.50, 0.15, 0.65)
+SOLID = (0.45, 0.66, 0.80)
+
+
+# --- What is seen ---
+
+
+def crossing_facets(surface: vtkPolyData) -> tuple[vtkPolyData, vtkPolyData]:
+    """The surface's triangles in two parts: those that are cut because they cross others, and the rest."""
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(surface)
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.Update()
+    bare = vtkPolyData()
+    bare.SetPoints(triangles.GetOutput().GetPoints())
+    bare.SetPolys(triangles.GetOutput().GetPolys())
+
+    resolve = insideout.vtkResolveSelfIntersections()
+    resolve.SetInputData(bare)
+    insideout.pipeline.run(resolve)
+    ids = vtk_to_numpy(resolve.GetOutput().GetCellData().GetArray("vtkOriginalCellIds"))
+    crosses = np.bincount(ids, minlength=bare.GetNumberOfCells()) > 1
+    return some_triangles(bare, crosses), some_triangles(bare, ~crosses)
+
+
+def some_triangles(surface: vtkPolyData, chosen: np.ndarray) -> vtkPolyData:
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)[chosen]
+    cells = vtkCellArray()
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners).ravel(), deep=True))
+    part = vtkPolyData()
+    part.SetPoints(surface.GetPoints())
+    part.SetPolys(cells)
+    return part
+
+
+def edges(surface: vtkPolyData, kind: str) -> vtkPolyData:
+    """The edges of one facet (kind Boundary) or of more than two (NonManifold)."""
+    clean = vtkCleanPolyData()  # an STL file has every corner of its own
+    clean.SetInputData(surface)
+    clean.ToleranceIsAbsoluteOn()
+    clean.SetAbsoluteTolerance(0)
+    feature = vtkFeatureEdges()
+    feature.SetInputConnection(clean.GetOutputPort())
+    for name in ("Boundary", "NonManifold", "Feature", "Manifold"):
+        getattr(feature, "Set" + name + "Edges")(name == kind)
+    feature.ColoringOff()
+    feature.Update()
+    return feature.GetOutput()
+
+
+def slice_of(hull: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
+    cutter = vtkCutter()
+    cutter.SetInputData(hull)
+    cutter.SetCutFunction(plane)
+    cutter.GenerateTrianglesOff()
+    cutter.Update()
+    return cutter.GetOutput()
+
+
+def cells_inside(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
+    threshold = vtkThreshold()
+    threshold.SetInputData(hull)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Inside")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(0.5)
+    threshold.Update()
+    return threshold.GetOutput()
+
+
+def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
+    """The faces of the cells that reach behind the plane: all that lie wholly before it are taken away."""
+    extract = vtkExtractGeometry()
+    extract.SetInputData(grid)
+    extract.SetImplicitFunction(plane)
+    extract.ExtractInsideOn()
+    extract.ExtractBoundaryCellsOn()
+    faces = vtkGeometryFilter()
+    faces.SetInputConnection(extract.GetOutputPort())
+    faces.Update()
+    return faces.GetOutput()
+
+
+# --- From where ---
+
+
+class View:
+    """Where a surface is seen from: its shortest extent runs to the eye; z is up, or y where z is shortest."""
+
+    def __init__(self, surface: vtkPolyData):
+        bounds = np.array(surface.GetBounds()).reshape(3, 2)
+        size = bounds[:, 1] - bounds[:, 0]
+        self.centre = bounds.mean(axis=1)
+        axes = np.eye(3)
+        shortest = int(np.argmin(size))
+        self.slice_normal = axes[shortest] * (-1 if shortest == 1 else 1)  # x runs to the right then
+        self.up = axes[1 if shortest == 2 else 2]
+        self.right = np.cross(self.up, self.slice_normal)
+        # A little from the side and from above, so that depth is seen.
+        eye = self.slice_normal + 0.35 * self.right + 0.25 * self.up
+        self.eye = eye / np.linalg.norm(eye)
+        self.distance = 4 * float(np.linalg.norm(size))
+        self.size = self._size_on_screen(bounds)
+
+    def _size_on_screen(self, bounds: np.ndarray) -> tuple[float, float]:
+        across = np.cross(self.up, self.eye)
+        across /= np.linalg.norm(across)
+        down = np.cross(across, self.eye)
+        corners = np.array([[bounds[i, b] for i, b in enumerate(pick)] for pick in np.ndindex(2, 2, 2)])
+        return float(np.ptp(corners @ across)), float(np.ptp(corners @ down))
+
+    def slice_plane(self) -> vtkPlane:
+        plane = vtkPlane()
+        plane.SetOrigin(*self.centre)
+        plane.SetNormal(*self.slice_normal)
+        return plane
+
+    def apply(self, renderer: vtkRenderer) -> None:
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(*self.centre)
+        camera.SetPosition(*(self.centre + self.distance * self.eye))
+        camera.SetViewUp(*self.up)
+        width, height = self.size
+        camera.SetParallelScale(0.5 * max(width * HEIGHT / PANEL_WIDTH / WIDTH_USED, height / HEIGHT_USED))
+        renderer.ResetCameraClippingRange()
+
+
+# --- How it is drawn ---
+
+
+def actor(data: vtkPolyData, colour, edge_colour=None, width=1.0) -> vtkActor:
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    drawn = vtkActor()
+    drawn.SetMapper(mapper)
+    look = drawn.GetProperty()
+    look.SetColor(*colour)
+    look.SetAmbient(0.15)
+    look.SetDiffuse(0.85)
+    look.SetInterpolationToFlat()
+    look.SetLineWidth(width)
+    if edge_colour:
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(*edge_colour)
+    return drawn
+
+
+def line_actor(data: vtkPolyData, colour, width: float) -> vtkActor:
+    drawn = actor(data, colour, width=width)
+    drawn.GetProperty().LightingOff()
+    drawn.GetProperty().RenderLinesAsTubesOn()
+    return drawn
+
+
+def slice_actor(data: vtkPolyData) -> vtkActor:
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("w")
+    mapper.SetLookupTable(colours_of_w())
+    mapper.InterpolateScalarsBeforeMappingOff()
+    drawn = vtkActor()
+    drawn.SetMapper(mapper)
+    drawn.GetProperty().LightingOff()
+    return drawn
+
+
+def colours_of_w() -> vtkColorTransferFunction:
+    """Blue outside, white where w is 1/2, red inside; beyond -1 and 2 nothing changes any more."""
+    colours = vtkColorTransferFunction()
+    colours.SetColorSpaceToLab()
+    for w, colour in (
+        (-1.0, (0.09, 0.17, 0.36)),
+        (0.0, (0.38, 0.58, 0.80)),
+        (0.5, (0.97, 0.97, 0.95)),
+        (1.0, (0.85, 0.44, 0.32)),
+        (2.0, (0.40, 0.02, 0.10)),
+    ):
+        colours.AddRGBPoint(w, *colour)
+    return colours
+
+
+def colour_bar() -> vtkScalarBarActor:
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(colours_of_w())
+    bar.SetOrientationToHorizontal()
+    bar.SetNumberOfLabels(7)
+    bar.SetLabelFormat("%.1f")
+    bar.UnconstrainedFontSizeOn()
+    bar.GetLabelTextProperty().SetColor(*INK)
+    bar.GetLabelTextProperty().SetFontSize(20)
+    bar.GetLabelTextProperty().ShadowOff()
+    bar.GetLabelTextProperty().ItalicOff()
+    bar.GetLabelTextProperty().BoldOff()
+    bar.SetPosition(0.2, 0.015)
+    bar.SetWidth(0.6)
+    bar.SetHeight(0.07)
+    return bar
+
+
+def words(text: str, height: float, colour=INK, size: int = 24, bold: bool = False) -> vtkTextActor:
+    """A line in the middle of a panel, at this height of it (0 to 1)."""
+    line = vtkTextActor()
+    line.SetInput(text)
+    look = line.GetTextProperty()
+    look.SetColor(*colour)
+    look.SetFontSize(size)
+    look.SetBold(bold)
+    look.SetJustificationToCentered()
+    look.SetVerticalJustificationToCentered()
+    line.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    line.SetPosition(0.5, height)
+    return line
+
+
+# --- The panels ---
+
+
+def surface_panel(surface: vtkPolyData) -> list:
+    crossing, sound = crossing_facets(surface)
+    open_edges, non_manifold = edges(surface, "Boundary"), edges(surface, "NonManifold")
+    drawn = [actor(sound, SOUND, edge_colour=None), actor(crossing, CROSSING)]
+    drawn += [line_actor(open_edges, OPEN, 4), line_actor(non_manifold, NON_MANIFOLD, 4)]
+    found = [
+        (f"{data.GetNumberOfCells():,} {what}", colour)
+        for data, what, colour in (
+            (crossing, "facets that cross others", CROSSING),
+            (open_edges, "open edges", OPEN),
+            (non_manifold, "non-manifold edges", NON_MANIFOLD),
+        )
+        if data.GetNumberOfCells() > 0
+    ] or [("nothing wrong", INK)]
+    lines = [words(text, 0.085 - 0.033 * k, colour) for k, (text, colour) in enumerate(found)]
+    return [*drawn, words("The surface and its defects", 0.95, size=30, bold=True), *lines]
+
+
+def slice_panel(hull: vtkUnstructuredGrid, view: View) -> list:
+    title = words("Winding number w, a slice of the hull", 0.95, size=30, bold=True)
+    return [slice_actor(slice_of(hull, view.slice_plane())), title, colour_bar()]
+
+
+def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list:
+    solid = cells_inside(hull)
+    count = f"{solid.GetNumberOfCells():,} tetrahedra"
+    title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
+    return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]
+
+
+def render(panels: list, view: View, file: str) -> None:
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(PANEL_WIDTH * len(panels), HEIGHT)
+    for k, panel in enumerate(panels):
+        renderer = vtkRenderer()
+        renderer.SetBackground(*BACKGROUND)
+        renderer.SetViewport(k / len(panels), 0, (k + 1) / len(panels), 1)
+        for prop in panel:
+            renderer.AddViewProp(prop)
+        view.apply(renderer)
+        window.AddRenderer(renderer)
+    window.Render()
+
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(file)
+    insideout.pipeline.run(writer, action=writer.Write)
+
+
+def main(surface_file: str, hull_file: str, picture_file: str) -> None:
+    surface, _ = read_surface(surface_file)
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(hull_file)
+    insideout.pipeline.run(reader)
+    hull = reader.GetOutput()
+    view = View(surface)
+    render([surface_panel(surface), slice_panel(hull, view), solid_panel(hull, view)], view, picture_file)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    try:
+        main(*sys.argv[1:])
+    except insideout.Error as error:
+        sys.exit(f"picture.py: {error}")
