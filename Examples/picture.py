@@ -35,7 +35,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 PANEL_WIDTH, HEIGHT = 800, 900
-WIDTH_USED, HEIGHT_USED = 0.92, 0.80  # of a panel; the rest is for words
+WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
 BACKGROUND = (1.0, 1.0, 1.0)
 INK = (0.15, 0.15, 0.18)
 SOUND = (0.86, 0.86, 0.83)
@@ -181,8 +181,8 @@ def actor(data: vtkPolyData, colour, edge_colour=None, width=1.0) -> vtkActor:
     drawn.SetMapper(mapper)
     look = drawn.GetProperty()
     look.SetColor(*colour)
-    look.SetAmbient(0.15)
-    look.SetDiffuse(0.85)
+    look.SetAmbient(0.32)
+    look.SetDiffuse(0.70)
     look.SetInterpolationToFlat()
     look.SetLineWidth(width)
     if edge_colour:
@@ -265,7 +265,7 @@ def words(text: str, height: float, colour=INK, size: int = 24, bold: bool = Fal
 def surface_panel(surface: vtkPolyData) -> list:
     crossing, sound = crossing_facets(surface)
     open_edges, non_manifold = edges(surface, "Boundary"), edges(surface, "NonManifold")
-    drawn = [actor(sound, SOUND, edge_colour=None), actor(crossing, CROSSING)]
+    drawn = [actor(sound, SOUND), actor(crossing, CROSSING)]
     drawn += [line_actor(open_edges, OPEN, 4), line_actor(non_manifold, NON_MANIFOLD, 4)]
     found = [
         (f"{data.GetNumberOfCells():,} {what}", colour)
