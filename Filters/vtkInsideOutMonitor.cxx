@@ -4,10 +4,12 @@
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
+#include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -74,6 +76,14 @@ void MakeEmpty(vtkInformationVector* outputs)
     }
   }
 }
+
+/** Of several MPI ranks all but the first get nothing of a surface that one reader reads whole. */
+bool IsFurtherPiece(vtkInformationVector* outputs)
+{
+  vtkInformation* output = outputs ? outputs->GetInformationObject(0) : nullptr;
+  return output && output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
 } // namespace
 
 int vtkInsideOutRun(
@@ -87,7 +97,9 @@ int vtkInsideOutRun(
   }
   catch (const insideout::Error& error)
   {
-    if (error.Code == insideout::ErrorCode::Stopped)
+    const bool isEmptyPiece =
+      error.Code == insideout::ErrorCode::EmptySurface && IsFurtherPiece(outputs);
+    if (error.Code == insideout::ErrorCode::Stopped || isEmptyPiece)
     {
       return 1;
     }
