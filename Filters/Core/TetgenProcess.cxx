@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <climits>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -35,7 +34,7 @@ constexpr std::chrono::seconds GraceToEnd(1);
 /** An answer is given this much memory ahead of what has arrived, whatever length it claims. */
 constexpr std::size_t LargestLeap = std::size_t(1) << 24;
 /** TetGen's time per point and facet on an ordinary surface; for the progress bar alone. */
-constexpr double SecondsPerElement = 3e-5;
+constexpr double SecondsPerElement = 1e-5;
 
 [[noreturn]] void ThrowDied(const std::string& what)
 {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <limits>
 #include <new>
 #include <string>
 #include <vector>
@@ -126,20 +127,34 @@ void FillInput(const Request& request, tetgenio& input)
 }
 
 /**
- * TetGen's manual, section 4.2. c: the whole convex hull; T1e-60: no tolerance, which would
- * drop points (not 0, for TetGen asks whether exact zeros are *below* it, and aborts on cospherical
- * points when they are not); J: keep points that no cell uses, so that ids stay; Q: quiet; p:
- * facets are constraints; M: do not merge coplanar ones; Y: no Steiner points on facets and
- * segments, as far as TetGen can avoid it.
+ * TetGen's manual, section 4.2. c: the whole convex hull; J: keep points that no cell uses, so that
+ * ids stay; Q: quiet; p: facets are constraints; M: do not merge coplanar facets, nor points; Y: no
+ * Steiner points on facets and segments, as far as TetGen can avoid it.
  */
 std::string Switches(const Request& request)
 {
-  std::string switches = "cT1e-60JQ";
+  std::string switches = "cJQ";
   if (!request.Facets.empty())
   {
     switches += request.AllowSurfaceSteinerPoints ? "pM" : "pMY";
   }
   return switches;
+}
+
+/**
+ * TetGen's tolerance does two things. It tells flat from solid by inexact arithmetic when it looks
+ * for the first cell: with none (T0) the first cell may be flat, and TetGen aborts or loops. And it
+ * drops points that are near others: for that alone it is as good as none here.
+ */
+tetgenbehavior Behavior(const Request& request)
+{
+  constexpr double ToleranceOfFirstCell = 1e-13;
+  tetgenbehavior behavior;
+  std::string switches = Switches(request);
+  behavior.parse_commandline(&switches[0]);
+  behavior.epsilon = ToleranceOfFirstCell;
+  behavior.minedgelength = std::numeric_limits<double>::min();
+  return behavior;
 }
 
 std::string Words(int thrown)
@@ -234,17 +249,17 @@ int main()
   {
     tetgenio input;
     tetgenio mesh;
-    std::string switches;
+    tetgenbehavior behavior;
     {
       const Request request = ReadRequest();
       FillInput(request, input);
-      switches = Switches(request);
+      behavior = Behavior(request);
     }
     if (ParentIsGone())
     {
       _exit(NobodyListens);
     }
-    tetrahedralize(&switches[0], &input, &mesh);
+    tetrahedralize(&behavior, &input, &mesh);
     WriteMesh(answers, mesh);
     // TetGen may have damaged memory that destructors would trip over: the answer is out.
     _exit(0);

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AssembleMesh.h"
+
+#include "MeshLaws.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace insideout;
+
+namespace
+{
+/** A cube of which TetGen splits edges where it may: the diagonals run crosswise. */
+FacetComplex CrosswiseCube()
+{
+  TriangleSoup cube;
+  cube.Points = { { { -1, -1, -1 } }, { { -1, 1, -1 } }, { { 1, 1, -1 } }, { { 1, -1, -1 } },
+    { { -1, -1, 1 } }, { { -1, 1, 1 } }, { { 1, 1, 1 } }, { { 1, -1, 1 } } };
+  cube.Triangles = { { { 0, 1, 3 } }, { { 3, 1, 2 } }, { { 0, 4, 1 } }, { { 1, 4, 5 } },
+    { { 3, 2, 7 } }, { { 7, 2, 6 } }, { { 4, 0, 3 } }, { { 7, 4, 3 } }, { { 6, 4, 7 } },
+    { { 6, 5, 4 } }, { { 1, 5, 6 } }, { { 2, 1, 6 } } };
+  return testmeshes::ToComplex(cube);
+}
+
+TetgenAnswer Answer(const FacetComplex& surface, SurfaceSteinerPoints steiner)
+{
+  Monitor monitor;
+  return RunTetgen(surface.Points, surface.Facets, steiner, monitor);
+}
+
+FacetComplex BoxComplex()
+{
+  return testmeshes::ToComplex(testmeshes::Box({ 0, 0, 0 }, { 1, 1, 1 }));
+}
+
+void ExpectInconsistent(
+  const FacetComplex& surface, const TetgenAnswer& answer, const std::string& part)
+{
+  try
+  {
+    AssembleMesh(surface, answer);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::Inconsistent);
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+/** An answer with a facet in pieces; the first such facet. */
+struct SplitAnswer
+{
+  SplitAnswer()
+    : Surface(CrosswiseCube())
+    , Whole(Answer(this->Surface, SurfaceSteinerPoints::Allow))
+  {
+    std::vector<int> pieces(this->Surface.Facets.size(), 0);
+    for (const Id facet : this->Whole.FacetOfFaces)
+    {
+      ++pieces[facet];
+    }
+    this->Facet = static_cast<Id>(
+      std::find_if(pieces.begin(), pieces.end(), [](int n) { return n > 1; }) - pieces.begin());
+  }
+
+  const FacetComplex Surface;
+  const TetgenAnswer Whole;
+  Id Facet;
+};
+} // namespace
+
+TEST(AssembleMesh, RecognizesFacetsInPieces)
+{
+  const SplitAnswer answer;
+  ASSERT_LT(answer.Facet, 12) << "TetGen split no facet: this test needs another surface";
+  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, answer.Whole);
+  testmeshes::ExpectMeshLaws(answer.Surface, mesh);
+  EXPECT_TRUE(mesh.LostFacets.empty());
+  EXPECT_GT(mesh.NumberOfSurfaceSteinerPoints, 0);
+}
+
+TEST(AssembleMesh, InterpolatesPointsOnFacets)
+{
+  const SplitAnswer answer;
+  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, answer.Whole);
+  int checked = 0;
+  for (std::size_t p = 8; p < mesh.Points.size(); ++p)
+  {
+    const PointOrigin& origin = mesh.Origins[p];
+    for (int axis = 0; origin.Points[0] != None && axis < 3; ++axis, ++checked)
+    {
+      double x = 0;
+      for (int k = 0; k < 3; ++k)
+      {
+        x += origin.Weights[k] * mesh.Points[origin.Points[k]][axis];
+      }
+      EXPECT_NEAR(x, mesh.Points[p][axis], 1e-15);
+    }
+  }
+  EXPECT_EQ(checked, 3 * mesh.NumberOfSurfaceSteinerPoints);
+}
+
+TEST(AssembleMesh, LosesAFacetWithAPieceMissing)
+{
+  const SplitAnswer answer;
+  TetgenAnswer damaged = answer.Whole;
+  const auto at =
+    std::find(damaged.FacetOfFaces.begin(), damaged.FacetOfFaces.end(), answer.Facet) -
+    damaged.FacetOfFaces.begin();
+  damaged.FacetOfFaces.erase(damaged.FacetOfFaces.begin() + at);
+  damaged.Faces.erase(damaged.Faces.begin() + at);
+  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, damaged);
+  testmeshes::ExpectMeshLaws(answer.Surface, mesh);
+  EXPECT_EQ(mesh.LostFacets, std::vector<Id>{ answer.Facet });
+}
+
+TEST(AssembleMesh, LosesAFacetWithAPieceThatIsNoFace)
+{
+  const SplitAnswer answer;
+  TetgenAnswer damaged = answer.Whole;
+  damaged.Faces.push_back({ { 0, 6, 3 } });
+  damaged.FacetOfFaces.push_back(answer.Facet);
+  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, damaged);
+  EXPECT_EQ(mesh.LostFacets, std::vector<Id>{ answer.Facet });
+}
+
+TEST(AssembleMesh, LosesFacetsWhoseNewPointsLieElsewhere)
+{
+  const SplitAnswer answer;
+  TetgenAnswer damaged = answer.Whole;
+  // Outwards, so that the cells around stay as they should.
+  for (std::size_t p = 8; p < damaged.Points.size(); ++p)
+  {
+    for (double& x : damaged.Points[p])
+    {
+      x *= std::abs(x) > 0.5 ? 1 + 1e-9 : 1;
+    }
+  }
+  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, damaged);
+  EXPECT_NE(
+    std::find(mesh.LostFacets.begin(), mesh.LostFacets.end(), answer.Facet), mesh.LostFacets.end());
+  for (const auto& facets : mesh.Facets)
+  {
+    EXPECT_EQ(std::find(facets.begin(), facets.end(), answer.Facet), facets.end());
+  }
+  EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, 0);
+}
+
+TEST(AssembleMesh, LosesAFacetThatIsNoFace)
+{
+  FacetComplex surface = BoxComplex();
+  const TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  // The other diagonal of a side.
+  surface.Facets[0] = { { 0, 2, 1 } };
+  surface.Facets[1] = { { 1, 2, 3 } };
+  const TetrahedralMesh mesh = AssembleMesh(surface, answer);
+  EXPECT_EQ(mesh.LostFacets, (std::vector<Id>{ 0, 1 }));
+  testmeshes::ExpectMeshLaws(surface, mesh);
+}
+
+TEST(AssembleMesh, DropsSteinerPointsThatNoCellUses)
+{
+  const SplitAnswer answer;
+  TetgenAnswer padded = answer.Whole;
+  padded.Points.insert(padded.Points.begin() + 8, { { 0.1, 0.2, 0.3 } });
+  padded.Points.push_back({ { 0.1, 0.2, 0.3 } });
+  const auto shift = [](auto& elements)
+  {
+    for (auto& element : elements)
+    {
+      for (Id& p : element)
+      {
+        p += p >= 8;
+      }
+    }
+  };
+  shift(padded.Cells);
+  shift(padded.Faces);
+  const TetrahedralMesh expected = AssembleMesh(answer.Surface, answer.Whole);
+  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, padded);
+  EXPECT_EQ(mesh.Points, expected.Points);
+  EXPECT_EQ(mesh.Cells, expected.Cells);
+  EXPECT_EQ(mesh.Facets, expected.Facets);
+  // A marked face on such a point is none.
+  padded.Faces.push_back({ { 0, 1, 8 } });
+  padded.FacetOfFaces.push_back(answer.Facet);
+  EXPECT_EQ(AssembleMesh(answer.Surface, padded).LostFacets, std::vector<Id>{ answer.Facet });
+}
+
+TEST(AssembleMesh, RefusesPointsThatMoved)
+{
+  const FacetComplex surface = BoxComplex();
+  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  answer.Points[5][2] = -answer.Points[5][2];
+  ExpectInconsistent(surface, answer, "point 5 ");
+  answer.Points[5][2] = std::nextafter(surface.Points[5][2], 2);
+  ExpectInconsistent(surface, answer, "point 5 ");
+}
+
+TEST(AssembleMesh, RefusesASteinerPointThatIsNotFinite)
+{
+  const SplitAnswer answer;
+  TetgenAnswer damaged = answer.Whole;
+  damaged.Points.back()[1] = std::nan("");
+  ExpectInconsistent(answer.Surface, damaged,
+    "Steiner point " + std::to_string(damaged.Points.size() - 1) + " is not finite");
+}
+
+TEST(AssembleMesh, RefusesAPointInNoCell)
+{
+  FacetComplex surface = BoxComplex();
+  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  surface.Points.push_back({ { 0.5, 0.5, 0.5 } });
+  surface.Origins.push_back(PointOrigin::Input(8));
+  answer.Points.push_back(surface.Points.back());
+  ExpectInconsistent(surface, answer, "point 8 is in no cell");
+}
+
+TEST(AssembleMesh, RefusesAFlatCell)
+{
+  const FacetComplex surface = BoxComplex();
+  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  answer.Cells.push_back({ { 0, 1, 2, 3 } });
+  ExpectInconsistent(surface, answer,
+    "cell " + std::to_string(answer.Cells.size() - 1) + " (points 0 1 2 3) is flat");
+}
+
+TEST(AssembleMesh, RefusesCellsThatOverlap)
+{
+  const FacetComplex surface = BoxComplex();
+  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  TetgenAnswer twice = answer;
+  twice.Cells.push_back(twice.Cells[0]);
+  ExpectInconsistent(surface, twice, "face ");
+  // On a hull face that one cell has, a second one on the same side.
+  const TetrahedralMesh mesh = AssembleMesh(surface, answer);
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] != None)
+      {
+        continue;
+      }
+      const Tetrahedron& cell = mesh.Cells[c];
+      const std::array<int, 3>& corners = TetrahedronFaces[k];
+      for (Id apex = 0; apex < 8; ++apex)
+      {
+        TetgenAnswer damaged = answer;
+        damaged.Cells.push_back({ { cell[corners[0]], cell[corners[1]], cell[corners[2]], apex } });
+        EXPECT_THROW(AssembleMesh(surface, damaged), Error);
+      }
+    }
+  }
+}
