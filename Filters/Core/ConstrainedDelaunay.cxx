@@ -103,12 +103,30 @@ void Scale(std::vector<Point>& points, int exponent)
   }
 }
 
+/** TetGen crashes on some surfaces when it has to keep points off the facets: then it need not. */
+TetgenAnswer RunTetgenTwice(
+  const std::vector<Point>& points, const std::vector<Triangle>& constraints, Monitor& monitor)
+{
+  try
+  {
+    return RunTetgen(points, constraints, SurfaceSteinerPoints::Avoid, monitor);
+  }
+  catch (const Error& error)
+  {
+    if (error.Code != ErrorCode::TetrahedralizerDied &&
+      error.Code != ErrorCode::TetrahedralizerFailed)
+    {
+      throw;
+    }
+  }
+  return RunTetgen(points, constraints, SurfaceSteinerPoints::Allow, monitor);
+}
+
 TetrahedralMesh Tetrahedralize(const FacetComplex& surface, Monitor& monitor)
 {
   const std::vector<Triangle> constraints(
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  return AssembleMesh(
-    surface, RunTetgen(surface.Points, constraints, SurfaceSteinerPoints::Avoid, monitor));
+  return AssembleMesh(surface, RunTetgenTwice(surface.Points, constraints, monitor));
 }
 } // namespace
 

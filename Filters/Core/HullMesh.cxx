@@ -104,6 +104,11 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
     hull.Warnings.push_back(std::to_string(hull.Mesh.LostFacets.size()) +
       " facets are not in the mesh as faces: they count, but do not shape it");
   }
+  if (hull.Mesh.NumberOfSurfaceSteinerPoints > 0)
+  {
+    hull.Warnings.push_back(std::to_string(hull.Mesh.NumberOfSurfaceSteinerPoints) +
+      " points were added on facets or their edges, where TetGen could not do without");
+  }
   const double meshSeconds = stopwatch.Lap();
 
   hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor);

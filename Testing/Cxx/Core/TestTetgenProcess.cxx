@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ConstrainedDelaunay.h"
 #include "TetgenProcess.h"
 #include "TetgenProtocol.h"
 
@@ -510,3 +511,33 @@ TEST(TetgenHelper, DoesNotOutliveItsParent)
   EXPECT_TRUE(SoonHolds([helper]() { return HasEnded(helper); }));
 }
 #endif
+
+TEST(ConstrainedDelaunay, LetsTetGenPutPointsOnFacetsWhereItCrashesOtherwise)
+{
+  const NothingIsLeft check;
+  const StandIn crashesOnce("tried=\"$(dirname \"$0\")/tried\"\n"
+                            "[ -e \"$tried\" ] || { : > \"$tried\"; kill -SEGV $$; }\n"
+                            "exec \"" INSIDEOUT_TETGEN_PATH "\"");
+  Monitor monitor;
+  const TetrahedralMesh mesh = ConstrainedDelaunay(testmeshes::ToComplex(UnitBox()), monitor);
+  EXPECT_TRUE(fs::exists(crashesOnce.Folder.Path / "tried"));
+  EXPECT_TRUE(mesh.LostFacets.empty());
+  EXPECT_GE(mesh.NumberOfCells(), 5);
+}
+
+TEST(ConstrainedDelaunay, SaysHowTetGenEndedWhereItCrashesTwice)
+{
+  const NothingIsLeft check;
+  const StandIn crashes("kill -SEGV $$");
+  Monitor monitor;
+  try
+  {
+    ConstrainedDelaunay(testmeshes::ToComplex(UnitBox()), monitor);
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::TetrahedralizerDied);
+    EXPECT_NE(std::string(error.what()).find("signal 11"), std::string::npos) << error.what();
+  }
+}
