@@ -8,7 +8,7 @@ namespace insideout
 {
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
- * faces (thesis, section 8.4). TetGen does the work in a program of its own (TetgenProcess.h), for
+ * faces (thesis, chapter 8). TetGen does the work in a program of its own (TetgenProcess.h), for
  * it exits or crashes on some inputs. What comes back is checked before it is believed
  * (AssembleMesh.h): points in place, exact positive volumes, every face shared by at most two
  * cells, facets present.

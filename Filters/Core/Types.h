@@ -6,7 +6,7 @@
 
 /**
  * The algorithms of InsideOut, without VTK: plain structs in, plain structs out. A file here is a
- * stage or a part of one; README.md names the section of the paper that each follows.
+ * stage or a part of one; README.md beside this file lists them.
  */
 namespace insideout
 {

@@ -13,7 +13,7 @@ namespace insideout
 bool IsClosed(const FacetComplex& surface);
 
 /**
- * Stage w: the generalized winding number of the complex in each cell (thesis, equation 8.5).
+ * Stage w: the generalized winding number of the complex in each cell (thesis, chapter 8).
  *
  * On a closed complex it is carried from cell to cell: entering a cell through a face adds the
  * multiplicity there, so that every value is an exact integer. On an open complex, or one with

@@ -8,7 +8,7 @@ namespace insideout
 {
 /**
  * The generalized winding number of a complex at the barycentre of each cell, as the sum over all
- * facets of multiplicity times solid angle over 4 pi (thesis, equation 8.5; the solid angle by van
+ * facets of multiplicity times solid angle over 4 pi (thesis, chapter 8; the solid angle by van
  * Oosterom and Strackee 1983). The barycentre is not rounded, and on which side of a facet it lies
  * is decided exactly, so that no value is off by a whole facet. Where it lies on a facet, that
  * facet counts 0, the mean of its two sides.
