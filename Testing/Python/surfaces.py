@@ -101,12 +101,13 @@ def point_array(data, name: str) -> np.ndarray:
 
 
 def exact_volumes(grid: vtkUnstructuredGrid) -> list[Fraction]:
-    points = [tuple(map(Fraction, point)) for point in points_of(grid).tolist()]
-    return [_volume(*(points[corner] for corner in cell)) for cell in tetrahedra_of(grid).tolist()]
+    points = points_of(grid).tolist()
+    return [exact_volume(*(points[corner] for corner in cell)) for cell in tetrahedra_of(grid).tolist()]
 
 
-def _volume(a, b, c, d) -> Fraction:
-    u, v, w = ([p - q for p, q in zip(point, a)] for point in (b, c, d))
+def exact_volume(a, b, c, d) -> Fraction:
+    """The volume of a tetrahedron, positive when it is oriented as VTK wants it."""
+    u, v, w = ([Fraction(p) - Fraction(q) for p, q in zip(point, a)] for point in (b, c, d))
     determinant = (
         u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])
     )
