@@ -30,16 +30,13 @@ constexpr int Patience = 6;
 constexpr std::size_t Divergence = 4;
 
 /**
- * How far new points of a round move at most to an existing point, relative to the largest
- * coordinate: not at all in the first round; then from the spacing of the doubles up, because new
- * points a few spacings from old ones make slivers that cross again. Over all rounds the sum stays
- * below 1e-12.
+ * How far new points move at most to an existing point, relative to the largest coordinate: in the
+ * first round not at all; then some spacings of the doubles, because new points nearer than that to
+ * old ones make slivers that cross again. Over all rounds the sum stays below 1e-12.
  */
 double SnappingRadius(int round, double largestCoordinate)
 {
-  constexpr int Spacing = -52;
-  constexpr int Most = -45;
-  return round == 1 ? 0 : std::ldexp(largestCoordinate, std::min(Spacing + round - 2, Most));
+  return round == 1 ? 0 : std::ldexp(largestCoordinate, -45);
 }
 
 using Pairs = std::vector<std::array<Id, 2>>;

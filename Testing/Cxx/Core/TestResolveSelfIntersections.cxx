@@ -393,7 +393,8 @@ TEST(ResolveSelfIntersections, HoldsItsLawsOnEqualPointsUnderSeveralIds)
 
 TEST(ResolveSelfIntersections, HoldsItsLawsNearlyInOnePlane)
 {
-  // Layers that cross along lines as good as parallel, where rounding makes new crossings.
+  // Layers that cross along lines as good as parallel: rounding makes ever new crossings, so that
+  // facets are left out. The rest must be free of crossings all the same, and w what it was.
   for (unsigned seed = 0; seed < 10; ++seed)
   {
     SCOPED_TRACE(seed);
