@@ -22,7 +22,7 @@ struct Resolution
  * Surface.NumberOfConstraints.
  *
  * @param[in] surface a validated complex
- * @throws Error (Stopped)
+ * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
  */
 Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor);
 } // namespace insideout
