@@ -43,9 +43,18 @@ struct Side
   double Area;
 };
 
-/** Area of a polygon by Newell's sum, or the length of a line. */
-double AreaOf(vtkPoints* corners)
+/** Area of a linear face by Newell's sum, or the length of an edge. */
+double AreaOf(vtkCell* side)
 {
+  vtkNew<vtkPoints> corners;
+  corners->DeepCopy(side->GetPoints());
+  if (side->GetCellType() == VTK_PIXEL) // whose points do not run around it
+  {
+    double swapped[3];
+    corners->GetPoint(2, swapped);
+    corners->SetPoint(2, corners->GetPoint(3));
+    corners->SetPoint(3, swapped);
+  }
   double sum[3] = { 0, 0, 0 };
   double a[3];
   double b[3];
@@ -81,6 +90,11 @@ std::vector<Side> SidesOf(vtkUnstructuredGrid* grid)
     grid->GetCell(c, cell);
     const int cellDimension = cell->GetCellDimension();
     dimension = dimension < 0 ? cellDimension : dimension;
+    if (!cell->IsLinear())
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        "cell " + std::to_string(c) + " is curved; only linear cells can be segmented");
+    }
     if (cellDimension != dimension || dimension < 2)
     {
       throw Error(ErrorCode::InvalidParameter,
@@ -94,7 +108,7 @@ std::vector<Side> SidesOf(vtkUnstructuredGrid* grid)
       vtkIdList* ids = side->GetPointIds();
       std::vector<vtkIdType> points(ids->begin(), ids->end());
       std::sort(points.begin(), points.end());
-      sides.push_back({ std::move(points), static_cast<Id>(c), AreaOf(side->GetPoints()) });
+      sides.push_back({ std::move(points), static_cast<Id>(c), AreaOf(side) });
     }
   }
   return sides;
@@ -127,10 +141,11 @@ std::vector<InteriorFace> FacesBetweenCells(vtkUnstructuredGrid* grid)
 std::vector<double> WindingNumbers(vtkUnstructuredGrid* grid)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray("w");
-  if (!array || array->GetNumberOfComponents() != 1)
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != grid->GetNumberOfCells())
   {
     throw Error(ErrorCode::InvalidParameter,
-      "the grid has no cell array w of one component: vtkGeneralizedWindingNumber makes it");
+      "the grid has no cell array w of one value per cell: vtkGeneralizedWindingNumber makes it");
   }
   std::vector<double> w(grid->GetNumberOfCells());
   for (std::size_t c = 0; c < w.size(); ++c)

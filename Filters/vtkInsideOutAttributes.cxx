@@ -12,42 +12,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace
 {
 using Warnings = std::vector<std::string>;
 
+void WarnOnce(const std::string& warning, Warnings& warnings)
+{
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+  {
+    warnings.push_back(warning);
+  }
+}
+
 /**
- * A shallow copy of the input's data in which no array has a name that InsideOut gives to its own.
- * FacetMultiplicity was read and is given anew, so it does not come along.
+ * A shallow copy of the input's data in which every array has `size` tuples and none has one of the
+ * names that the output adds.
  */
 template <typename Attributes>
-vtkSmartPointer<Attributes> WithoutClashes(Attributes* input, Warnings& warnings)
+vtkSmartPointer<Attributes> UsableArrays(
+  Attributes* input, vtkIdType size, std::initializer_list<const char*> added, Warnings& warnings)
 {
   auto copy = vtkSmartPointer<Attributes>::New();
   copy->ShallowCopy(input);
-  for (const char* name :
-    { "vtkOriginalPointIds", "vtkOriginalCellIds", "w", "Inside", "FacetIds" })
+  for (int i = copy->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = copy->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != size)
+    {
+      WarnOnce(std::string("the input's array ") +
+          (array->GetName() ? array->GetName() : "(unnamed)") + " has " +
+          std::to_string(array->GetNumberOfTuples()) + " tuples where " + std::to_string(size) +
+          " are needed: it is left out",
+        warnings);
+      copy->RemoveArray(i);
+    }
+  }
+  for (const char* name : added)
   {
     if (vtkAbstractArray* array = copy->GetAbstractArray(name))
     {
-      const std::string renamed = std::string("Input_") + name;
+      std::string renamed = std::string("Input_") + name;
+      while (copy->HasArray(renamed.c_str()))
+      {
+        renamed = "Input_" + renamed;
+      }
       vtkSmartPointer<vtkAbstractArray> clone;
       clone.TakeReference(array->NewInstance());
       clone->DeepCopy(array);
       clone->SetName(renamed.c_str());
       copy->RemoveArray(name);
       copy->AddArray(clone);
-      const std::string warning = std::string("the input's array ") + name + " is passed on as " +
-        renamed + ", for the output has its own";
-      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      {
-        warnings.push_back(warning);
-      }
+      WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
+          ", for the output has its own",
+        warnings);
     }
   }
-  copy->RemoveArray("FacetMultiplicity");
   return copy;
 }
 
@@ -87,11 +109,12 @@ void AddIds(vtkDataSetAttributes* data, const char* name, const std::vector<vtkI
 }
 } // namespace
 
-void vtkInsideOutAttributes::PassPointData(vtkPointData* input,
+void vtkInsideOutAttributes::PassPointData(vtkPointData* input, vtkIdType inputSize,
   const std::vector<insideout::PointOrigin>& origins, vtkPointData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(origins.size());
-  const vtkSmartPointer<vtkPointData> source = WithoutClashes(input, warnings);
+  const vtkSmartPointer<vtkPointData> source =
+    UsableArrays(input, inputSize, { "vtkOriginalPointIds" }, warnings);
   output->InterpolateAllocate(source, size);
   SetNumberOfTuples(output, size);
 
@@ -122,11 +145,12 @@ void vtkInsideOutAttributes::PassPointData(vtkPointData* input,
   AddIds(output, "vtkOriginalPointIds", inputPoints);
 }
 
-void vtkInsideOutAttributes::PassCellData(
-  vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output, Warnings& warnings)
+void vtkInsideOutAttributes::PassCellData(vtkCellData* input, vtkIdType inputSize,
+  const std::vector<vtkIdType>& cells, vtkCellData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
-  const vtkSmartPointer<vtkCellData> source = WithoutClashes(input, warnings);
+  const vtkSmartPointer<vtkCellData> source =
+    UsableArrays(input, inputSize, { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
   output->CopyAllocate(source, size);
   SetNumberOfTuples(output, size);
   for (vtkIdType c = 0; c < size; ++c)

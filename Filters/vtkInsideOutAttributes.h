@@ -22,16 +22,19 @@ namespace vtkInsideOutAttributes
  * Point data by origin: copied from an input point, interpolated on a facet, and for a point in the
  * volume NaN (0 in integer arrays). Adds vtkOriginalPointIds: the input point, -1 for a new one.
  *
- * @param[in,out] warnings gains a line per input array that had to be renamed
+ * @param[in] inputSize number of the input's points
+ * @param[in,out] warnings gains a line per input array that had to be renamed, or that is left out
+ *                because it has not one tuple per point
  */
-void PassPointData(vtkPointData* input, const std::vector<insideout::PointOrigin>& origins,
-  vtkPointData* output, std::vector<std::string>& warnings);
+void PassPointData(vtkPointData* input, vtkIdType inputSize,
+  const std::vector<insideout::PointOrigin>& origins, vtkPointData* output,
+  std::vector<std::string>& warnings);
 
 /**
  * Cell data by input cell, NaN (0 in integer arrays) where it is -1. Adds vtkOriginalCellIds.
  */
-void PassCellData(vtkCellData* input, const std::vector<vtkIdType>& cells, vtkCellData* output,
-  std::vector<std::string>& warnings);
+void PassCellData(vtkCellData* input, vtkIdType inputSize, const std::vector<vtkIdType>& cells,
+  vtkCellData* output, std::vector<std::string>& warnings);
 } // namespace vtkInsideOutAttributes
 
 #endif

@@ -166,13 +166,52 @@ void vtkInsideOutConversion::AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType 
   this->CellOfTriangle.push_back(cell);
 }
 
+bool vtkInsideOutConversion::AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+{
+  // Polygons that are the same but for where they begin and which way they run have to give the
+  // same triangles, or they are no duplicates: begin at the lowest point and run to its lower
+  // neighbour.
+  const auto at = [&](vtkIdType k) -> const insideout::Point&
+  { return this->Soup.Points[corners[k]]; };
+  vtkIdType lowest = 0;
+  for (vtkIdType k = 1; k < size; ++k)
+  {
+    lowest = at(k) < at(lowest) ? k : lowest;
+  }
+  const bool reversed = at((lowest + size - 1) % size) < at((lowest + 1) % size);
+  std::vector<vtkIdType> ordered(size);
+  for (vtkIdType k = 0; k < size; ++k)
+  {
+    ordered[k] = corners[(lowest + (reversed ? size - k : k)) % size];
+  }
+  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  { this->AddTriangle(cell, ordered[a], ordered[reversed ? c : b], ordered[reversed ? b : c]); };
+
+  vtkNew<vtkPolygon> polygon;
+  vtkNew<vtkIdList> triangles;
+  polygon->Initialize(static_cast<int>(size), ordered.data(), this->Input->GetPoints());
+  if (polygon->Triangulate(triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
+  {
+    for (vtkIdType k = 0; k < triangles->GetNumberOfIds(); k += 3)
+    {
+      add(triangles->GetId(k), triangles->GetId(k + 1), triangles->GetId(k + 2));
+    }
+    return true;
+  }
+  // Where the polygon crosses itself ears run out. A fan then keeps at least its outline, so that a
+  // closed surface stays closed.
+  for (vtkIdType k = 1; k + 1 < size; ++k)
+  {
+    add(0, k, k + 1);
+  }
+  return false;
+}
+
 void vtkInsideOutConversion::ReadPolygons(vtkPolyData* input)
 {
   vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
   vtkIdType tooSmall = 0;
   vtkIdType fans = 0;
-  vtkNew<vtkPolygon> polygon;
-  vtkNew<vtkIdList> triangles;
   const auto polygons = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
   for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
   {
@@ -186,25 +225,7 @@ void vtkInsideOutConversion::ReadPolygons(vtkPolyData* input)
     }
     else if (size > 3)
     {
-      polygon->Initialize(static_cast<int>(size), corners, input->GetPoints());
-      // Where the polygon crosses itself ears run out. A fan then keeps at least its outline, so
-      // that a closed surface stays closed.
-      if (polygon->Triangulate(triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
-      {
-        for (vtkIdType k = 0; k < triangles->GetNumberOfIds(); k += 3)
-        {
-          this->AddTriangle(cell, corners[triangles->GetId(k)], corners[triangles->GetId(k + 1)],
-            corners[triangles->GetId(k + 2)]);
-        }
-      }
-      else
-      {
-        ++fans;
-        for (vtkIdType k = 1; k + 1 < size; ++k)
-        {
-          this->AddTriangle(cell, corners[0], corners[k], corners[k + 1]);
-        }
-      }
+      fans += !this->AddPolygon(cell, size, corners);
     }
     else
     {
@@ -215,7 +236,8 @@ void vtkInsideOutConversion::ReadPolygons(vtkPolyData* input)
   if (fans > 0)
   {
     this->Warnings.push_back(std::to_string(fans) +
-      " polygons cross themselves and cannot be clipped into ears: they are cut into fans");
+      " polygons cross or touch themselves and cannot be clipped into ears: they are cut into "
+      "fans");
   }
   if (tooSmall > 0)
   {
@@ -247,14 +269,22 @@ void vtkInsideOutConversion::ReadStrips(vtkPolyData* input)
 
 void vtkInsideOutConversion::ReadMultiplicity(vtkPolyData* input)
 {
-  auto* multiplicity =
-    vtkShortArray::SafeDownCast(input->GetCellData()->GetAbstractArray("FacetMultiplicity"));
-  if (multiplicity && multiplicity->GetNumberOfComponents() == 1)
+  vtkDataArray* multiplicity = input->GetCellData()->GetArray("FacetMultiplicity");
+  if (!multiplicity || multiplicity->GetNumberOfComponents() != 1 ||
+    multiplicity->GetNumberOfTuples() != input->GetNumberOfCells() ||
+    multiplicity->GetDataType() == VTK_DOUBLE || multiplicity->GetDataType() == VTK_FLOAT)
   {
-    for (const vtkIdType cell : this->CellOfTriangle)
+    return; // not what vtkResolveSelfIntersections makes
+  }
+  for (const vtkIdType cell : this->CellOfTriangle)
+  {
+    const double count = multiplicity->GetComponent(cell, 0);
+    if (std::abs(count) > std::numeric_limits<std::int16_t>::max())
     {
-      this->Soup.Multiplicity.push_back(multiplicity->GetValue(cell));
+      throw Error(ErrorCode::TooLarge,
+        "cell " + std::to_string(cell) + " has a FacetMultiplicity that 16 bits do not hold");
     }
+    this->Soup.Multiplicity.push_back(static_cast<std::int16_t>(count));
   }
 }
 
@@ -315,10 +345,10 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->SetPoints(MakePoints(usedPoints));
   output->SetPolys(MakeCells(renumbered));
-  vtkInsideOutAttributes::PassPointData(
-    this->Input->GetPointData(), usedOrigins, output->GetPointData(), this->Warnings);
-  vtkInsideOutAttributes::PassCellData(
-    this->Input->GetCellData(), cells, output->GetCellData(), this->Warnings);
+  vtkInsideOutAttributes::PassPointData(this->Input->GetPointData(),
+    this->Input->GetNumberOfPoints(), usedOrigins, output->GetPointData(), this->Warnings);
+  vtkInsideOutAttributes::PassCellData(this->Input->GetCellData(), this->Input->GetNumberOfCells(),
+    cells, output->GetCellData(), this->Warnings);
   return output;
 }
 
@@ -375,8 +405,8 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
   grid->SetCells(VTK_TETRA, MakeCells(mesh.Cells));
   grid->GetCellData()->AddArray(facetIds);
   grid->GetCellData()->AddArray(multiplicity);
-  vtkInsideOutAttributes::PassPointData(
-    this->Input->GetPointData(), mesh.Origins, grid->GetPointData(), this->Warnings);
+  vtkInsideOutAttributes::PassPointData(this->Input->GetPointData(),
+    this->Input->GetNumberOfPoints(), mesh.Origins, grid->GetPointData(), this->Warnings);
   return grid;
 }
 

@@ -69,6 +69,8 @@ private:
   void ReadStrips(vtkPolyData* input);
   void ReadMultiplicity(vtkPolyData* input);
   void CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners);
+  /** Clip a polygon into ears; false where it crosses itself, so that a fan has to do. */
+  bool AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* corners);
   void AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c);
   vtkSmartPointer<vtkPolyData> MakeSurface(const std::vector<insideout::Point>& points,
     const std::vector<insideout::PointOrigin>& origins,

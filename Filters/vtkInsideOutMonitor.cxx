@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutMonitor.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -59,6 +62,36 @@ bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
 
 namespace
 {
+using FieldData = std::vector<vtkSmartPointer<vtkFieldData>>;
+
+/** VTK has put the input's field data on each output by now; whatever the work does keeps them. */
+FieldData FieldDataOf(vtkInformationVector* outputs)
+{
+  FieldData fields;
+  for (int port = 0; outputs && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    fields.push_back(vtkSmartPointer<vtkFieldData>::New());
+    fields.back()->ShallowCopy(vtkDataObject::GetData(outputs, port)->GetFieldData());
+  }
+  return fields;
+}
+
+void AddFieldData(const FieldData& fields, vtkInformationVector* outputs)
+{
+  for (std::size_t port = 0; port < fields.size(); ++port)
+  {
+    vtkFieldData* output = vtkDataObject::GetData(outputs, static_cast<int>(port))->GetFieldData();
+    for (int i = 0; i < fields[port]->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = fields[port]->GetAbstractArray(i);
+      if (!array->GetName() || !output->HasArray(array->GetName()))
+      {
+        output->AddArray(array);
+      }
+    }
+  }
+}
+
 /** VTK's XML writers crash on a grid that has no cell array at all. */
 void MakeEmpty(vtkInformationVector* outputs)
 {
@@ -89,16 +122,19 @@ bool IsFurtherPiece(vtkInformationVector* outputs)
 int vtkInsideOutRun(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work)
 {
-  MakeEmpty(outputs);
+  const FieldData fields = FieldDataOf(outputs);
   try
   {
+    MakeEmpty(outputs);
     work();
+    AddFieldData(fields, outputs);
     return 1;
   }
   catch (const insideout::Error& error)
   {
     const bool isEmptyPiece =
       error.Code == insideout::ErrorCode::EmptySurface && IsFurtherPiece(outputs);
+    MakeEmpty(outputs);
     if (error.Code == insideout::ErrorCode::Stopped || isEmptyPiece)
     {
       return 1;
@@ -107,10 +143,12 @@ int vtkInsideOutRun(
   }
   catch (const std::bad_alloc&)
   {
+    MakeEmpty(outputs);
     vtkErrorWithObjectMacro(algorithm, << "out of memory");
   }
   catch (const std::exception& error)
   {
+    MakeEmpty(outputs);
     vtkErrorWithObjectMacro(algorithm, << "internal error: " << error.what());
   }
   return 0;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Install what is needed, build with warnings as errors, and run every test. About 20 minutes on two
+# Install what is needed, build with warnings as errors, and run every test. About 15 minutes on two
 # cores. Builds in build-test/.
 set -eu
 cd "$(dirname "$0")/.."

@@ -93,6 +93,11 @@ void MergeNearPoints(const std::vector<Point>& points, double tolerance, std::ve
       merged[p] = merged[merged[p]];
       continue;
     }
+    if (!std::isfinite(points[p][0]) || !std::isfinite(points[p][1]) ||
+      !std::isfinite(points[p][2]))
+    {
+      continue; // no facet uses it
+    }
     const GridCell centre = gridCell(points[p]);
     for (int neighbor = 0; neighbor < 27; ++neighbor)
     {

@@ -418,8 +418,7 @@ void Resolver::AddFacets(std::vector<CutFacet> facets)
 
 std::int16_t CheckedMultiplicity(const Meaning& meaning)
 {
-  using Limits = std::numeric_limits<std::int16_t>;
-  if (meaning.Multiplicity < Limits::min() || meaning.Multiplicity > Limits::max())
+  if (std::abs(meaning.Multiplicity) > std::numeric_limits<std::int16_t>::max())
   {
     throw Error(ErrorCode::TooLarge,
       "triangle " + std::to_string(meaning.Sources[0].Triangle) + " lies in a face that counts " +

@@ -9,8 +9,15 @@ namespace insideout
 {
 namespace
 {
-/** Per facet 1 where it has to be turned over to run along with its neighbours, else 0. */
-std::vector<char> OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdge>& edges)
+/** Facets joined through edges of exactly two facets, oriented alike. */
+struct OrientedPatches
+{
+  std::vector<char> Turned; ///< per facet, 1 where it has to be turned over to run along
+  std::vector<Id> Patch;    ///< per facet
+  Id Count = 0;
+};
+
+OrientedPatches OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdge>& edges)
 {
   struct Neighbor
   {
@@ -30,16 +37,17 @@ std::vector<char> OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdg
       }
     });
 
-  constexpr char Unknown = 2;
-  std::vector<char> turned(numberOfFacets, Unknown);
+  OrientedPatches patches;
+  patches.Turned.assign(numberOfFacets, 0);
+  patches.Patch.assign(numberOfFacets, None);
   std::vector<Id> stack;
   for (Id seed = 0; seed < numberOfFacets; ++seed)
   {
-    if (turned[seed] != Unknown)
+    if (patches.Patch[seed] != None)
     {
       continue;
     }
-    turned[seed] = 0;
+    patches.Patch[seed] = patches.Count++;
     stack.push_back(seed);
     while (!stack.empty())
     {
@@ -48,15 +56,40 @@ std::vector<char> OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdg
       for (int k = 0; k < degree[facet]; ++k)
       {
         const Neighbor& neighbor = neighbors[facet][k];
-        if (turned[neighbor.Facet] == Unknown)
+        if (patches.Patch[neighbor.Facet] == None)
         {
-          turned[neighbor.Facet] = static_cast<char>(turned[facet] != neighbor.Turned);
+          patches.Patch[neighbor.Facet] = patches.Patch[facet];
+          patches.Turned[neighbor.Facet] =
+            static_cast<char>(patches.Turned[facet] != neighbor.Turned);
           stack.push_back(neighbor.Facet);
         }
       }
     }
   }
-  return turned;
+  return patches;
+}
+
+/** For each patch whether every edge of it is run along as often one way as the other. */
+std::vector<char> ClosedPatches(const OrientedPatches& patches, const std::vector<FacetEdge>& edges)
+{
+  std::vector<char> closed(patches.Count, 1);
+  std::vector<int> sum(patches.Count, 0);
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        sum[patches.Patch[edge->Facet]] +=
+          patches.Turned[edge->Facet] ? -edge->Direction : edge->Direction;
+      }
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        int& open = sum[patches.Patch[edge->Facet]];
+        closed[patches.Patch[edge->Facet]] &= open == 0;
+        open = 0;
+      }
+    });
+  return closed;
 }
 
 /** Six times the volume that the facets enclose, and the sum of the absolute terms. */
@@ -109,42 +142,37 @@ TwoSidedComponents KeepTwoSidedSolids(
     twoSided[components.Component[f]] &= surface.Multiplicity[f] == 0;
   }
 
-  const std::vector<char> turned = OrientAlongEdges(numberOfFacets, edges);
-  std::vector<char> closes = twoSided;
-  ForEachEdge(edges,
-    [&](const FacetEdge* first, const FacetEdge* last)
-    {
-      int sum = 0;
-      for (const FacetEdge* edge = first; edge != last; ++edge)
-      {
-        sum += turned[edge->Facet] ? -edge->Direction : edge->Direction;
-      }
-      closes[components.Component[first->Facet]] &= sum == 0;
-    });
-
-  std::vector<std::vector<Triangle>> shells(components.Count);
+  const OrientedPatches patches = OrientAlongEdges(numberOfFacets, edges);
+  const std::vector<char> closed = ClosedPatches(patches, edges);
+  std::vector<std::vector<Triangle>> shells(patches.Count);
   for (Id f = 0; f < numberOfFacets; ++f)
   {
-    if (closes[components.Component[f]])
+    if (twoSided[components.Component[f]] && closed[patches.Patch[f]])
     {
       const Triangle& t = surface.Facets[f];
-      shells[components.Component[f]].push_back(turned[f] ? Triangle{ { t[0], t[2], t[1] } } : t);
+      shells[patches.Patch[f]].push_back(patches.Turned[f] ? Triangle{ { t[0], t[2], t[1] } } : t);
     }
   }
-  std::vector<int> outward(components.Count, 0);
+  std::vector<int> outward(patches.Count, 0);
+  for (Id p = 0; p < patches.Count; ++p)
+  {
+    outward[p] = shells[p].empty() ? 0 : SignOfVolume(surface.Points, shells[p]);
+  }
+
+  std::vector<char> isSolid(components.Count, 0);
+  for (Id f = 0; f < numberOfFacets; ++f)
+  {
+    if (const int sign = outward[patches.Patch[f]])
+    {
+      surface.Multiplicity[f] = static_cast<std::int16_t>(patches.Turned[f] ? -sign : sign);
+      isSolid[components.Component[f]] = 1;
+    }
+  }
   TwoSidedComponents result;
   for (Id c = 0; c < components.Count; ++c)
   {
-    outward[c] = closes[c] ? SignOfVolume(surface.Points, shells[c]) : 0;
-    result.Solids += outward[c] != 0;
-    result.Sheets += twoSided[c] && outward[c] == 0;
-  }
-  for (Id f = 0; f < numberOfFacets; ++f)
-  {
-    if (const int sign = outward[components.Component[f]])
-    {
-      surface.Multiplicity[f] = static_cast<std::int16_t>(turned[f] ? -sign : sign);
-    }
+    result.Solids += isSolid[c];
+    result.Sheets += twoSided[c] && !isSolid[c];
   }
   return result;
 }

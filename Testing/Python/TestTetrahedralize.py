@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 import insideout
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 import numpy as np
 import surfaces
 from surfaces import cell_array, point_array
@@ -339,6 +340,11 @@ class Package(unittest.TestCase):
         fractions = [fraction for _, fraction in seen]
         self.assertEqual(fractions, sorted(fractions))
         self.assertEqual(fractions[-1], 1)
+
+    def test_what_is_no_surface_is_named(self):
+        for thing in (None, 3, vtkUnstructuredGrid()):
+            with self.assertRaisesRegex(insideout.Error, type(thing).__name__):
+                insideout.tetrahedralize(thing)
 
     def test_help_is_there(self):
         text = io.StringIO()

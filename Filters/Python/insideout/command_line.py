@@ -30,12 +30,19 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     return Job(_parser().parse_args(arguments)).run()
 
 
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line, like every other failure, and not with the usage before it."""
+
+    def error(self, message: str) -> None:
+        self.exit(FAILURE, f"{self.prog}: {message} (see --help)\n")
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="insideout",
         allow_abbrev=False,
         description="From a broken surface to tetrahedra of the solid that it means.",
-        epilog="Exit status 0 when tetrahedra were written, 1 when not, 2 when the arguments make no sense.",
+        epilog="Exit status 0 when tetrahedra were written, 1 when not.",
     )
     surface_endings = ", ".join(WRITABLE_SURFACES)
     parser.add_argument("surface", metavar="SURFACE", help="a .ply, .obj, .off, .stl or .vtp file")
@@ -49,7 +56,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2"
     )
-    parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, above 0")
+    parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6")
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
     return parser

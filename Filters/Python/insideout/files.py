@@ -2,7 +2,7 @@
 """Read surfaces and write results. The ending of a file's name says what it holds.
 
 XML files are written in VTK's inline binary mode: what VTK writes by default, appended mode, cannot
-be read back where expat has its security update of 2022.
+be read back where expat has a certain security update.
 """
 
 from __future__ import annotations

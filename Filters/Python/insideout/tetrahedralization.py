@@ -65,7 +65,7 @@ def tetrahedralize(
     surface           a vtkPolyData of polygons or strips, or a .ply, .obj, .off, .stl or .vtp file
     gamma             weight of a smooth boundary against the winding number, at least 0; 0 takes
                       every cell with w above 1/2
-    sigma             how large a step of w between neighbouring cells may be noise, above 0
+    sigma             how large a step of w between neighbouring cells may be noise, at least 1e-6
     orientation       "automatic" turns an inside-out surface over, with a warning; "as given"
                       never does, "reverse" always
     merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
@@ -77,6 +77,8 @@ def tetrahedralize(
     """
     tetrahedralizer = make_filter(gamma, sigma, orientation, merge_tolerance, count_duplicates)
     warnings: list[str] = []
+    if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
+        raise Error(f"the surface is a {type(surface).__name__}; it can be a vtkPolyData or a file's name")
     if not isinstance(surface, vtkPolyData):
         surface, warnings = read_surface(surface)
     tetrahedralizer.SetInputData(surface)
@@ -106,11 +108,11 @@ def make_filter(
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
     if gamma is not None:
-        tetrahedralizer.SetGamma(_number("gamma", gamma, 0, may_be_least=True))
+        tetrahedralizer.SetGamma(_at_least(0, "gamma", gamma))
     if sigma is not None:
-        tetrahedralizer.SetSigma(_number("sigma", sigma, 0, may_be_least=False))
+        tetrahedralizer.SetSigma(_at_least(1e-6, "sigma", sigma))
     if merge_tolerance is not None:
-        tetrahedralizer.SetMergeTolerance(_number("merge_tolerance", merge_tolerance, 0, may_be_least=True))
+        tetrahedralizer.SetMergeTolerance(_at_least(0, "merge_tolerance", merge_tolerance))
     if orientation not in ORIENTATIONS:
         raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
     tetrahedralizer.SetOrientation(ORIENTATIONS[orientation])
@@ -118,10 +120,10 @@ def make_filter(
     return tetrahedralizer
 
 
-def _number(name: str, value: float, least: float, may_be_least: bool) -> float:
+def _at_least(least: float, name: str, value: float) -> float:
     value = float(value)
-    if not math.isfinite(value) or value < least or (value == least and not may_be_least):
-        raise Error(f"{name} is {value:g}; it must be {'at least' if may_be_least else 'above'} {least:g}")
+    if not math.isfinite(value) or value < least:
+        raise Error(f"{name} is {value:g}; it must be finite and at least {least:g}")
     return value
 
 

@@ -107,6 +107,20 @@ TEST(CountedChain, MergesNearPointsOnlyWhenAsked)
   EXPECT_THROW(Count(box, parameters), Error);
 }
 
+TEST(CountedChain, MergesNearPointsBesideOnesThatAreNotFinite)
+{
+  TriangleSoup box = Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 1 + 1e-9, 0, 0 }, { 2, 1, 1 }));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  box.Points.insert(box.Points.begin(), { nan, nan, nan }); // no facet uses it
+  for (Triangle& t : box.Triangles)
+  {
+    t = { { t[0] + 1, t[1] + 1, t[2] + 1 } };
+  }
+  CountedChainParameters parameters;
+  parameters.MergeTolerance = 1e-8;
+  EXPECT_EQ(Count(box, parameters).Counts.Points, 12);
+}
+
 TEST(CountedChain, LeavesOutDegenerateFacetsAndCountsThem)
 {
   TriangleSoup box = Box({ 0, 0, 0 }, { 1, 1, 1 });
@@ -165,6 +179,26 @@ TEST(CountedChain, KeepsATwoSidedSolidOnceTurnedOutward)
     EXPECT_EQ(chain.Counts.TwoSidedSolids, 1);
     EXPECT_DOUBLE_EQ(SignedVolume(chain.Surface), 2);
     EXPECT_EQ(chain.Warnings.size(), 1u);
+  }
+}
+
+TEST(CountedChain, TurnsEachOfTwoTwoSidedSolidsOutwardThatTouchInAnEdge)
+{
+  const TriangleSoup small = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const TriangleSoup large = Box({ 1, 1, 0 }, { 3, 3, 1 }); // they share the edge x = y = 1
+  for (const bool turned : { false, true })
+  {
+    const TriangleSoup once = Join(small, turned ? Reversed(large) : large);
+    TriangleSoup soup = once;
+    for (const Triangle& t : once.Triangles)
+    {
+      soup.Triangles.push_back({ { t[0], t[2], t[1] } });
+    }
+    const CountedChain chain = Count(soup);
+    EXPECT_EQ(chain.Counts.Components, 1);
+    EXPECT_EQ(chain.Counts.TwoSidedSolids, 1);
+    EXPECT_EQ(chain.Counts.TwoSidedSheets, 0);
+    EXPECT_DOUBLE_EQ(SignedVolume(chain.Surface), 1 + 4);
   }
 }
 

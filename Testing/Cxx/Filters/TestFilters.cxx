@@ -11,11 +11,14 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkShortArray.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -351,6 +354,103 @@ TEST(vtkRobustTetrahedralize, TurnsASurfaceThatIsInsideOut)
   }
 }
 
+TEST(vtkRobustTetrahedralize, KnowsAPolygonAgainWhereverItBeginsAndWhicheverWayItRuns)
+{
+  for (const bool reversed : { false, true })
+  {
+    auto surface = EmptySurface();
+    AddBox(surface, 0, 1);
+    for (vtkIdType c = 0; c < 6; ++c)
+    {
+      vtkNew<vtkIdList> quad;
+      surface->GetPolys()->GetCellAtId(c, quad);
+      vtkIdType turned[4];
+      for (int k = 0; k < 4; ++k)
+      {
+        turned[k] = quad->GetId(reversed ? 3 - k : (k + 1) % 4);
+      }
+      surface->GetPolys()->InsertNextCell(4, turned);
+    }
+    vtkNew<vtkRobustTetrahedralize> filter;
+    Listener warnings(filter, vtkCommand::WarningEvent);
+    filter->SetInputData(surface);
+    filter->Update();
+    vtkFieldData* statistics = filter->GetOutput()->GetFieldData();
+    EXPECT_NEAR(Volume(filter->GetOutput()), 1, 1e-15);
+    EXPECT_EQ(statistics->GetArray("Statistics_DuplicateFacets")->GetTuple1(0), 12);
+    EXPECT_EQ(statistics->GetArray("Statistics_MaximumW")->GetTuple1(0), 1);
+    EXPECT_EQ(warnings.Heard("two-sided"), reversed);
+  }
+}
+
+TEST(vtkRobustTetrahedralize, LeavesOutArraysOfTheWrongLengthWithAWarning)
+{
+  auto surface = TwoBoxes();
+  for (const char* name : { "short", "FacetMultiplicity" })
+  {
+    vtkNew<vtkShortArray> array;
+    array->SetName(name);
+    array->InsertNextValue(7);
+    surface->GetCellData()->AddArray(array);
+    surface->GetPointData()->AddArray(array);
+  }
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputData(surface);
+  filter->Update();
+  EXPECT_TRUE(warnings.Heard("array short has 1 tuples where 12 are needed"));
+  EXPECT_TRUE(warnings.Heard("array FacetMultiplicity has 1 tuples where 16 are needed"));
+  EXPECT_NEAR(Volume(filter->GetOutput()), 1.875, 1e-12);
+  EXPECT_FALSE(filter->GetBoundary()->GetCellData()->HasArray("short"));
+  EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray("short"));
+}
+
+TEST(vtkRobustTetrahedralize, TakesMultiplicitiesOfAnyIntegerTypeAndPassesOtherArraysOn)
+{
+  auto surface = TwoBoxes();
+  vtkNew<vtkIntArray> twice; // as a file format may give it back
+  vtkNew<vtkDoubleArray> real;
+  for (int c = 0; c < 12; ++c)
+  {
+    twice->InsertNextValue(2);
+    real->InsertNextValue(c);
+  }
+  twice->SetName("FacetMultiplicity");
+  surface->GetCellData()->AddArray(twice);
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputData(surface);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Statistics_MaximumW")->GetTuple1(0), 4);
+
+  surface->GetCellData()->RemoveArray("FacetMultiplicity");
+  real->SetName("FacetMultiplicity"); // a user's own
+  surface->GetCellData()->AddArray(real);
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Statistics_MaximumW")->GetTuple1(0), 2);
+  EXPECT_TRUE(filter->GetBoundary()->GetCellData()->HasArray("Input_FacetMultiplicity"));
+  EXPECT_TRUE(warnings.Heard("Input_FacetMultiplicity"));
+}
+
+TEST(vtkRobustTetrahedralize, PassesFieldDataOn)
+{
+  auto surface = TwoBoxes();
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("TimeValue");
+  time->InsertNextValue(3.5);
+  surface->GetFieldData()->AddArray(time);
+  vtkNew<vtkRobustTetrahedralize> filter;
+  filter->SetInputData(surface);
+  filter->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkDataArray* found = filter->GetOutputDataObject(port)->GetFieldData()->GetArray("TimeValue");
+    ASSERT_TRUE(found) << port;
+    EXPECT_EQ(found->GetTuple1(0), 3.5);
+  }
+}
+
 TEST(vtkConstrainedDelaunay3D, RefusesFacetsThatCrossAndNamesTheirCells)
 {
   vtkNew<vtkConstrainedDelaunay3D> filter;
@@ -403,6 +503,67 @@ TEST(vtkGraphCutSegmentation, LabelsWhatTheWindingNumberFilterGives)
   cut->Update();
   EXPECT_EQ(cut->GetOutput()->GetNumberOfCells(), w->GetOutput()->GetNumberOfCells());
   EXPECT_TRUE(cut->GetOutput()->GetCellData()->GetArray("Inside"));
+}
+
+TEST(vtkGraphCutSegmentation, SeesTheSameFacesInVoxelsAsInHexahedra)
+{
+  constexpr int Size = 6;
+  vtkIdType inside[2] = { 0, 0 };
+  for (const int type : { VTK_VOXEL, VTK_HEXAHEDRON })
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkDoubleArray> w;
+    w->SetName("w");
+    for (int i = 0; i < (Size + 1) * (Size + 1) * (Size + 1); ++i)
+    {
+      points->InsertNextPoint(
+        i % (Size + 1), i / (Size + 1) % (Size + 1), i / (Size + 1) / (Size + 1));
+    }
+    grid->SetPoints(points);
+    for (int c = 0; c < Size * Size * Size; ++c)
+    {
+      vtkIdType corners[8];
+      for (int k = 0; k < 8; ++k)
+      {
+        corners[k] = c % Size + (k & 1) +
+          (Size + 1) * (c / Size % Size + (k >> 1 & 1) + (Size + 1) * (c / Size / Size + (k >> 2)));
+      }
+      if (type == VTK_HEXAHEDRON)
+      {
+        std::swap(corners[2], corners[3]);
+        std::swap(corners[6], corners[7]);
+      }
+      grid->InsertNextCell(type, 8, corners);
+      w->InsertNextValue((c * 7919) % 10 < 6 ? 0.55 : 0.45);
+    }
+    grid->GetCellData()->AddArray(w);
+    vtkNew<vtkGraphCutSegmentation> cut;
+    cut->SetInputData(grid);
+    cut->SetGamma(10);
+    cut->Update();
+    inside[type == VTK_VOXEL] = cut->GetOutput()->GetNumberOfCells();
+  }
+  EXPECT_EQ(inside[0], Size * Size * Size) << "smoothness decides where w is unsure";
+  EXPECT_EQ(inside[1], inside[0]);
+}
+
+TEST(vtkGraphCutSegmentation, SaysThatWHasNotOneValuePerCell)
+{
+  vtkNew<vtkGeneralizedWindingNumber> filter;
+  filter->SetInputData(TwoBoxes());
+  filter->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->ShallowCopy(filter->GetOutput());
+  vtkNew<vtkDoubleArray> w;
+  w->SetName("w");
+  grid->GetCellData()->RemoveArray("w");
+  grid->GetCellData()->AddArray(w);
+  vtkNew<vtkGraphCutSegmentation> cut;
+  Listener errors(cut, vtkCommand::ErrorEvent);
+  cut->SetInputData(grid);
+  cut->Update();
+  EXPECT_TRUE(errors.Heard("one value per cell"));
 }
 
 TEST(vtkGraphCutSegmentation, SaysThatThereIsNoW)
