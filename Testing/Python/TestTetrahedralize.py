@@ -8,12 +8,11 @@ import tempfile
 import unittest
 
 import insideout
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 import numpy as np
 import surfaces
 from surfaces import cell_array, point_array
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_ID_TYPE, VTK_SHORT, VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 
 @contextlib.contextmanager
