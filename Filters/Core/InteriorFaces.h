@@ -6,7 +6,9 @@
 
 namespace insideout
 {
-/** The faces between two cells of the mesh, each once, with their areas: the cut's smoothness term.
+/**
+ * The faces between two cells of the mesh, each once, for the cut's smoothness term. Their areas are
+ * in units of the square of a power of two near the largest coordinate.
  */
 std::vector<InteriorFace> InteriorFaces(const TetrahedralMesh& mesh);
 } // namespace insideout
