@@ -7,8 +7,8 @@
 namespace insideout
 {
 /**
- * The faces between two cells of the mesh, each once, for the cut's smoothness term. Their areas are
- * in units of the square of a power of two near the largest coordinate.
+ * The faces between two cells of the mesh, each once, for the cut's smoothness term. Their areas
+ * are in units of the square of a power of two near the largest coordinate.
  */
 std::vector<InteriorFace> InteriorFaces(const TetrahedralMesh& mesh);
 } // namespace insideout

@@ -31,7 +31,7 @@ class TemporaryFolder
 public:
   TemporaryFolder()
   {
-    std::string name = (fs::temp_directory_path() / "insideout-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "insideout.XXXXXX").string();
     this->Path = mkdtemp(&name[0]);
   }
   ~TemporaryFolder() { fs::remove_all(this->Path); }
