@@ -88,6 +88,23 @@ class RoundTrips(InAFolder):
             found.append([ids.GetId(k) for k in range(ids.GetNumberOfIds())])
         self.assertEqual(found, [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 3], [1, 2, 3]])
 
+    def test_vtk_files_are_read_whose_ranges_are_not_finite(self):
+        surface = surfaces.box()
+        surface.GetPoints().InsertNextPoint(1e300, 0, 0)  # no facet uses it
+        surface.GetPoints().GetData().GetRange(-1)  # VTK notes the ranges it knows in the file
+        path = self.path("nan.vtp")
+        write_surface(surface, path)
+        again, warnings = read_surface(path)
+        self.assertEqual((again.GetNumberOfPoints(), again.GetNumberOfCells()), (9, 12))
+        self.assertEqual(insideout.tetrahedralize(again).statistics["Points"], 8)
+        self.assertEqual(warnings, [])
+
+    def test_a_vtk_file_without_points_is_an_empty_surface(self):
+        path = self.path("nothing.vtp")
+        write_surface(vtkPolyData(), path)
+        with self.assertRaisesRegex(insideout.Error, "the surface is empty"):
+            insideout.tetrahedralize(path)
+
     def test_an_empty_surface_is_written_and_vtk_reads_it(self):
         for ending, make in ((".ply", vtkPLYReader), (".stl", vtkSTLReader), (".vtp", vtkXMLPolyDataReader)):
             with self.subTest(ending):

@@ -23,6 +23,10 @@ READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp")
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj")
 WRITABLE_GRIDS = (".vtu",)
 
+# What VTK's .vtp reader calls an error and is none: that a surface is empty, which whoever takes it
+# says better, and that a range which VTK noted beside an array is not finite.
+HARMLESS_WHEN_READING = ("No Points element available", "Error reading InformationKey element")
+
 
 def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
     """The surface in a .ply, .obj, .off, .stl or .vtp file, and what was passed over in the file.
@@ -34,7 +38,7 @@ def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPo
     reader = _vtp_reader(path) if ending(path) == ".vtp" else vtkSurfaceReader()
     reader.SetFileName(path)
     try:
-        warnings = run(reader, progress)
+        warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)
     except Error as error:
         raise _naming(path, error) from None
     return reader.GetOutput(), warnings

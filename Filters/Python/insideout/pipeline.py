@@ -52,11 +52,14 @@ class Messages:
 
 
 def run(
-    algorithm: vtkAlgorithm, progress: Optional[Progress] = None, action: Optional[Callable[[], object]] = None
+    algorithm: vtkAlgorithm,
+    progress: Optional[Progress] = None,
+    action: Optional[Callable[[], object]] = None,
+    harmless: tuple[str, ...] = (),
 ) -> list[str]:
     """Bring an algorithm up to date, or do `action` with it (`writer.Write`, say).
 
-    Returns its warnings. Raises `Error` with its first error. What is upstream of the algorithm
+    Returns its warnings. Raises `Error` with its first error that does not begin with one of `harmless`. What is upstream of the algorithm
     reports for itself: run that before.
     """
     executive = algorithm.GetExecutive()
@@ -68,8 +71,9 @@ def run(
             if tag is not None:
                 algorithm.RemoveObserver(tag)
     # That a request failed, which is all the executive knows, counts only if nobody says why.
-    for error in (*messages.errors, *executive_messages.errors):
-        raise Error(error)
+    for error in messages.errors or executive_messages.errors:
+        if not error.startswith(harmless):
+            raise Error(error)
     return messages.warnings
 
 
