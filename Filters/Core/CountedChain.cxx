@@ -2,6 +2,7 @@
 #include "CountedChain.h"
 
 #include "FacetEdges.h"
+#include "SortedTriangle.h"
 #include "TwoSidedComponents.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -136,36 +137,18 @@ bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
     CGAL::collinear(corner(0), corner(1), corner(2));
 }
 
-/** A triangle by its sorted corners; Odd when sorting them turned it over. */
-struct SortedTriangle
+/** A triangle of the soup, by its merged corners. */
+struct GivenTriangle
 {
-  Triangle Corners;
-  bool Odd;
+  SortedTriangle Sorted;
   Id Index;
 };
-
-SortedTriangle SortCorners(Triangle corners, Id index)
-{
-  bool odd = false;
-  const auto order = [&](int a, int b)
-  {
-    if (corners[a] > corners[b])
-    {
-      std::swap(corners[a], corners[b]);
-      odd = !odd;
-    }
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return { corners, odd, index };
-}
 
 /** One facet per set of three corners, in the order of their first triangles. */
 void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool countDuplicates,
   FacetComplex& surface, SurfaceCounts& counts)
 {
-  std::vector<SortedTriangle> triangles;
+  std::vector<GivenTriangle> triangles;
   triangles.reserve(soup.Triangles.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
   {
@@ -177,17 +160,18 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     }
     else
     {
-      triangles.push_back(SortCorners(corners, t));
+      triangles.push_back({ SortedTriangle(corners), t });
     }
   }
 
-  const auto byCorners = [](const SortedTriangle& a, const SortedTriangle& b)
-  { return std::tie(a.Corners, a.Index) < std::tie(b.Corners, b.Index); };
+  const auto byCorners = [](const GivenTriangle& a, const GivenTriangle& b)
+  { return std::tie(a.Sorted.Points, a.Index) < std::tie(b.Sorted.Points, b.Index); };
   std::sort(triangles.begin(), triangles.end(), byCorners);
   std::vector<std::array<std::size_t, 2>> groups;
   for (std::size_t first = 0, last = 0; first < triangles.size(); first = last)
   {
-    while (last < triangles.size() && triangles[last].Corners == triangles[first].Corners)
+    while (
+      last < triangles.size() && triangles[last].Sorted.Points == triangles[first].Sorted.Points)
     {
       ++last;
     }
@@ -198,13 +182,13 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
 
   for (const auto& [first, last] : groups)
   {
-    const SortedTriangle& leader = triangles[first];
+    const GivenTriangle& leader = triangles[first];
     const Triangle& given = soup.Triangles[leader.Index];
     surface.Facets.push_back({ { merged[given[0]], merged[given[1]], merged[given[2]] } });
     std::array<long, 2> count{ { 0, 0 } }; // along the facet's orientation, and against it
     for (std::size_t i = first; i < last; ++i)
     {
-      const bool reversed = triangles[i].Odd != leader.Odd;
+      const bool reversed = triangles[i].Sorted.Turned != leader.Sorted.Turned;
       count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangles[i].Index];
       surface.Sources.push_back({ triangles[i].Index, reversed });
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Types.h"
+#include "SortedTriangle.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,29 +11,6 @@
 
 namespace insideout
 {
-/** A triangle's points in ascending order, and whether that order turned it over. */
-struct SortedTriangle
-{
-  explicit SortedTriangle(Triangle t)
-  {
-    const auto order = [&](int i, int j)
-    {
-      if (t[i] > t[j])
-      {
-        std::swap(t[i], t[j]);
-        this->Turned = !this->Turned;
-      }
-    };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-    this->Points = t;
-  }
-
-  Triangle Points;
-  bool Turned = false;
-};
-
 /** Face of a cell: the two higher ids of its three points, whose it is, how it is turned. */
 struct FaceEntry
 {

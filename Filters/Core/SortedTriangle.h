@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Types.h"
+
+#include <utility>
+
+namespace insideout
+{
+/** A triangle's points in ascending order, and whether that order turned it over. */
+struct SortedTriangle
+{
+  explicit SortedTriangle(Triangle t)
+  {
+    const auto order = [&](int i, int j)
+    {
+      if (t[i] > t[j])
+      {
+        std::swap(t[i], t[j]);
+        this->Turned = !this->Turned;
+      }
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+    this->Points = t;
+  }
+
+  Triangle Points;
+  bool Turned = false;
+};
+} // namespace insideout
