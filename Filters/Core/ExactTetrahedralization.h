@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Monitor.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Tetrahedra with the facets among their faces. */
+struct ExactTetrahedralization
+{
+  /** The points given, bit by bit, and then Steiner points. */
+  std::vector<Point> Points;
+
+  /** Positive volumes, exactly; they fill the convex hull. */
+  std::vector<Tetrahedron> Cells;
+
+  /** Faces of cells that facets are made of. */
+  std::vector<Triangle> Faces;
+  std::vector<Id> FacetOfFaces; ///< one per face
+
+  /** Facets that are no union of faces, ascending. */
+  std::vector<Id> LostFacets;
+
+  Id NumberOfSurfaceSteinerPoints = 0; ///< on facets or their edges, up to rounding
+};
+
+/**
+ * Tetrahedra of the convex hull of points in which every facet is a union of faces. All decisions
+ * are exact and none depends on a tolerance.
+ *
+ * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
+ * are recovered by flips (FlipOperator), then the facets between them. What flips do not recover is
+ * cut into the mesh by Steiner points that lie exactly on it, which always works, and the Steiner
+ * points are then removed or rounded to doubles where exact tests allow it.
+ *
+ * @param[in] points finite, spanning space. Where several are equal the first stands for all
+ * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
+ *            lie within a facet or one of its edges. What breaks this is lost
+ * @throws Error Inconsistent, Stopped
+ */
+ExactTetrahedralization TetrahedralizeExactly(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Types.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+
+#include <vector>
+
+namespace insideout
+{
+/** A whole number times a power of two, without error. */
+using DyadicNumber = CGAL::Mpzf;
+
+/**
+ * The vertices of a tetrahedralization under construction: doubles, and Steiner points that lie
+ * exactly where two lines or a line and a plane meet. The latter have homogeneous coordinates (x,
+ * y, z, w), w > 0, which sums and products suffice for, and a box of doubles around them that
+ * decides nearly every predicate.
+ */
+class ExactVertices
+{
+public:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Interval = CGAL::Interval_nt<false>;
+
+  explicit ExactVertices(const std::vector<Point>& points);
+
+  Id Size() const { return static_cast<Id>(this->Places.size()); }
+
+  /** @return the new vertex */
+  Id Add(const Point& point);
+
+  /**
+   * Add the point a A + b B, with A and B the homogeneous coordinates of two vertices. It becomes a
+   * double where it is one.
+   * @param[in] a, b of one sign and not both 0, so that the point lies between the two
+   */
+  Id AddBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b);
+
+  /** Forget the last vertex. */
+  void RemoveLast();
+
+  /**
+   * The sign of the volume of a tetrahedron, exactly; it is positive where a, b, c run
+   * counter-clockwise seen from d.
+   */
+  int Orient(Id a, Id b, Id c, Id d) const;
+
+  /** A positive multiple of the volume: the product of the four weights w times it. */
+  DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
+
+  bool IsDouble(Id vertex) const { return this->ExactOf[vertex] == None; }
+
+  /** The doubles nearest to a vertex, or at most a few units in the last place beside them. */
+  Point Nearest(Id vertex) const;
+
+  /** Where a vertex is, to put it back. */
+  struct Place
+  {
+    Kernel::Point_3 Approximate;
+    Id Exact;
+  };
+  Place PlaceOf(Id vertex) const { return { this->Places[vertex], this->ExactOf[vertex] }; }
+  void MoveTo(Id vertex, const Place& place);
+  void MoveTo(Id vertex, const Point& point);
+
+private:
+  struct Homogeneous
+  {
+    std::array<DyadicNumber, 4> Coordinates;
+    std::array<Interval, 3> Box;
+  };
+
+  std::array<DyadicNumber, 4> CoordinatesOf(Id vertex) const;
+  std::array<Interval, 3> BoxOf(Id vertex) const;
+  int OrientExactly(Id a, Id b, Id c, Id d) const;
+
+  std::vector<Kernel::Point_3> Places;
+  std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
+  std::vector<Homogeneous> ExactPoints;
+};
+
+inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
+{
+  if ((this->ExactOf[a] & this->ExactOf[b] & this->ExactOf[c] & this->ExactOf[d]) == None)
+  {
+    return CGAL::orientation(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);
+  }
+  return this->OrientExactly(a, b, c, d);
+}
+} // namespace insideout

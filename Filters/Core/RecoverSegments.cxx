@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RecoverSegments.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** Flips for one segment; nearly all need fewer than ten, and some would go on for ever. */
+constexpr int MostFlipsPerSegment = 50;
+
+/** How often the monitor is asked. */
+constexpr std::size_t SegmentsPerCheck = 256;
+} // namespace
+
+std::vector<Id> SegmentRecovery::FindMissing() const
+{
+  std::vector<Id> missing;
+  for (Id segment = 0; segment < this->Segments.Size(); ++segment)
+  {
+    const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
+    if (this->Mesh.FindEdge(ends[0], ends[1]) == None)
+    {
+      missing.push_back(segment);
+    }
+  }
+  return missing;
+}
+
+// --- Flips ---------------------------------------------------------------------------------------
+
+bool SegmentRecovery::Clear(
+  const Crossing& crossing, const FlipTarget& target, const Effort& effort)
+{
+  int budget = effort.Budget;
+  if (crossing.Kind == Crossing::ThroughEdge)
+  {
+    return this->Flips.RemoveEdgeDeeply(
+      crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
+  }
+  const Id cell = crossing.Cell;
+  const FlippableCell& near = this->Mesh.Cells[cell];
+  if (this->Flips.RemoveFace(cell, crossing.Face, target, effort.Limits))
+  {
+    return true;
+  }
+  // Edges that the line between the two apexes passes on the outside first.
+  const Id p = near.Corners[crossing.Face];
+  const Id q = this->Mesh.Opposite(cell, crossing.Face);
+  std::array<Id, 3> f;
+  for (int k = 0; k < 3; ++k)
+  {
+    f[k] = near.Corners[FaceSeenFrom[crossing.Face][k]];
+  }
+  std::array<bool, 3> isReflex = { { false, false, false } };
+  for (int k = 0; k < 3; ++k)
+  {
+    isReflex[k] = q != this->Mesh.Infinite() && p != this->Mesh.Infinite() &&
+      this->Mesh.Vertices.Orient(q, p, f[k], f[(k + 1) % 3]) <= 0;
+  }
+  for (const bool reflex : { true, false })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (isReflex[k] != reflex)
+      {
+        continue;
+      }
+      const std::int64_t before = this->Mesh.NumberOfChanges();
+      if (this->Flips.RemoveEdgeDeeply(
+            f[k], f[(k + 1) % 3], target, effort.Limits, effort.Depth, budget) ||
+        this->Mesh.NumberOfChanges() != before)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** Take away something that the segment crosses: from one end, from the other, anywhere. */
+bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort)
+{
+  const std::int64_t before = this->Mesh.NumberOfChanges();
+  const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
+  const Crossing first = FirstCrossing(this->Mesh, a, b);
+  if (first.Kind == Crossing::AtVertex)
+  {
+    return false;
+  }
+  if (this->Clear(first, target, effort) || changed())
+  {
+    return true;
+  }
+  const Crossing last = FirstCrossing(this->Mesh, b, a);
+  if (last.Kind == Crossing::AtVertex)
+  {
+    return false;
+  }
+  if (this->Clear(last, target, effort) || changed())
+  {
+    return true;
+  }
+  Crossing crossing = NextCrossing(this->Mesh, a, b, first);
+  while (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge)
+  {
+    if (this->Clear(crossing, target, effort) || changed())
+    {
+      return true;
+    }
+    crossing = NextCrossing(this->Mesh, a, b, crossing);
+  }
+  return false;
+}
+
+bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
+{
+  const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
+  for (int flips = 0; flips < MostFlipsPerSegment; ++flips)
+  {
+    if (this->Mesh.FindEdge(a, b) != None)
+    {
+      return true;
+    }
+    if (!this->ClearOne(a, b, target, effort))
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
+{
+  const std::array<Effort, 3> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 },
+    { { 0, 10 }, 2, 150 } } };
+  for (const Effort& effort : efforts)
+  {
+    // While a round gets many, another of the same kind gets more.
+    std::size_t before = 2 * missing.size() + 2;
+    while (!missing.empty() && missing.size() < before - before / 10)
+    {
+      before = missing.size();
+      std::vector<Id> still;
+      for (std::size_t k = 0; k < missing.size(); ++k)
+      {
+        if (k % SegmentsPerCheck == 0)
+        {
+          this->Progress.Check("recovering edges", static_cast<double>(k) / missing.size());
+        }
+        const std::array<Id, 2>& ends = this->Segments.EndsOf(missing[k]);
+        if (!this->Recover(ends[0], ends[1], effort))
+        {
+          still.push_back(missing[k]);
+        }
+      }
+      missing = std::move(still);
+    }
+  }
+  return missing;
+}
+
+// --- Steiner points ------------------------------------------------------------------------------
+
+/**
+ * A point of the segment from a to b within a cell: of all such points one whose place between a
+ * and b has the fewest binary digits, by bisection. `beyondFace` is the corner of the cell across
+ * from the face through which the segment enters.
+ */
+Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
+{
+  const Tetrahedron corners = this->Mesh.Cells[cell].Corners;
+  const int entry = this->Mesh.CornerIndex(cell, beyondFace);
+  DyadicNumber low(0);
+  DyadicNumber step(0.5);
+  const DyadicNumber one(1);
+  const DyadicNumber half(0.5);
+  for (;;)
+  {
+    const DyadicNumber t = low + step;
+    const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t);
+    bool beforeEntry = false;
+    bool behindExit = false;
+    for (int k = 0; k < 4; ++k)
+    {
+      Tetrahedron moved = corners;
+      moved[k] = point;
+      if (this->Mesh.Vertices.Orient(moved[0], moved[1], moved[2], moved[3]) <= 0)
+      {
+        (k == entry ? beforeEntry : behindExit) = true;
+      }
+    }
+    if (!beforeEntry && !behindExit)
+    {
+      return point;
+    }
+    if (beforeEntry)
+    {
+      low = t;
+    }
+    this->Mesh.RemoveLastVertex();
+    step = step * half;
+  }
+}
+
+bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
+{
+  const Effort little = { { -1, 10 }, 0, 0 };
+  while (!this->Recover(a, b, little))
+  {
+    // Points are made from the segment's own ends, which are short, not from Steiner points on it.
+    const Id start = this->Segments.EndsOf(segment)[0];
+    const Id end = this->Segments.EndsOf(segment)[1];
+    const Crossing crossing = FirstCrossing(this->Mesh, a, b);
+    Id point = None;
+    if (crossing.Kind == Crossing::ThroughEdge)
+    {
+      const Id off = this->Mesh.VertexOffPlane(a, b, crossing.U);
+      const DyadicNumber atA = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, start);
+      const DyadicNumber atB = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, end);
+      point = this->Mesh.AddVertexBetween(start, end, DyadicNumber(0) - atB, atA);
+      EdgeRing ring;
+      this->Mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
+      this->Mesh.SplitEdge(ring, point);
+    }
+    else if (crossing.Kind == Crossing::ThroughFace)
+    {
+      const Id beyond = this->Mesh.Cells[crossing.Cell].Neighbors[crossing.Face];
+      const Id apex = this->Mesh.Opposite(crossing.Cell, crossing.Face);
+      if (apex == b)
+      {
+        this->Flips.RemoveFace(
+          crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
+        return this->Mesh.FindEdge(a, b) != None;
+      }
+      point = this->SteinerPointWithin(beyond, start, end, apex);
+      this->Mesh.SplitCell(beyond, point);
+      this->Flips.RemoveFace(
+        crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
+    }
+    if (point == None || this->Mesh.FindEdge(a, point) == None)
+    {
+      return false;
+    }
+    this->Segments.Split(segment, a, b, point);
+    a = point;
+  }
+  return true;
+}
+
+std::vector<Id> SegmentRecovery::RecoverBySplits(const std::vector<Id>& missing)
+{
+  std::vector<Id> failed;
+  for (std::size_t k = 0; k < missing.size(); ++k)
+  {
+    if (k % SegmentsPerCheck == 0)
+    {
+      this->Progress.Check("splitting edges", static_cast<double>(k) / missing.size());
+    }
+    const std::array<Id, 2> ends = this->Segments.EndsOf(missing[k]);
+    if (!this->SplitAndRecover(missing[k], ends[0], ends[1]))
+    {
+      failed.push_back(missing[k]);
+    }
+  }
+  return failed;
+}
+} // namespace insideout

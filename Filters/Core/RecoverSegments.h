@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "EdgeRemoval.h"
+#include "Monitor.h"
+#include "SegmentWalk.h"
+
+namespace insideout
+{
+/** Makes segments edges of the mesh. */
+class SegmentRecovery
+{
+public:
+  SegmentRecovery(FlippableMesh& mesh, SegmentTable& segments, Monitor& monitor)
+    : Mesh(mesh)
+    , Segments(segments)
+    , Progress(monitor)
+    , Flips(mesh, segments)
+  {
+  }
+
+  /** The segments that are no edges, in the order of their ids. */
+  std::vector<Id> FindMissing() const;
+
+  /**
+   * Recover segments by flips alone, the cheapest flips first.
+   * @return the ones that are still missing
+   */
+  std::vector<Id> RecoverByFlips(std::vector<Id> missing);
+
+  /**
+   * Recover segments with Steiner points that lie exactly on them. Each is put where the segment
+   * passes through a cell or over an edge, so nothing that is there goes, and what is left to do
+   * gets less: this fails on no segment that passes through no vertex.
+   * @return the segments that do
+   */
+  std::vector<Id> RecoverBySplits(const std::vector<Id>& missing);
+
+private:
+  struct Effort
+  {
+    FlipOperator::Limits Limits;
+    int Depth;
+    int Budget;
+  };
+
+  bool Recover(Id a, Id b, const Effort& effort);
+  bool ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort);
+  bool Clear(const Crossing& crossing, const FlipTarget& target, const Effort& effort);
+  bool SplitAndRecover(Id segment, Id a, Id b);
+  Id SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace);
+
+  FlippableMesh& Mesh;
+  SegmentTable& Segments;
+  Monitor& Progress;
+  FlipOperator Flips;
+};
+} // namespace insideout
