@@ -45,6 +45,8 @@ public:
 
     SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
     steiner.Remove();
+    steiner.MoveIntoVolume();
+    steiner.Remove();
     std::set<Id> around;
     for (const Id point : steiner.Round())
     {

@@ -63,137 +63,6 @@ std::vector<Id> SteinerPoints::FacetsAt(Id point) const
 
 // --- Removing ------------------------------------------------------------------------------------
 
-/** Where a point can go without leaving what it lies on. */
-std::vector<Id> SteinerPoints::TargetsOf(Id point, const Support& support) const
-{
-  if (support.Segment != None)
-  {
-    const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(support.Segment, point);
-    return { ends[0], ends[1] };
-  }
-  std::vector<Id> star;
-  this->Mesh.Star(point, star);
-  std::vector<Id> targets;
-  for (const Id id : star)
-  {
-    const FlippableCell& cell = this->Mesh.Cells[id];
-    for (int k = 0; k < 4; ++k)
-    {
-      if (cell.Corners[k] == point || (!support.Facets.empty() && cell.Facets[k] == None))
-      {
-        continue;
-      }
-      for (int j = 0; j < 4; ++j)
-      {
-        if (j != k && cell.Corners[j] != point && cell.Corners[j] != this->Mesh.Infinite())
-        {
-          targets.push_back(cell.Corners[j]);
-        }
-      }
-    }
-  }
-  SortUnique(targets);
-  return targets;
-}
-
-/** Whether the cells around `point` stay positive, and the hull the same, with `target` instead. */
-bool SteinerPoints::StaysValid(const std::vector<Id>& star, Id point, Id target) const
-{
-  const ExactVertices& vertices = this->Mesh.Vertices;
-  for (const Id cell : star)
-  {
-    if (this->Mesh.Has(cell, target))
-    {
-      continue;
-    }
-    Tetrahedron t = this->Mesh.Cells[cell].Corners;
-    const int corner = this->Mesh.CornerIndex(cell, point);
-    const int infinite = this->Mesh.CornerIndex(cell, this->Mesh.Infinite());
-    if (infinite < 0)
-    {
-      t[corner] = target;
-      if (vertices.Orient(t[0], t[1], t[2], t[3]) <= 0)
-      {
-        return false;
-      }
-      continue;
-    }
-    t[infinite] = target;
-    if (vertices.Orient(t[0], t[1], t[2], t[3]) != 0)
-    {
-      return false;
-    }
-    t[infinite] = this->Mesh.Opposite(cell, infinite);
-    const int before = vertices.Orient(t[0], t[1], t[2], t[3]);
-    t[corner] = target;
-    if (vertices.Orient(t[0], t[1], t[2], t[3]) != before)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool SteinerPoints::Contract(Id point, Id target, const Support& support)
-{
-  std::vector<Id> star;
-  this->Mesh.Star(point, star);
-  if (!this->StaysValid(star, point, target))
-  {
-    return false;
-  }
-  struct Piece
-  {
-    Triangle Corners;
-    Id Facet;
-  };
-  std::vector<Piece> pieces;
-  std::vector<Tetrahedron> fresh;
-  for (const Id id : star)
-  {
-    const FlippableCell& cell = this->Mesh.Cells[id];
-    const int corner = this->Mesh.CornerIndex(id, point);
-    for (int k = 0; k < 4; ++k)
-    {
-      if (k != corner && cell.Facets[k] != None)
-      {
-        Piece piece = { { { None, None, None } }, cell.Facets[k] };
-        for (int j = 0; j < 3; ++j)
-        {
-          const Id p = cell.Corners[FaceSeenFrom[k][j]];
-          piece.Corners[j] = p == point ? target : p;
-        }
-        if (piece.Corners[0] != piece.Corners[1] && piece.Corners[1] != piece.Corners[2] &&
-          piece.Corners[2] != piece.Corners[0])
-        {
-          pieces.push_back(piece);
-        }
-      }
-    }
-    if (!this->Mesh.Has(id, target))
-    {
-      fresh.push_back(cell.Corners);
-      fresh.back()[corner] = target;
-    }
-  }
-  // Faces between a cell that goes and the rest may be pieces; they are found again below.
-  this->Mesh.Replace(star, fresh);
-  for (const Piece& piece : pieces)
-  {
-    Id cell;
-    int face;
-    if (this->Mesh.FindFace(piece.Corners[0], piece.Corners[1], piece.Corners[2], cell, face))
-    {
-      this->Mesh.SetFacet(cell, face, piece.Facet);
-    }
-  }
-  if (support.Segment != None)
-  {
-    this->Segments.Join(support.Segment, point);
-  }
-  return true;
-}
-
 /** Take away edges at a point that carry no constraint. */
 void SteinerPoints::LowerDegree(Id point)
 {
@@ -228,22 +97,12 @@ void SteinerPoints::LowerDegree(Id point)
 
 bool SteinerPoints::RemoveOne(Id point)
 {
-  for (const bool lowered : { false, true })
+  if (this->Dissolver.Dissolve(point, VolumePoints::None))
   {
-    if (lowered)
-    {
-      this->LowerDegree(point);
-    }
-    const Support support = this->SupportOf(point);
-    for (const Id target : this->TargetsOf(point, support))
-    {
-      if (this->Contract(point, target, support))
-      {
-        return true;
-      }
-    }
+    return true;
   }
-  return false;
+  this->LowerDegree(point);
+  return this->Dissolver.Dissolve(point, VolumePoints::None);
 }
 
 void SteinerPoints::Remove()
@@ -256,6 +115,18 @@ void SteinerPoints::Remove()
     {
       this->Progress.Check("removing points", 0);
       changed = (this->IsInMesh(point) && this->RemoveOne(point)) || changed;
+    }
+  }
+}
+
+void SteinerPoints::MoveIntoVolume()
+{
+  for (Id point = this->Mesh.Vertices.Size() - 1; point > this->Mesh.Infinite(); --point)
+  {
+    this->Progress.Check("moving points", 0);
+    if (this->IsInMesh(point))
+    {
+      this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "DissolvePoint.h"
 #include "EdgeRemoval.h"
 #include "Monitor.h"
 
@@ -15,11 +16,15 @@ public:
     , Segments(segments)
     , Progress(monitor)
     , Flips(mesh, segments)
+    , Dissolver(mesh, segments)
   {
   }
 
-  /** Contract Steiner points to neighbors where every cell around stays positive. */
+  /** Take Steiner points away that the mesh can do without. */
   void Remove();
+
+  /** Replace Steiner points on facets by points beside them. */
+  void MoveIntoVolume();
 
   /**
    * Move the points that have no double coordinates to places that do, every cell around staying
@@ -42,9 +47,6 @@ private:
   };
 
   Support SupportOf(Id point) const;
-  std::vector<Id> TargetsOf(Id point, const Support& support) const;
-  bool Contract(Id point, Id target, const Support& support);
-  bool StaysValid(const std::vector<Id>& star, Id point, Id target) const;
   bool RemoveOne(Id point);
   void LowerDegree(Id point);
 
@@ -56,5 +58,6 @@ private:
   SegmentTable& Segments;
   Monitor& Progress;
   FlipOperator Flips;
+  PointDissolver Dissolver;
 };
 } // namespace insideout
