@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DissolvePoint.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
-#include <cmath>
 
 namespace insideout
 {
@@ -12,9 +9,6 @@ namespace
 {
 /** Ways to triangulate fans that are tried: from one end, from the other, by cutting ears. */
 constexpr int WaysToTriangulate = 3;
-
-/** Steps towards a point that sees all walls of a sector from within. */
-constexpr int StepsInward = 120;
 
 /** Whether the corners a, b, c of a cell and its fourth are an even permutation of its corners. */
 bool IsEven(const FlippableMesh& mesh, Id cell, Id a, Id b, Id c)
@@ -284,9 +278,9 @@ bool PointDissolver::TriangulateFans(Id point, int way)
 bool PointDissolver::FindSectors(Id point)
 {
   this->Sectors.clear();
-  std::vector<Id> sectorOf(this->Star.size(), None);
   std::vector<Id> sorted = this->Star;
   std::sort(sorted.begin(), sorted.end());
+  std::vector<Id> sectorOf(sorted.size(), None);
   const auto indexOf = [&sorted](Id cell)
   { return std::lower_bound(sorted.begin(), sorted.end(), cell) - sorted.begin(); };
   for (std::size_t seed = 0; seed < sorted.size(); ++seed)
@@ -296,40 +290,27 @@ bool PointDissolver::FindSectors(Id point)
       continue;
     }
     const Id number = static_cast<Id>(this->Sectors.size());
-    this->Sectors.push_back({ { sorted[seed] }, this->Mesh.IsInfinite(sorted[seed]), {}, {} });
+    this->Sectors.emplace_back();
     Sector& sector = this->Sectors.back();
+    sector.IsInfinite = this->Mesh.IsInfinite(sorted[seed]);
     sectorOf[seed] = number;
-    for (std::size_t next = 0; next < sector.Cells.size(); ++next)
+    std::vector<Id> cells(1, sorted[seed]);
+    for (std::size_t next = 0; next < cells.size(); ++next)
     {
-      const Id id = sector.Cells[next];
-      const FlippableCell& cell = this->Mesh.Cells[id];
+      const Id id = cells[next];
+      this->AddOuterWall(point, id, sector);
       for (int k = 0; k < 4; ++k)
       {
+        const FlippableCell& cell = this->Mesh.Cells[id];
         if (cell.Corners[k] == point)
         {
-          if (!sector.IsInfinite)
-          {
-            Triangle wall;
-            for (int j = 0; j < 3; ++j)
-            {
-              wall[j] = cell.Corners[FaceSeenFrom[k][j]];
-            }
-            sector.Walls.push_back(wall);
-          }
           continue;
         }
-        const Id neighbor = cell.Neighbors[k];
-        if (sectorOf[indexOf(neighbor)] == None && !this->IsWall(point, id, k))
+        Id& neighbors = sectorOf[indexOf(cell.Neighbors[k])];
+        if (neighbors == None && !this->IsWall(point, id, k))
         {
-          sectorOf[indexOf(neighbor)] = number;
-          sector.Cells.push_back(neighbor);
-        }
-      }
-      for (const Id corner : cell.Corners)
-      {
-        if (corner != point && corner != this->Mesh.Infinite())
-        {
-          sector.Corners.push_back(corner);
+          neighbors = number;
+          cells.push_back(cell.Neighbors[k]);
         }
       }
     }
@@ -338,6 +319,23 @@ bool PointDissolver::FindSectors(Id point)
       std::unique(sector.Corners.begin(), sector.Corners.end()), sector.Corners.end());
   }
   return this->AddFanWalls(point, sorted, sectorOf);
+}
+
+/** A cell's face across from the point is a wall. */
+void PointDissolver::AddOuterWall(Id point, Id cell, Sector& sector) const
+{
+  if (sector.IsInfinite)
+  {
+    return;
+  }
+  const int corner = this->Mesh.CornerIndex(cell, point);
+  Triangle wall;
+  for (int j = 0; j < 3; ++j)
+  {
+    wall[j] = this->Mesh.Cells[cell].Corners[FaceSeenFrom[corner][j]];
+    sector.Corners.push_back(wall[j]);
+  }
+  sector.Walls.push_back(wall);
 }
 
 /** Each fan is a wall of the sectors on its two sides, which must be two. */
@@ -379,92 +377,6 @@ bool PointDissolver::AddFanWalls(
   return true;
 }
 
-bool PointDissolver::SeesAll(const Sector& sector, Id apex) const
-{
-  return std::all_of(sector.Walls.begin(), sector.Walls.end(),
-    [&](const Triangle& wall)
-    {
-      return wall[0] == apex || wall[1] == apex || wall[2] == apex ||
-        this->Mesh.Vertices.Orient(wall[0], wall[1], wall[2], apex) > 0;
-    });
-}
-
-Id PointDissolver::FindApex(const Sector& sector) const
-{
-  const auto apex = std::find_if(sector.Corners.begin(), sector.Corners.end(),
-    [&](Id corner) { return this->SeesAll(sector, corner); });
-  return apex == sector.Corners.end() ? None : *apex;
-}
-
-/**
- * A new point that sees all walls. Where to look for it is a matter of floating point: from the
- * point, away from the nearest wall, with ever shorter steps. Whether it is one is tested exactly.
- */
-Id PointDissolver::NewApex(Id point, const Sector& sector)
-{
-  const auto at = [this](Id p)
-  {
-    const Point x = this->Mesh.Vertices.Nearest(p);
-    return Eigen::Vector3d(x[0], x[1], x[2]);
-  };
-  const Eigen::Vector3d origin = at(point);
-  std::vector<Eigen::Vector3d> normals;
-  std::vector<double> offsets;
-  double size = 0;
-  for (const Triangle& wall : sector.Walls)
-  {
-    // Relative to the point, which keeps the digits that count.
-    const Eigen::Vector3d a = at(wall[0]) - origin;
-    const Eigen::Vector3d b = at(wall[1]) - origin;
-    const Eigen::Vector3d c = at(wall[2]) - origin;
-    const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
-    if (normal.allFinite())
-    {
-      normals.push_back(normal);
-      offsets.push_back(normal.dot(a));
-    }
-    size = std::max({ size, a.norm(), b.norm(), c.norm() });
-  }
-  Eigen::Vector3d x(0, 0, 0);
-  Eigen::Vector3d best = x;
-  double bestDistance = -size;
-  double step = size / 4;
-  for (int k = 0; k < StepsInward && !normals.empty(); ++k)
-  {
-    std::size_t nearest = 0;
-    double distance = 2 * size;
-    for (std::size_t w = 0; w < normals.size(); ++w)
-    {
-      const double d = normals[w].dot(x) - offsets[w];
-      if (d < distance)
-      {
-        distance = d;
-        nearest = w;
-      }
-    }
-    if (distance > bestDistance)
-    {
-      bestDistance = distance;
-      best = x;
-    }
-    x += step * normals[nearest];
-    step *= 0.8;
-    if (k % 20 == 19)
-    {
-      x = best;
-      step = size / 4 / std::pow(8.0, k / 20 + 1);
-    }
-  }
-  const Eigen::Vector3d place = origin + best;
-  const Id apex = this->Mesh.AddVertex({ { place[0], place[1], place[2] } });
-  if (place.allFinite() && this->SeesAll(sector, apex))
-  {
-    return apex;
-  }
-  this->Mesh.RemoveLastVertex();
-  return None;
-}
-
 // --- All together --------------------------------------------------------------------------------
 
 void PointDissolver::MarkPieces() const
@@ -485,30 +397,20 @@ void PointDissolver::MarkPieces() const
 
 bool PointDissolver::Fill(Id point, VolumePoints volumePoints)
 {
-  const Id first = this->Mesh.Vertices.Size();
-  std::vector<Tetrahedron> fresh;
-  for (const Sector& sector : this->Sectors)
+  // Where nothing but the segment itself is to stay, it does so if all cells meet in one of its
+  // ends.
+  if (this->Fans.empty())
   {
-    Id apex = sector.IsInfinite ? this->Mesh.Infinite() : this->FindApex(sector);
-    if (apex == None && volumePoints == VolumePoints::AsNeeded)
+    volumePoints = VolumePoints::None;
+    if (this->Segment != None)
     {
-      apex = this->NewApex(point, sector);
+      this->Sectors[0].Corners = { this->Before, this->Behind };
     }
-    if (apex == None)
-    {
-      while (this->Mesh.Vertices.Size() > first)
-      {
-        this->Mesh.RemoveLastVertex();
-      }
-      return false;
-    }
-    for (const Triangle& wall : sector.Walls)
-    {
-      if (wall[0] != apex && wall[1] != apex && wall[2] != apex)
-      {
-        fresh.push_back({ { wall[0], wall[1], wall[2], apex } });
-      }
-    }
+  }
+  std::vector<Tetrahedron> fresh;
+  if (!this->Filler.Fill(this->Sectors, this->Mesh.Vertices.Nearest(point), volumePoints, fresh))
+  {
+    return false;
   }
   this->Mesh.Replace(this->Star, fresh);
   this->MarkPieces();
@@ -525,10 +427,6 @@ bool PointDissolver::Dissolve(Id point, VolumePoints volumePoints)
   for (const bool separate : { false, true })
   {
     if (this->Star.empty() || (separate && this->Segment == None) || !this->FindFans(point))
-    {
-      return false;
-    }
-    if (volumePoints == VolumePoints::AsNeeded && this->Fans.empty())
     {
       return false;
     }

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "FlippableMesh.h"
+#include "FillSector.h"
 #include "SegmentTable.h"
 
 namespace insideout
 {
-/** Whether a point on a facet or its edge may be replaced by points beside the facet. */
-enum class VolumePoints
-{
-  None,
-  AsNeeded
-};
-
 /**
  * Takes Steiner points out of a mesh. The facets (and faces of the hull) that have the point cut
  * the cells around it into sectors. The facets are triangulated without the point, and each sector
@@ -26,6 +19,7 @@ public:
   PointDissolver(FlippableMesh& mesh, SegmentTable& segments)
     : Mesh(mesh)
     , Segments(segments)
+    , Filler(mesh)
   {
   }
 
@@ -43,15 +37,6 @@ private:
     std::vector<Triangle> Pieces;
   };
 
-  /** Cells around the point between fans. */
-  struct Sector
-  {
-    std::vector<Id> Cells;
-    bool IsInfinite;
-    std::vector<Triangle> Walls; ///< counter-clockwise seen from inside
-    std::vector<Id> Corners;
-  };
-
   void FindSupport(Id point);
   bool FindFans(Id point);
   bool FollowFan(Id point, bool onHull, Fan& fan) const;
@@ -61,15 +46,14 @@ private:
   bool TriangulateFans(Id point, int way);
   bool CutEars(Id off, int side, Fan& fan, int start) const;
   bool FindSectors(Id point);
+  void AddOuterWall(Id point, Id cell, Sector& sector) const;
   bool AddFanWalls(Id point, const std::vector<Id>& sortedStar, const std::vector<Id>& sectorOf);
   bool Fill(Id point, VolumePoints volumePoints);
-  Id FindApex(const Sector& sector) const;
-  bool SeesAll(const Sector& sector, Id apex) const;
-  Id NewApex(Id point, const Sector& sector);
   void MarkPieces() const;
 
   FlippableMesh& Mesh;
   SegmentTable& Segments;
+  SectorFiller Filler;
 
   std::vector<Id> Star;
   Id Segment = None;

@@ -212,10 +212,19 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
     const Id start = this->Segments.EndsOf(segment)[0];
     const Id end = this->Segments.EndsOf(segment)[1];
-    const Crossing crossing = FirstCrossing(this->Mesh, a, b);
     Id point = None;
+    if (FirstCrossing(this->Mesh, a, b).Kind == Crossing::ThroughEdge &&
+      this->FlatFlips.MakeEdge(a, b))
+    {
+      return true;
+    }
+    const Crossing crossing = FirstCrossing(this->Mesh, a, b);
     if (crossing.Kind == Crossing::ThroughEdge)
     {
+      if (this->FlatFlips.StarEdge(crossing.U, crossing.V))
+      {
+        continue;
+      }
       const Id off = this->Mesh.VertexOffPlane(a, b, crossing.U);
       const DyadicNumber atA = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, start);
       const DyadicNumber atB = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, end);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "EdgeRemoval.h"
+#include "FlipFlat.h"
 #include "Monitor.h"
 #include "SegmentWalk.h"
 
@@ -16,6 +17,7 @@ public:
     , Segments(segments)
     , Progress(monitor)
     , Flips(mesh, segments)
+    , FlatFlips(mesh, segments)
   {
   }
 
@@ -54,5 +56,6 @@ private:
   SegmentTable& Segments;
   Monitor& Progress;
   FlipOperator Flips;
+  FlatFlipper FlatFlips;
 };
 } // namespace insideout
