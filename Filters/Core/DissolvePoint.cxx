@@ -247,7 +247,10 @@ bool PointDissolver::TriangulateFans(Id point, int way)
     }
     const int side = this->Mesh.Vertices.Orient(point, fan.Points[0], fan.Points[1], off);
     const std::size_t n = fan.Points.size();
-    if (n < 3)
+    const bool isFlat = std::all_of(fan.Points.begin(), fan.Points.end(),
+      [&](Id p)
+      { return this->Mesh.Vertices.Orient(point, fan.Points[0], fan.Points[1], p) == 0; });
+    if (n < 3 || !isFlat)
     {
       return false;
     }
