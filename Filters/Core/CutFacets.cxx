@@ -14,104 +14,126 @@ namespace
 struct Meeting
 {
   bool Overlap = false;
-  ExactSegment Segment;
+  ConstructedPoint First;
+  ConstructedPoint Last;
+  bool InPlane = false; ///< whether both lie in one plane
 };
 
-/** A facet with its corners in both kernels. */
-struct Facet
+/** The pair of facets whose meeting is looked for. */
+class Pair
 {
-  Facet(const std::vector<Point>& points, const Triangle& triangle)
+public:
+  Pair(const FacetList& surface, const std::array<Id, 2>& facets)
+    : Surface(surface)
+    , Facets(facets)
   {
-    for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 2; ++i)
     {
-      const Point& p = points[triangle[k]];
-      this->Corners[k] = FilteredPoint(p[0], p[1], p[2]);
-      this->Exact[k] = ToExact(p);
+      const Triangle& corners = surface.Facets[facets[i]];
+      for (int k = 0; k < 3; ++k)
+      {
+        const Point& p = surface.Points[corners[k]];
+        this->Corners[i][k] = FilteredPoint(p[0], p[1], p[2]);
+      }
     }
   }
 
-  FilteredTriangle Corners;
-  std::array<ExactPoint, 3> Exact;
+  Meeting Meet() const;
+
+private:
+  using Ends = std::array<LazyPoint, 2>;
+
+  Ends Span(const std::vector<ConstructedPoint>& points) const;
+  Ends SectionWithOther(int which, const std::array<int, 3>& sides) const;
+  Ends TouchInPlane() const;
+
+  const FacetList& Surface;
+  std::array<Id, 2> Facets;
+  std::array<FilteredTriangle, 2> Corners;
 };
 
-/** The ends of points on a line. */
-ExactSegment Span(const std::vector<ExactPoint>& points)
+/** The first and the last of points on a line. */
+Pair::Ends Pair::Span(const std::vector<ConstructedPoint>& points) const
 {
-  const auto ends =
-    std::minmax_element(points.begin(), points.end(), CGAL::Less<ExactPoint, ExactPoint>());
-  return { *ends.first, *ends.second };
+  const Point& origin = this->Surface.Points[this->Surface.Facets[this->Facets[0]][0]];
+  const LazyPoint point(points[0], this->Surface, origin);
+  Ends ends{ { point, point } };
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const LazyPoint next(points[i], this->Surface, origin);
+    if (Compare(next, ends[0]) < 0)
+    {
+      ends[0] = next;
+    }
+    else if (Compare(next, ends[1]) > 0)
+    {
+      ends[1] = next;
+    }
+  }
+  return ends;
 }
 
-/** Six times the signed volume of the tetrahedron over the facet: linear in the apex. */
-ExactNumber Height(const Facet& facet, const ExactPoint& apex)
+/** The part of one facet in the plane of the other, which is not its own; its corners lie on these
+ * sides of that plane. */
+Pair::Ends Pair::SectionWithOther(int which, const std::array<int, 3>& sides) const
 {
-  return CGAL::determinant(
-    facet.Exact[1] - facet.Exact[0], facet.Exact[2] - facet.Exact[0], apex - facet.Exact[0]);
-}
-
-/** The part of `facet` in the plane of `other`, which is not the facet's own. */
-ExactSegment SectionWithPlane(const Facet& facet, const Facet& other)
-{
-  const std::array<int, 3> sides = SidesOfPlane(other.Corners, facet.Corners);
-  std::vector<ExactPoint> section;
+  const Triangle& corners = this->Surface.Facets[this->Facets[which]];
+  std::vector<ConstructedPoint> section;
   for (int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3;
     if (sides[k] == 0)
     {
-      section.push_back(facet.Exact[k]);
+      section.push_back(ConstructedPoint::Corner(corners[k]));
     }
     else if (sides[k] * sides[next] < 0)
     {
-      const ExactPoint& p = facet.Exact[k];
-      const ExactPoint& q = facet.Exact[next];
-      section.push_back(ZeroBetween(p, Height(other, p), q, Height(other, q)));
+      section.push_back(
+        ConstructedPoint::EdgeOnFacet({ { corners[k], corners[next] } }, this->Facets[1 - which]));
     }
   }
-  return Span(section);
-}
-
-ExactSegment MeetInSpace(const Facet& a, const Facet& b)
-{
-  const ExactSegment p = SectionWithPlane(a, b);
-  const ExactSegment q = SectionWithPlane(b, a);
-  return { CGAL::max(p.First, q.First), CGAL::min(p.Last, q.Last) };
+  return this->Span(section);
 }
 
 /** The contact of two facets of one plane that have no area in common: it lies on an edge of each,
  * so its ends are corners. */
-ExactSegment TouchInPlane(const Facet& a, const Facet& b)
+Pair::Ends Pair::TouchInPlane() const
 {
-  std::vector<ExactPoint> common;
-  for (int k = 0; k < 3; ++k)
+  std::vector<ConstructedPoint> common;
+  for (int i = 0; i < 2; ++i)
   {
-    if (ContainsInPlane(a.Corners, b.Corners[k]))
+    for (int k = 0; k < 3; ++k)
     {
-      common.push_back(b.Exact[k]);
-    }
-    if (ContainsInPlane(b.Corners, a.Corners[k]))
-    {
-      common.push_back(a.Exact[k]);
+      if (ContainsInPlane(this->Corners[1 - i], this->Corners[i][k]))
+      {
+        common.push_back(ConstructedPoint::Corner(this->Surface.Facets[this->Facets[i]][k]));
+      }
     }
   }
-  return Span(common);
+  return this->Span(common);
 }
 
-Meeting Meet(const Facet& a, const Facet& b)
+Meeting Pair::Meet() const
 {
-  const std::array<int, 3> sides = SidesOfPlane(a.Corners, b.Corners);
+  const std::array<int, 3> sides = SidesOfPlane(this->Corners[0], this->Corners[1]);
   Meeting meeting;
-  if (sides[0] != 0 || sides[1] != 0 || sides[2] != 0)
+  meeting.InPlane = sides[0] == 0 && sides[1] == 0 && sides[2] == 0;
+  if (!meeting.InPlane)
   {
-    meeting.Segment = MeetInSpace(a, b);
+    const Ends p = this->SectionWithOther(0, SidesOfPlane(this->Corners[1], this->Corners[0]));
+    const Ends q = this->SectionWithOther(1, sides);
+    meeting.First = (Compare(p[0], q[0]) < 0 ? q[0] : p[0]).Name();
+    meeting.Last = (Compare(p[1], q[1]) < 0 ? p[1] : q[1]).Name();
   }
-  else if (OverlapInPlane(a.Corners, b.Corners))
+  else if (OverlapInPlane(this->Corners[0], this->Corners[1]))
   {
     meeting.Overlap = true;
   }
   else
   {
-    meeting.Segment = TouchInPlane(a, b);
+    const Ends touch = this->TouchInPlane();
+    meeting.First = touch[0].Name();
+    meeting.Last = touch[1].Name();
   }
   return meeting;
 }
@@ -147,11 +169,11 @@ private:
   std::vector<Id> Parents;
 };
 
-/** Facets of one plane and the segments in which others meet them. */
+/** Facets of one plane and where others meet them. */
 struct Group
 {
   std::vector<Id> Facets;
-  std::vector<const ExactSegment*> Segments;
+  std::vector<Cut> Cuts;
 };
 
 std::vector<Group> MakeGroups(std::size_t numberOfFacets,
@@ -186,56 +208,32 @@ std::vector<Group> MakeGroups(std::size_t numberOfFacets,
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    if (!meetings[i].Overlap)
+    const Meeting& meeting = meetings[i];
+    if (!meeting.Overlap)
     {
-      result[groupOf[pairs[i][0]]].Segments.push_back(&meetings[i].Segment);
-      result[groupOf[pairs[i][1]]].Segments.push_back(&meetings[i].Segment);
+      for (int k = 0; k < 2; ++k)
+      {
+        const Id other = meeting.InPlane ? None : pairs[i][1 - k];
+        result[groupOf[pairs[i][k]]].Cuts.push_back({ meeting.First, meeting.Last, other });
+      }
     }
   }
   return result;
 }
-
-PlanarSubdivision Cut(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, const Group& group)
-{
-  std::vector<std::array<Point, 3>> triangles;
-  for (const Id f : group.Facets)
-  {
-    const Triangle& corners = facets[f];
-    triangles.push_back({ points[corners[0]], points[corners[1]], points[corners[2]] });
-  }
-  std::vector<ExactSegment> segments;
-  for (const ExactSegment* segment : group.Segments)
-  {
-    segments.push_back(*segment);
-  }
-  PlanarSubdivision subdivision = SubdividePlane(triangles, segments);
-  for (Piece& piece : subdivision.Pieces)
-  {
-    for (PieceSource& source : piece.Sources)
-    {
-      source.Facet = group.Facets[source.Facet];
-    }
-  }
-  return subdivision;
-}
 } // namespace
 
-std::vector<PlanarSubdivision> CutFacets(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<std::array<Id, 2>>& pairs,
-  Monitor& monitor, const ProgressRange& progress)
+std::vector<PlanarSubdivision> CutFacets(const FacetList& surface,
+  const std::vector<std::array<Id, 2>>& pairs, Monitor& monitor, const ProgressRange& progress)
 {
   const double middle = (progress.Begin + progress.End) / 2;
   std::vector<Meeting> meetings(pairs.size());
   ParallelLoop(static_cast<Id>(pairs.size()), monitor, { progress.Stage, progress.Begin, middle },
-    [&](Id i) {
-      meetings[i] = Meet(Facet(points, facets[pairs[i][0]]), Facet(points, facets[pairs[i][1]]));
-    });
+    [&](Id i) { meetings[i] = Pair(surface, pairs[i]).Meet(); });
 
-  const std::vector<Group> groups = MakeGroups(facets.size(), pairs, meetings);
+  const std::vector<Group> groups = MakeGroups(surface.Facets.size(), pairs, meetings);
   std::vector<PlanarSubdivision> subdivisions(groups.size());
   ParallelLoop(static_cast<Id>(groups.size()), monitor, { progress.Stage, middle, progress.End },
-    [&](Id i) { subdivisions[i] = Cut(points, facets, groups[i]); });
+    [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i].Facets, groups[i].Cuts); });
   return subdivisions;
 }
 } // namespace insideout

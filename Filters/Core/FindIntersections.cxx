@@ -16,14 +16,15 @@ constexpr const char* Stage = "finding self-intersections";
 /** Facets that a thread takes at once. */
 constexpr Id BlockSize = 256;
 
+/** The bounding boxes of the facets from `begin` on. */
 std::vector<Box> BoundingBoxes(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets)
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id begin)
 {
   std::vector<Box> boxes;
-  boxes.reserve(facets.size());
-  for (const Triangle& facet : facets)
+  boxes.reserve(facets.size() - begin);
+  for (auto facet = facets.begin() + begin; facet != facets.end(); ++facet)
   {
-    boxes.push_back(BoundingBox(points, facet));
+    boxes.push_back(BoundingBox(points, *facet));
   }
   return boxes;
 }
@@ -40,19 +41,20 @@ std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& point
 {
   monitor.Check(Stage, 0);
   const Id count = static_cast<Id>(facets.size());
-  const BoxTree tree(BoundingBoxes(points, facets));
+  const BoxTree tree(BoundingBoxes(points, facets, firstNew));
   const std::vector<FilteredPoint> filtered = ToFiltered(points);
 
-  const Id blocks = (count - firstNew + BlockSize - 1) / BlockSize;
+  const Id blocks = (count + BlockSize - 1) / BlockSize;
   std::vector<std::vector<std::array<Id, 2>>> found(blocks);
   const auto search = [&](Id block)
   {
-    const Id begin = firstNew + block * BlockSize;
-    for (Id j = begin; j < std::min(begin + BlockSize, count); ++j)
+    const Id begin = block * BlockSize;
+    for (Id i = begin; i < std::min(begin + BlockSize, count); ++i)
     {
-      tree.Visit(tree[j],
-        [&](Id i)
+      tree.Visit(BoundingBox(points, facets[i]),
+        [&](Id leaf)
         {
+          const Id j = firstNew + leaf;
           if (i < j && MeetBeyondSharedCorners(filtered, facets[i], facets[j]))
           {
             found[block].push_back({ i, j });

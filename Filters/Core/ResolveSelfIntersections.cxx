@@ -4,14 +4,18 @@
 #include "CutFacets.h"
 #include "FindIntersections.h"
 #include "Interpolation.h"
+#include "ParallelLoop.h"
 #include "PointIndex.h"
+#include "SortedTriangle.h"
 #include "TrianglePredicates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
+#include <unordered_map>
 
 namespace insideout
 {
@@ -49,7 +53,7 @@ struct Meaning
   std::vector<FacetSource> Sources;
 };
 
-Meaning MeaningOf(const FacetComplex& surface, Id facet)
+Meaning MeaningOfGiven(const FacetComplex& surface, Id facet)
 {
   const auto sources = surface.Sources.begin();
   return { facet, surface.Multiplicity[facet],
@@ -69,19 +73,6 @@ void Add(Meaning& meaning, const Meaning& other, bool reversed)
       meaning.Sources.insert(place, { source.Triangle, source.Reversed != reversed });
     }
   }
-}
-
-Triangle Sorted(Triangle triangle)
-{
-  std::sort(triangle.begin(), triangle.end());
-  return triangle;
-}
-
-/** Whether two triangles with the same corners run opposite ways. */
-bool AreOpposite(const Triangle& a, const Triangle& b)
-{
-  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
-  return a[1] != b[(first + 1) % 3];
 }
 
 double LargestCoordinate(const std::vector<Point>& points)
@@ -133,10 +124,9 @@ struct CutFacet
 struct State
 {
   std::vector<Point> Points;
-  std::vector<PointOrigin> Origins;
   std::vector<Triangle> Facets;
-  std::vector<Meaning> Meanings; ///< one per facet
-  Pairs Crossings;               ///< pairs of facets that cross
+  std::vector<Id> MeaningIds; ///< one per facet: a given facet, or beyond those a piece's meaning
+  Pairs Crossings;            ///< pairs of facets that cross
 };
 
 class Resolver
@@ -147,15 +137,19 @@ public:
 
 private:
   void CutRepeatedly();
-  Id Cut();
-  void PreparePoints();
-  std::vector<CutFacet> TakePieces(const PlanarSubdivision& subdivision);
-  std::vector<Id> PlacePoints(const PlanarSubdivision& subdivision);
+  Id Cut(const ProgressRange& progress);
+  void PrepareSnapping();
+  std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
-  PointOrigin OriginOf(const Point& p, Id root) const;
-  Id KeepUncut();
+  void KeepUncut();
+  std::vector<CutFacet> TakePieces(const std::vector<PlanarSubdivision>& subdivisions,
+    const std::vector<std::vector<Id>>& ids) const;
   void AddFacets(std::vector<CutFacet> facets);
-  FacetComplex Assemble(const std::vector<Id>& leftOut) const;
+  Id AddMeaning(Meaning meaning);
+  Id RootOf(Id meaning) const;
+  Meaning MeaningOf(Id meaning) const;
+  FacetComplex Assemble(const std::vector<Id>& leftOut);
+  std::vector<PointOrigin> OriginsOf(const std::vector<Point>& points) const;
 
   const FacetComplex& Surface;
   Monitor& Watch;
@@ -163,6 +157,8 @@ private:
   int Round = 0;
 
   State Now;
+  std::vector<Meaning> Meanings; ///< of pieces, of all rounds
+  std::vector<Id> Roots;         ///< of new points: the given facet that they lie on
 
   PointIndex Positions{ 0 }; ///< of all points
   PointIndex Nearby{ 0 };    ///< the points that new ones of this round may snap to
@@ -175,13 +171,10 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
   , Size(LargestCoordinate(surface.Points))
 {
   this->Now.Points = surface.Points;
-  this->Now.Origins = surface.Origins;
   this->Now.Facets.assign(
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  for (Id f = 0; f < surface.NumberOfConstraints; ++f)
-  {
-    this->Now.Meanings.push_back(MeaningOf(surface, f));
-  }
+  this->Now.MeaningIds.resize(surface.NumberOfConstraints);
+  std::iota(this->Now.MeaningIds.begin(), this->Now.MeaningIds.end(), 0);
 }
 
 Resolution Resolver::Resolve()
@@ -211,10 +204,17 @@ void Resolver::CutRepeatedly()
   while (!this->Now.Crossings.empty() && this->Round < MaximumRounds)
   {
     ++this->Round;
-    const Id firstNew = this->Cut();
+    // How many rounds there will be is unknown: each takes half of the progress that is left.
+    const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
+    const double end = 1 - std::ldexp(1.0, -this->Round);
+    const Id firstNew = this->Cut({ Stage, begin, end });
     this->Now.Crossings =
       FindIntersections(this->Now.Points, this->Now.Facets, firstNew, this->Watch);
     const std::size_t count = this->Now.Crossings.size();
+    if (count == 0)
+    {
+      return;
+    }
     if (bestRound == 0 || count < best.Crossings.size())
     {
       best = this->Now;
@@ -232,29 +232,23 @@ void Resolver::CutRepeatedly()
  * Cuts the facets that cross. Afterwards the uncut facets come first.
  * @return the first new facet
  */
-Id Resolver::Cut()
+Id Resolver::Cut(const ProgressRange& progress)
 {
-  // How many rounds there will be is unknown: each takes half of the progress that is left.
-  const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
-  const double end = 1 - std::ldexp(1.0, -this->Round);
-  this->Watch.Check(Stage, begin);
-  const std::vector<PlanarSubdivision> subdivisions = CutFacets(
-    this->Now.Points, this->Now.Facets, this->Now.Crossings, this->Watch, { Stage, begin, end });
-
-  this->PreparePoints();
-  std::vector<CutFacet> pieces;
-  for (const PlanarSubdivision& subdivision : subdivisions)
-  {
-    std::vector<CutFacet> taken = this->TakePieces(subdivision);
-    std::move(taken.begin(), taken.end(), std::back_inserter(pieces));
-  }
-  this->Watch.Check(Stage, end);
-  const Id firstNew = this->KeepUncut();
+  this->Watch.Check(Stage, progress.Begin);
+  const FacetList facets{ this->Now.Points, this->Now.Facets };
+  const std::vector<PlanarSubdivision> subdivisions =
+    CutFacets(facets, this->Now.Crossings, this->Watch, progress);
+  this->PrepareSnapping();
+  const std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
+  this->Watch.Check(Stage, progress.End);
+  std::vector<CutFacet> pieces = this->TakePieces(subdivisions, ids);
+  this->KeepUncut();
+  const Id firstNew = static_cast<Id>(this->Now.Facets.size());
   this->AddFacets(std::move(pieces));
   return firstNew;
 }
 
-void Resolver::PreparePoints()
+void Resolver::PrepareSnapping()
 {
   this->Moved = PointIndex(0);
   this->Nearby = PointIndex(SnappingRadius(this->Round, this->Size));
@@ -275,42 +269,47 @@ void Resolver::PreparePoints()
   }
 }
 
-/** The pieces with their points placed; those that rounding made degenerate are dropped. */
-std::vector<CutFacet> Resolver::TakePieces(const PlanarSubdivision& subdivision)
+/**
+ * Gives every point of the subdivisions a place: each name is rounded once.
+ * @return the ids of the points, by subdivision
+ */
+std::vector<std::vector<Id>> Resolver::PlacePoints(
+  const std::vector<PlanarSubdivision>& subdivisions)
 {
-  const std::vector<Id> ids = this->PlacePoints(subdivision);
-  std::vector<CutFacet> facets;
-  for (const Piece& piece : subdivision.Pieces)
+  std::vector<ConstructedPoint> names;
+  for (const PlanarSubdivision& subdivision : subdivisions)
   {
-    const Triangle corners = { ids[piece.Corners[0]], ids[piece.Corners[1]],
-      ids[piece.Corners[2]] };
-    if (IsDegenerate(
-          this->Now.Points[corners[0]], this->Now.Points[corners[1]], this->Now.Points[corners[2]]))
-    {
-      continue;
-    }
-    CutFacet facet{ corners, {} };
-    facet.Means.Root = this->Now.Meanings[piece.Sources[0].Facet].Root;
-    for (const PieceSource& source : piece.Sources)
-    {
-      Add(facet.Means, this->Now.Meanings[source.Facet], source.Reversed);
-    }
-    facets.push_back(std::move(facet));
+    names.insert(names.end(), subdivision.Points.begin(), subdivision.Points.end());
   }
-  return facets;
-}
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
 
-std::vector<Id> Resolver::PlacePoints(const PlanarSubdivision& subdivision)
-{
-  std::vector<Id> ids(subdivision.Points.size(), None);
-  for (const Piece& piece : subdivision.Pieces)
+  std::vector<Point> rounded(names.size());
+  const FacetList facets{ this->Now.Points, this->Now.Facets };
+  ParallelLoop(static_cast<Id>(names.size()), this->Watch, { Stage, 0, 0 },
+    [&](Id i) { rounded[i] = Nearest(names[i], facets); });
+
+  std::vector<Id> placed(names.size(), None);
+  std::vector<std::vector<Id>> ids;
+  for (const PlanarSubdivision& subdivision : subdivisions)
   {
-    for (const Id p : piece.Corners)
+    ids.emplace_back(subdivision.Points.size(), None);
+    for (const Piece& piece : subdivision.Pieces)
     {
-      if (ids[p] == None)
+      const Id root = this->RootOf(this->Now.MeaningIds[piece.Sources[0].Facet]);
+      for (const Id p : piece.Corners)
       {
-        const Id root = this->Now.Meanings[piece.Sources[0].Facet].Root;
-        ids[p] = this->PlacePoint(subdivision.Points[p], root);
+        if (ids.back()[p] != None)
+        {
+          continue;
+        }
+        const auto at =
+          std::lower_bound(names.begin(), names.end(), subdivision.Points[p]) - names.begin();
+        if (placed[at] == None)
+        {
+          placed[at] = this->PlacePoint(rounded[at], root);
+        }
+        ids.back()[p] = placed[at];
       }
     }
   }
@@ -338,28 +337,44 @@ Id Resolver::PlacePoint(const Point& p, Id root)
   }
   const Id id = static_cast<Id>(this->Now.Points.size());
   this->Now.Points.push_back(p);
-  this->Now.Origins.push_back(this->OriginOf(p, root));
+  this->Roots.push_back(root);
   this->Positions.Add(p, id);
   this->Nearby.Add(p, id);
   return id;
 }
 
-PointOrigin Resolver::OriginOf(const Point& p, Id root) const
+/** The pieces with their points placed; those that rounding made degenerate are dropped. */
+std::vector<CutFacet> Resolver::TakePieces(
+  const std::vector<PlanarSubdivision>& subdivisions, const std::vector<std::vector<Id>>& ids) const
 {
-  const Triangle& corners = this->Surface.Facets[root];
-  PointOrigin origin;
-  std::array<Point, 3> triangle;
-  for (int k = 0; k < 3; ++k)
+  std::vector<CutFacet> facets;
+  for (std::size_t s = 0; s < subdivisions.size(); ++s)
   {
-    origin.Points[k] = this->Surface.Origins[corners[k]].Points[0];
-    triangle[k] = this->Surface.Points[corners[k]];
+    for (const Piece& piece : subdivisions[s].Pieces)
+    {
+      CutFacet facet;
+      for (int k = 0; k < 3; ++k)
+      {
+        facet.Corners[k] = ids[s][piece.Corners[k]];
+      }
+      if (IsDegenerate(this->Now.Points[facet.Corners[0]], this->Now.Points[facet.Corners[1]],
+            this->Now.Points[facet.Corners[2]]))
+      {
+        continue;
+      }
+      facet.Means.Root = this->RootOf(this->Now.MeaningIds[piece.Sources[0].Facet]);
+      for (const PieceSource& source : piece.Sources)
+      {
+        Add(facet.Means, this->MeaningOf(this->Now.MeaningIds[source.Facet]), source.Reversed);
+      }
+      facets.push_back(std::move(facet));
+    }
   }
-  origin.Weights = BarycentricWeights(triangle, p);
-  return origin;
+  return facets;
 }
 
-/** Removes the facets that cross; returns how many are left. */
-Id Resolver::KeepUncut()
+/** Removes the facets that cross. */
+void Resolver::KeepUncut()
 {
   std::vector<char> isCut(this->Now.Facets.size(), 0);
   for (const auto& pair : this->Now.Crossings)
@@ -371,17 +386,13 @@ Id Resolver::KeepUncut()
   {
     if (!isCut[f])
     {
-      if (kept != f)
-      {
-        this->Now.Facets[kept] = this->Now.Facets[f];
-        this->Now.Meanings[kept] = std::move(this->Now.Meanings[f]);
-      }
+      this->Now.Facets[kept] = this->Now.Facets[f];
+      this->Now.MeaningIds[kept] = this->Now.MeaningIds[f];
       ++kept;
     }
   }
   this->Now.Facets.resize(kept);
-  this->Now.Meanings.resize(kept);
-  return static_cast<Id>(kept);
+  this->Now.MeaningIds.resize(kept);
 }
 
 /** Adds facets, or what they mean to the ones with the same corners. */
@@ -392,28 +403,50 @@ void Resolver::AddFacets(std::vector<CutFacet> facets)
   {
     touched[facet.Corners[0]] = touched[facet.Corners[1]] = touched[facet.Corners[2]] = 1;
   }
-  std::map<Triangle, Id> ids;
+  std::unordered_map<Triangle, Id, HashOfTriangle> known;
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
     const Triangle& corners = this->Now.Facets[f];
     if (touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
     {
-      ids.insert({ Sorted(corners), f });
+      known.insert({ SortedTriangle(corners).Points, f });
     }
   }
   for (CutFacet& facet : facets)
   {
+    const SortedTriangle sorted(facet.Corners);
     const Id next = static_cast<Id>(this->Now.Facets.size());
-    const auto inserted = ids.insert({ Sorted(facet.Corners), next });
+    const auto inserted = known.insert({ sorted.Points, next });
     if (inserted.second)
     {
       this->Now.Facets.push_back(facet.Corners);
-      this->Now.Meanings.push_back(std::move(facet.Means));
+      this->Now.MeaningIds.push_back(this->AddMeaning(std::move(facet.Means)));
       continue;
     }
     const Id same = inserted.first->second;
-    Add(this->Now.Meanings[same], facet.Means, AreOpposite(this->Now.Facets[same], facet.Corners));
+    Meaning sum = this->MeaningOf(this->Now.MeaningIds[same]);
+    Add(sum, facet.Means, SortedTriangle(this->Now.Facets[same]).Turned != sorted.Turned);
+    this->Now.MeaningIds[same] = this->AddMeaning(std::move(sum));
   }
+}
+
+Id Resolver::AddMeaning(Meaning meaning)
+{
+  this->Meanings.push_back(std::move(meaning));
+  return static_cast<Id>(this->Surface.Facets.size() + this->Meanings.size() - 1);
+}
+
+/** The meaning with this number: a given facet's, or beyond those a piece's. */
+Meaning Resolver::MeaningOf(Id meaning) const
+{
+  const Id given = this->Surface.NumberOfFacets();
+  return meaning < given ? MeaningOfGiven(this->Surface, meaning) : this->Meanings[meaning - given];
+}
+
+Id Resolver::RootOf(Id meaning) const
+{
+  const Id given = this->Surface.NumberOfFacets();
+  return meaning < given ? meaning : this->Meanings[meaning - given].Root;
 }
 
 std::int16_t CheckedMultiplicity(const Meaning& meaning)
@@ -436,11 +469,9 @@ void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meani
 }
 
 /** The constraints, then what is left out of them, then what the given complex had left out. */
-FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut) const
+FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut)
 {
   FacetComplex surface;
-  surface.Points = this->Now.Points;
-  surface.Origins = this->Now.Origins;
   auto next = leftOut.begin();
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
@@ -449,18 +480,42 @@ FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut) const
       ++next;
       continue;
     }
-    Append(surface, this->Now.Facets[f], this->Now.Meanings[f]);
+    Append(surface, this->Now.Facets[f], this->MeaningOf(this->Now.MeaningIds[f]));
   }
   surface.NumberOfConstraints = surface.NumberOfFacets();
   for (const Id f : leftOut)
   {
-    Append(surface, this->Now.Facets[f], this->Now.Meanings[f]);
+    Append(surface, this->Now.Facets[f], this->MeaningOf(this->Now.MeaningIds[f]));
   }
   for (Id f = this->Surface.NumberOfConstraints; f < this->Surface.NumberOfFacets(); ++f)
   {
-    Append(surface, this->Surface.Facets[f], MeaningOf(this->Surface, f));
+    Append(surface, this->Surface.Facets[f], MeaningOfGiven(this->Surface, f));
   }
+  surface.Points = std::move(this->Now.Points);
+  surface.Origins = this->OriginsOf(surface.Points);
   return surface;
+}
+
+/** Where points come from: the given ones as they were, new ones from the facet they lie on. */
+std::vector<PointOrigin> Resolver::OriginsOf(const std::vector<Point>& points) const
+{
+  std::vector<PointOrigin> origins = this->Surface.Origins;
+  const Id given = static_cast<Id>(origins.size());
+  origins.resize(points.size());
+  ParallelLoop(static_cast<Id>(points.size()) - given, this->Watch, { Stage, 1, 1 },
+    [&](Id i)
+    {
+      const Triangle& corners = this->Surface.Facets[this->Roots[i]];
+      PointOrigin& origin = origins[given + i];
+      std::array<Point, 3> triangle;
+      for (int k = 0; k < 3; ++k)
+      {
+        origin.Points[k] = this->Surface.Origins[corners[k]].Points[0];
+        triangle[k] = this->Surface.Points[corners[k]];
+      }
+      origin.Weights = BarycentricWeights(triangle, points[given + i]);
+    });
+  return origins;
 }
 } // namespace
 
