@@ -5,6 +5,8 @@
 #include "ParallelLoop.h"
 #include "TrianglePredicates.h"
 
+#include <CGAL/Simple_cartesian.h>
+
 #include <algorithm>
 
 namespace insideout
@@ -15,6 +17,17 @@ constexpr const char* Stage = "tracing intersections";
 
 /** Pairs or points that a thread takes at once. */
 constexpr Id BlockSize = 256;
+
+// Every construction is wanted exactly, so that lazy evaluation would only cost.
+using Rational = ExactNumber::ET;
+using RationalKernel = CGAL::Simple_cartesian<Rational>;
+using RationalPoint = RationalKernel::Point_3;
+using RationalVector = RationalKernel::Vector_3;
+
+RationalPoint ToRational(const Point& p)
+{
+  return { Rational(p[0]), Rational(p[1]), Rational(p[2]) };
+}
 
 /**
  * What a point of a curve is, so that facets around it agree without comparing coordinates: the
@@ -100,7 +113,13 @@ public:
   /** The exact place, each coordinate rounded to the nearest double. */
   Point Round(const CurvePoint& point) const
   {
-    return point[1] == None ? this->Points[point[0]] : Nearest(this->Locate(point));
+    if (point[1] == None)
+    {
+      return this->Points[point[0]];
+    }
+    const RationalPoint exact = this->Locate(point);
+    return { Nearest(ExactNumber(exact.x())), Nearest(ExactNumber(exact.y())),
+      Nearest(ExactNumber(exact.z())) };
   }
 
 private:
@@ -193,33 +212,40 @@ private:
     }
   }
 
-  ExactPoint Locate(const CurvePoint& point) const
+  RationalPoint Locate(const CurvePoint& point) const
   {
-    const ExactPoint p = ToExact(this->Points[point[0]]);
+    const RationalPoint p = ToRational(this->Points[point[0]]);
     if (point[1] == None)
     {
       return p;
     }
-    const ExactPoint q = ToExact(this->Points[point[1]]);
+    const RationalPoint q = ToRational(this->Points[point[1]]);
     if (point[3] != None)
     {
       return CrossingOfLines(
-        p, q, ToExact(this->Points[point[2]]), ToExact(this->Points[point[3]]));
+        p, q, ToRational(this->Points[point[2]]), ToRational(this->Points[point[3]]));
     }
     const Triangle& facet = this->Facets[point[2]];
-    const ExactPoint origin = ToExact(this->Points[facet[0]]);
-    const auto normal = CGAL::cross_product(
-      ToExact(this->Points[facet[1]]) - origin, ToExact(this->Points[facet[2]]) - origin);
-    return ZeroBetween(p, normal * (p - origin), q, normal * (q - origin));
+    const RationalPoint origin = ToRational(this->Points[facet[0]]);
+    const RationalVector normal = CGAL::cross_product(
+      ToRational(this->Points[facet[1]]) - origin, ToRational(this->Points[facet[2]]) - origin);
+    return CrossingWithPlane(p, q, origin, normal);
   }
 
   /** Where the line from p to q meets that from r to s, in the same plane and not parallel. */
-  static ExactPoint CrossingOfLines(
-    const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, const ExactPoint& s)
+  static RationalPoint CrossingOfLines(
+    const RationalPoint& p, const RationalPoint& q, const RationalPoint& r, const RationalPoint& s)
   {
-    const auto normal = CGAL::cross_product(q - p, s - r);
-    const auto across = CGAL::cross_product(s - r, normal); // to the line rs, in the plane
-    return ZeroBetween(p, across * (p - r), q, across * (q - r));
+    const RationalVector normal = CGAL::cross_product(q - p, s - r);
+    return CrossingWithPlane(p, q, r, CGAL::cross_product(s - r, normal));
+  }
+
+  static RationalPoint CrossingWithPlane(const RationalPoint& p, const RationalPoint& q,
+    const RationalPoint& origin, const RationalVector& normal)
+  {
+    const Rational height = normal * (p - origin);
+    const Rational rise = normal * (q - p);
+    return p - (q - p) * Rational(height / rise);
   }
 
   const std::vector<Point>& Points;
