@@ -215,11 +215,10 @@ SurfaceDefects FindSurfaceDefects(const TriangleSoup& soup, double mergeToleranc
 {
   CountedChainParameters parameters;
   parameters.MergeTolerance = mergeTolerance;
-  CountedChain chain = CountFacets(soup, parameters, monitor);
+  const CountedChain chain = CountFacets(soup, parameters, monitor);
   const FacetComplex& surface = chain.Surface;
   SurfaceDefects defects;
   defects.Counts = chain.Counts;
-  defects.Warnings = std::move(chain.Warnings);
   defects.Planar = LiesInOnePlane(surface);
 
   const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);

@@ -50,7 +50,7 @@ struct SurfaceDefects
   Id NearPoints = 0;       ///< that lie nearer to another than NearDistance, after merging
   double NearDistance = 0; ///< a millionth of the diagonal of the bounding box
 
-  std::vector<std::string> Warnings;
+  std::vector<std::string> Warnings; ///< what to do about it; not what the counts say
 };
 
 /**
