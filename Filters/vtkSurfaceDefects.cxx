@@ -159,7 +159,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
   data->AddArray(duplicate);
   data->AddArray(inconsistent);
   data->AddArray(twoSided);
-  data->SetScalars(color);
+  data->AddArray(color);
 }
 
 /** The type of each cell of output 1, in VTK's order: vertices, then lines. */
@@ -194,7 +194,7 @@ void NameLines(const std::vector<DefectType>& types, vtkCellData* data)
   }
   data->AddArray(type);
   data->AddArray(name);
-  data->SetScalars(color);
+  data->AddArray(color);
 }
 } // namespace
 

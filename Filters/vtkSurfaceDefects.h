@@ -18,14 +18,14 @@
  * - Inconsistent (unsigned char): 1 where a neighbor across an edge of exactly two facets faces the
  *   other way
  * - TwoSided (unsigned char): 1 where the whole component is given in both orientations
- * - DefectColor (3 unsigned char, the active scalars): red where SelfIntersections is above 0, else
+ * - DefectColor (3 unsigned char): red where SelfIntersections is above 0, else
  *   a light color per component
  *
  * Output 1, the lines: polylines, and vertices where facets only touch, with the point array
  * vtkOriginalPointIds (-1 on intersection curves) and the cell arrays
  * - DefectType (int): a DefectTypes
  * - DefectName (string): the same in words
- * - DefectColor (3 unsigned char, the active scalars): open boundary dark red, non-manifold purple,
+ * - DefectColor (3 unsigned char): open boundary dark red, non-manifold purple,
  *   inconsistent orange, intersection curves black
  *
  * Both carry field data Statistics_NAME, a double each: the counts of vtkResolveSelfIntersections,
