@@ -219,7 +219,7 @@ TEST(SurfaceDefects, SayThatASurfaceLiesInOnePlane)
 
 TEST(SurfaceDefects, CountWhatTheyMark)
 {
-  for (unsigned seed = 0; seed < 60; ++seed)
+  for (unsigned seed = 0; seed < 15; ++seed)
   {
     // Few points, so that edges have many facets; some triangles twice, some turned over.
     TriangleSoup soup = GridSoup(seed, 40, 3);
@@ -255,7 +255,7 @@ TEST(SurfaceDefects, CountWhatTheyMark)
 
 TEST(SurfaceDefects, DrawEveryEdgeThatTheyCountOnce)
 {
-  for (unsigned seed = 0; seed < 60; ++seed)
+  for (unsigned seed = 0; seed < 15; ++seed)
   {
     const TriangleSoup soup = GridSoup(seed, 30, 3);
     const SurfaceDefects defects = Find(soup);
@@ -290,7 +290,7 @@ TEST(SurfaceDefects, DrawEveryEdgeThatTheyCountOnce)
 
 TEST(SurfaceDefects, GoWithTheTrianglesInWhateverOrderTheyCome)
 {
-  for (unsigned seed = 0; seed < 30; ++seed)
+  for (unsigned seed = 0; seed < 10; ++seed)
   {
     const TriangleSoup soup = GridSoup(seed, 40, 3);
     std::vector<Id> order(soup.Triangles.size());
