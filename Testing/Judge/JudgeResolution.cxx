@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CountedChain.h"
+#include "ExactReference.h"
 #include "ReadTriangles.h"
 #include "ResolutionLaws.h"
 #include "Statistics.h"
@@ -69,44 +70,78 @@ void PrintRow(const std::string& name, const FacetComplex& before, const Resolut
   }
 }
 
+/** What came of the surfaces of a family. */
+struct Tally
+{
+  Id Facets = 0;
+  Id Resolved = 0;
+  Id LeftOut = 0;
+  Id Folds = 0;
+  double Seconds = 0;
+  int Broken = 0; ///< surfaces with a law broken, or not resolved in time
+};
+
+/** Whether the pairs that the resolver says it found are those that there are. */
+bool ArePairs(const Resolution& resolution, const FacetComplex& before)
+{
+  const std::vector<Triangle> constraints(
+    before.Facets.begin(), before.Facets.begin() + before.NumberOfConstraints);
+  return resolution.IntersectingPairs == IntersectionsBySweep(before.Points, constraints);
+}
+
 /**
- * Validates, resolves and judges; prints what came out. An error in the surface is none of the
- * resolver's; to be stopped is.
+ * Validates, resolves and judges. Prints a line, in `quiet` only where something is wrong. An error
+ * in the surface is none of the resolver's and is thrown on; to be stopped is.
  */
-bool JudgeSoup(const std::string& name, const TriangleSoup& soup, double seconds)
+void JudgeSoup(
+  const std::string& name, const TriangleSoup& soup, double seconds, bool quiet, Tally& tally)
 {
   Monitor patient;
   const FacetComplex before = CountFacets(soup, {}, patient).Surface;
+  tally.Facets += before.NumberOfFacets();
   Deadline time(seconds);
   try
   {
     const Resolution resolution = ResolveSelfIntersections(before, time);
     time.EndSilence();
-    const ResolutionJudgement judged = JudgeResolution(before, resolution.Surface, WindingPoints);
-    PrintRow(name, before, resolution, time, judged);
-    return judged.Violations.empty();
+    ResolutionJudgement judged = JudgeResolution(before, resolution.Surface, WindingPoints);
+    if (!ArePairs(resolution, before))
+    {
+      judged.Violations.push_back("the intersecting pairs are others");
+    }
+    tally.Resolved += resolution.Surface.NumberOfFacets();
+    tally.LeftOut += judged.LeftOut;
+    tally.Folds += judged.Folds;
+    tally.Broken += judged.Violations.empty() ? 0 : 1;
+    if (!quiet || !judged.Violations.empty())
+    {
+      PrintRow(name, before, resolution, time, judged);
+    }
   }
   catch (const Error& error)
   {
     time.EndSilence();
+    ++tally.Broken;
     std::printf("%-44s %8d %8s %6s %8.2f %8.2f  %s\n", name.c_str(), before.NumberOfFacets(), "-",
       "-", time.Elapsed, time.LongestSilence, error.what());
-    return false;
   }
+  tally.Seconds += time.Elapsed;
 }
 
 bool JudgeFile(const std::string& path, double seconds)
 {
   const std::string name = path.substr(path.find_last_of('/') + 1);
+  Tally tally;
   try
   {
-    return JudgeSoup(name, ReadTriangles(path), seconds);
+    JudgeSoup(name, ReadTriangles(path), seconds, false, tally);
   }
   catch (const Error& error)
   {
     std::printf("%-44s no valid surface: %s\n", name.c_str(), error.what());
-    return true;
+    return error.Code != ErrorCode::FileUnreadable;
   }
+  return tally.Broken == 0;
 }
 
 bool JudgeFamilies(int members, double seconds)
@@ -116,11 +151,17 @@ bool JudgeFamilies(int members, double seconds)
   bool allGood = true;
   for (const SurfaceFamily& family : families)
   {
+    Tally tally;
     for (std::size_t i = 0; i < family.Members.size(); ++i)
     {
-      allGood =
-        JudgeSoup(family.Name + "-" + std::to_string(i), family.Members[i], seconds) && allGood;
+      JudgeSoup(family.Name + "-" + std::to_string(i), family.Members[i], seconds, true, tally);
     }
+    std::printf("family %s: %zu surfaces, %d facets, %d resolved, %d left out, %d folded, "
+                "%.2f seconds, %d broken\n",
+      family.Name.c_str(), family.Members.size(), tally.Facets, tally.Resolved, tally.LeftOut,
+      tally.Folds, tally.Seconds, tally.Broken);
+    std::fflush(stdout);
+    allGood = allGood && tally.Broken == 0;
   }
   return allGood;
 }
@@ -129,9 +170,9 @@ bool JudgeFamilies(int members, double seconds)
 /**
  * JudgeResolution [--seconds N] [--families MEMBERS] [SURFACE...]: judges the resolver on surface
  * files, and on MEMBERS of each family of hard surfaces (ResolutionLaws.h, SurfaceFamilies.h). One
- * line per surface; `silence` is the longest time in which the resolver could not be stopped,
- * offset, area and w are ResolutionJudgement's. Exit status 1 where a law is broken or the N
- * seconds (600) were over.
+ * line per file, and per family and what is broken there; `silence` is the longest time in which
+ * the resolver could not be stopped, offset, area and w are ResolutionJudgement's. Exit status 1
+ * where a law is broken, the N seconds (600) were over, or a file cannot be read.
  */
 int main(int argc, char** argv)
 {

@@ -15,8 +15,7 @@ using namespace insideout;
 /** What a family of surfaces promises. */
 enum class Expectation
 {
-  NoFolds,          ///< every facet can be resolved, and no piece is turned over by rounding
-  NothingLeftOut,   ///< every facet can be resolved
+  NothingLeftOut,   ///< every facet can be resolved, and no piece is turned over by rounding
   MayLeaveFacetsOut ///< layers nearer to each other than rounding: some facets may be left out
 };
 
