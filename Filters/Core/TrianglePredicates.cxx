@@ -48,6 +48,22 @@ std::array<int, 3> SharedCorners(const Triangle& a, const Triangle& b)
   return shared;
 }
 
+/** Whether all corners that are not shared lie on one side, so that nothing else is. */
+bool Apart(const std::array<int, 3>& sides, const std::array<int, 3>& shared)
+{
+  int low = 1;
+  int high = -1;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (shared[k] == None)
+    {
+      low = std::min(low, sides[k]);
+      high = std::max(high, sides[k]);
+    }
+  }
+  return low == high && low != 0;
+}
+
 /** SidesOfPlane, but a corner that both share is on the plane without asking. */
 std::array<int, 3> SidesOfPlane(const std::vector<FilteredPoint>& points, const Triangle& triangle,
   const Triangle& other, const std::array<int, 3>& sharedOfOther)
@@ -231,13 +247,13 @@ bool MeetBeyondSharedCorners(
     // Else they lie on either side of the line through their common edge, or in two planes.
     return coplanar && OverlapInPlane(Corners(points, a), Corners(points, b));
   }
-  if (Apart(sidesOfB))
+  if (Apart(sidesOfB, sharedOfB))
   {
     return false;
   }
   const std::array<int, 3> sidesOfA =
     coplanar ? std::array<int, 3>{ { 0, 0, 0 } } : SidesOfPlane(points, b, a, sharedOfA);
-  if (Apart(sidesOfA))
+  if (Apart(sidesOfA, sharedOfA))
   {
     return false;
   }
