@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ResolveSelfIntersections.h"
 
+#include "CollapseSlivers.h"
 #include "CutFacets.h"
 #include "FindIntersections.h"
 #include "Interpolation.h"
@@ -34,13 +35,13 @@ constexpr int Patience = 6;
 constexpr std::size_t Divergence = 4;
 
 /**
- * How far new points move at most to an existing point, relative to the largest coordinate: in the
- * first round not at all; then some spacings of the doubles, because new points nearer than that to
- * old ones make slivers that cross again. Over all rounds the sum stays below 1e-12.
+ * How near two points, or a point and an edge, are at most taken for one: some spacings of the
+ * doubles, because what lies nearer makes slivers that cross again. Over all rounds the sum stays
+ * below 1e-12 of the largest coordinate.
  */
-double SnappingRadius(int round, double largestCoordinate)
+double SnappingRadius(double largestCoordinate)
 {
-  return round == 1 ? 0 : std::ldexp(largestCoordinate, -45);
+  return std::ldexp(largestCoordinate, -45);
 }
 
 using Pairs = std::vector<std::array<Id, 2>>;
@@ -48,9 +49,9 @@ using Pairs = std::vector<std::array<Id, 2>>;
 /** What a facet stands for, beside its corners. */
 struct Meaning
 {
-  Id Root = None;       ///< a facet of the given complex that it is a piece of
-  int Multiplicity = 0; ///< along its own orientation
-  std::vector<FacetSource> Sources;
+  Id Root = None;                   ///< a facet of the given complex that it is a piece of
+  int Multiplicity = 0;             ///< along its own orientation
+  std::vector<FacetSource> Sources; ///< by triangle; one triangle's are all turned alike
 };
 
 Meaning MeaningOfGiven(const FacetComplex& surface, Id facet)
@@ -60,17 +61,26 @@ Meaning MeaningOfGiven(const FacetComplex& surface, Id facet)
     { sources + surface.SourceOffsets[facet], sources + surface.SourceOffsets[facet + 1] } };
 }
 
-/** Adds the sources and multiplicity of a coinciding facet, or of the reverse of one. */
+/**
+ * Adds the sources and multiplicity of a coinciding facet, or of the reverse of one. Where rounding
+ * folded a triangle onto itself, its piece and the reverse of that cancel.
+ */
 void Add(Meaning& meaning, const Meaning& other, bool reversed)
 {
   meaning.Multiplicity += reversed ? -other.Multiplicity : other.Multiplicity;
   for (const FacetSource& source : other.Sources)
   {
-    const auto place = std::lower_bound(meaning.Sources.begin(), meaning.Sources.end(), source,
+    const FacetSource added = { source.Triangle, source.Reversed != reversed };
+    const auto place = std::lower_bound(meaning.Sources.begin(), meaning.Sources.end(), added,
       [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
-    if (place == meaning.Sources.end() || place->Triangle != source.Triangle)
+    if (place != meaning.Sources.end() && place->Triangle == added.Triangle &&
+      place->Reversed != added.Reversed)
     {
-      meaning.Sources.insert(place, { source.Triangle, source.Reversed != reversed });
+      meaning.Sources.erase(place);
+    }
+    else
+    {
+      meaning.Sources.insert(place, added);
     }
   }
 }
@@ -126,6 +136,7 @@ struct State
   std::vector<Point> Points;
   std::vector<Triangle> Facets;
   std::vector<Id> MeaningIds; ///< one per facet: a given facet, or beyond those a piece's meaning
+  Id FirstUnchecked = 0;      ///< facets from here on were not searched for crossings
   Pairs Crossings;            ///< pairs of facets that cross
 };
 
@@ -137,14 +148,18 @@ public:
 
 private:
   void CutRepeatedly();
-  Id Cut(const ProgressRange& progress);
+  void Cut(const ProgressRange& progress);
   void PrepareSnapping();
   std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
-  void KeepUncut();
+  std::vector<Id> DegenerateFacets() const;
+  std::vector<Id> CrossingFacets() const;
+  void Collapse(const std::vector<Id>& candidates);
+  void FindCrossings();
+  void Replace(std::vector<char> isRemoved, std::vector<CutFacet> added);
   std::vector<CutFacet> TakePieces(const std::vector<PlanarSubdivision>& subdivisions,
     const std::vector<std::vector<Id>>& ids) const;
-  void AddFacets(std::vector<CutFacet> facets);
+  void AddFacets(std::vector<CutFacet> facets, std::vector<char>& isRemoved);
   Id AddMeaning(Meaning meaning);
   Id RootOf(Id meaning) const;
   Meaning MeaningOf(Id meaning) const;
@@ -179,7 +194,7 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
 
 Resolution Resolver::Resolve()
 {
-  this->Now.Crossings = FindIntersections(this->Now.Points, this->Now.Facets, this->Watch);
+  this->FindCrossings();
   Resolution resolution;
   resolution.IntersectingPairs = this->Now.Crossings;
   if (!this->Now.Crossings.empty())
@@ -207,9 +222,11 @@ void Resolver::CutRepeatedly()
     // How many rounds there will be is unknown: each takes half of the progress that is left.
     const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
     const double end = 1 - std::ldexp(1.0, -this->Round);
-    const Id firstNew = this->Cut({ Stage, begin, end });
-    this->Now.Crossings =
-      FindIntersections(this->Now.Points, this->Now.Facets, firstNew, this->Watch);
+    this->Cut({ Stage, begin, end });
+    this->Collapse(this->DegenerateFacets());
+    this->FindCrossings();
+    this->Collapse(this->CrossingFacets());
+    this->FindCrossings();
     const std::size_t count = this->Now.Crossings.size();
     if (count == 0)
     {
@@ -228,11 +245,8 @@ void Resolver::CutRepeatedly()
   this->Now = std::move(best);
 }
 
-/**
- * Cuts the facets that cross. Afterwards the uncut facets come first.
- * @return the first new facet
- */
-Id Resolver::Cut(const ProgressRange& progress)
+/** Cuts the facets that cross. */
+void Resolver::Cut(const ProgressRange& progress)
 {
   this->Watch.Check(Stage, progress.Begin);
   const FacetList facets{ this->Now.Points, this->Now.Facets };
@@ -242,16 +256,18 @@ Id Resolver::Cut(const ProgressRange& progress)
   const std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
   this->Watch.Check(Stage, progress.End);
   std::vector<CutFacet> pieces = this->TakePieces(subdivisions, ids);
-  this->KeepUncut();
-  const Id firstNew = static_cast<Id>(this->Now.Facets.size());
-  this->AddFacets(std::move(pieces));
-  return firstNew;
+  std::vector<char> isCut(this->Now.Facets.size(), 0);
+  for (const auto& pair : this->Now.Crossings)
+  {
+    isCut[pair[0]] = isCut[pair[1]] = 1;
+  }
+  this->Replace(std::move(isCut), std::move(pieces));
 }
 
 void Resolver::PrepareSnapping()
 {
   this->Moved = PointIndex(0);
-  this->Nearby = PointIndex(SnappingRadius(this->Round, this->Size));
+  this->Nearby = PointIndex(this->Round == 1 ? 0 : SnappingRadius(this->Size));
   std::vector<char> added(this->Now.Points.size(), 0);
   for (const auto& pair : this->Now.Crossings)
   {
@@ -343,7 +359,7 @@ Id Resolver::PlacePoint(const Point& p, Id root)
   return id;
 }
 
-/** The pieces with their points placed; those that rounding made degenerate are dropped. */
+/** The pieces with their points placed; those that have one twice are nothing. */
 std::vector<CutFacet> Resolver::TakePieces(
   const std::vector<PlanarSubdivision>& subdivisions, const std::vector<std::vector<Id>>& ids) const
 {
@@ -357,8 +373,8 @@ std::vector<CutFacet> Resolver::TakePieces(
       {
         facet.Corners[k] = ids[s][piece.Corners[k]];
       }
-      if (IsDegenerate(this->Now.Points[facet.Corners[0]], this->Now.Points[facet.Corners[1]],
-            this->Now.Points[facet.Corners[2]]))
+      if (facet.Corners[0] == facet.Corners[1] || facet.Corners[1] == facet.Corners[2] ||
+        facet.Corners[2] == facet.Corners[0])
       {
         continue;
       }
@@ -373,30 +389,102 @@ std::vector<CutFacet> Resolver::TakePieces(
   return facets;
 }
 
-/** Removes the facets that cross. */
-void Resolver::KeepUncut()
+/** The facets that rounding made degenerate: they come right out of a cut. */
+std::vector<Id> Resolver::DegenerateFacets() const
 {
-  std::vector<char> isCut(this->Now.Facets.size(), 0);
-  for (const auto& pair : this->Now.Crossings)
+  std::vector<Id> degenerate;
+  for (Id f = this->Now.FirstUnchecked; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
-    isCut[pair[0]] = isCut[pair[1]] = 1;
-  }
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < this->Now.Facets.size(); ++f)
-  {
-    if (!isCut[f])
+    const Triangle& t = this->Now.Facets[f];
+    if (IsDegenerate(this->Now.Points[t[0]], this->Now.Points[t[1]], this->Now.Points[t[2]]))
     {
-      this->Now.Facets[kept] = this->Now.Facets[f];
-      this->Now.MeaningIds[kept] = this->Now.MeaningIds[f];
-      ++kept;
+      degenerate.push_back(f);
     }
   }
-  this->Now.Facets.resize(kept);
-  this->Now.MeaningIds.resize(kept);
+  return degenerate;
 }
 
-/** Adds facets, or what they mean to the ones with the same corners. */
-void Resolver::AddFacets(std::vector<CutFacet> facets)
+std::vector<Id> Resolver::CrossingFacets() const
+{
+  std::vector<Id> crossing;
+  for (const auto& pair : this->Now.Crossings)
+  {
+    crossing.insert(crossing.end(), pair.begin(), pair.end());
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return crossing;
+}
+
+/** Collapses slivers among some facets. */
+void Resolver::Collapse(const std::vector<Id>& candidates)
+{
+  if (candidates.empty())
+  {
+    return;
+  }
+  const CollapsedSlivers slivers =
+    CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size));
+  std::vector<char> isRemoved(this->Now.Facets.size(), 0);
+  for (const Id f : slivers.Removed)
+  {
+    isRemoved[f] = 1;
+  }
+  std::vector<CutFacet> parts;
+  for (const ReplacedFacet& part : slivers.Added)
+  {
+    parts.push_back({ part.Corners, this->MeaningOf(this->Now.MeaningIds[part.Parent]) });
+  }
+  this->Replace(std::move(isRemoved), std::move(parts));
+}
+
+/** Takes facets away and adds others, behind those that stay. */
+void Resolver::Replace(std::vector<char> isRemoved, std::vector<CutFacet> added)
+{
+  this->AddFacets(std::move(added), isRemoved);
+  std::vector<Id> kept(this->Now.Facets.size(), None);
+  Id count = 0;
+  Id firstUnchecked = 0;
+  for (std::size_t f = 0; f < this->Now.Facets.size(); ++f)
+  {
+    if (isRemoved[f])
+    {
+      continue;
+    }
+    this->Now.Facets[count] = this->Now.Facets[f];
+    this->Now.MeaningIds[count] = this->Now.MeaningIds[f];
+    kept[f] = count++;
+    firstUnchecked = static_cast<Id>(f) < this->Now.FirstUnchecked ? count : firstUnchecked;
+  }
+  this->Now.Facets.resize(count);
+  this->Now.MeaningIds.resize(count);
+  this->Now.FirstUnchecked = firstUnchecked;
+  Pairs crossings;
+  for (const auto& pair : this->Now.Crossings)
+  {
+    if (kept[pair[0]] != None && kept[pair[1]] != None)
+    {
+      crossings.push_back({ kept[pair[0]], kept[pair[1]] });
+    }
+  }
+  this->Now.Crossings = std::move(crossings);
+}
+
+/** Finds the crossings of the facets that were not searched yet. */
+void Resolver::FindCrossings()
+{
+  const Pairs found =
+    FindIntersections(this->Now.Points, this->Now.Facets, this->Now.FirstUnchecked, this->Watch);
+  this->Now.Crossings.insert(this->Now.Crossings.end(), found.begin(), found.end());
+  std::sort(this->Now.Crossings.begin(), this->Now.Crossings.end());
+  this->Now.FirstUnchecked = static_cast<Id>(this->Now.Facets.size());
+}
+
+/**
+ * Adds facets, or what they mean to the ones with the same corners. What is left without a meaning
+ * is marked as removed, too.
+ */
+void Resolver::AddFacets(std::vector<CutFacet> facets, std::vector<char>& isRemoved)
 {
   std::vector<char> touched(this->Now.Points.size(), 0);
   for (const CutFacet& facet : facets)
@@ -407,7 +495,7 @@ void Resolver::AddFacets(std::vector<CutFacet> facets)
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
     const Triangle& corners = this->Now.Facets[f];
-    if (touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
+    if (!isRemoved[f] && touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
     {
       known.insert({ SortedTriangle(corners).Points, f });
     }
@@ -420,12 +508,14 @@ void Resolver::AddFacets(std::vector<CutFacet> facets)
     if (inserted.second)
     {
       this->Now.Facets.push_back(facet.Corners);
+      isRemoved.push_back(facet.Means.Sources.empty());
       this->Now.MeaningIds.push_back(this->AddMeaning(std::move(facet.Means)));
       continue;
     }
     const Id same = inserted.first->second;
     Meaning sum = this->MeaningOf(this->Now.MeaningIds[same]);
     Add(sum, facet.Means, SortedTriangle(this->Now.Facets[same]).Turned != sorted.Turned);
+    isRemoved[same] = sum.Sources.empty();
     this->Now.MeaningIds[same] = this->AddMeaning(std::move(sum));
   }
 }
@@ -464,7 +554,10 @@ void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meani
 {
   surface.Facets.push_back(corners);
   surface.Multiplicity.push_back(CheckedMultiplicity(meaning));
-  surface.Sources.insert(surface.Sources.end(), meaning.Sources.begin(), meaning.Sources.end());
+  // Several pieces of one triangle may lie on each other; it is named once.
+  std::unique_copy(meaning.Sources.begin(), meaning.Sources.end(),
+    std::back_inserter(surface.Sources),
+    [](const FacetSource& a, const FacetSource& b) { return a.Triangle == b.Triangle; });
   surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
 }
 

@@ -51,19 +51,18 @@ private:
 
 void PrintHeader()
 {
-  std::printf("%-44s %8s %8s %6s %8s %8s %9s %7s %6s %8s %8s %8s  %s\n", "surface", "facets",
-    "pairs", "rounds", "seconds", "silence", "resolved", "leftout", "folds", "offset", "area", "w",
-    "verdict");
+  std::printf("%-44s %8s %8s %6s %8s %8s %9s %7s %8s %8s %8s  %s\n", "surface", "facets", "pairs",
+    "rounds", "seconds", "silence", "resolved", "leftout", "offset", "area", "w", "verdict");
 }
 
 /** Prints the line of one surface, and below it what is wrong. */
 void PrintRow(const std::string& name, const FacetComplex& before, const Resolution& resolution,
   const Deadline& time, const ResolutionJudgement& judged)
 {
-  std::printf("%-44s %8d %8zu %6d %8.2f %8.2f %9d %7d %6d %8.1e %8.1e %8.1e  %s\n", name.c_str(),
+  std::printf("%-44s %8d %8zu %6d %8.2f %8.2f %9d %7d %8.1e %8.1e %8.1e  %s\n", name.c_str(),
     before.NumberOfFacets(), resolution.IntersectingPairs.size(), resolution.Rounds, time.Elapsed,
-    time.LongestSilence, resolution.Surface.NumberOfFacets(), judged.LeftOut, judged.Folds,
-    judged.Offset, judged.Area, judged.Winding, judged.Violations.empty() ? "ok" : "VIOLATED");
+    time.LongestSilence, resolution.Surface.NumberOfFacets(), judged.LeftOut, judged.Offset,
+    judged.Area, judged.Winding, judged.Violations.empty() ? "ok" : "VIOLATED");
   for (const std::string& violation : judged.Violations)
   {
     std::printf("    %s\n", violation.c_str());
@@ -76,7 +75,6 @@ struct Tally
   Id Facets = 0;
   Id Resolved = 0;
   Id LeftOut = 0;
-  Id Folds = 0;
   double Seconds = 0;
   int Broken = 0; ///< surfaces with a law broken, or not resolved in time
 };
@@ -111,7 +109,6 @@ void JudgeSoup(
     }
     tally.Resolved += resolution.Surface.NumberOfFacets();
     tally.LeftOut += judged.LeftOut;
-    tally.Folds += judged.Folds;
     tally.Broken += judged.Violations.empty() ? 0 : 1;
     if (!quiet || !judged.Violations.empty())
     {
@@ -156,10 +153,10 @@ bool JudgeFamilies(int members, double seconds)
     {
       JudgeSoup(family.Name + "-" + std::to_string(i), family.Members[i], seconds, true, tally);
     }
-    std::printf("family %s: %zu surfaces, %d facets, %d resolved, %d left out, %d folded, "
+    std::printf("family %s: %zu surfaces, %d facets, %d resolved, %d left out, "
                 "%.2f seconds, %d broken\n",
       family.Name.c_str(), family.Members.size(), tally.Facets, tally.Resolved, tally.LeftOut,
-      tally.Folds, tally.Seconds, tally.Broken);
+      tally.Seconds, tally.Broken);
     std::fflush(stdout);
     allGood = allGood && tally.Broken == 0;
   }

@@ -194,7 +194,6 @@ private:
   const Real Size;
   ResolutionJudgement Found;
   std::vector<std::vector<Part>> Parts; ///< per facet of Before
-  std::vector<char> IsFolded;           ///< per facet of Before
 };
 
 bool Judge::IsWellFormed()
@@ -311,7 +310,7 @@ void Judge::CheckCrossings()
   }
 }
 
-/** Finds the parts of each input facet by their sources, and counts folds by the way. */
+/** Finds the parts of each input facet by their sources. */
 void Judge::CollectParts()
 {
   Id triangles = 0;
@@ -328,7 +327,6 @@ void Judge::CollectParts()
     }
   }
   this->Parts.resize(this->Before.Facets.size());
-  this->IsFolded.resize(this->Before.Facets.size(), 0);
   for (Id f = 0; f < this->After.NumberOfFacets(); ++f)
   {
     this->CollectPartsOf(f, owners);
@@ -371,11 +369,7 @@ void Judge::CollectPartsOf(Id facet, const std::vector<Owner>& owners)
   }
   if (sum != this->After.Multiplicity[facet])
   {
-    ++this->Found.Folds;
-    for (const auto& entry : found)
-    {
-      this->IsFolded[entry.first] = 1;
-    }
+    this->Violate(Named("does not count as often as its sources: facet", facet));
   }
 }
 
@@ -428,7 +422,7 @@ void Judge::CheckCoverage()
     {
       here.push_back(Named("its pieces' area is not its own: facet", f));
     }
-    if (this->Found.LeftOut == 0 && !this->IsFolded[f])
+    if (this->Found.LeftOut == 0)
     {
       this->CheckBoundary(f, here);
     }

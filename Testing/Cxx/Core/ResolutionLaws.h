@@ -18,10 +18,8 @@ using namespace insideout;
 /** What a resolved surface measures against the one it was made of. */
 struct ResolutionJudgement
 {
-  Id Crossings = 0; ///< pairs of constraints that meet in more than shared points and edges
-  Id LeftOut = 0;   ///< facets behind NumberOfConstraints that were constraints before
-  Id Folds = 0;     ///< facets whose multiplicity is not the sum of their sources', for a source is
-                    ///< there more than once: rounding turned a piece over onto the next
+  Id Crossings = 0;   ///< pairs of constraints that meet in more than shared points and edges
+  Id LeftOut = 0;     ///< facets behind NumberOfConstraints that were constraints before
   double Offset = 0;  ///< how far a piece's corner is at most from its facet, over the size
   double Area = 0;    ///< by how much a facet's area and its pieces' differ at most, over the size
                       ///< times the facet's perimeter
@@ -39,9 +37,10 @@ double SizeOf(const std::vector<Point>& points);
  * - No facet is degenerate, or there twice.
  * - Input points come first, bit by bit, and so do their origins.
  * - Pieces of a facet are within 1e-12 of the size of it; their area is its area, to what that
- *   allows along its perimeter; and, unless facets were left out or it folds, the edges of exactly
+ *   allows along its perimeter; and, unless facets were left out, the edges of exactly
  *   one of its pieces are on its boundary: there is no gap.
- * - A piece has all sources of the facets that it is part of, turned as these say.
+ * - A piece has all sources of the facets that it is part of, turned as these say, and counts as
+ * often as they together.
  * - Where all facets close (every edge's signed sum is 0), they still do, unless some were left
  * out.
  * - Facets that were no constraints before come last, as they were.

@@ -93,7 +93,7 @@ TEST_F(SpoiledResolution, WithAWrongMultiplicity)
   ++this->After.Multiplicity.back();
   EXPECT_TRUE(this->Complains("came open"));
   EXPECT_TRUE(this->Complains("w differs"));
-  EXPECT_EQ(JudgeResolution(this->Before, this->After, 0).Folds, 1);
+  EXPECT_TRUE(this->Complains("does not count as often"));
 }
 
 TEST_F(SpoiledResolution, WithAFacetTwice)

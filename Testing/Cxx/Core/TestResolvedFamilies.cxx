@@ -44,7 +44,6 @@ struct Tally
   Id Given = 0;
   Id Resolved = 0;
   Id LeftOut = 0;
-  Id Folds = 0;
 };
 
 void JudgeMember(const FacetComplex& before, const std::vector<int>& moreThreads, Tally& tally)
@@ -64,7 +63,6 @@ void JudgeMember(const FacetComplex& before, const std::vector<int>& moreThreads
   tally.Given += before.NumberOfFacets();
   tally.Resolved += resolution.Surface.NumberOfFacets();
   tally.LeftOut += judged.LeftOut;
-  tally.Folds += judged.Folds;
 }
 
 void JudgeFamily(const SurfaceFamily& family, const std::vector<int>& moreThreads)
@@ -76,12 +74,10 @@ void JudgeFamily(const SurfaceFamily& family, const std::vector<int>& moreThread
     JudgeMember(Validated(family.Members[i]), moreThreads, tally);
   }
   std::cout << family.Name << ": " << family.Members.size() << " surfaces, " << tally.Given
-            << " facets, " << tally.Resolved << " resolved, " << tally.LeftOut << " left out, "
-            << tally.Folds << " folded\n";
+            << " facets, " << tally.Resolved << " resolved, " << tally.LeftOut << " left out\n";
   if (family.Expects == Expectation::NothingLeftOut)
   {
     EXPECT_EQ(tally.LeftOut, 0);
-    EXPECT_EQ(tally.Folds, 0);
   }
 }
 
