@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExactTetrahedralization.h"
 
+#include "PointSupport.h"
 #include "RecoverFacets.h"
 #include "RecoverSegments.h"
+#include "RoundPoints.h"
 #include "SteinerPoints.h"
 
 #include <algorithm>
@@ -14,6 +16,12 @@ namespace insideout
 {
 namespace
 {
+/** Facets are tried so many times. */
+constexpr int MostRounds = 3;
+
+/** Facets are given up in so many rings of cells around points that find no place. */
+constexpr int MostRings = 5;
+
 /** The mesh of one attempt to recover facets. */
 class Attempt
 {
@@ -28,33 +36,34 @@ public:
   }
 
   /**
-   * Recover all facets that can be.
-   * @return the facets around Steiner points that found no place in doubles, ascending: as long as
-   *         there are any, the mesh is good for nothing
+   * Recover all facets that can be. Facets that have to be given up, for Steiner points on them
+   * find no place in doubles, get another chance when the others are done.
+   * @return whether all Steiner points have places; if not, the mesh is good for nothing
    */
-  std::vector<Id> Run()
+  bool Run()
   {
-    FacetRecovery facets(this->Mesh, this->Segments, this->Facets, this->Progress);
-    SegmentRecovery edges(this->Mesh, this->Segments, this->Progress);
     std::vector<Id> missing(this->Facets.size());
     std::iota(missing.begin(), missing.end(), 0);
-    missing = facets.MarkWholeFacets(missing);
-    edges.RecoverBySplits(edges.RecoverByFlips(edges.FindMissing()));
-    missing = facets.MarkWholeFacets(missing);
-    facets.RecoverBySplits(facets.RecoverByFlips(missing));
-
-    SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
-    steiner.Remove();
-    steiner.MoveIntoVolume();
-    steiner.Remove();
-    std::set<Id> around;
-    for (const Id point : steiner.Round())
+    for (int round = 0; round < MostRounds && !missing.empty(); ++round)
     {
-      const std::vector<Id> here = steiner.FacetsAt(point);
-      around.insert(here.begin(), here.end());
+      this->Recover(missing);
+      std::vector<Id> left = this->RoundAll();
+      for (int rings = 0; !left.empty() && rings < MostRings; ++rings)
+      {
+        this->GiveUp(this->FacetsAround(left, rings));
+        left = this->RoundAll();
+      }
+      if (!left.empty())
+      {
+        return false;
+      }
+      missing = this->AnotherChance();
     }
-    return { around.begin(), around.end() };
+    return true;
   }
+
+  /** The facets that were given up, ascending. */
+  const std::set<Id>& FacetsGivenUp() const { return this->GivenUp; }
 
   /** The cells and the faces with facets; facets have the numbers that they have in `names`. */
   ExactTetrahedralization Result(const std::vector<Id>& names) const
@@ -85,6 +94,149 @@ public:
   }
 
 private:
+  void Recover(std::vector<Id> missing)
+  {
+    FacetRecovery facets(this->Mesh, this->Segments, this->Facets, this->Progress);
+    SegmentRecovery edges(this->Mesh, this->Segments, this->Progress);
+    missing = facets.MarkWholeFacets(missing);
+    edges.RecoverBySplits(edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing))));
+    missing = facets.MarkWholeFacets(missing);
+    facets.RecoverBySplits(facets.RecoverByFlips(missing));
+    this->TidyUp();
+  }
+
+  /** Take Steiner points away, or off the surface. */
+  void TidyUp()
+  {
+    SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
+    steiner.Remove();
+    steiner.MoveIntoVolume();
+    steiner.Remove();
+  }
+
+  /**
+   * Round points, and try to do without those that cannot be rounded, as long as that helps.
+   * @return the ones that are left
+   */
+  std::vector<Id> RoundAll()
+  {
+    PointRounder rounder(this->Mesh, this->Segments, this->Progress);
+    std::vector<Id> left = rounder.Round();
+    std::size_t before = left.size() + 1;
+    while (!left.empty() && left.size() < before)
+    {
+      before = left.size();
+      this->TidyUp();
+      left = rounder.Round();
+    }
+    return left;
+  }
+
+  /** The facets that have one of the points, or a cell so many cells away from it. */
+  std::set<Id> FacetsAround(const std::vector<Id>& points, int rings) const
+  {
+    std::vector<Id> cells;
+    std::set<Id> facets;
+    for (const Id point : points)
+    {
+      const std::vector<Id> own = FindPointSupport(this->Mesh, this->Segments, point).Facets;
+      facets.insert(own.begin(), own.end());
+      this->Mesh.Star(point, cells);
+    }
+    for (int ring = 0; ring < rings; ++ring)
+    {
+      std::set<Id> known(cells.begin(), cells.end());
+      for (const Id cell : std::vector<Id>(cells))
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          if (this->Mesh.Cells[cell].Facets[k] != None)
+          {
+            facets.insert(this->Mesh.Cells[cell].Facets[k]);
+          }
+          if (known.insert(this->Mesh.Cells[cell].Neighbors[k]).second)
+          {
+            cells.push_back(this->Mesh.Cells[cell].Neighbors[k]);
+          }
+        }
+      }
+    }
+    return facets;
+  }
+
+  /** Let facets go, and the segments that no other facet has. */
+  void GiveUp(const std::set<Id>& facets)
+  {
+    this->GivenUp.insert(facets.begin(), facets.end());
+    for (FlippableCell& cell : this->Mesh.Cells)
+    {
+      for (Id& facet : cell.Facets)
+      {
+        facet = facets.count(facet) > 0 ? None : facet;
+      }
+    }
+    std::vector<bool> isUsed(static_cast<std::size_t>(this->Segments.Size()), false);
+    for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
+    {
+      for (int k = 0; this->GivenUp.count(facet) == 0 && k < 3; ++k)
+      {
+        isUsed[this->Segments.OfFacet(facet, k)] = true;
+      }
+    }
+    for (Id segment = 0; segment < this->Segments.Size(); ++segment)
+    {
+      if (!isUsed[segment])
+      {
+        this->Segments.Release(segment);
+      }
+    }
+  }
+
+  std::vector<Id> SegmentsOf(const std::vector<Id>& facets) const
+  {
+    std::set<Id> segments;
+    for (const Id facet : facets)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        segments.insert(this->Segments.OfFacet(facet, k));
+      }
+    }
+    return { segments.begin(), segments.end() };
+  }
+
+  /**
+   * Mark facets that were given up and are there after all. @return the others that can be tried
+   * again: facets whose edges have Steiner points cannot be, for these are rounded
+   */
+  std::vector<Id> AnotherChance()
+  {
+    FacetRecovery recovery(this->Mesh, this->Segments, this->Facets, this->Progress);
+    std::vector<Id> facets;
+    for (const Id facet :
+      recovery.MarkWholeFacets({ this->GivenUp.begin(), this->GivenUp.end() }))
+    {
+      bool isWhole = true;
+      for (int k = 0; k < 3; ++k)
+      {
+        isWhole = isWhole && this->Segments.Path(this->Segments.OfFacet(facet, k)).size() == 2;
+      }
+      if (isWhole)
+      {
+        facets.push_back(facet);
+      }
+    }
+    for (const Id facet : facets)
+    {
+      this->GivenUp.erase(facet);
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Segments.Restore(this->Segments.OfFacet(facet, k));
+      }
+    }
+    return facets;
+  }
+
   /** The facets between the vertices that stand for points. */
   std::vector<Triangle> Renamed(std::vector<Triangle> facets) const
   {
@@ -132,6 +284,7 @@ private:
   std::vector<Triangle> Facets;
   SegmentTable Segments;
   Monitor& Progress;
+  std::set<Id> GivenUp;
 };
 
 std::vector<Id> FacetsWithArea(
@@ -163,8 +316,7 @@ ExactTetrahedralization TetrahedralizeExactly(
       chosen.push_back(facets[name]);
     }
     Attempt attempt(points, chosen, monitor);
-    const std::vector<Id> givenUp = attempt.Run();
-    if (givenUp.empty())
+    if (attempt.Run())
     {
       ExactTetrahedralization result = attempt.Result(names);
       std::vector<bool> isThere(facets.size(), false);
@@ -185,7 +337,7 @@ ExactTetrahedralization TetrahedralizeExactly(
     std::vector<Id> kept;
     for (Id f = 0; f < static_cast<Id>(names.size()); ++f)
     {
-      if (!std::binary_search(givenUp.begin(), givenUp.end(), f))
+      if (attempt.FacetsGivenUp().count(f) == 0)
       {
         kept.push_back(names[f]);
       }

@@ -53,6 +53,8 @@ public:
   int CornerIndex(Id cell, Id vertex) const;
   bool Has(Id cell, Id vertex) const;
 
+  bool HasVertex(Id vertex) const { return this->CellOf[vertex] != None; }
+
   /** The index that `cell` has among the neighbors of the cell across its face k. */
   int MirrorIndex(Id cell, int k) const;
   Id Opposite(Id cell, int k) const;

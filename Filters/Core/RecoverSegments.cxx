@@ -2,6 +2,8 @@
 #include "RecoverSegments.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 namespace insideout
 {
@@ -14,13 +16,13 @@ constexpr int MostFlipsPerSegment = 50;
 constexpr std::size_t SegmentsPerCheck = 256;
 } // namespace
 
-std::vector<Id> SegmentRecovery::FindMissing() const
+std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
 {
   std::vector<Id> missing;
-  for (Id segment = 0; segment < this->Segments.Size(); ++segment)
+  for (const Id segment : segments)
   {
-    const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
-    if (this->Mesh.FindEdge(ends[0], ends[1]) == None)
+    const std::vector<Id> path = this->Segments.Path(segment);
+    if (path.size() == 2 && this->Mesh.FindEdge(path[0], path[1]) == None)
     {
       missing.push_back(segment);
     }
@@ -133,10 +135,11 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
 
 std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
 {
-  const std::array<Effort, 3> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 },
-    { { 0, 10 }, 2, 150 } } };
+  const std::array<Effort, 2> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 } } };
+  int kn=0; const int maxe=getenv("EFF")?atoi(getenv("EFF")):3;
   for (const Effort& effort : efforts)
   {
+    if(kn++>=maxe) break;
     // While a round gets many, another of the same kind gets more.
     std::size_t before = 2 * missing.size() + 2;
     while (!missing.empty() && missing.size() < before - before / 10)
@@ -156,6 +159,7 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
         }
       }
       missing = std::move(still);
+      if(getenv("EFF"))fprintf(stderr,"effort %d left %zu\n",kn,missing.size());
     }
   }
   return missing;

@@ -21,8 +21,8 @@ public:
   {
   }
 
-  /** The segments that are no edges, in the order of their ids. */
-  std::vector<Id> FindMissing() const;
+  /** The segments without Steiner points that are no edges. */
+  std::vector<Id> FindMissing(const std::vector<Id>& segments) const;
 
   /**
    * Recover segments by flips alone, the cheapest flips first.

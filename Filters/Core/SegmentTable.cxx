@@ -74,6 +74,25 @@ void SegmentTable::Join(Id segment, Id steiner)
   this->OfEdge[Key(ends[0], ends[1])] = segment;
 }
 
+void SegmentTable::Release(Id segment)
+{
+  const std::vector<Id> path = this->Path(segment);
+  for (std::size_t k = 1; k < path.size(); ++k)
+  {
+    this->OfEdge.erase(Key(path[k - 1], path[k]));
+  }
+  this->Inner.erase(segment);
+}
+
+void SegmentTable::Restore(Id segment)
+{
+  const std::array<Id, 2>& ends = this->Ends[segment];
+  if (this->Inner.count(segment) == 0)
+  {
+    this->OfEdge[Key(ends[0], ends[1])] = segment;
+  }
+}
+
 std::array<Id, 2> SegmentTable::NeighborsOnPath(Id segment, Id steiner) const
 {
   const std::vector<Id> path = this->Path(segment);

@@ -34,6 +34,12 @@ public:
   /** Take a Steiner point out again. */
   void Join(Id segment, Id steiner);
 
+  /** Let a segment go, which no facet needs any more. */
+  void Release(Id segment);
+
+  /** Have a segment again, without Steiner points, that was let go. */
+  void Restore(Id segment);
+
   /** The points before and after a Steiner point. */
   std::array<Id, 2> NeighborsOnPath(Id segment, Id steiner) const;
 
