@@ -19,6 +19,9 @@ namespace
 /** Facets are tried so many times. */
 constexpr int MostRounds = 3;
 
+/** Edges that are tried to flip a face away. */
+constexpr int MostTwinFlips = 200;
+
 /** Facets are given up in so many rings of cells around points that find no place. */
 constexpr int MostRings = 5;
 
@@ -59,6 +62,7 @@ public:
       }
       missing = this->AnotherChance();
     }
+    this->TakeWholeTwinsAway();
     return true;
   }
 
@@ -213,8 +217,7 @@ private:
   {
     FacetRecovery recovery(this->Mesh, this->Segments, this->Facets, this->Progress);
     std::vector<Id> facets;
-    for (const Id facet :
-      recovery.MarkWholeFacets({ this->GivenUp.begin(), this->GivenUp.end() }))
+    for (const Id facet : recovery.MarkWholeFacets({ this->GivenUp.begin(), this->GivenUp.end() }))
     {
       bool isWhole = true;
       for (int k = 0; k < 3; ++k)
@@ -235,6 +238,36 @@ private:
       }
     }
     return facets;
+  }
+
+  /**
+   * Where a Steiner point beside its exact place splits a facet, the whole facet may be a face,
+   * too. Which of both is the facet, each reader of the mesh would have to guess: flip that face
+   * away.
+   */
+  void TakeWholeTwinsAway()
+  {
+    FlipOperator flips(this->Mesh, this->Segments);
+    const FlipTarget nothing(this->Mesh);
+    constexpr FlipOperator::Limits limits = { 0, 12 };
+    for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
+    {
+      const Triangle& corners = this->Facets[facet];
+      for (int k = 0; k < 3; ++k)
+      {
+        const Id u = corners[k];
+        const Id v = corners[(k + 1) % 3];
+        Id cell;
+        int face;
+        if (this->Segments.Path(this->Segments.OfFacet(facet, k)).size() > 2 &&
+          this->Mesh.FindFace(corners[0], corners[1], corners[2], cell, face) &&
+          !flips.RemoveFace(cell, face, nothing, limits))
+        {
+          int budget = MostTwinFlips;
+          flips.RemoveEdgeDeeply(u, v, nothing, limits, 2, budget);
+        }
+      }
+    }
   }
 
   /** The facets between the vertices that stand for points. */

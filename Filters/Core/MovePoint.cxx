@@ -9,10 +9,17 @@ namespace
 {
 /** Nearly all moves change fewer cells than this. */
 constexpr std::size_t LargestCavity = 400;
+
+/** Whether a vertex is one of the corners other than corner k. */
+bool HasOther(const Tetrahedron& corners, int k, Id vertex)
+{
+  return corners[(k + 1) % 4] == vertex || corners[(k + 2) % 4] == vertex ||
+    corners[(k + 3) % 4] == vertex;
+}
 } // namespace
 
 /** The hull stays as it is, and is convex where it is so at each edge. */
-bool PointMover::IsHullConvex(Id point, Id marker) const
+bool PointMover::IsHullConvex(Id point, Id apex) const
 {
   for (const Id cell : this->Cavity)
   {
@@ -25,7 +32,7 @@ bool PointMover::IsHullConvex(Id point, Id marker) const
         continue;
       }
       t[infinite] = this->Mesh.Opposite(cell, k);
-      std::replace(t.begin(), t.end(), point, marker);
+      std::replace(t.begin(), t.end(), point, apex);
       if (this->Mesh.Vertices.Orient(t[0], t[1], t[2], t[3]) > 0)
       {
         return false;
@@ -38,11 +45,11 @@ bool PointMover::IsHullConvex(Id point, Id marker) const
 /**
  * Find the cells that give way. Infinite ones stay: they are connected with the vertex as before.
  */
-bool PointMover::GrowCavity(Id point, Id marker)
+bool PointMover::GrowCavity(Id point, Id apex)
 {
   this->Cavity.clear();
   this->Mesh.Star(point, this->Cavity);
-  if (!this->IsHullConvex(point, marker))
+  if (!this->IsHullConvex(point, apex))
   {
     return false;
   }
@@ -65,8 +72,8 @@ bool PointMover::GrowCavity(Id point, Id marker)
         continue;
       }
       Tetrahedron t = cell.Corners;
-      t[k] = marker;
-      if (this->Mesh.Vertices.Orient(t[0], t[1], t[2], t[3]) > 0)
+      t[k] = apex;
+      if (HasOther(cell.Corners, k, apex) || this->Mesh.Vertices.Orient(t[0], t[1], t[2], t[3]) > 0)
       {
         continue;
       }
@@ -89,7 +96,7 @@ bool PointMover::HasWallEdge(Id u, Id v) const
 }
 
 /** Make the cells that come, and look whether every vertex, facet and segment stays. */
-bool PointMover::KeepsSurface(Id point)
+bool PointMover::KeepsSurface(Id point, Id apex)
 {
   this->Fresh.clear();
   this->WallEdges.clear();
@@ -106,8 +113,11 @@ bool PointMover::KeepsSurface(Id point)
       {
         continue;
       }
-      this->Fresh.push_back(cell.Corners);
-      this->Fresh.back()[k] = point;
+      if (!HasOther(cell.Corners, k, apex))
+      {
+        this->Fresh.push_back(cell.Corners);
+        this->Fresh.back()[k] = apex;
+      }
       for (int j = 0; j < 3; ++j)
       {
         const Id u = cell.Corners[f[j]];
@@ -163,7 +173,7 @@ bool PointMover::KeepsSurface(Id point)
 bool PointMover::Move(Id point, const Point& place)
 {
   const Id marker = this->Mesh.AddVertex(place);
-  const bool canMove = this->GrowCavity(point, marker) && this->KeepsSurface(point);
+  const bool canMove = this->GrowCavity(point, marker) && this->KeepsSurface(point, point);
   this->Mesh.RemoveLastVertex();
   if (!canMove)
   {
@@ -180,6 +190,17 @@ bool PointMover::Move(Id point, const Point& place)
       this->Mesh.SetFacet(cell, k, face.Facet);
     }
   }
+  return true;
+}
+
+bool PointMover::Collapse(Id point, Id neighbor)
+{
+  if (!this->GrowCavity(point, neighbor) || !this->KeepsSurface(point, neighbor) ||
+    !this->SurfaceFaces.empty())
+  {
+    return false;
+  }
+  this->Mesh.Replace(this->Cavity, this->Fresh);
   return true;
 }
 } // namespace insideout

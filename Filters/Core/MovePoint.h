@@ -24,10 +24,17 @@ public:
   /** @return whether it is there; else the mesh is as before */
   bool Move(Id point, const Point& place);
 
+  /**
+   * Put a vertex that lies on no facet, segment or face of the hull out of the mesh; what was
+   * connected with it, and what is in the way, is connected with a neighbor of it.
+   * @return whether it is gone; else the mesh is as before
+   */
+  bool Collapse(Id point, Id neighbor);
+
 private:
-  bool GrowCavity(Id point, Id marker);
-  bool KeepsSurface(Id point);
-  bool IsHullConvex(Id point, Id marker) const;
+  bool GrowCavity(Id point, Id apex);
+  bool KeepsSurface(Id point, Id apex);
+  bool IsHullConvex(Id point, Id apex) const;
   bool HasWallEdge(Id u, Id v) const;
 
   FlippableMesh& Mesh;

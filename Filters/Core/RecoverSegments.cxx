@@ -2,8 +2,6 @@
 #include "RecoverSegments.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace insideout
 {
@@ -136,10 +134,8 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
 std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
 {
   const std::array<Effort, 2> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 } } };
-  int kn=0; const int maxe=getenv("EFF")?atoi(getenv("EFF")):3;
   for (const Effort& effort : efforts)
   {
-    if(kn++>=maxe) break;
     // While a round gets many, another of the same kind gets more.
     std::size_t before = 2 * missing.size() + 2;
     while (!missing.empty() && missing.size() < before - before / 10)
@@ -159,7 +155,6 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
         }
       }
       missing = std::move(still);
-      if(getenv("EFF"))fprintf(stderr,"effort %d left %zu\n",kn,missing.size());
     }
   }
   return missing;

@@ -81,7 +81,8 @@ std::vector<Point> PointRounder::PlacesBetweenNeighbors(Id point, Id segment) co
   {
     for (int k = 0; k < 27; ++k)
     {
-      const std::array<int, 3> signs = { { (k + 1) % 3 - 1, (k / 3 + 1) % 3 - 1, (k / 9 + 1) % 3 - 1 } };
+      const std::array<int, 3> signs = { { (k + 1) % 3 - 1, (k / 3 + 1) % 3 - 1,
+        (k / 9 + 1) % 3 - 1 } };
       Point place;
       for (int axis = 0; axis < 3; ++axis)
       {

@@ -31,8 +31,7 @@ private:
 
   std::vector<Point> PlacesOnSegment(Id point, Id segment, bool exactly) const;
   std::vector<Point> PlacesBetweenNeighbors(Id point, Id segment) const;
-  std::vector<Point> PlacesBeside(
-    Id point, const double* steps, std::size_t numberOfSteps) const;
+  std::vector<Point> PlacesBeside(Id point, const double* steps, std::size_t numberOfSteps) const;
 
   FlippableMesh& Mesh;
   const SegmentTable& Segments;

@@ -69,6 +69,10 @@ void SegmentTable::Join(Id segment, Id steiner)
   const std::array<Id, 2> ends = this->NeighborsOnPath(segment, steiner);
   std::vector<Id>& inner = this->Inner[segment];
   inner.erase(std::find(inner.begin(), inner.end(), steiner));
+  if (inner.empty())
+  {
+    this->Inner.erase(segment);
+  }
   this->OfEdge.erase(Key(ends[0], steiner));
   this->OfEdge.erase(Key(steiner, ends[1]));
   this->OfEdge[Key(ends[0], ends[1])] = segment;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SteinerPoints.h"
 
+#include "PointSupport.h"
+
 #include <algorithm>
 
 namespace insideout
@@ -15,6 +17,26 @@ void SortUnique(Container& ids)
 }
 } // namespace
 
+/** The finite vertices that share an edge with a point, input points first. */
+std::vector<Id> SteinerPoints::NeighborsOf(Id point) const
+{
+  std::vector<Id> star;
+  this->Mesh.Star(point, star);
+  std::vector<Id> neighbors;
+  for (const Id cell : star)
+  {
+    for (const Id corner : this->Mesh.Cells[cell].Corners)
+    {
+      if (corner != point && corner != this->Mesh.Infinite())
+      {
+        neighbors.push_back(corner);
+      }
+    }
+  }
+  SortUnique(neighbors);
+  return neighbors;
+}
+
 /** Take away edges at a point that carry no constraint. */
 void SteinerPoints::LowerDegree(Id point)
 {
@@ -24,20 +46,7 @@ void SteinerPoints::LowerDegree(Id point)
   while (changed)
   {
     changed = false;
-    std::vector<Id> star;
-    this->Mesh.Star(point, star);
-    std::vector<Id> neighbors;
-    for (const Id cell : star)
-    {
-      for (const Id corner : this->Mesh.Cells[cell].Corners)
-      {
-        if (corner != point && corner != this->Mesh.Infinite())
-        {
-          neighbors.push_back(corner);
-        }
-      }
-    }
-    SortUnique(neighbors);
+    const std::vector<Id> neighbors = this->NeighborsOf(point);
     for (const Id neighbor : neighbors)
     {
       const Id cell = this->Mesh.FindEdge(point, neighbor);
@@ -54,7 +63,19 @@ bool SteinerPoints::RemoveOne(Id point)
     return true;
   }
   this->LowerDegree(point);
-  return this->Dissolver.Dissolve(point, VolumePoints::None);
+  return this->Dissolver.Dissolve(point, VolumePoints::None) || this->Collapse(point);
+}
+
+bool SteinerPoints::Collapse(Id point)
+{
+  const PointSupport support = FindPointSupport(this->Mesh, this->Segments, point);
+  if (support.Segment != None || !support.Facets.empty())
+  {
+    return false;
+  }
+  const std::vector<Id> neighbors = this->NeighborsOf(point);
+  return std::any_of(neighbors.begin(), neighbors.end(),
+    [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
 }
 
 void SteinerPoints::Remove()

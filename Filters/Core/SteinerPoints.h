@@ -4,6 +4,7 @@
 #include "DissolvePoint.h"
 #include "EdgeRemoval.h"
 #include "Monitor.h"
+#include "MovePoint.h"
 
 namespace insideout
 {
@@ -17,6 +18,7 @@ public:
     , Progress(monitor)
     , Flips(mesh, segments)
     , Dissolver(mesh, segments)
+    , Mover(mesh, segments)
   {
   }
 
@@ -28,6 +30,8 @@ public:
 
 private:
   bool RemoveOne(Id point);
+  bool Collapse(Id point);
+  std::vector<Id> NeighborsOf(Id point) const;
   void LowerDegree(Id point);
 
   FlippableMesh& Mesh;
@@ -35,5 +39,6 @@ private:
   Monitor& Progress;
   FlipOperator Flips;
   PointDissolver Dissolver;
+  PointMover Mover;
 };
 } // namespace insideout
