@@ -63,6 +63,7 @@ public:
       missing = this->AnotherChance();
     }
     this->TakeWholeTwinsAway();
+    this->MarkLostFacetsThatAreFaces();
     return true;
   }
 
@@ -238,6 +239,30 @@ private:
       }
     }
     return facets;
+  }
+
+  void MarkLostFacetsThatAreFaces()
+  {
+    std::vector<bool> isThere(this->Facets.size(), false);
+    for (const FlippableCell& cell : this->Mesh.Cells)
+    {
+      for (const Id facet : cell.Facets)
+      {
+        if (facet != None)
+        {
+          isThere[facet] = true;
+        }
+      }
+    }
+    std::vector<Id> lost;
+    for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
+    {
+      if (!isThere[facet])
+      {
+        lost.push_back(facet);
+      }
+    }
+    FacetRecovery(this->Mesh, this->Segments, this->Facets, this->Progress).MarkWholeFacets(lost);
   }
 
   /**

@@ -39,7 +39,7 @@ struct ExactTetrahedralization
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
  *            lie within a facet or one of its edges. What breaks this is lost
- * @throws Error Inconsistent, Stopped
+ * @throws Error Planar, Inconsistent, Stopped
  */
 ExactTetrahedralization TetrahedralizeExactly(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);

@@ -66,6 +66,10 @@ FlippableMesh::FlippableMesh(const std::vector<Point>& points, std::vector<Id>& 
       Kernel::Point_3(points[p][0], points[p][1], points[p][2]), static_cast<Id>(p));
   }
   const Delaunay delaunay(input.begin(), input.end());
+  if (delaunay.dimension() < 3)
+  {
+    throw Error(ErrorCode::Planar, "the points lie in one plane");
+  }
 
   // Which of several points at one place the triangulation took is its own affair.
   same.resize(points.size());

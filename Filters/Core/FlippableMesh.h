@@ -39,6 +39,7 @@ public:
   /**
    * The Delaunay tetrahedralization of points that span space.
    * @param[out] same for each point the first one at the same place: the vertex that stands for it
+   * @throws Error Planar
    */
   FlippableMesh(const std::vector<Point>& points, std::vector<Id>& same);
 

@@ -269,6 +269,7 @@ std::vector<Id> SegmentRecovery::RecoverBySplits(const std::vector<Id>& missing)
     const std::array<Id, 2> ends = this->Segments.EndsOf(missing[k]);
     if (!this->SplitAndRecover(missing[k], ends[0], ends[1]))
     {
+      this->Segments.Release(missing[k]);
       failed.push_back(missing[k]);
     }
   }
