@@ -40,6 +40,11 @@ void PointDissolver::FindSupport(Id point)
     const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(this->Segment, point);
     this->Before = ends[0];
     this->Behind = ends[1];
+    if (this->Mesh.FindEdge(point, this->Before) == None ||
+      this->Mesh.FindEdge(point, this->Behind) == None)
+    {
+      this->Star.clear(); // a segment that could be recovered in part only
+    }
   }
 }
 

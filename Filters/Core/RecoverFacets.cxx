@@ -12,6 +12,9 @@ namespace
 /** Flips for one facet. */
 constexpr int MostFlipsPerFacet = 200;
 
+/** Points on one facet; one that needs more is crossed by what may not be cut. */
+constexpr int MostSplitsPerFacet = 5000;
+
 /** How often the monitor is asked. */
 constexpr std::size_t FacetsPerCheck = 256;
 } // namespace
@@ -276,7 +279,7 @@ std::vector<Id> FacetRecovery::RecoverBySplits(const std::vector<Id>& missing)
     const Id facet = missing[k];
     const Triangle& f = this->Facets[facet];
     Search search = this->FindFaces(facet, faces, crossing);
-    while (search == Search::Crossed)
+    for (int splits = 0; search == Search::Crossed && splits < MostSplitsPerFacet; ++splits)
     {
       const DyadicNumber atU = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], crossing.U);
       const DyadicNumber atV = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], crossing.V);

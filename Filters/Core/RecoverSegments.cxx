@@ -10,6 +10,13 @@ namespace
 /** Flips for one segment; nearly all need fewer than ten, and some would go on for ever. */
 constexpr int MostFlipsPerSegment = 50;
 
+/** Points on one segment, and beside it; a segment that needs more passes through what it may not.
+ */
+constexpr int MostSplitsPerSegment = 1000;
+
+/** Places on a segment are tried with so many binary digits. */
+constexpr int MostDigits = 500;
+
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 256;
 } // namespace
@@ -175,7 +182,7 @@ Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
   DyadicNumber step(0.5);
   const DyadicNumber one(1);
   const DyadicNumber half(0.5);
-  for (;;)
+  for (int digits = 0; digits < MostDigits; ++digits)
   {
     const DyadicNumber t = low + step;
     const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t);
@@ -201,13 +208,18 @@ Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
     this->Mesh.RemoveLastVertex();
     step = step * half;
   }
+  return None;
 }
 
 bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
 {
   const Effort little = { { -1, 10 }, 0, 0 };
-  while (!this->Recover(a, b, little))
+  for (int splits = 0; !this->Recover(a, b, little); ++splits)
   {
+    if (splits == MostSplitsPerSegment)
+    {
+      return false;
+    }
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
     const Id start = this->Segments.EndsOf(segment)[0];
     const Id end = this->Segments.EndsOf(segment)[1];
@@ -243,6 +255,10 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
         return this->Mesh.FindEdge(a, b) != None;
       }
       point = this->SteinerPointWithin(beyond, start, end, apex);
+      if (point == None)
+      {
+        return false;
+      }
       this->Mesh.SplitCell(beyond, point);
       this->Flips.RemoveFace(
         crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
