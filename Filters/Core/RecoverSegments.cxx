@@ -10,6 +10,9 @@ namespace
 /** Flips for one segment; nearly all need fewer than ten, and some would go on for ever. */
 constexpr int MostFlipsPerSegment = 50;
 
+/** So many of a segment's crossings are tried, from each end the first and then the next ones. */
+constexpr int MostCrossingsTried = 12;
+
 /** Points on one segment, and beside it; a segment that needs more passes through what it may not.
  */
 constexpr int MostSplitsPerSegment = 1000;
@@ -110,7 +113,9 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effor
     return true;
   }
   Crossing crossing = NextCrossing(this->Mesh, a, b, first);
-  while (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge)
+  for (int k = 0; k < MostCrossingsTried &&
+       (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge);
+       ++k)
   {
     if (this->Clear(crossing, target, effort) || changed())
     {
