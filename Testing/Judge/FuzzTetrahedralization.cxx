@@ -104,8 +104,9 @@ int main(int argc, char** argv)
   const auto isTime = [&]() { return (elapsed += watch.Lap()) < seconds; };
   for (const testmeshes::SurfaceFamily& family : testmeshes::SurfaceFamilies(3))
   {
-    // The law of unions measures areas against 1, which says nothing on needles of this size.
-    if (family.Name == "scale-1e30")
+    // The law of unions measures areas against 1, which says nothing where rounding errors are
+    // large.
+    if (family.Name == "scale-1e30" || family.Name == "offset-1e8")
     {
       continue;
     }
