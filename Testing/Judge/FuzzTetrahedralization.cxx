@@ -8,6 +8,7 @@
 #include "SurfaceFamilies.h"
 #include "TestMeshes.h"
 
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -57,7 +58,11 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
     const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, deadline);
     const TetrahedralMesh mesh =
       AssembleMesh(surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces });
-    testmeshes::ExpectMeshLaws(surface, mesh);
+    testing::TestPartResultArray violations;
+    {
+      const testing::ScopedFakeTestPartResultReporter reporter(&violations);
+      testmeshes::ExpectMeshLaws(surface, mesh);
+    }
     ++tally.Surfaces;
     tally.Facets += static_cast<long>(facets.size());
     tally.Lost += static_cast<long>(mesh.LostFacets.size());
@@ -69,10 +74,11 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
       std::printf(
         "%s: %zu of %zu facets lost\n", name.c_str(), mesh.LostFacets.size(), facets.size());
     }
-    if (testing::Test::HasFailure())
+    if (violations.size() > 0)
     {
-      std::printf("%s: breaks a law\n", name.c_str());
-      std::exit(1);
+      ++tally.Broken;
+      std::printf("%s: %d laws broken: %.300s\n", name.c_str(), violations.size(),
+        violations.GetTestPartResult(0).summary());
     }
   }
   catch (const Error& error)
@@ -104,12 +110,6 @@ int main(int argc, char** argv)
   const auto isTime = [&]() { return (elapsed += watch.Lap()) < seconds; };
   for (const testmeshes::SurfaceFamily& family : testmeshes::SurfaceFamilies(3))
   {
-    // The law of unions measures areas against 1, which says nothing where rounding errors are
-    // large.
-    if (family.Name == "scale-1e30" || family.Name == "offset-1e8")
-    {
-      continue;
-    }
     for (std::size_t i = 0; i < family.Members.size() && isTime(); ++i)
     {
       TetrahedralizeOne(family.Name + "-" + std::to_string(i), family.Members[i], tally);
