@@ -23,6 +23,8 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
 int vtkGeneralizedWindingNumber::FillInputPortInformation(
@@ -46,7 +48,8 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       vtkInsideOutConversion conversion(input);
       const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation) },
+          static_cast<insideout::Orientation>(this->Orientation),
+          { this->TimeBudget, this->MemoryBudget } },
         monitor);
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);

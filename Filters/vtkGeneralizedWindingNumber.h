@@ -11,7 +11,7 @@
  *
  * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
  * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
- * each stage.
+ * each stage; LostFacets as of vtkConstrainedDelaunay3D.
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  *
@@ -66,6 +66,25 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Seconds that TetGen may take, all tries together; each may take half of what is left, then the
+   * next way is tried. Default 0: 10 s, and 1 ms for each point and facet. Range 0 to infinity.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
+   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+   * Range 0 to infinity.
+   */
+  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryBudget, double);
+  ///@}
+
 protected:
   vtkGeneralizedWindingNumber();
   ~vtkGeneralizedWindingNumber() override = default;
@@ -77,6 +96,8 @@ protected:
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  double TimeBudget = 0.0;
+  double MemoryBudget = 0.0;
 
 private:
   vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;

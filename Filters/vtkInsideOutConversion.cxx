@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 using insideout::Error;
 using insideout::ErrorCode;
@@ -376,6 +377,29 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(const Tetrahedr
   return this->MakeSurface(mesh.Points, mesh.Origins, triangles, cells);
 }
 
+void vtkInsideOutConversion::AddLostFacets(
+  const FacetComplex& surface, const std::vector<Id>& facets, vtkUnstructuredGrid* grid) const
+{
+  std::set<vtkIdType> cells;
+  for (const Id facet : facets)
+  {
+    for (Id s = surface.SourceOffsets[facet]; s < surface.SourceOffsets[facet + 1]; ++s)
+    {
+      cells.insert(this->CellOfTriangle[surface.Sources[s].Triangle]);
+    }
+  }
+  if (!cells.empty())
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName("LostFacets");
+    for (const vtkIdType cell : cells)
+    {
+      array->InsertNextValue(cell);
+    }
+    grid->GetFieldData()->AddArray(array);
+  }
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
   const FacetComplex& surface, const TetrahedralMesh& mesh)
 {
@@ -407,6 +431,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
   grid->GetCellData()->AddArray(multiplicity);
   vtkInsideOutAttributes::PassPointData(this->Input->GetPointData(),
     this->Input->GetNumberOfPoints(), mesh.Origins, grid->GetPointData(), this->Warnings);
+  this->AddLostFacets(surface, mesh.LostFacets, grid);
   return grid;
 }
 

@@ -57,7 +57,9 @@ public:
   vtkSmartPointer<vtkPolyData> MakeSurface(const insideout::TetrahedralMesh& mesh,
     const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells);
 
-  /** The mesh with FacetIds, FacetMultiplicity, vtkOriginalPointIds and the input's point data. */
+  /** The mesh with FacetIds, FacetMultiplicity, vtkOriginalPointIds and the input's point data;
+   * where it lost facets with the field array LostFacets, the input cells that these are pieces of.
+   */
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
     const insideout::FacetComplex& surface, const insideout::TetrahedralMesh& mesh);
 
@@ -68,6 +70,8 @@ private:
   void ReadPolygons(vtkPolyData* input);
   void ReadStrips(vtkPolyData* input);
   void ReadMultiplicity(vtkPolyData* input);
+  void AddLostFacets(const insideout::FacetComplex& surface,
+    const std::vector<insideout::Id>& facets, vtkUnstructuredGrid* grid) const;
   void CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners);
   /** Clip a polygon into ears; false where it crosses itself, so that a fan has to do. */
   bool AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* corners);

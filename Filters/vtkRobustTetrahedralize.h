@@ -11,10 +11,10 @@
  * the hull, with its exact coordinates.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME. Output 1, its boundary:
- * triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell each lies
- * on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets that are
- * no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
+ * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME and LostFacets. Output 1, its
+ * boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell
+ * each lies on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets
+ * that are no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
  * surfaces its cell data.
  *
  * When no cell is inside there is a warning that gives the range of w. Errors, which name the
@@ -110,6 +110,25 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Seconds that TetGen may take, all tries together; each may take half of what is left, then the
+   * next way is tried. Default 0: 10 s, and 1 ms for each point and facet. Range 0 to infinity.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
+   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+   * Range 0 to infinity.
+   */
+  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryBudget, double);
+  ///@}
+
 protected:
   vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override = default;
@@ -125,6 +144,8 @@ protected:
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  double TimeBudget = 0.0;
+  double MemoryBudget = 0.0;
 
 private:
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;

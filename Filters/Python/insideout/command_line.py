@@ -18,7 +18,7 @@ from typing import Iterator, Optional, Sequence
 from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, read_surface, write_grid, write_surface
 from .pipeline import Error
 from .progress import StageBars
-from .summary import defects, summary
+from .summary import defects, summary, tetrahedralizer
 from .tetrahedralization import STAGES, Tetrahedralization, make_filter, tetrahedralize
 from .version import __version__
 
@@ -57,6 +57,12 @@ def _parser() -> argparse.ArgumentParser:
         "--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2"
     )
     parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6")
+    parser.add_argument(
+        "--time-budget", metavar="S", type=float, help="seconds that TetGen may take in all; 0 goes by the surface's size"
+    )
+    parser.add_argument(
+        "--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size"
+    )
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
     return parser
@@ -104,8 +110,15 @@ class Job:
         if options.report is not None:
             check_output(options.report, (".json",))
             self.report_is_writable = True
-        tetrahedralizer = make_filter(options.gamma, options.sigma)
-        self.parameters = {"gamma": tetrahedralizer.GetGamma(), "sigma": tetrahedralizer.GetSigma()}
+        solid = make_filter(
+            options.gamma, options.sigma, time_budget=options.time_budget, memory_budget=options.memory_budget
+        )
+        self.parameters = {
+            "gamma": solid.GetGamma(),
+            "sigma": solid.GetSigma(),
+            "time_budget": solid.GetTimeBudget(),
+            "memory_budget": solid.GetMemoryBudget(),
+        }
         check_input(options.surface)
         check_output(options.output, WRITABLE_GRIDS)
         for path, endings in (
@@ -139,6 +152,8 @@ class Job:
             surface,
             gamma=options.gamma,
             sigma=options.sigma,
+            time_budget=options.time_budget,
+            memory_budget=options.memory_budget,
             progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
         )
         self.bars.finish()
@@ -185,6 +200,7 @@ class Job:
             "parameters": self.parameters,
             "exit_status": status,
             "error": self.error,
+            "tetrahedralizer": tetrahedralizer(self.statistics),
             "defects": defects(self.statistics),
             "warnings": self.warnings,
             "statistics": self.statistics,

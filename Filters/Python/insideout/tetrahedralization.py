@@ -58,6 +58,8 @@ def tetrahedralize(
     orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
+    time_budget: Optional[float] = None,
+    memory_budget: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
@@ -70,12 +72,17 @@ def tetrahedralize(
                       never does, "reverse" always
     merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
     count_duplicates  count a facet as often as it is given
-    progress          called with the stage and the fraction of all the work that is done
+    time_budget       seconds that TetGen may take, all tries together; 0 goes by the surface's size
+    memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
+    progress          called with the stage and the fraction of all the work that is done; what it
+                      raises stops the work and is raised
 
     What is not given has the default of the class vtkRobustTetrahedralize. Raises `Error` with one
     line that names what is wrong.
     """
-    tetrahedralizer = make_filter(gamma, sigma, orientation, merge_tolerance, count_duplicates)
+    tetrahedralizer = make_filter(
+        gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget
+    )
     warnings: list[str] = []
     if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
         raise Error(f"the surface is a {type(surface).__name__}; it can be a vtkPolyData or a file's name")
@@ -104,6 +111,8 @@ def make_filter(
     orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
+    time_budget: Optional[float] = None,
+    memory_budget: Optional[float] = None,
 ) -> vtkRobustTetrahedralize:
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
@@ -117,6 +126,10 @@ def make_filter(
         raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
     tetrahedralizer.SetOrientation(ORIENTATIONS[orientation])
     tetrahedralizer.SetCountDuplicates(bool(count_duplicates))
+    if time_budget is not None:
+        tetrahedralizer.SetTimeBudget(_at_least(0, "time_budget", time_budget))
+    if memory_budget is not None:
+        tetrahedralizer.SetMemoryBudget(_at_least(0, "memory_budget", memory_budget))
     return tetrahedralizer
 
 
