@@ -112,8 +112,9 @@ public:
 
   ///@{
   /**
-   * Seconds that TetGen may take, all tries together; each may take half of what is left, then the
-   * next way is tried. Default 0: 10 s, and 1 ms for each point and facet. Range 0 to infinity.
+   * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
+   * Default 0: in each 5 s of processor time, and 0.5 ms for each point and facet. Range 0 to
+   * infinity.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);

@@ -8,7 +8,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -213,42 +212,47 @@ private:
   double Furthest = 0;
 };
 
-/** The budgets that are meant where a parameter is 0. */
-TetgenBudget WholeBudget(
+/** What each rung may use up. */
+TetgenBudget BudgetOfARung(
   const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters)
 {
-  constexpr double MinimumSeconds = 10;
-  constexpr double SecondsPerElement = 1e-3;
+  constexpr double MinimumSeconds = 5;
+  constexpr double SecondsPerElement = 5e-4;
+  constexpr double SlowestMachine = 10;
   constexpr double MinimumMebibytes = 1024;
   constexpr double MebibytesPerElement = 1.0 / 64;
   constexpr double ShareOfMachine = 0.75;
   const double elements = static_cast<double>(surface.Points.size() + surface.Facets.size());
+  TetgenBudget budget;
+  if (parameters.TimeBudget > 0)
+  {
+    budget.Seconds = parameters.TimeBudget / NumberOfRungs;
+  }
+  else
+  {
+    budget.ProcessorSeconds = MinimumSeconds + SecondsPerElement * elements;
+    budget.Seconds = SlowestMachine * budget.ProcessorSeconds;
+  }
   const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
     static_cast<double>(sysconf(_SC_PAGE_SIZE)) / (1024 * 1024);
-  return { parameters.TimeBudget > 0 ? parameters.TimeBudget
-                                     : MinimumSeconds + SecondsPerElement * elements,
-    parameters.MemoryBudget > 0
-      ? parameters.MemoryBudget
-      : std::min(MinimumMebibytes + MebibytesPerElement * elements, ShareOfMachine * machine) };
+  budget.Mebibytes = parameters.MemoryBudget > 0
+    ? parameters.MemoryBudget
+    : std::min(MinimumMebibytes + MebibytesPerElement * elements, ShareOfMachine * machine);
+  return budget;
 }
 
 /** Down the ladder until a mesh has every facet. */
 Tetrahedralization Climb(const FacetComplex& surface, const TetgenBudget& budget, Monitor& monitor)
 {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
   ForwardMonitor forward(monitor);
   Tetrahedralization best;
   std::optional<Error> lastError;
   for (int rung = 1; rung <= NumberOfRungs; ++rung)
   {
-    const double spent = std::chrono::duration<double>(Clock::now() - start).count();
-    const double share = std::max(0.0, budget.Seconds - spent) / 2;
     std::string failure;
     try
     {
-      TetrahedralMesh mesh =
-        Ladder[rung - 1].Try({ surface, { share, budget.Mebibytes }, forward });
+      TetrahedralMesh mesh = Ladder[rung - 1].Try({ surface, budget, forward });
       const std::size_t lost = mesh.LostFacets.size();
       if (best.Rung == 0 || lost < best.Mesh.LostFacets.size())
       {
@@ -291,7 +295,7 @@ Tetrahedralization ConstrainedDelaunay(
   CheckParameters(parameters);
   CheckIdsAndCoordinates(surface);
   CheckSpansSpace(surface.Points);
-  const TetgenBudget budget = WholeBudget(surface, parameters);
+  const TetgenBudget budget = BudgetOfARung(surface, parameters);
   const int exponent = ExponentToRemove(surface.Points);
   FacetComplex scaled;
   if (exponent != 0)

@@ -8,11 +8,12 @@
 
 namespace insideout
 {
-/** What TetGen may use up, all tries together. Beyond it the next rung has its turn. */
+/** What TetGen may use up. Beyond it the next rung has its turn. */
 struct ConstrainedDelaunayParameters
 {
-  /** Wall-clock seconds; each try may take half of what is left. 0 is 10, and 1 ms for each point
-   * and facet: many times what TetGen needs where it does not loop. */
+  /** Wall-clock seconds for all rungs, an equal part for each. 0 is 5 s of processor time for each
+   * rung, and 0.5 ms for each point and facet: many times what TetGen needs where it does not loop,
+   * however busy the machine is; and ten times as much by the clock. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
@@ -44,7 +45,7 @@ const char* RungName(int rung);
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
  *
- * The same input gives the same mesh, unless a try ends at its time budget.
+ * The same input gives the same mesh, unless TetGen takes about as long as it may.
  *
  * @param[in] surface a complex whose constraints do not cross, with no point in the interior of a
  *            constraint or of its edges; if they do cross facets are lost

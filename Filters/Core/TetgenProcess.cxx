@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -212,6 +213,17 @@ public:
     return this->Ended;
   }
 
+  double ProcessorSeconds() const
+  {
+    clockid_t clock;
+    timespec time{};
+    if (clock_getcpuclockid(this->Process, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    {
+      return 0;
+    }
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
   /** MiB that it holds, in memory or swapped out; 0 where there is no /proc to tell. */
   double Memory() const
   {
@@ -387,6 +399,10 @@ private:
       if (seconds > this->Budget.Seconds)
       {
         ThrowBudget("took", this->Budget.Seconds, "s");
+      }
+      if (this->Child.ProcessorSeconds() > this->Budget.ProcessorSeconds)
+      {
+        ThrowBudget("computed", this->Budget.ProcessorSeconds, "s");
       }
       if (this->Child.Memory() > this->Budget.Mebibytes)
       {

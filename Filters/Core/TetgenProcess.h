@@ -27,8 +27,9 @@ struct TetgenOptions
 /** What the helper may use up before it is ended. */
 struct TetgenBudget
 {
-  double Seconds = HUGE_VAL;   ///< wall-clock time, with sending and receiving
-  double Mebibytes = HUGE_VAL; ///< memory held at a time; watched where there is /proc
+  double Seconds = HUGE_VAL;          ///< wall-clock time, with sending and receiving
+  double ProcessorSeconds = HUGE_VAL; ///< on a busy machine the fairer measure
+  double Mebibytes = HUGE_VAL;        ///< memory held at a time; watched where there is /proc
 };
 
 /** What TetGen made, ids in range and coordinates as they came; nothing else is checked. */

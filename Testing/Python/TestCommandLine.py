@@ -91,7 +91,8 @@ class Success(CommandLine):
                 hull, boundary, outliers, report = names
                 done = run(
                     *(source, self.output, "--hull", hull, "--boundary", boundary),
-                    *("--outliers", outliers, "--report", report, "--gamma", "0.5", "--sigma", "0.2", "--time-budget", "60"),
+                    *("--outliers", outliers, "--report", report),
+                    *("--gamma", "0.5", "--sigma", "0.2", "--time-budget", "60"),
                 )
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(self.output)))), 15 / 8, delta=1e-12)

@@ -256,13 +256,20 @@ TEST(TetgenProcess, EndsAHelperThatTakesTooLong)
   }
 }
 
+TEST(TetgenProcess, EndsAHelperThatComputesTooLong)
+{
+  const StandIn standIn("while :; do :; done");
+  ExpectError(ErrorCode::TetrahedralizerFailed,
+    "insideout-tetgen computed more than the 0.25 s that it may", UnitBox(), { 60, 0.25 });
+}
+
 TEST(TetgenProcess, EndsAHelperThatHoldsTooMuch)
 {
   // tail keeps what it reads until the end of a line, which never comes.
   const StandIn standIn("exec tail /dev/zero");
   const Clock::time_point start = Clock::now();
   ExpectError(ErrorCode::TetrahedralizerFailed,
-    "insideout-tetgen held more than the 100 MiB that it may", UnitBox(), { 60, 100 });
+    "insideout-tetgen held more than the 100 MiB that it may", UnitBox(), { 60, 60, 100 });
   EXPECT_LT(Clock::now() - start, std::chrono::seconds(10));
 }
 
@@ -270,7 +277,7 @@ TEST(TetgenProcess, RefusesMoreThanTheMemoryBudgetBeforeItComes)
 {
   const StandInAnswer standIn(BytesOf(AnswerHeader{ AnswerMagic, 0, 0, 8, 10000000, 0 }));
   ExpectError(ErrorCode::TetrahedralizerFailed,
-    "insideout-tetgen sends more than the 100 MiB that it may", UnitBox(), { 60, 100 });
+    "insideout-tetgen sends more than the 100 MiB that it may", UnitBox(), { 60, 60, 100 });
 }
 
 TEST(TetgenProcess, EndsWhatAHelperThatEndedLeftBehind)
