@@ -113,7 +113,7 @@ public:
   ///@{
   /**
    * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
-   * Default 0: in each 5 s of processor time, and 0.5 ms for each point and facet. Range 0 to
+   * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
    * infinity.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);

@@ -216,8 +216,8 @@ private:
 TetgenBudget BudgetOfARung(
   const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters)
 {
-  constexpr double MinimumSeconds = 5;
-  constexpr double SecondsPerElement = 5e-4;
+  constexpr double MinimumSeconds = 4;
+  constexpr double SecondsPerElement = 3e-4;
   constexpr double SlowestMachine = 10;
   constexpr double MinimumMebibytes = 1024;
   constexpr double MebibytesPerElement = 1.0 / 64;

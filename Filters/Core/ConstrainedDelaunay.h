@@ -11,8 +11,8 @@ namespace insideout
 /** What TetGen may use up. Beyond it the next rung has its turn. */
 struct ConstrainedDelaunayParameters
 {
-  /** Wall-clock seconds for all rungs, an equal part for each. 0 is 5 s of processor time for each
-   * rung, and 0.5 ms for each point and facet: many times what TetGen needs where it does not loop,
+  /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
+   * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
    * however busy the machine is; and ten times as much by the clock. */
   double TimeBudget = 0;
 

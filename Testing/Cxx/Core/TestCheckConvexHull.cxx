@@ -7,39 +7,37 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace insideout;
 
 namespace
 {
-/** Neighbours by comparing all faces, which is enough for small meshes. */
 TetrahedralMesh WithNeighbors(std::vector<Point> points, std::vector<Tetrahedron> cells)
 {
   TetrahedralMesh mesh;
   mesh.Points = std::move(points);
   mesh.Cells = std::move(cells);
   mesh.Neighbors.assign(mesh.Cells.size(), { { None, None, None, None } });
-  const auto face = [&](std::size_t c, int k)
+  std::map<Triangle, std::pair<Id, int>> open;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {
-    Triangle corners;
-    for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 4; ++k)
     {
-      corners[i] = mesh.Cells[c][TetrahedronFaces[k][i]];
-    }
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  };
-  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
-  {
-    for (std::size_t d = 0; d < mesh.Cells.size(); ++d)
-    {
-      for (int k = 0; k < 16; ++k)
+      Triangle corners;
+      for (int i = 0; i < 3; ++i)
       {
-        if (c != d && face(c, k / 4) == face(d, k % 4))
-        {
-          mesh.Neighbors[c][k / 4] = static_cast<Id>(d);
-        }
+        corners[i] = mesh.Cells[c][TetrahedronFaces[k][i]];
+      }
+      std::sort(corners.begin(), corners.end());
+      const auto inserted = open.insert({ corners, { c, k } });
+      if (!inserted.second)
+      {
+        const auto [other, face] = inserted.first->second;
+        mesh.Neighbors[c][k] = other;
+        mesh.Neighbors[other][face] = c;
       }
     }
   }
