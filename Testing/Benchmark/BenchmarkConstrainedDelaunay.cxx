@@ -1,60 +1,77 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-//
-// The whole CDT stage, with transfer and checks, against TetGen's library called directly with the
-// switches of the stage's first rung, both on the resolved surface:
-//
-//   BenchmarkConstrainedDelaunay SURFACE...
-//
-// Times are medians of runs by turns. Memory is that of processes of their own: TetGen's peak, and
-// the helper's peak and what the host grew by, each above what it held when the surface was there.
-
 #include "ConstrainedDelaunay.h"
 #include "CountedChain.h"
+#include "Measure.h"
+#include "ReadTriangles.h"
 #include "ResolveSelfIntersections.h"
-#include "Statistics.h"
-#include "SurfaceFile.h"
+#include "TetgenProcess.h"
 
 #include <tetgen.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <string>
-#include <vector>
+#include <map>
 
 #include <fcntl.h>
-#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace insideout;
+using namespace benchmark;
 
 namespace
 {
-constexpr int Runs = 5;
+/** What a surface's stage has to reach, over TetGen's library called directly. */
+struct Target
+{
+  Limit Stage;    ///< seconds of the whole stage, with transfer and checks
+  Limit Transfer; ///< seconds of TetGen in a process of its own, without checks
+  Limit Memory;   ///< the helper's peak and what the host grows by
+};
 
-FacetComplex ReadResolved(const char* path)
+const std::map<std::string, Target> Targets = {
+  { "Beast", { AtMost(1.25), AtMost(1.05), AtMost(1.5) } },
+};
+
+FacetComplex Resolved(const std::string& path)
 {
   Monitor monitor;
-  const PolygonSurface polygons = ReadSurface(path, monitor);
-  TriangleSoup soup;
-  soup.Points = polygons.Points;
-  for (std::size_t p = 0; p + 1 < polygons.Offsets.size(); ++p)
-  {
-    const Id first = polygons.Offsets[p];
-    for (Id k = first + 1; k + 1 < polygons.Offsets[p + 1]; ++k)
-    {
-      soup.Triangles.push_back(
-        { polygons.Corners[first], polygons.Corners[k], polygons.Corners[k + 1] });
-    }
-  }
-  return ResolveSelfIntersections(CountFacets(soup, {}, monitor).Surface, monitor).Surface;
+  return ResolveSelfIntersections(
+    CountFacets(testmeshes::ReadTriangles(path), {}, monitor).Surface, monitor)
+    .Surface;
 }
 
-/** What any user of TetGen's library does: fill its structures, run it. */
+std::vector<Triangle> ConstraintsOf(const FacetComplex& surface)
+{
+  return { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints };
+}
+
+/** TetGen prints, whatever one tells it: while this object lives, to nowhere. */
+class Silence
+{
+public:
+  Silence()
+    : Saved(dup(STDOUT_FILENO))
+  {
+    std::fflush(stdout);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    close(nowhere);
+  }
+  ~Silence()
+  {
+    std::fflush(stdout);
+    dup2(this->Saved, STDOUT_FILENO);
+    close(this->Saved);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  const int Saved;
+};
+
+/** What any user of TetGen's library does, with the switches of the stage's first rung. */
 void RunTetgenDirectly(const FacetComplex& surface)
 {
   tetgenio input;
@@ -62,7 +79,7 @@ void RunTetgenDirectly(const FacetComplex& surface)
   input.numberofpoints = static_cast<int>(surface.Points.size());
   input.pointlist = new double[3 * surface.Points.size()];
   std::copy_n(surface.Points[0].data(), 3 * surface.Points.size(), input.pointlist);
-  input.numberoffacets = surface.NumberOfConstraints;
+  input.numberoffacets = static_cast<int>(surface.NumberOfConstraints);
   input.facetlist = new tetgenio::facet[surface.Facets.size()];
   input.facetmarkerlist = new int[surface.Facets.size()];
   for (int f = 0; f < input.numberoffacets; ++f)
@@ -82,156 +99,125 @@ void RunTetgenDirectly(const FacetComplex& surface)
   behavior.parse_commandline(switches);
   behavior.epsilon = 1e-13;
   behavior.minedgelength = std::numeric_limits<double>::min();
+  const Silence silence;
   tetrahedralize(&behavior, &input, &output);
 }
 
-double MebibytesNow()
+/** @return the rung that answered */
+int RunStage(const FacetComplex& surface)
 {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-  {
-    double kibibytes;
-    if (word == "VmRSS:" && status >> kibibytes)
-    {
-      return kibibytes / 1024;
-    }
-  }
-  return 0;
+  Monitor monitor;
+  return ConstrainedDelaunay(surface, {}, monitor).Rung;
 }
 
-/** By how many MiB work makes a process grow at most, and the largest of its children's peaks. */
-struct Growth
+/** TetGen harms this process, too, where it cannot do what it is asked. */
+bool TetgenManages(const std::string& name, const FacetComplex& surface)
 {
-  double Own;
-  double Child;
-};
+  const bool manages = RunStage(surface) == 1;
+  if (!manages)
+  {
+    std::printf("cdt/%s: TetGen fails with the switches of the first rung\n", name.c_str());
+  }
+  return manages;
+}
 
-template <typename Work>
-Growth GrowthIn(const Work& work)
+void Measure(const std::string& path)
+{
+  const std::string name = StemOf(path);
+  const FacetComplex surface = Resolved(path);
+  if (!TetgenManages(name, surface))
+  {
+    return;
+  }
+  const std::vector<Triangle> constraints = ConstraintsOf(surface);
+  const auto direct = [&] { RunTetgenDirectly(surface); };
+  const auto inProcess = [&]
+  {
+    Monitor monitor;
+    RunTetgen(surface.Points, constraints, {}, {}, monitor);
+  };
+  const auto stage = MedianSeconds([&] { RunStage(surface); }, direct);
+  const auto transfer = MedianSeconds(inProcess, direct);
+  PrintSeconds("cdt/" + name, surface.Facets.size(), "stage", "TetGen", stage);
+  PrintSeconds("cdt/transfer/" + name, surface.Facets.size(), "process", "TetGen", transfer);
+  const auto target = Targets.find(name);
+  if (target != Targets.end())
+  {
+    PrintRatio("cdt/" + name, stage[0] / stage[1], target->second.Stage);
+    PrintRatio("cdt/transfer/" + name, transfer[0] / transfer[1], target->second.Transfer);
+  }
+}
+
+/** MiB by which this process, forked for it, grows when it runs TetGen. */
+double MemoryOfTetgen(const FacetComplex& surface)
 {
   int ends[2];
+  double grown = 0;
   if (pipe(ends) != 0)
   {
-    std::exit(1);
+    return 0;
   }
   const pid_t child = fork();
   if (child == 0)
   {
-    malloc_trim(0);
-    // The peak so far is forgotten.
-    std::ofstream("/proc/self/clear_refs") << "5";
-    const double before = MebibytesNow();
-    work();
-    rusage children{};
-    getrusage(RUSAGE_CHILDREN, &children);
-    std::ifstream status("/proc/self/status");
-    double peak = 0;
-    for (std::string word; status >> word;)
-    {
-      if (word == "VmHWM:")
-      {
-        status >> peak;
-      }
-    }
-    const Growth growth = { peak / 1024 - before, static_cast<double>(children.ru_maxrss) / 1024 };
-    _exit(write(ends[1], &growth, sizeof(growth)) == sizeof(growth) ? 0 : 1);
+    const double before = ResetHighWaterMark();
+    RunTetgenDirectly(surface);
+    grown = HighWaterMark() - before;
+    _exit(write(ends[1], &grown, sizeof(grown)) == sizeof(grown) ? 0 : 1);
   }
-  Growth growth = { 0, 0 };
-  waitpid(child, nullptr, 0);
-  if (read(ends[0], &growth, sizeof(growth)) != sizeof(growth))
+  close(ends[1]);
+  if (read(ends[0], &grown, sizeof(grown)) != sizeof(grown))
   {
-    std::exit(1);
+    grown = 0;
   }
   close(ends[0]);
-  close(ends[1]);
-  return growth;
+  waitpid(child, nullptr, 0);
+  return grown;
 }
 
-double Median(std::vector<double> values)
+/** In a process of its own, for memory that was used once stays with the process. */
+void MeasureMemory(const std::string& path)
 {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-std::string NameOf(const std::string& path)
-{
-  const std::string file = path.substr(path.rfind('/') + 1);
-  return file.substr(0, file.rfind('.'));
-}
-
-/** TetGen prints, whatever one tells it. */
-class Silence
-{
-public:
-  Silence()
-    : Saved(dup(STDOUT_FILENO))
+  const std::string name = StemOf(path);
+  const FacetComplex surface = Resolved(path);
+  const double before = ResetHighWaterMark();
+  if (!TetgenManages(name, surface))
   {
-    std::fflush(stdout);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    close(nowhere);
-  }
-  ~Silence()
-  {
-    std::fflush(stdout);
-    dup2(this->Saved, STDOUT_FILENO);
-    close(this->Saved);
-  }
-
-private:
-  const int Saved;
-};
-
-void Measure(const char* path)
-{
-  const std::string name = NameOf(path);
-  const FacetComplex surface = ReadResolved(path);
-  Tetrahedralization result;
-  const auto stage = [&]()
-  {
-    Monitor monitor;
-    result = ConstrainedDelaunay(surface, {}, monitor);
-  };
-  const auto direct = [&]()
-  {
-    const Silence silence;
-    RunTetgenDirectly(surface);
-  };
-  stage(); // warms up, too
-  if (result.Rung != 1)
-  {
-    std::printf("%s: TetGen fails with these switches\n", name.c_str());
     return;
   }
-  std::vector<double> stageSeconds;
-  std::vector<double> directSeconds;
-  for (int run = 0; run < Runs; ++run)
+  const double host = HighWaterMark() - before;
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children);
+  const double helper = static_cast<double>(children.ru_maxrss) / 1024;
+  const double direct = MemoryOfTetgen(surface);
+  std::printf("memory cdt/%s helper %.1f MiB, host %.1f MiB, TetGen %.1f MiB\n", name.c_str(),
+    helper, host, direct);
+  const auto target = Targets.find(name);
+  if (target != Targets.end() && direct > 0)
   {
-    Stopwatch stopwatch;
-    direct();
-    directSeconds.push_back(stopwatch.Lap());
-    stage();
-    stageSeconds.push_back(stopwatch.Lap());
+    PrintRatio("memory/cdt/" + name, (helper + host) / direct, target->second.Memory);
   }
-  result = {};
-  const Growth stageGrowth = GrowthIn(stage);
-  const Growth directGrowth = GrowthIn(direct);
-  std::printf(
-    "%s: stage %.3f s, TetGen %.3f s; helper %.1f MiB and host %.1f MiB, TetGen %.1f MiB\n",
-    name.c_str(), Median(stageSeconds), Median(directSeconds), stageGrowth.Child, stageGrowth.Own,
-    directGrowth.Own);
-  std::printf(
-    "ratio cdt/%s %.3f at most 1.25\n", name.c_str(), Median(stageSeconds) / Median(directSeconds));
-  std::printf("ratio memory/cdt/%s %.3f at most 1.5\n", name.c_str(),
-    (stageGrowth.Child + stageGrowth.Own) / directGrowth.Own);
 }
 } // namespace
 
-int main(int count, char** arguments)
+/**
+ * BenchmarkConstrainedDelaunay [--memory] SURFACE...: measures stage CDT on resolved surfaces
+ * against TetGen's library, or the memory that each takes at most. Lines as in Measure.h; a surface
+ * that cannot be read is named and passed over, and so is one where TetGen needs a second try.
+ */
+int main(int argc, char** argv)
 {
-  for (int k = 1; k < count; ++k)
+  const bool memory = argc > 1 && std::string(argv[1]) == "--memory";
+  for (int i = memory ? 2 : 1; i < argc; ++i)
   {
-    Measure(arguments[k]);
+    try
+    {
+      memory ? MeasureMemory(argv[i]) : Measure(argv[i]);
+    }
+    catch (const Error& error)
+    {
+      std::printf("%s: %s\n", argv[i], error.what());
+    }
   }
   return 0;
 }

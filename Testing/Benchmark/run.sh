@@ -10,7 +10,7 @@ build=$root/build-benchmark
 
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
   -DINSIDEOUT_CORE_ONLY=ON >"$build.log" 2>&1 && cmake --build "$build" --target BenchmarkResolve \
-  >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
+  BenchmarkConstrainedDelaunay >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 mv "$build.log" "$build/build.log"
 
 surfaces=$build/surfaces
@@ -28,6 +28,12 @@ for name in Beast AlienSpaceObject; do
     *" $name "*) ;;
     *) echo "missing: $name, to be given as an argument; its targets are not measured" ;;
   esac
+done
+
+program=$build/Testing/Benchmark/BenchmarkConstrainedDelaunay
+for surface; do
+  "$program" "$surface"
+  "$program" --memory "$surface"
 done
 
 program=$build/Testing/Benchmark/BenchmarkResolve
