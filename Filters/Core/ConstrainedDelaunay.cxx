@@ -147,9 +147,14 @@ TetrahedralMesh FlipInGivenOrder(const Attempt& attempt)
   return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid, true, true });
 }
 
-TetrahedralMesh InsertInGivenOrder(const Attempt& attempt)
+TetrahedralMesh LeavePointsOnFacets(const Attempt& attempt)
 {
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid, false, true });
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave });
+}
+
+TetrahedralMesh LeavePointsAndFlipInGivenOrder(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave, true, true });
 }
 
 TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
@@ -171,14 +176,16 @@ struct Rung
 };
 
 /**
- * From the best mesh to the surest. TetGen crashes where it takes Steiner points out of facets
- * again; where exactly depends on the tetrahedra that it begins with, so that other ways to these
- * help. With points left on facets it rarely crashes, but makes ten times as many.
+ * From the best mesh to the surest. TetGen most often crashes where it takes Steiner points out of
+ * facets again, which is not tried from the third rung on: that leaves some tens of them. Where
+ * else it crashes depends on the tetrahedra that it begins with, so that another way to these
+ * helps. With points wherever it likes there are ten times as many as the facets have corners.
  */
 const Rung Ladder[] = {
   { "TetGen, points kept off facets", KeepPointsOffFacets },
   { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder },
-  { "TetGen, points kept off facets, cavities in the order given", InsertInGivenOrder },
+  { "TetGen, points left on facets", LeavePointsOnFacets },
+  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder },
   { "TetGen, points put on facets", PutPointsOnFacets },
   { "Delaunay tetrahedra of the points alone", IgnoreFacets },
 };

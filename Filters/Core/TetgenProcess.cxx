@@ -534,6 +534,7 @@ Bytes BytesOf(const std::vector<T>& array)
 std::int64_t BitsOf(const TetgenOptions& options)
 {
   return (options.Steiner == SurfaceSteinerPoints::Allow ? AllowSurfaceSteinerPoints : 0) |
+    (options.Steiner == SurfaceSteinerPoints::Leave ? LeaveSurfaceSteinerPoints : 0) |
     (options.FlipIncrementally ? FlipIncrementally : 0) |
     (options.KeepOrderOfPoints ? KeepOrderOfPoints : 0);
 }

@@ -13,7 +13,8 @@ namespace insideout
 enum class SurfaceSteinerPoints
 {
   Avoid, ///< only where TetGen cannot move them into the volume
-  Allow
+  Leave, ///< where it needs them to recover a facet, without trying to take them away again
+  Allow  ///< wherever it makes an edge or a facet Delaunay
 };
 
 /** How TetGen goes to work. Where it crashes or gives up one way it may not in another. */

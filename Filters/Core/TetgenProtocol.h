@@ -24,6 +24,7 @@ constexpr std::int64_t MaximumMessageLength = 4096;
 constexpr std::int64_t AllowSurfaceSteinerPoints = 1;
 constexpr std::int64_t FlipIncrementally = 2;
 constexpr std::int64_t KeepOrderOfPoints = 4;
+constexpr std::int64_t LeaveSurfaceSteinerPoints = 8;
 
 /**
  * Followed by the points (3 double each) and the facets (3 int32 each).

@@ -4,6 +4,7 @@
 // tetrahedra of its convex hull, and writes them to standard output (TetgenProtocol.h). TetGen
 // exits, aborts, loops or corrupts memory on some surfaces; here it harms nobody but this process.
 
+#include "LeaveSteinerPoints.h"
 #include "TetgenProtocol.h"
 
 #include <tetgen.h>
@@ -163,6 +164,11 @@ tetgenbehavior Behavior(const Request& request)
   behavior.parse_commandline(&switches[0]);
   behavior.epsilon = ToleranceOfFirstCell;
   behavior.minedgelength = std::numeric_limits<double>::min();
+  if (request.Options & LeaveSurfaceSteinerPoints)
+  {
+    behavior.nobisect_param = 0;
+    LeaveSteinerPoints();
+  }
   return behavior;
 }
 

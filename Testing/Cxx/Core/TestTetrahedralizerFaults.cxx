@@ -117,6 +117,14 @@ void ExpectAnswerWithoutTetgen(const std::string& reason, double seconds = Secon
   }
 }
 
+/** A script that is TetGen but for its first runs. */
+std::string CrashFirst(int crashes)
+{
+  return "tries=\"$(dirname \"$0\")/tries\"; echo x >> \"$tries\"\n"
+         "[ $(wc -l < \"$tries\") -gt " +
+    std::to_string(crashes) + " ] || kill -SEGV $$\nexec \"" INSIDEOUT_TETGEN_PATH "\"";
+}
+
 /** A monitor that says stop after a while. */
 class Stopper : public Monitor
 {
@@ -317,9 +325,7 @@ TEST(TetrahedralizerFaults, EachRungOfTetgenHasItsTurn)
   for (int crashes = 0; crashes < NumberOfTetgenRungs(); ++crashes)
   {
     const NothingIsLeft nothingIsLeft;
-    const StandIn standIn("tries=\"$(dirname \"$0\")/tries\"; echo x >> \"$tries\"\n"
-                          "[ $(wc -l < \"$tries\") -gt " +
-      std::to_string(crashes) + " ] || kill -SEGV $$\nexec \"" INSIDEOUT_TETGEN_PATH "\"");
+    const StandIn standIn(CrashFirst(crashes));
     Monitor monitor;
     const Tetrahedralization result = ConstrainedDelaunay(box, {}, monitor);
     testmeshes::ExpectMeshLaws(box, result.Mesh);
@@ -452,6 +458,38 @@ TriangleSoup DirtySoup(unsigned seed, int triangles)
   return soup;
 }
 } // namespace
+
+TEST(TetrahedralizerFaults, AfterTwoCrashesPointsAreLeftOnFacets)
+{
+  Monitor monitor;
+  Id left = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    const FacetComplex surface =
+      ResolveSelfIntersections(CountFacets(DirtySoup(seed, 400), {}, monitor).Surface, monitor)
+        .Surface;
+    const StandIn standIn(CrashFirst(2));
+    const Tetrahedralization result = ConstrainedDelaunay(surface, {}, monitor);
+    EXPECT_EQ(result.Rung, 3);
+    EXPECT_TRUE(result.Mesh.LostFacets.empty());
+    testmeshes::ExpectMeshLaws(surface, result.Mesh);
+    left += result.Mesh.NumberOfSurfaceSteinerPoints;
+  }
+  EXPECT_GT(left, 0);
+}
+
+TEST(TetrahedralizerFaults, NothingOfTetGenIsPrinted)
+{
+  // Facets that cross make TetGen print, fail assertions and crash.
+  const FacetComplex crossing = testmeshes::ToComplex(testmeshes::RandomSoup(3, 60));
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Monitor monitor;
+  const Tetrahedralization result = ConstrainedDelaunay(crossing, {}, monitor);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_FALSE(result.Failures.empty());
+}
 
 /** 4 soups, or as many as the environment variable INSIDEOUT_SOUPS says; then it prints what became
  * of them. */
