@@ -20,8 +20,8 @@
  * how much the winding number rises when entering the cell there). Points carry
  * vtkOriginalPointIds (-1 for Steiner points) and the input's point data: interpolated on
  * facets, NaN (0 for integers) in the volume. Field data: Statistics_NAME, a double each (Rung,
- * HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and, where
- * facets are lost, LostFacets (vtkIdType): the input cells that they are pieces of.
+ * HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and
+ * LostCellIds (vtkIdType): the input cells of facets that are lost, empty where none is.
  *
  * Errors, with an empty output: facets that cross, all facets in one plane, points not finite or
  * ids out of range.

@@ -53,6 +53,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
         monitor);
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);
+      conversion.AddLeftOutCells(hull.Surface, output);
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
     });

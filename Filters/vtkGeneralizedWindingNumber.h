@@ -11,7 +11,8 @@
  *
  * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
  * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
- * each stage; LostFacets as of vtkConstrainedDelaunay3D.
+ * each stage, LeftOutCellIds (see vtkResolveSelfIntersections) and LostCellIds (see
+ * vtkConstrainedDelaunay3D).
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  *

@@ -11,7 +11,8 @@
  * the hull, with its exact coordinates.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME and LostFacets. Output 1, its
+ * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME, LeftOutCellIds (see
+ * vtkResolveSelfIntersections) and LostCellIds (see vtkConstrainedDelaunay3D). Output 1, its
  * boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell
  * each lies on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets
  * that are no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the

@@ -89,6 +89,12 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
     return statistics
 
 
+def cells_of(data: vtkDataObject, name: str) -> list[int]:
+    """The input cells that a filter listed in a field array: LeftOutCellIds or LostCellIds."""
+    array = data.GetFieldData().GetArray(name)
+    return [] if array is None else [int(array.GetTuple1(index)) for index in range(array.GetNumberOfValues())]
+
+
 def at_least(least: float, name: str, value: float) -> float:
     """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
     value = float(value)
