@@ -130,15 +130,24 @@ void FillInput(const Request& request, tetgenio& input)
 /**
  * TetGen's manual, section 4.2. c: the whole convex hull; J: keep points that no cell uses, so that
  * ids stay; Q: quiet; p: facets are constraints; M: do not merge coplanar facets, nor points; Y: no
- * Steiner points on facets and segments, as far as TetGen can avoid it; l: the first Delaunay
- * tetrahedra by flips instead of Bowyer and Watson's cavities; b0: points in the order given.
+ * Steiner points on facets and segments, as far as TetGen can avoid it; Y0: none but to recover
+ * them; l: the first Delaunay tetrahedra by flips instead of Bowyer and Watson's cavities; b0:
+ * points in the order given.
  */
 std::string Switches(const Request& request)
 {
   std::string switches = "cJQ";
   if (!request.Facets.empty())
   {
-    switches += (request.Options & AllowSurfaceSteinerPoints) ? "pM" : "pMY";
+    switches += "pM";
+    if (request.Options & LeaveSurfaceSteinerPoints)
+    {
+      switches += "Y0";
+    }
+    else if (!(request.Options & AllowSurfaceSteinerPoints))
+    {
+      switches += "Y";
+    }
   }
   if (request.Options & FlipIncrementally)
   {
@@ -164,11 +173,6 @@ tetgenbehavior Behavior(const Request& request)
   behavior.parse_commandline(&switches[0]);
   behavior.epsilon = ToleranceOfFirstCell;
   behavior.minedgelength = std::numeric_limits<double>::min();
-  if (request.Options & LeaveSurfaceSteinerPoints)
-  {
-    behavior.nobisect_param = 0;
-    LeaveSteinerPoints();
-  }
   return behavior;
 }
 
@@ -281,6 +285,10 @@ int main()
       const Request request = ReadRequest();
       FillInput(request, input);
       behavior = Behavior(request);
+      if (request.Options & LeaveSurfaceSteinerPoints)
+      {
+        LeaveSteinerPoints();
+      }
     }
     if (ParentIsGone())
     {
