@@ -485,7 +485,7 @@ TEST(TetrahedralizerFaults, NothingOfTetGenIsPrinted)
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Monitor monitor;
-  const Tetrahedralization result = ConstrainedDelaunay(crossing, {}, monitor);
+  const Tetrahedralization result = ConstrainedDelaunay(crossing, { 2, Mebibytes }, monitor);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_FALSE(result.Failures.empty());
