@@ -12,21 +12,25 @@ namespace insideout
 {
 namespace
 {
-// 168 bits: half angles keep 16 digits even where the barycentre is 1e-30 sizes from an edge.
+// 168 bits: half angles keep 16 digits even where the site is 1e-30 sizes from an edge.
 using Precise = boost::multiprecision::cpp_bin_float_50;
 
 template <typename Number>
 using Vector = std::array<Number, 3>;
 
-/** From the barycentre to `corner`, times 4 so that nothing has to be divided. */
+/** From the site to `corner`; as the weights sum to 1, differences can be taken first. */
 template <typename Number>
-Vector<Number> FourTimesFromBarycentre(const std::array<Point, 4>& cell, const Point& corner)
+Vector<Number> FromSite(const Site& site, const Point& corner)
 {
   Vector<Number> result;
   for (int axis = 0; axis < 3; ++axis)
   {
-    result[axis] = Number(4) * Number(corner[axis]) - Number(cell[0][axis]) -
-      Number(cell[1][axis]) - Number(cell[2][axis]) - Number(cell[3][axis]);
+    result[axis] = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      result[axis] +=
+        Number(site.Weights[k]) * (Number(corner[axis]) - Number(site.Corners[k][axis]));
+    }
   }
   return result;
 }
@@ -42,27 +46,25 @@ Precise Dot(const Vector<Precise>& a, const Vector<Precise>& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** +1 where the triangle's normal points away from the barycentre, -1 towards it, 0 in plane. */
-int Side(const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell)
+/** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
+int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
   using Exact = CGAL::Exact_rational;
-  return static_cast<int>(CGAL::sign(Determinant(FourTimesFromBarycentre<Exact>(cell, triangle[0]),
-    FourTimesFromBarycentre<Exact>(cell, triangle[1]),
-    FourTimesFromBarycentre<Exact>(cell, triangle[2]))));
+  return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
+    FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
 }
 } // namespace
 
-std::complex<double> HalfSolidAngle(
-  const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell)
+std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site)
 {
-  const int side = Side(triangle, cell);
+  const int side = Side(triangle, site);
   if (side == 0)
   {
     return 1.0;
   }
-  const Vector<Precise> a = FourTimesFromBarycentre<Precise>(cell, triangle[0]);
-  const Vector<Precise> b = FourTimesFromBarycentre<Precise>(cell, triangle[1]);
-  const Vector<Precise> c = FourTimesFromBarycentre<Precise>(cell, triangle[2]);
+  const Vector<Precise> a = FromSite<Precise>(site, triangle[0]);
+  const Vector<Precise> b = FromSite<Precise>(site, triangle[1]);
+  const Vector<Precise> c = FromSite<Precise>(site, triangle[2]);
   const Precise lengthA = sqrt(Dot(a, a));
   const Precise lengthB = sqrt(Dot(b, b));
   const Precise lengthC = sqrt(Dot(c, c));

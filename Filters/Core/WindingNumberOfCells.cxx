@@ -1,49 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumberOfCells.h"
 
-#include "WindingNumberSum.h"
+#include "ExactWindingNumber.h"
+#include "SpatialOrder.h"
+#include "TetrahedronQuadrature.h"
+#include "TouchedCells.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace insideout
 {
 namespace
 {
-/** An edge of a facet: its points in ascending order, and how often it is run through that way. */
-struct CountedEdge
-{
-  Id Low;
-  Id High;
-  std::int64_t Count;
-
-  bool IsSameEdge(const CountedEdge& other) const
-  {
-    return this->Low == other.Low && this->High == other.High;
-  }
-  bool operator<(const CountedEdge& other) const
-  {
-    return this->Low != other.Low ? this->Low < other.Low : this->High < other.High;
-  }
-};
-
-std::vector<CountedEdge> CountedEdges(const FacetComplex& surface)
-{
-  std::vector<CountedEdge> edges;
-  edges.reserve(3 * surface.Facets.size());
-  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
-  {
-    const int multiplicity = surface.Multiplicity[f];
-    for (int k = 0; multiplicity != 0 && k < 3; ++k)
-    {
-      const Id from = surface.Facets[f][k];
-      const Id to = surface.Facets[f][(k + 1) % 3];
-      edges.push_back(
-        { std::min(from, to), std::max(from, to), from < to ? multiplicity : -multiplicity });
-    }
-  }
-  return edges;
-}
+const char* const StageName = "winding numbers";
 
 /** Carry the winding number from the hull into every cell that can be reached. */
 std::vector<double> Walk(
@@ -108,8 +79,7 @@ void VerifyJumps(
 std::vector<double> WalkedWindingNumbers(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor)
 {
-  const char* stage = "winding numbers";
-  monitor.Check(stage, 0);
+  monitor.Check(StageName, 0);
   std::vector<Id> reached;
   const std::vector<double> w = Walk(surface, mesh, reached);
   if (reached.size() != mesh.Cells.size())
@@ -123,10 +93,259 @@ std::vector<double> WalkedWindingNumbers(
     throw Error(ErrorCode::Inconsistent,
       "cell " + std::to_string(missing) + " cannot be reached from the hull");
   }
-  monitor.Check(stage, 0.5);
+  monitor.Check(StageName, 0.5);
   VerifyJumps(surface, mesh, w);
-  monitor.Check(stage, 1);
+  monitor.Check(StageName, 1);
   return w;
+}
+
+/** The facets that count, of all of these. */
+std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
+{
+  std::vector<CountedTriangle> counted;
+  counted.reserve(surface.Facets.size());
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    if (surface.Multiplicity[f] != 0)
+    {
+      counted.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+    }
+  }
+  return counted;
+}
+
+/** Facets that count and are no faces of the mesh: lost by it, or left out before. */
+std::vector<CountedTriangle> FacetsBeyondMesh(
+  const FacetComplex& surface, const TetrahedralMesh& mesh)
+{
+  std::vector<Id> facets = mesh.LostFacets;
+  for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
+  {
+    facets.push_back(f);
+  }
+  std::vector<CountedTriangle> beyond;
+  for (const Id f : facets)
+  {
+    if (surface.Multiplicity[f] != 0)
+    {
+      beyond.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+    }
+  }
+  return beyond;
+}
+
+/** What every face of the mesh counts for, as far as the facets in it are whole. */
+class FaceCounts
+{
+public:
+  FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh)
+    : Mesh(mesh)
+    , Count(surface.Multiplicity.begin(), surface.Multiplicity.end())
+  {
+    for (const Id facet : mesh.LostFacets)
+    {
+      this->Count[facet] = 0;
+    }
+  }
+
+  /** By how much w rises when entering the cell through the face; 0 for pieces of lost facets. */
+  int OnEntering(Id cell, int face) const
+  {
+    const Id facet = this->Mesh.Facets[cell][face];
+    return facet == None ? 0 : this->Mesh.FacetSides[cell][face] * this->Count[facet];
+  }
+
+  /** The faces that count, each once, along the outward normal of one of its cells. */
+  std::vector<CountedTriangle> Chain() const
+  {
+    std::vector<CountedTriangle> faces;
+    for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+    {
+      const Tetrahedron& t = this->Mesh.Cells[cell];
+      for (int k = 0; k < 4; ++k)
+      {
+        const int count = this->OnEntering(cell, k);
+        if (count != 0 && this->Mesh.Neighbors[cell][k] < cell)
+        {
+          const std::array<int, 3>& corners = TetrahedronFaces[k];
+          faces.push_back({ { { t[corners[0]], t[corners[1]], t[corners[2]] } }, count });
+        }
+      }
+    }
+    return faces;
+  }
+
+private:
+  const TetrahedralMesh& Mesh;
+  std::vector<int> Count; // per facet
+};
+
+/** Parts of the mesh, joined through faces, of the cells that nothing but its faces touches. */
+struct UntouchedParts
+{
+  std::vector<Id> Part;      ///< of each cell, None for touched ones
+  std::vector<Id> FirstCell; ///< of each part
+  std::vector<int> Rise;     ///< from the part's first cell to each cell
+};
+
+/** Walk from a part's first cell to all others. */
+void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
+  const std::vector<char>& touched, Id first, UntouchedParts& parts)
+{
+  const Id part = static_cast<Id>(parts.FirstCell.size());
+  parts.FirstCell.push_back(first);
+  parts.Part[first] = part;
+  std::vector<Id> stack = { first };
+  while (!stack.empty())
+  {
+    const Id cell = stack.back();
+    stack.pop_back();
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = mesh.Neighbors[cell][k];
+      if (neighbor == None || touched[neighbor])
+      {
+        continue;
+      }
+      const int rise = parts.Rise[cell] - counts.OnEntering(cell, k);
+      if (parts.Part[neighbor] == None)
+      {
+        parts.Part[neighbor] = part;
+        parts.Rise[neighbor] = rise;
+        stack.push_back(neighbor);
+      }
+      else if (parts.Rise[neighbor] != rise)
+      {
+        throw Error(ErrorCode::Inconsistent,
+          "the winding number does not rise by the facets' count between cell " +
+            std::to_string(cell) + " and cell " + std::to_string(neighbor));
+      }
+    }
+  }
+}
+
+UntouchedParts WalkParts(
+  const FaceCounts& counts, const TetrahedralMesh& mesh, const std::vector<char>& touched)
+{
+  UntouchedParts parts;
+  parts.Part.assign(mesh.Cells.size(), None);
+  parts.Rise.assign(mesh.Cells.size(), 0);
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    if (!touched[cell] && parts.Part[cell] == None)
+    {
+      WalkPart(counts, mesh, touched, cell, parts);
+    }
+  }
+  return parts;
+}
+
+/** To the integer or half that a value stands for. */
+double Rounded(double w, std::size_t cell)
+{
+  const double rounded = std::round(2 * w) / 2;
+  const double mostRoundingError = 1e-6;
+  if (!(std::abs(w - rounded) < mostRoundingError))
+  {
+    throw Error(ErrorCode::Inconsistent,
+      "the winding number of cell " + std::to_string(cell) + " is " + std::to_string(w) +
+        ", although the surface is closed");
+  }
+  return rounded;
+}
+
+/**
+ * The winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain is the
+ * mesh's faces and the facets beyond it, and its holes have caps: on cells that neither caps nor
+ * facets beyond the mesh touch, the whole part is walked; elsewhere it is evaluated.
+ */
+class PartlyWalked
+{
+public:
+  PartlyWalked(const FacetComplex& surface, const TetrahedralMesh& mesh,
+    const std::vector<CountedTriangle>& beyond, Monitor& monitor)
+    : Mesh(mesh)
+    , Counts(surface, mesh)
+    , Exact(mesh.Points, this->Chain(beyond), monitor, { StageName, 0, 0.1 })
+  {
+    std::vector<CountedTriangle> apart = beyond;
+    for (const std::vector<CountedTriangle>& cap : this->Exact.HoleCaps())
+    {
+      apart.insert(apart.end(), cap.begin(), cap.end());
+    }
+    const std::vector<char> touched = TouchedCells(mesh, apart);
+    monitor.Check(StageName, 0.15);
+    this->Parts = WalkParts(this->Counts, mesh, touched);
+    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+    {
+      if (touched[cell])
+      {
+        this->Touched.push_back(cell);
+      }
+    }
+  }
+
+  /** At the same place in every cell. */
+  std::vector<double> At(
+    const SiteWeights& place, Monitor& monitor, const ProgressRange& progress) const
+  {
+    const Sites sites = { this->Mesh.Points, this->Mesh.Cells, place };
+    std::vector<double> w(this->Mesh.Cells.size(), 0.0);
+    const double middle = progress.Begin + (progress.End - progress.Begin) / 8;
+    std::vector<Id> evaluated = this->Touched;
+    evaluated.insert(
+      evaluated.end(), this->Parts.FirstCell.begin(), this->Parts.FirstCell.end());
+    this->Exact.EvaluateClosed(
+      sites, evaluated, w, monitor, { progress.Stage, progress.Begin, middle });
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
+    {
+      if (this->Parts.Part[cell] != None)
+      {
+        w[cell] = w[this->Parts.FirstCell[this->Parts.Part[cell]]] + this->Parts.Rise[cell];
+      }
+    }
+    if (!this->Exact.IsClosed())
+    {
+      this->Exact.AddCaps(
+        sites, SpatialOrder(sites), w, monitor, { progress.Stage, middle, progress.End });
+    }
+    return w;
+  }
+
+private:
+  std::vector<CountedTriangle> Chain(const std::vector<CountedTriangle>& beyond) const
+  {
+    std::vector<CountedTriangle> chain = this->Counts.Chain();
+    chain.insert(chain.end(), beyond.begin(), beyond.end());
+    return chain;
+  }
+
+  const TetrahedralMesh& Mesh;
+  const FaceCounts Counts;
+  const ExactWindingNumber Exact;
+  UntouchedParts Parts;
+  std::vector<Id> Touched;
+};
+
+/** The mean over each cell; of whole and half numbers where the complex is closed. */
+std::vector<double> PartlyWalkedMeans(
+  const PartlyWalked& walked, bool isClosed, const QuadratureRule& rule, Monitor& monitor)
+{
+  std::vector<double> means;
+  const double part = 0.8 / static_cast<double>(rule.Sites.size());
+  for (std::size_t i = 0; i < rule.Sites.size(); ++i)
+  {
+    const double begin = 0.2 + part * static_cast<double>(i);
+    const std::vector<double> w =
+      walked.At(rule.Sites[i], monitor, { StageName, begin, begin + part });
+    means.resize(w.size(), 0.0);
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
+    {
+      means[cell] += rule.Weights[i] * (isClosed ? Rounded(w[cell], cell) : w[cell]);
+    }
+  }
+  monitor.Check(StageName, 1);
+  return means;
 }
 
 /** Six times the volume, positive where the cell is positively oriented. */
@@ -146,45 +365,21 @@ double SixfoldVolume(const std::array<Point, 4>& p)
 
 bool IsClosed(const FacetComplex& surface)
 {
-  std::vector<CountedEdge> edges = CountedEdges(surface);
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t first = 0; first < edges.size();)
-  {
-    std::int64_t sum = 0;
-    std::size_t next = first;
-    for (; next < edges.size() && edges[next].IsSameEdge(edges[first]); ++next)
-    {
-      sum += edges[next].Count;
-    }
-    if (sum != 0)
-    {
-      return false;
-    }
-    first = next;
-  }
-  return true;
+  return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size())).empty();
 }
 
-std::vector<double> WindingNumberOfCells(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor)
+std::vector<double> WindingNumberOfCells(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  Monitor& monitor, int quadratureOrder)
 {
-  const bool closed = IsClosed(surface);
-  const bool complete =
-    mesh.LostFacets.empty() && surface.NumberOfConstraints == surface.NumberOfFacets();
-  if (closed && complete)
+  const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
+  const bool isClosed = IsClosed(surface);
+  const std::vector<CountedTriangle> beyond = FacetsBeyondMesh(surface, mesh);
+  if (isClosed && beyond.empty())
   {
     return WalkedWindingNumbers(surface, mesh, monitor);
   }
-  std::vector<double> w = WindingNumberSum(surface, mesh.Points, mesh.Cells, monitor);
-  if (closed)
-  {
-    // The sum is an integer but for rounding, or halfway between two in a barycentre on a facet.
-    for (double& value : w)
-    {
-      value = std::round(2 * value) / 2;
-    }
-  }
-  return w;
+  return PartlyWalkedMeans(
+    PartlyWalked(surface, mesh, beyond, monitor), isClosed, rule, monitor);
 }
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)
