@@ -57,14 +57,13 @@ INSIDEOUT_ALWAYS_INLINE void MultiplyByEdge(
   }
 }
 
+/** To a modulus from 1/2 to 1. */
 INSIDEOUT_ALWAYS_INLINE void Normalize(PhaseProducts& products)
 {
 #pragma omp simd
   for (int lane = 0; lane < Lanes; ++lane)
   {
-    const double inverse = 1 /
-      std::sqrt(products.Real[lane] * products.Real[lane] +
-        products.Imaginary[lane] * products.Imaginary[lane]);
+    const double inverse = 1 / (std::abs(products.Real[lane]) + std::abs(products.Imaginary[lane]));
     products.Real[lane] *= inverse;
     products.Imaginary[lane] *= inverse;
   }

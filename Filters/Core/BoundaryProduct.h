@@ -13,7 +13,8 @@
  * boundary's edges: half the solid angle of a loop of directions is the argument of a product of
  * spinors (Pancharatnam 1956),
  *
- *   solid angle / 2 = arg prod <s(u_i) | s(u_i+1)>   modulo 2 pi,   |<s(u) | s(v)>| = cos(angle / 2)
+ *   solid angle / 2 = arg prod <s(u_i) | s(u_i+1)>   modulo 2 pi,   |<s(u) | s(v)>| = cos(angle /
+ * 2)
  *
  * where s(u) = (1 + z, x + i y) / norm points to the direction u = (x, y, z). Scaling a spinor by
  * any complex number changes nothing, for each stands once in a bra and once in a ket. So the norm

@@ -21,8 +21,8 @@ void ChunkedLoop(
   Id count, double cost, Monitor& monitor, const ProgressRange& progress, const Body& body)
 {
   const double nanosecondsPerChunk = 1e8;
-  const Id perChunk = static_cast<Id>(
-    std::min(std::max(nanosecondsPerChunk / std::max(cost, 1.0), 16.0), 1e9));
+  const Id perChunk =
+    static_cast<Id>(std::min(std::max(nanosecondsPerChunk / std::max(cost, 1.0), 16.0), 1e9));
   Monitor silent;
   for (std::int64_t first = 0; first < count; first += perChunk)
   {

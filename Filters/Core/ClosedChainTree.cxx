@@ -2,7 +2,6 @@
 #include "ClosedChainTree.h"
 
 #include "ChunkedLoop.h"
-#include "SolidAngleTiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +21,11 @@ constexpr int MostDepth = 60;
 constexpr std::size_t SmallLeafSize = 32;
 constexpr int MostFruitlessSplits = 4;
 
-// Facets that cross each other everywhere cannot be kept apart: leaves have at most this many facets
-// together, relative to the number of facets.
+// Where sites are wanted in a few places only, a box with so many of them is not divided.
+constexpr std::size_t WantedPerLeaf = 2;
+
+// Facets that cross each other everywhere cannot be kept apart: leaves have at most this many
+// facets together, relative to the number of facets.
 constexpr double FacetsInLeaves = 16;
 
 // The tree is built in parts of about this part of the facets; the same for any number of threads.
@@ -87,8 +89,8 @@ long double Dot(const LongVector& a, const LongVector& b)
 /** Solid angle of the spherical triangle between three directions, over 4 pi. */
 double TurnsBetween(const LongVector& a, const LongVector& b, const LongVector& c)
 {
-  const long double det = a[0] * (b[1] * c[2] - b[2] * c[1]) +
-    a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const long double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
   const long double div = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
   const long double pi = 3.14159265358979323846264338L;
   return static_cast<double>(std::atan2(det, div) / (2 * pi));
@@ -96,20 +98,36 @@ double TurnsBetween(const LongVector& a, const LongVector& b, const LongVector& 
 } // namespace
 
 ClosedChainTree::ClosedChainTree(const std::vector<Point>& points,
-  const std::vector<CountedTriangle>& triangles, int exponent, Monitor& monitor,
+  const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress)
+{
+  this->BuildAll(points, triangles, monitor, progress);
+}
+
+ClosedChainTree::ClosedChainTree(const std::vector<Point>& points,
+  const std::vector<CountedTriangle>& triangles, const std::vector<Point>& wanted, Monitor& monitor,
   const ProgressRange& progress)
+  : Wanted(wanted)
+  , WantsAll(false)
+{
+  this->BuildAll(points, triangles, monitor, progress);
+}
+
+void ClosedChainTree::BuildAll(const std::vector<Point>& points,
+  const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress)
 {
   monitor.Check(progress.Stage, progress.Begin);
   const double infinity = std::numeric_limits<double>::infinity();
-  Region all = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity },
-    { 0, 0, 0 }, 0, {}, 0, 0, FacetsInLeaves * static_cast<double>(triangles.size()) };
+  Region all = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity }, { 0, 0, 0 },
+    0, {}, 0, 0, FacetsInLeaves * static_cast<double>(triangles.size()), {} };
+  all.Wanted.resize(this->Wanted.size());
+  std::iota(all.Wanted.begin(), all.Wanted.end(), 0);
   this->Facets.reserve(triangles.size());
   for (const CountedTriangle& triangle : triangles)
   {
     std::array<Point, 3> corners;
     for (int k = 0; k < 3; ++k)
     {
-      corners[k] = Scaled(points[triangle.Corners[k]], exponent);
+      corners[k] = points[triangle.Corners[k]];
     }
     FacetBox box = { corners[0], corners[0] };
     for (int axis = 0; axis < 3; ++axis)
@@ -187,6 +205,8 @@ void ClosedChainTree::Append(const Arena& arena, std::int32_t node)
   }
   this->Tree.LeafFacets.insert(
     this->Tree.LeafFacets.end(), arena.LeafFacets.begin(), arena.LeafFacets.end());
+  this->Tree.ReferenceSides.insert(
+    this->Tree.ReferenceSides.end(), arena.ReferenceSides.begin(), arena.ReferenceSides.end());
 }
 
 /** Cut off an empty side of the box, or else halve its longest side. */
@@ -229,12 +249,12 @@ ClosedChainTree::Split ClosedChainTree::ChooseSplit(const Region& region) const
   {
     for (int axis = 1; axis < 3; ++axis)
     {
-      const bool longer = region.High[axis] - region.Low[axis] >
-        region.High[split.Axis] - region.Low[split.Axis];
+      const bool longer =
+        region.High[axis] - region.Low[axis] > region.High[split.Axis] - region.Low[split.Axis];
       split.Axis = longer ? axis : split.Axis;
     }
-    split.Place = region.Low[split.Axis] +
-      SplitPlace * (region.High[split.Axis] - region.Low[split.Axis]);
+    split.Place =
+      region.Low[split.Axis] + SplitPlace * (region.High[split.Axis] - region.Low[split.Axis]);
   }
   return split;
 }
@@ -242,7 +262,8 @@ ClosedChainTree::Split ClosedChainTree::ChooseSplit(const Region& region) const
 bool ClosedChainTree::FitsLeaf(const Region& region) const
 {
   if (region.Facets.size() <= LeafSize || region.Depth >= MostDepth ||
-    region.FruitlessSplits >= MostFruitlessSplits)
+    region.FruitlessSplits >= MostFruitlessSplits ||
+    (!this->WantsAll && region.Wanted.size() <= WantedPerLeaf))
   {
     return true;
   }
@@ -324,7 +345,8 @@ bool ClosedChainTree::FindReference(const Region& parent, Region& child, int axi
   bool isBeside = true; // in the parent's box, so that only one coordinate has to change
   for (int i = 0; i < 3; ++i)
   {
-    inherits = inherits && parent.Reference[i] >= child.Low[i] && parent.Reference[i] <= child.High[i];
+    inherits =
+      inherits && parent.Reference[i] >= child.Low[i] && parent.Reference[i] <= child.High[i];
     isBeside =
       isBeside && parent.Reference[i] >= parent.Low[i] && parent.Reference[i] <= parent.High[i];
   }
@@ -334,7 +356,6 @@ bool ClosedChainTree::FindReference(const Region& parent, Region& child, int axi
   {
     return true;
   }
-  const RoundedSite known(parent.Reference);
   for (int j = 0; j < MostTries; ++j)
   {
     Point place = PlaceInBox(child.Low, child.High, j);
@@ -346,8 +367,9 @@ bool ClosedChainTree::FindReference(const Region& parent, Region& child, int axi
     }
     double crossings = 0;
     const std::vector<Id> between = this->FacetsBetween(parent.Facets, place, parent.Reference);
-    if (this->CountCrossings(between.data(), between.data() + between.size(), RoundedSite(place),
-          known, nullptr, crossings))
+    const FacetRange range = { between.data(), between.data() + between.size(), nullptr };
+    if (this->CountCrossings(
+          range, PreparedSite(SiteAt(place)), parent.Reference, nullptr, crossings))
     {
       child.Reference = place;
       child.Value = parent.Value + crossings;
@@ -380,6 +402,14 @@ bool ClosedChainTree::Divide(
         child.Facets.push_back(f);
       }
     }
+    for (const Id i : region.Wanted)
+    {
+      const double x = this->Wanted[i][split.Axis];
+      if (side == 0 ? x <= split.Place : x >= split.Place)
+      {
+        child.Wanted.push_back(i);
+      }
+    }
     if (!this->FindReference(region, child, split.Axis))
     {
       return false;
@@ -389,14 +419,30 @@ bool ClosedChainTree::Divide(
         (region.High[split.Axis] - region.Low[split.Axis]));
   }
   const bool fruitless = work > 0.9 * static_cast<double>(region.Facets.size());
-  const double facets =
-    static_cast<double>(children[0].Facets.size() + children[1].Facets.size());
+  const double facets = static_cast<double>(children[0].Facets.size() + children[1].Facets.size());
   for (Region& child : children)
   {
     child.FruitlessSplits = fruitless ? region.FruitlessSplits + 1 : 0;
     child.Budget = region.Budget * static_cast<double>(child.Facets.size()) / facets;
   }
   return facets <= region.Budget;
+}
+
+void ClosedChainTree::AddLeaf(const Region& region, std::int32_t node, Arena& arena) const
+{
+  arena.Nodes[node] = { 0, -1, { { static_cast<std::int32_t>(arena.Leaves.size()), 0 } } };
+  const std::size_t first = arena.LeafFacets.size();
+  const bool isWanted = this->WantsAll || !region.Wanted.empty();
+  for (std::size_t i = 0; isWanted && i < region.Facets.size(); ++i)
+  {
+    const Id f = region.Facets[i];
+    arena.LeafFacets.push_back(f);
+    arena.ReferenceSides.push_back(static_cast<std::int8_t>(
+      SideOfPlane(this->Facets[f].Plane, this->Facets[f].Corners, region.Reference)));
+  }
+  const double value = isWanted ? region.Value : std::numeric_limits<double>::quiet_NaN();
+  arena.Leaves.push_back(
+    { region.Low, region.High, region.Reference, value, first, arena.LeafFacets.size() });
 }
 
 void ClosedChainTree::Build(
@@ -411,11 +457,7 @@ void ClosedChainTree::Build(
   std::array<Region, 2> children;
   if (this->FitsLeaf(region) || !this->Divide(region, split, children))
   {
-    const std::size_t first = arena.LeafFacets.size();
-    arena.LeafFacets.insert(arena.LeafFacets.end(), region.Facets.begin(), region.Facets.end());
-    arena.Nodes[node] = { 0, -1, { { static_cast<std::int32_t>(arena.Leaves.size()), 0 } } };
-    arena.Leaves.push_back({ region.Low, region.High, region.Reference, region.Value, first,
-      arena.LeafFacets.size() });
+    this->AddLeaf(region, node, arena);
     return;
   }
   const std::int32_t firstChild = static_cast<std::int32_t>(arena.Nodes.size());
@@ -444,14 +486,15 @@ const ClosedChainTree::Leaf& ClosedChainTree::LeafOf(const RoundedSite& site) co
  * @return whether the line between them shows it: false where it meets an edge or lies in a plane,
  * where `to` lies on a facet, or where `from` does and that is not asked for
  */
-bool ClosedChainTree::CountCrossings(const Id* first, const Id* last, const RoundedSite& from,
-  const RoundedSite& to, std::vector<Id>* touched, double& sum) const
+bool ClosedChainTree::CountCrossings(const FacetRange& facets, const PreparedSite& from,
+  const Point& to, std::vector<Id>* touched, double& sum) const
 {
-  for (const Id* f = first; f != last; ++f)
+  for (const Id* f = facets.First; f != facets.Last; ++f)
   {
     const Facet& facet = this->Facets[*f];
     const int fromSide = SideOfPlane(facet.Plane, facet.Corners, from);
-    const int toSide = SideOfPlane(facet.Plane, facet.Corners, to);
+    const int toSide =
+      facets.Sides ? facets.Sides[f - facets.First] : SideOfPlane(facet.Plane, facet.Corners, to);
     if (fromSide * toSide > 0)
     {
       continue;
@@ -471,7 +514,7 @@ bool ClosedChainTree::CountCrossings(const Id* first, const Id* last, const Roun
     }
     if (toSide == 0)
     {
-      if (IsInTriangle(facet.Corners, to.Exact))
+      if (IsInTriangle(facet.Corners, SiteAt(to)))
       {
         return false;
       }
@@ -481,8 +524,7 @@ bool ClosedChainTree::CountCrossings(const Id* first, const Id* last, const Roun
     int most = -2;
     for (int k = 0; k < 3 && !(least < 0 && most > 0); ++k)
     {
-      const int sign =
-        SignOfDeterminant(from, to.High, facet.Corners[k], facet.Corners[(k + 1) % 3]);
+      const int sign = SignOfDeterminant(from, to, facet.Corners[k], facet.Corners[(k + 1) % 3]);
       least = std::min(least, sign);
       most = std::max(most, sign);
     }
@@ -504,7 +546,7 @@ bool ClosedChainTree::CountCrossings(const Id* first, const Id* last, const Roun
  * the sum of the infinite wedges that these look like from there.
  */
 double ClosedChainTree::AngleOfTouched(
-  const std::vector<Id>& touched, const RoundedSite& site, const Point& towards) const
+  const std::vector<Id>& touched, const PreparedSite& site, const Point& towards) const
 {
   LongVector back = Direction(site, towards);
   for (long double& x : back)
@@ -530,67 +572,74 @@ double ClosedChainTree::AngleOfTouched(
     if (edges == 3)
     {
       // Within the triangle: half a sphere, whatever rounding says.
-      turns = SideOfPlane(facet.Plane, facet.Corners, RoundedSite(towards)) < 0 ? 0.5 : -0.5;
+      turns = SideOfPlane(facet.Plane, facet.Corners, towards) < 0 ? 0.5 : -0.5;
     }
     sum += facet.Count * turns;
   }
   return sum;
 }
 
-double ClosedChainTree::At(const RoundedSite& site) const
+double ClosedChainTree::AtInLeaf(const Leaf& leaf, const PreparedSite& site) const
+{
+  const Id* const first = this->Tree.LeafFacets.data() + leaf.FirstFacet;
+  const Id* const last = this->Tree.LeafFacets.data() + leaf.LastFacet;
+  const FacetRange towardsReference = { first, last,
+    this->Tree.ReferenceSides.data() + leaf.FirstFacet };
+  const FacetRange towardsDetour = { first, last, nullptr };
+  std::vector<Id> touched;
+  double crossings = 0;
+  Point towards = leaf.Reference;
+  bool counted = this->CountCrossings(towardsReference, site, towards, &touched, crossings);
+  for (int j = 0; !counted && j < MostTries; ++j)
+  {
+    touched.clear();
+    crossings = 0;
+    towards = PlaceInBox(leaf.Low, leaf.High, j);
+    counted = this->CountCrossings(towardsDetour, site, towards, &touched, crossings) &&
+      this->CountCrossings(
+        towardsReference, PreparedSite(SiteAt(towards)), leaf.Reference, nullptr, crossings);
+  }
+  if (!counted)
+  {
+    throw Error(ErrorCode::Inconsistent,
+      "no way from a site to its box's reference avoids the edges of all facets");
+  }
+  const double ofTouched = touched.empty() ? 0 : this->AngleOfTouched(touched, site, towards);
+  return leaf.Value + crossings - ofTouched;
+}
+
+double ClosedChainTree::At(const Site& site) const
 {
   if (this->Facets.empty())
   {
     return 0;
   }
-  const Leaf& leaf = this->LeafOf(site);
+  const RoundedSite rounded(site);
+  const Leaf& leaf = this->LeafOf(rounded);
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (Compare(site, axis, leaf.Low[axis]) < 0 || Compare(site, axis, leaf.High[axis]) > 0)
+    if (Compare(rounded, axis, leaf.Low[axis]) < 0 || Compare(rounded, axis, leaf.High[axis]) > 0)
     {
       return 0; // beyond the box of the whole chain
     }
   }
-  if (leaf.FirstFacet == leaf.LastFacet)
-  {
-    return leaf.Value;
-  }
-  const Id* const first = this->Tree.LeafFacets.data() + leaf.FirstFacet;
-  const Id* const last = this->Tree.LeafFacets.data() + leaf.LastFacet;
-  const RoundedSite reference(leaf.Reference);
-  std::vector<Id> touched;
-  double crossings = 0;
-  if (this->CountCrossings(first, last, site, reference, &touched, crossings))
-  {
-    return leaf.Value + crossings -
-      (touched.empty() ? 0 : this->AngleOfTouched(touched, site, leaf.Reference));
-  }
-  for (int j = 0;; ++j)
-  {
-    const Point detour = PlaceInBox(leaf.Low, leaf.High, j);
-    touched.clear();
-    crossings = 0;
-    if (this->CountCrossings(first, last, site, RoundedSite(detour), &touched, crossings) &&
-      this->CountCrossings(first, last, RoundedSite(detour), reference, nullptr, crossings))
-    {
-      return leaf.Value + crossings -
-        (touched.empty() ? 0 : this->AngleOfTouched(touched, site, detour));
-    }
-    if (j == MostTries)
-    {
-      throw Error(ErrorCode::Inconsistent,
-        "no straight way from a site to its box's reference avoids all edges");
-    }
-  }
+  return leaf.FirstFacet == leaf.LastFacet ? leaf.Value : this->AtInLeaf(leaf, PreparedSite(site));
 }
 
-double ClosedChainTree::At(const Site& scaled) const
+void ClosedChainTree::Evaluate(const Sites& sites, const std::vector<Id>& order,
+  std::vector<double>& w, Monitor& monitor, const ProgressRange& progress) const
 {
-  return this->At(RoundedSite(scaled));
-}
-
-double ClosedChainTree::At(const Point& scaled) const
-{
-  return this->At(RoundedSite(scaled));
+  const std::size_t sitesPerCall = 256;
+  const Id calls = static_cast<Id>((order.size() + sitesPerCall - 1) / sitesPerCall);
+  const double nanosecondsPerSite = 500;
+  ChunkedLoop(calls, nanosecondsPerSite * sitesPerCall, monitor, progress,
+    [&](Id call)
+    {
+      const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
+      for (std::size_t i = first; i < std::min(order.size(), first + sitesPerCall); ++i)
+      {
+        w[order[i]] = this->At(sites[order[i]]);
+      }
+    });
 }
 } // namespace insideout

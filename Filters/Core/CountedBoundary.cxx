@@ -30,8 +30,9 @@ public:
       this->Begin[p] += this->Begin[p - 1];
     }
     ForEach(triangles,
-      [&](Id low, Id high, int count)
-      { this->Ends[this->Begin[static_cast<std::size_t>(low) + 1]++] = { high, count }; });
+      [&](Id low, Id high, int count) {
+        this->Ends[this->Begin[static_cast<std::size_t>(low) + 1]++] = { high, count };
+      });
   }
 
   HigherEnd* BeginOf(Id low) { return this->Ends.data() + this->Begin[low]; }

@@ -14,8 +14,8 @@ namespace insideout
  *
  *   w = winding number of (chain - caps) + winding number of caps
  *
- * where the first is a whole number, found in a tree (ClosedChainTree.h) in time that grows with the
- * logarithm of the number of triangles, and the second costs a few operations per open edge
+ * where the first is a whole number, found in a tree (ClosedChainTree.h) in time that grows with
+ * the logarithm of the number of triangles, and the second costs a few operations per open edge
  * (WindingNumberOfCaps.h), nothing where the chain is closed.
  *
  * On the chain w is the mean of its values around the place, weighted by solid angle.
@@ -27,14 +27,14 @@ public:
    * @param[in] triangles finite and not degenerate
    * @throws Error (Stopped)
    */
-  ExactWindingNumber(std::vector<Point> points, const std::vector<CountedTriangle>& triangles,
-    Monitor& monitor, const ProgressRange& progress);
+  ExactWindingNumber(const std::vector<Point>& points,
+    const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress);
   ExactWindingNumber(const ExactWindingNumber&) = delete;
   void operator=(const ExactWindingNumber&) = delete;
 
   /**
-   * Set w[order[i]] to the winding number at site order[i], for all i, on all threads. Fastest where
-   * neighbours in `order` are neighbours in space. The values do not depend on the number of
+   * Set w[order[i]] to the winding number at site order[i], for all i, on all threads. Fastest
+   * where neighbours in `order` are neighbours in space. The values do not depend on the number of
    * threads, and on the order only by rounding.
    *
    * @param[in] sites at most 2^100 times as far from the origin as the chain reaches
@@ -43,31 +43,18 @@ public:
   void Evaluate(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
     Monitor& monitor, const ProgressRange& progress) const;
 
-  /** Set w[order[i]] to the whole part alone: the winding number of the chain less its caps. */
-  void EvaluateClosed(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
-    Monitor& monitor, const ProgressRange& progress) const;
-
-  /** Add the rest of it: the winding number of the caps. */
-  void AddCaps(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
-    Monitor& monitor, const ProgressRange& progress) const;
-
   /** Whether the chain has no boundary, so that w is a whole number away from it. */
   bool IsClosed() const { return this->Boundary.empty(); }
 
   /** The chain's open edges. */
   const std::vector<CountedEdge>& OpenEdges() const { return this->Boundary; }
 
-  /** The triangles that close its holes. */
-  const std::vector<std::vector<CountedTriangle>>& HoleCaps() const { return this->Caps; }
-
-  const std::vector<Point>& ChainPoints() const { return this->Points; }
-
   /** All coordinates of the chain are below 2 to this. */
   int CoordinateExponent() const { return this->Exponent; }
 
 private:
-  const std::vector<Point> Points;
   const int Exponent;
+  const std::vector<Point> Points; // scaled
   const std::vector<CountedEdge> Boundary;
   const std::vector<std::vector<CountedTriangle>> Caps;
   const ClosedChainTree Tree;

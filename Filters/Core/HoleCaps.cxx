@@ -61,29 +61,7 @@ std::size_t BestApex(const std::vector<Point>& points, const Loop& loop)
   }
   return best;
 }
-} // namespace
-
-std::vector<std::vector<CountedTriangle>> CapHoles(
-  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
-{
-  std::vector<std::vector<CountedTriangle>> caps;
-  for (const Loop& loop : LoopsOf(boundary))
-  {
-    const std::size_t apex = BestApex(points, loop);
-    std::vector<CountedTriangle> cap;
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    {
-      const Triangle triangle = FanTriangle(loop, apex, i);
-      if (!IsDegenerate(points, triangle))
-      {
-        cap.push_back({ triangle, 1 });
-      }
-    }
-    caps.push_back(std::move(cap));
-  }
-  return caps;
-}
-
+/** Triangles with the same corners become one, or none where they cancel. */
 std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& triangles)
 {
   std::vector<CountedTriangle> sorted;
@@ -109,5 +87,45 @@ std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& trian
     }
   }
   return sum;
+}
+} // namespace
+
+std::vector<std::vector<CountedTriangle>> CapHoles(
+  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
+{
+  std::vector<std::vector<CountedTriangle>> caps;
+  for (const Loop& loop : LoopsOf(boundary))
+  {
+    const std::size_t apex = BestApex(points, loop);
+    std::vector<CountedTriangle> cap;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    {
+      const Triangle triangle = FanTriangle(loop, apex, i);
+      if (!IsDegenerate(points, triangle))
+      {
+        cap.push_back({ triangle, 1 });
+      }
+    }
+    caps.push_back(std::move(cap));
+  }
+  return caps;
+}
+
+std::vector<CountedTriangle> CloseChain(const std::vector<CountedTriangle>& triangles,
+  const std::vector<std::vector<CountedTriangle>>& caps)
+{
+  if (caps.empty())
+  {
+    return triangles;
+  }
+  std::vector<CountedTriangle> closed = triangles;
+  for (const std::vector<CountedTriangle>& cap : caps)
+  {
+    for (const CountedTriangle& triangle : cap)
+    {
+      closed.push_back({ triangle.Corners, -triangle.Count });
+    }
+  }
+  return AddChains(closed);
 }
 } // namespace insideout

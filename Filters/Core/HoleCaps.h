@@ -16,6 +16,7 @@ namespace insideout
 std::vector<std::vector<CountedTriangle>> CapHoles(
   const std::vector<Point>& points, const std::vector<CountedEdge>& boundary);
 
-/** The sum of chains: triangles with the same corners become one, or none where they cancel. */
-std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& triangles);
+/** The chain less its caps, which has no boundary. Triangles that cancel are left out. */
+std::vector<CountedTriangle> CloseChain(const std::vector<CountedTriangle>& triangles,
+  const std::vector<std::vector<CountedTriangle>>& caps);
 } // namespace insideout

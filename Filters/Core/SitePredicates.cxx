@@ -25,17 +25,8 @@ constexpr double RelativeError = 0x1p-48;
 constexpr double LeastDecided = 1e-250;
 constexpr double LeastDifference = 0x1p-45;
 
-/** a + b = sum + the value returned, exactly (Knuth). */
-double TwoSum(double a, double b, double& sum)
-{
-  sum = a + b;
-  const double bRounded = sum - a;
-  const double aRounded = sum - bRounded;
-  return (a - aRounded) + (b - bRounded);
-}
-
 /** From the site to a point. */
-Point FromSite(const RoundedSite& site, const Point& point)
+Point FromSite(const PreparedSite& site, const Point& point)
 {
   Point d;
   for (int axis = 0; axis < 3; ++axis)
@@ -68,8 +59,8 @@ int ExactSign(const Site& site, const Point& a, const Point& b, const Point& c)
   const ExactVector u = ExactFromSite(site, a);
   const ExactVector v = ExactFromSite(site, b);
   const ExactVector w = ExactFromSite(site, c);
-  return static_cast<int>(CGAL::sign(CGAL::determinant<Exact>(
-    u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2])));
+  return static_cast<int>(
+    CGAL::sign(CGAL::determinant<Exact>(u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2])));
 }
 
 double LargestComponent(const Point& d)
@@ -77,31 +68,6 @@ double LargestComponent(const Point& d)
   return std::max(std::max(std::abs(d[0]), std::abs(d[1])), std::abs(d[2]));
 }
 } // namespace
-
-RoundedSite::RoundedSite(const Site& site)
-  : Exact(site)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double high = 0;
-    double low = 0;
-    for (int k = 0; k < 4; ++k)
-    {
-      const double weight = site.Weights[k];
-      const double product = weight * site.Corners[k][axis];
-      low += weight == 0.25 ? 0 : std::fma(weight, site.Corners[k][axis], -product);
-      low += TwoSum(high, product, high);
-    }
-    this->Low[axis] = TwoSum(high, low, this->High[axis]);
-  }
-}
-
-RoundedSite::RoundedSite(const Point& point)
-  : Exact{ { { point, point, point, point } }, BarycentreWeights }
-  , High(point)
-  , Low{ { 0, 0, 0 } }
-{
-}
 
 PlaneOfTriangle::PlaneOfTriangle(const std::array<Point, 3>& corners)
   : Origin(corners[0])
@@ -111,24 +77,34 @@ PlaneOfTriangle::PlaneOfTriangle(const std::array<Point, 3>& corners)
   const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
   this->Normal = { e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
     e[0] * f[1] - e[1] * f[0] };
-  this->UndecidedSide =
-    RelativeError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]);
+  this->UndecidedSide = RelativeError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]);
+}
+
+int QuickSide(const PlaneOfTriangle& plane, const Point& d)
+{
+  const double side = d[0] * plane.Normal[0] + d[1] * plane.Normal[1] + d[2] * plane.Normal[2];
+  const double length = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
+  const bool decided =
+    std::abs(side) > plane.UndecidedSide * length + LeastDecided && length > LeastDifference;
+  return !decided ? 0 : side < 0 ? 1 : -1;
 }
 
 int SideOfPlane(
-  const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const RoundedSite& site)
+  const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const PreparedSite& site)
 {
-  const Point d = FromSite(site, plane.Origin);
-  const double side = d[0] * plane.Normal[0] + d[1] * plane.Normal[1] + d[2] * plane.Normal[2];
-  const double length = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
-  if (std::abs(side) > plane.UndecidedSide * length + LeastDecided && length > LeastDifference)
-  {
-    return side < 0 ? 1 : -1; // d points from the site to the plane
-  }
-  return -ExactSign(site.Exact, triangle[0], triangle[1], triangle[2]);
+  const int side = QuickSide(plane, FromSite(site, plane.Origin));
+  return side != 0 ? side : -ExactSign(site.Exact, triangle[0], triangle[1], triangle[2]);
 }
 
-int SignOfDeterminant(const RoundedSite& site, const Point& a, const Point& b, const Point& c)
+int SideOfPlane(
+  const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const Point& point)
+{
+  const int side = QuickSide(
+    plane, { plane.Origin[0] - point[0], plane.Origin[1] - point[1], plane.Origin[2] - point[2] });
+  return side != 0 ? side : -ExactSign(SiteAt(point), triangle[0], triangle[1], triangle[2]);
+}
+
+int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c)
 {
   const Point u = FromSite(site, a);
   const Point v = FromSite(site, b);

@@ -5,16 +5,16 @@
 
 namespace insideout
 {
-/** A site, and its place in doubles: High + Low, without rounding to speak of. */
-struct RoundedSite
+/** A site with its place in doubles. */
+struct PreparedSite : RoundedSite
 {
-  explicit RoundedSite(const Site& site);
-  /** A point, which is a site too. */
-  explicit RoundedSite(const Point& point);
+  explicit PreparedSite(const Site& site)
+    : RoundedSite(site)
+    , Exact(site)
+  {
+  }
 
   Site Exact;
-  Point High;
-  Point Low;
 };
 
 /** A triangle with what decides its side quickly. */
@@ -28,17 +28,25 @@ struct PlaneOfTriangle
 };
 
 /**
+ * On which side of a plane a place is, from the vector that leads from it to the plane's origin: +1
+ * where the normal points to, -1 on the other, 0 where doubles do not decide. Coordinates below 1.
+ */
+int QuickSide(const PlaneOfTriangle& plane, const Point& toOrigin);
+
+/**
  * On which side of the triangle's plane the site lies: +1 where the normal points to, -1 on the
  * other, 0 in the plane. Exact; doubles decide nearly always. Coordinates below 1.
  */
 int SideOfPlane(
-  const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const RoundedSite& site);
+  const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const PreparedSite& site);
+int SideOfPlane(
+  const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const Point& point);
 
 /**
  * Sign of the determinant of the vectors from the site to a, b and c: on which side of the plane
  * through a, b and c it lies. Exact; coordinates below 1.
  */
-int SignOfDeterminant(const RoundedSite& site, const Point& a, const Point& b, const Point& c);
+int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c);
 
 /** Whether the site, which lies in the plane of the triangle, lies in the triangle or on its
  * boundary. Exact. */

@@ -23,6 +23,27 @@ struct Site
   SiteWeights Weights;
 };
 
+/** A point as a site. */
+inline Site SiteAt(const Point& point)
+{
+  return { { { point, point, point, point } }, BarycentreWeights };
+}
+
+/** A site's place in doubles: High + Low, without rounding to speak of. */
+struct RoundedSite
+{
+  explicit RoundedSite(const Site& site);
+
+  Point High;
+  Point Low;
+};
+
+/** The exponent e such that the absolute value of every coordinate is below 2^e. */
+int LargestExponent(const std::vector<Point>& points);
+
+/** The points times 2^-exponent. */
+std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent);
+
 /** The same place in each of many cells. A cell {p, p, p, p} makes point p a site. */
 struct Sites
 {

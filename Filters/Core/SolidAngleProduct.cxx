@@ -32,15 +32,6 @@ constexpr double LeastSide = 1e-180;
 // so that from there on they have full precision.
 constexpr double LeastSquaredDistance = 0x1p-96;
 
-/** a + b = sum + the value returned, exactly (Knuth). */
-double TwoSum(double a, double b, double& sum)
-{
-  sum = a + b;
-  const double bRounded = sum - a;
-  const double aRounded = sum - bRounded;
-  return (a - aRounded) + (b - bRounded);
-}
-
 /**
  * Multiply one site's product by z.
  *
@@ -122,20 +113,13 @@ void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point
     SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
 }
 
-void SetSite(SiteBlock& block, int lane, const Site& scaled)
+void SetSite(SiteBlock& block, int lane, const Site& site)
 {
+  const RoundedSite rounded(site);
   for (int axis = 0; axis < 3; ++axis)
   {
-    double high = 0;
-    double low = 0;
-    for (int k = 0; k < 4; ++k)
-    {
-      const double weight = scaled.Weights[k];
-      const double product = weight * scaled.Corners[k][axis];
-      low += weight == 0.25 ? 0 : std::fma(weight, scaled.Corners[k][axis], -product);
-      low += TwoSum(high, product, high);
-    }
-    block.Low[axis][lane] = TwoSum(high, low, block.High[axis][lane]);
+    block.High[axis][lane] = rounded.High[axis];
+    block.Low[axis][lane] = rounded.Low[axis];
   }
 }
 

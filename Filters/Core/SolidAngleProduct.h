@@ -23,7 +23,7 @@
  * the negative real axis, where the side matters by a whole turn, or close to 0) goes to
  * HalfSolidAngle.
  *
- * All coordinates here are scaled into [-1, 1] by a power of two.
+ * All coordinates here are below 1.
  */
 namespace insideout
 {
@@ -65,8 +65,8 @@ struct Products
 /** Everything but Corners and Local, from the positions of the corners. */
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c);
 
-/** Site `lane` of the block is this one, its corners scaled. */
-void SetSite(SiteBlock& block, int lane, const Site& scaled);
+/** Site `lane` of the block is this one. */
+void SetSite(SiteBlock& block, int lane, const Site& site);
 
 /** The unit vectors to `count` points. */
 void ComputeUnitVectors(

@@ -13,27 +13,22 @@ namespace
 constexpr std::size_t FacetsPerTile = 128; // their unit vectors for a block fit in the first cache
 } // namespace
 
-int LargestExponent(const std::vector<Point>& points)
+SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first)
 {
-  double largest = 0;
-  for (const Point& p : points)
+  SiteProducts block;
+  for (int lane = 0; lane < Lanes; ++lane)
   {
-    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+    block.Exact[lane] = sites[order[std::min(first + lane, order.size() - 1)]];
+    SetSite(block.Rounded, lane, block.Exact[lane]);
+    block.Product.Real[lane] = 1;
+    block.Product.Imaginary[lane] = 0;
+    block.Product.Turns[lane] = 0;
   }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent;
+  return block;
 }
 
-Point Scaled(const Point& point, int exponent)
-{
-  return { std::ldexp(point[0], -exponent), std::ldexp(point[1], -exponent),
-    std::ldexp(point[2], -exponent) };
-}
-
-SolidAngleTiles::SolidAngleTiles(const std::vector<Point>& points, int exponent)
+SolidAngleTiles::SolidAngleTiles(const std::vector<Point>& points)
   : Points(points)
-  , Exponent(exponent)
 {
 }
 
@@ -57,7 +52,7 @@ void SolidAngleTiles::CloseTile(std::size_t firstFacet)
   const std::size_t firstPoint = this->TilePoints.size();
   for (Id id : ids)
   {
-    this->TilePoints.push_back(Scaled(this->Points[id], this->Exponent));
+    this->TilePoints.push_back(this->Points[id]);
   }
   this->Tiles.push_back({ firstPoint, this->TilePoints.size(), firstFacet, this->Facets.size() });
 }
@@ -76,9 +71,8 @@ TileRange SolidAngleTiles::Add(const std::vector<CountedTriangle>& triangles)
       std::swap(facet.Corners[1], facet.Corners[2]);
     }
     facet.Local = facet.Corners;
-    SetGeometry(facet, Scaled(this->Points[facet.Corners[0]], this->Exponent),
-      Scaled(this->Points[facet.Corners[1]], this->Exponent),
-      Scaled(this->Points[facet.Corners[2]], this->Exponent));
+    SetGeometry(facet, this->Points[facet.Corners[0]], this->Points[facet.Corners[1]],
+      this->Points[facet.Corners[2]]);
     for (int i = 0; i < std::abs(triangle.Count); ++i)
     {
       this->Facets.push_back(facet);
@@ -95,27 +89,6 @@ TileRange SolidAngleTiles::Add(const std::vector<CountedTriangle>& triangles)
   }
   range.Last = this->Tiles.size();
   return range;
-}
-
-SiteProducts SolidAngleTiles::MakeBlock(
-  const Sites& sites, const std::vector<Id>& order, std::size_t first) const
-{
-  SiteProducts block;
-  for (int lane = 0; lane < Lanes; ++lane)
-  {
-    const Site site = sites[order[std::min(first + lane, order.size() - 1)]];
-    Site scaled = site;
-    for (Point& corner : scaled.Corners)
-    {
-      corner = Scaled(corner, this->Exponent);
-    }
-    block.Exact[lane] = site;
-    SetSite(block.Scaled, lane, scaled);
-    block.Product.Real[lane] = 1;
-    block.Product.Imaginary[lane] = 0;
-    block.Product.Turns[lane] = 0;
-  }
-  return block;
 }
 
 void SolidAngleTiles::MultiplyByUndecided(
@@ -139,8 +112,8 @@ void SolidAngleTiles::Multiply(TileRange tiles, SiteProducts& block) const
   for (std::size_t t = tiles.First; t < tiles.Last; ++t)
   {
     const Tile& tile = this->Tiles[t];
-    ComputeUnitVectors(&this->TilePoints[tile.FirstPoint], tile.LastPoint - tile.FirstPoint,
-      block.Scaled, vectors);
+    ComputeUnitVectors(
+      &this->TilePoints[tile.FirstPoint], tile.LastPoint - tile.FirstPoint, block.Rounded, vectors);
     const SummedFacet* facet = &this->Facets[tile.FirstFacet];
     const SummedFacet* const last = facet + (tile.LastFacet - tile.FirstFacet);
     while (facet != last)

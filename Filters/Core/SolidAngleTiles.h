@@ -11,8 +11,8 @@ namespace insideout
 /** A block of sites, and the product of what was multiplied to it so far. */
 struct SiteProducts
 {
-  std::array<Site, Lanes> Exact; ///< as they are, not scaled
-  SiteBlock Scaled;
+  std::array<Site, Lanes> Exact;
+  SiteBlock Rounded;
   Products Product;
 };
 
@@ -23,11 +23,8 @@ struct TileRange
   std::size_t Last = 0;
 };
 
-/** The exponent e such that the absolute value of every coordinate is below 2^e. */
-int LargestExponent(const std::vector<Point>& points);
-
-/** The point times 2^-exponent. */
-Point Scaled(const Point& point, int exponent);
+/** The block of the sites from `first` on of `order`, the last again and again where these end. */
+SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first);
 
 /**
  * Triangles prepared for the product of SolidAngleProduct.h. Those that share points stand together
@@ -38,18 +35,14 @@ class SolidAngleTiles
 {
 public:
   /**
-   * @param[in] points of all triangles; has to live as long as the tiles
-   * @param[in] exponent such that all coordinates, of sites too, are below 2^exponent
+   * @param[in] points of all triangles, below 1 in each coordinate; has to live as long as the
+   * tiles
    */
-  SolidAngleTiles(const std::vector<Point>& points, int exponent);
+  explicit SolidAngleTiles(const std::vector<Point>& points);
 
   /** Put these triangles into new tiles, turned over where their count is negative and repeated
    * where it is above 1. Triangles next to each other in space should be next to each other. */
   TileRange Add(const std::vector<CountedTriangle>& triangles);
-
-  /** The block of the sites from `first` on of `order`, the last again and again where these end.
-   */
-  SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first) const;
 
   /** Multiply each site's product by the triangles of some tiles. */
   void Multiply(TileRange tiles, SiteProducts& block) const;
@@ -68,9 +61,8 @@ private:
     const SummedFacet& facet, const double (&undecided)[Lanes], SiteProducts& block) const;
 
   const std::vector<Point>& Points;
-  int Exponent;
   std::vector<Tile> Tiles;
   std::vector<SummedFacet> Facets;
-  std::vector<Point> TilePoints; // scaled, of tile after tile
+  std::vector<Point> TilePoints; // of tile after tile
 };
 } // namespace insideout

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TouchedCells.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "SitePredicates.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-/** +1 where d lies on the side that the triangle's normal points to, -1 on the other. */
-int Side(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  const auto point = [](const Point& x) { return Kernel::Point_3(x[0], x[1], x[2]); };
-  return static_cast<int>(CGAL::orientation(point(a), point(b), point(c), point(d)));
-}
-
 struct Bounds
 {
   Point Low;
@@ -37,106 +29,115 @@ struct Bounds
       this->High[axis] = std::max(this->High[axis], p[axis]);
     }
   }
+  void Add(const Bounds& other)
+  {
+    this->Add(other.Low);
+    this->Add(other.High);
+  }
 };
 
 template <std::size_t Size>
 Bounds BoundsOf(const std::vector<Point>& points, const std::array<Id, Size>& corners)
 {
   Bounds bounds = { points[corners[0]], points[corners[0]] };
-  for (const Id p : corners)
+  for (std::size_t k = 1; k < Size; ++k)
   {
-    bounds.Add(points[p]);
+    bounds.Add(points[corners[k]]);
   }
   return bounds;
 }
 
-/** Triangles that follow each other, which are mostly close to each other. */
-struct Bunch
+struct BoundedTriangle
 {
-  Bounds All;
-  std::vector<Triangle> Triangles;
+  Bounds Box;
+  PlaneOfTriangle Plane;
+
+  bool MayTouch(const std::vector<Point>& points, const Tetrahedron& cell, const Bounds& box) const
+  {
+    if (this->Box.IsApart(box))
+    {
+      return false;
+    }
+    int below = 0;
+    int above = 0;
+    for (const Id p : cell)
+    {
+      const int side = QuickSide(this->Plane,
+        { this->Plane.Origin[0] - points[p][0], this->Plane.Origin[1] - points[p][1],
+          this->Plane.Origin[2] - points[p][2] });
+      below += side < 0;
+      above += side > 0;
+    }
+    return below < 4 && above < 4;
+  }
 };
 
-std::vector<Bunch> BunchesOf(
-  const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+/** Some triangles and a box around them. */
+struct Bunch
 {
-  const std::size_t trianglesPerBunch = 16;
-  std::vector<Bunch> bunches;
+  Bounds Box;
+  std::vector<BoundedTriangle> Triangles;
+};
+
+/** A box around some bunches. */
+struct Group
+{
+  Bounds Box;
+  std::vector<Bunch> Bunches;
+};
+
+Group MakeGroup(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+{
+  const std::size_t trianglesPerBunch = 8;
+  Group group = { BoundsOf(points, triangles.front().Corners), {} };
   for (const CountedTriangle& triangle : triangles)
   {
-    if (bunches.empty() || bunches.back().Triangles.size() == trianglesPerBunch)
+    const Triangle& t = triangle.Corners;
+    const Bounds box = BoundsOf(points, t);
+    if (group.Bunches.empty() || group.Bunches.back().Triangles.size() == trianglesPerBunch)
     {
-      bunches.push_back({ BoundsOf(points, triangle.Corners), {} });
+      group.Bunches.push_back({ box, {} });
     }
-    bunches.back().Triangles.push_back(triangle.Corners);
-    for (const Id p : triangle.Corners)
-    {
-      bunches.back().All.Add(points[p]);
-    }
+    group.Box.Add(box);
+    group.Bunches.back().Box.Add(box);
+    group.Bunches.back().Triangles.push_back(
+      { box, PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
   }
-  return bunches;
-}
-
-/** Whether all corners of the cell lie strictly on one side of the triangle's plane. */
-bool IsCellBesidePlane(
-  const std::vector<Point>& points, const Triangle& triangle, const Tetrahedron& cell)
-{
-  int least = 1;
-  int most = -1;
-  for (const Id p : cell)
-  {
-    const int side = Side(points[triangle[0]], points[triangle[1]], points[triangle[2]], points[p]);
-    least = std::min(least, side);
-    most = std::max(most, side);
-  }
-  return least > 0 || most < 0;
-}
-
-/** Whether the triangle lies strictly outside a face of the cell. */
-bool IsOutsideFace(
-  const std::vector<Point>& points, const Triangle& triangle, const Tetrahedron& cell)
-{
-  for (const std::array<int, 3>& corners : TetrahedronFaces)
-  {
-    const bool outside = std::all_of(triangle.begin(), triangle.end(),
-      [&](Id p)
-      {
-        return Side(points[cell[corners[0]]], points[cell[corners[1]]], points[cell[corners[2]]],
-                 points[p]) > 0;
-      });
-    if (outside)
-    {
-      return true;
-    }
-  }
-  return false;
+  return group;
 }
 
 bool MayTouch(
-  const std::vector<Point>& points, const Triangle& triangle, const Tetrahedron& cell)
+  const Group& group, const std::vector<Point>& points, const Tetrahedron& cell, const Bounds& box)
 {
-  return !BoundsOf(points, triangle).IsApart(BoundsOf(points, cell)) &&
-    !IsCellBesidePlane(points, triangle, cell) && !IsOutsideFace(points, triangle, cell);
+  return !group.Box.IsApart(box) &&
+    std::any_of(group.Bunches.begin(), group.Bunches.end(),
+      [&](const Bunch& bunch)
+      {
+        return !bunch.Box.IsApart(box) &&
+          std::any_of(bunch.Triangles.begin(), bunch.Triangles.end(),
+            [&](const BoundedTriangle& triangle) { return triangle.MayTouch(points, cell, box); });
+      });
 }
 } // namespace
 
-std::vector<char> TouchedCells(
-  const TetrahedralMesh& mesh, const std::vector<CountedTriangle>& triangles)
+std::vector<char> TouchedCells(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<std::vector<CountedTriangle>>& groups)
 {
-  const std::vector<Bunch> bunches = BunchesOf(mesh.Points, triangles);
-  std::vector<char> touched(mesh.Cells.size(), 0);
-#pragma omp parallel for schedule(static)
-  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+  std::vector<Group> made;
+  for (const std::vector<CountedTriangle>& triangles : groups)
   {
-    const Tetrahedron& cell = mesh.Cells[c];
-    const Bounds bounds = BoundsOf(mesh.Points, cell);
-    touched[c] = std::any_of(bunches.begin(), bunches.end(),
-      [&](const Bunch& bunch)
-      {
-        return !bunch.All.IsApart(bounds) &&
-          std::any_of(bunch.Triangles.begin(), bunch.Triangles.end(),
-            [&](const Triangle& triangle) { return MayTouch(mesh.Points, triangle, cell); });
-      });
+    if (!triangles.empty())
+    {
+      made.push_back(MakeGroup(points, triangles));
+    }
+  }
+  std::vector<char> touched(cells.size(), 0);
+#pragma omp parallel for schedule(static)
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    const Bounds box = BoundsOf(points, cells[c]);
+    touched[c] = std::any_of(made.begin(), made.end(),
+      [&](const Group& group) { return MayTouch(group, points, cells[c], box); });
   }
   return touched;
 }

@@ -59,11 +59,10 @@ double Turns(const PhaseProducts& products, int lane)
 }
 } // namespace
 
-WindingNumberOfCaps::WindingNumberOfCaps(const std::vector<Point>& points,
-  const std::vector<std::vector<CountedTriangle>>& caps, int exponent)
+WindingNumberOfCaps::WindingNumberOfCaps(
+  const std::vector<Point>& points, const std::vector<std::vector<CountedTriangle>>& caps)
   : Points(points)
-  , Exponent(exponent)
-  , Triangles(points, exponent)
+  , Triangles(points)
 {
   for (const std::vector<CountedTriangle>& triangles : caps)
   {
@@ -90,7 +89,7 @@ void WindingNumberOfCaps::SetBall(const std::vector<CountedTriangle>& triangles,
     std::array<Point, 3> p;
     for (int k = 0; k < 3; ++k)
     {
-      p[k] = Scaled(this->Points[triangle.Corners[k]], this->Exponent);
+      p[k] = this->Points[triangle.Corners[k]];
       for (int axis = 0; axis < 3; ++axis)
       {
         low[axis] = std::min(low[axis], p[k][axis]);
@@ -99,8 +98,8 @@ void WindingNumberOfCaps::SetBall(const std::vector<CountedTriangle>& triangles,
     }
     SummedFacet facet;
     SetGeometry(facet, p[0], p[1], p[2]);
-    cap.Area += std::abs(triangle.Count) *
-      std::hypot(facet.Normal[0], facet.Normal[1], facet.Normal[2]) / 2;
+    cap.Area +=
+      std::abs(triangle.Count) * std::hypot(facet.Normal[0], facet.Normal[1], facet.Normal[2]) / 2;
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -111,8 +110,7 @@ void WindingNumberOfCaps::SetBall(const std::vector<CountedTriangle>& triangles,
   {
     for (const Id p : triangle.Corners)
     {
-      cap.Radius =
-        std::max(cap.Radius, Distance(cap.Centre, Scaled(this->Points[p], this->Exponent)));
+      cap.Radius = std::max(cap.Radius, Distance(cap.Centre, this->Points[p]));
     }
   }
   const double roundedUp = 1 + 0x1p-40;
@@ -125,8 +123,7 @@ TileRange WindingNumberOfCaps::AddEdges(const std::vector<CountedTriangle>& tria
   TileRange range;
   range.First = this->EdgeTiles.size();
   EdgeTile tile = { this->EdgePoints.size(), 0, this->Edges.size(), 0 };
-  for (const Loop& loop :
-    LoopsOf(CountedBoundary(triangles, static_cast<Id>(this->Points.size()))))
+  for (const Loop& loop : LoopsOf(CountedBoundary(triangles, static_cast<Id>(this->Points.size()))))
   {
     this->AddLoop(loop, tile);
   }
@@ -143,8 +140,7 @@ void WindingNumberOfCaps::AddLoop(const Loop& loop, EdgeTile& tile)
   const std::size_t size = loop.size();
   const auto local = [&]()
   { return static_cast<std::int32_t>(this->EdgePoints.size() - tile.FirstPoint); };
-  const auto add = [&](std::size_t i)
-  { this->EdgePoints.push_back(Scaled(this->Points[loop[i % size]], this->Exponent)); };
+  const auto add = [&](std::size_t i) { this->EdgePoints.push_back(this->Points[loop[i % size]]); };
   if (size <= MostTilePoints && static_cast<std::size_t>(local()) + size > MostTilePoints)
   {
     this->CloseTile(tile);
@@ -182,8 +178,9 @@ void WindingNumberOfCaps::CloseTile(EdgeTile& tile)
   tile = { tile.LastPoint, 0, tile.LastEdge, 0 };
 }
 
-void WindingNumberOfCaps::FindLargestFar(
-  const SiteBlock& sites, std::vector<double>& bounds, double& largestFar) const
+/** A bound of |w| for each cap; those up to the value returned are together below 1/2. */
+double WindingNumberOfCaps::FindLargestFar(
+  const SiteBlock& sites, std::vector<double>& bounds) const
 {
   const Ball ball = BallAround(sites);
   bounds.resize(this->Caps.size());
@@ -193,12 +190,11 @@ void WindingNumberOfCaps::FindLargestFar(
     // |w| is at most the area over that of the sphere around the site which touches the cap.
     const Cap& cap = this->Caps[i];
     const double distance = Distance(cap.Centre, ball.Centre) - ball.Radius - cap.Radius;
-    const bool clear =
-      distance > LeastDistance && distance > LeastRelativeDistance * cap.Radius;
+    const bool clear = distance > LeastDistance && distance > LeastRelativeDistance * cap.Radius;
     bounds[i] = clear ? cap.Area / (4 * Pi * distance * distance) : 1;
     sum += bounds[i];
   }
-  largestFar = MostOfFarCaps;
+  double largestFar = MostOfFarCaps;
   while (sum > MostOfFarCaps)
   {
     sum = 0;
@@ -208,15 +204,14 @@ void WindingNumberOfCaps::FindLargestFar(
     }
     largestFar = sum > MostOfFarCaps ? largestFar / 2 : largestFar;
   }
+  return largestFar;
 }
 
 void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& order,
-  std::size_t first, std::vector<double>& w) const
+  std::size_t first, std::vector<double>& bounds, std::vector<double>& w) const
 {
-  SiteProducts block = this->Triangles.MakeBlock(sites, order, first);
-  std::vector<double> bounds;
-  double largestFar = 0;
-  this->FindLargestFar(block.Scaled, bounds, largestFar);
+  SiteProducts block = MakeBlock(sites, order, first);
+  const double largestFar = this->FindLargestFar(block.Rounded, bounds);
 
   PhaseProducts far;
   std::fill(far.Real, far.Real + Lanes, 1.0);
@@ -233,7 +228,7 @@ void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& or
     {
       const EdgeTile& tile = this->EdgeTiles[t];
       MultiplyByBoundary(&this->EdgePoints[tile.FirstPoint], tile.LastPoint - tile.FirstPoint,
-        &this->Edges[tile.FirstEdge], tile.LastEdge - tile.FirstEdge, block.Scaled, far);
+        &this->Edges[tile.FirstEdge], tile.LastEdge - tile.FirstEdge, block.Rounded, far);
     }
   }
   const std::size_t last = std::min(order.size(), first + Lanes);
@@ -251,9 +246,19 @@ void WindingNumberOfCaps::Add(const Sites& sites, const std::vector<Id>& order,
   {
     return;
   }
-  const Id blocks = static_cast<Id>((order.size() + Lanes - 1) / Lanes);
-  const double nanosecondsPerEdge = 20;
-  ChunkedLoop(blocks, nanosecondsPerEdge * this->Triangles.NumberOfTriangles(), monitor, progress,
-    [&](Id block) { this->AddBlock(sites, order, static_cast<std::size_t>(block) * Lanes, w); });
+  const std::size_t sitesPerCall = 16 * Lanes;
+  const Id calls = static_cast<Id>((order.size() + sitesPerCall - 1) / sitesPerCall);
+  const double nanosecondsPerTriangle = 2;
+  ChunkedLoop(calls, nanosecondsPerTriangle * sitesPerCall * this->Triangles.NumberOfTriangles(),
+    monitor, progress,
+    [&](Id call)
+    {
+      std::vector<double> bounds;
+      const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
+      for (std::size_t i = first; i < std::min(order.size(), first + sitesPerCall); i += Lanes)
+      {
+        this->AddBlock(sites, order, i, bounds, w);
+      }
+    });
 }
 } // namespace insideout

@@ -21,20 +21,18 @@ class WindingNumberOfCaps
 {
 public:
   /**
-   * @param[in] points of the caps; has to live as long as this object
+   * @param[in] points of the caps, below 1 in each coordinate; has to live as long as this object
    * @param[in] caps each a chain of triangles that are not degenerate; connected ones serve best
-   * @param[in] exponent such that all coordinates of the points, and of sites if these lie about as
-   * far from the origin, are below 2^exponent
    */
-  WindingNumberOfCaps(const std::vector<Point>& points,
-    const std::vector<std::vector<CountedTriangle>>& caps, int exponent);
+  WindingNumberOfCaps(
+    const std::vector<Point>& points, const std::vector<std::vector<CountedTriangle>>& caps);
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i, on all threads. Fastest
    * where neighbours in `order` are neighbours in space; the values do not depend on the number of
    * threads.
    *
-   * @param[in] sites at most 2^100 times as far from the origin as 2^exponent
+   * @param[in] sites below 2^100 in each coordinate
    * @throws Error (Stopped)
    */
   void Add(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
@@ -45,7 +43,7 @@ public:
 private:
   struct Cap
   {
-    Point Centre; ///< of a ball that holds it; scaled
+    Point Centre; ///< of a ball that holds it
     double Radius;
     double Area; ///< counted as often as the triangles
     TileRange Triangles;
@@ -61,16 +59,15 @@ private:
   TileRange AddEdges(const std::vector<CountedTriangle>& triangles);
   void AddLoop(const Loop& loop, EdgeTile& tile);
   void CloseTile(EdgeTile& tile);
-  void FindLargestFar(const SiteBlock& sites, std::vector<double>& bounds, double& largestFar) const;
+  double FindLargestFar(const SiteBlock& sites, std::vector<double>& bounds) const;
   void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first,
-    std::vector<double>& w) const;
+    std::vector<double>& bounds, std::vector<double>& w) const;
 
   const std::vector<Point>& Points;
-  int Exponent;
   SolidAngleTiles Triangles;
   std::vector<Cap> Caps;
   std::vector<EdgeTile> EdgeTiles;
-  std::vector<Point> EdgePoints; // scaled, of tile after tile
+  std::vector<Point> EdgePoints; // of tile after tile
   std::vector<TileEdge> Edges;
 };
 } // namespace insideout

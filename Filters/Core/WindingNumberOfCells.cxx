@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumberOfCells.h"
 
-#include "ExactWindingNumber.h"
+#include "ClosedChainTree.h"
+#include "HoleCaps.h"
 #include "SpatialOrder.h"
 #include "TetrahedronQuadrature.h"
 #include "TouchedCells.h"
+#include "WindingNumberOfCaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -254,91 +256,87 @@ double Rounded(double w, std::size_t cell)
   return rounded;
 }
 
-/**
- * The winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain is the
- * mesh's faces and the facets beyond it, and its holes have caps: on cells that neither caps nor
- * facets beyond the mesh touch, the whole part is walked; elsewhere it is evaluated.
- */
-class PartlyWalked
+/** A chain of triangles in pieces: its caps, which close its holes, and the chain less these. */
+struct ClosedWithCaps
 {
-public:
-  PartlyWalked(const FacetComplex& surface, const TetrahedralMesh& mesh,
-    const std::vector<CountedTriangle>& beyond, Monitor& monitor)
-    : Mesh(mesh)
-    , Counts(surface, mesh)
-    , Exact(mesh.Points, this->Chain(beyond), monitor, { StageName, 0, 0.1 })
-  {
-    std::vector<CountedTriangle> apart = beyond;
-    for (const std::vector<CountedTriangle>& cap : this->Exact.HoleCaps())
-    {
-      apart.insert(apart.end(), cap.begin(), cap.end());
-    }
-    const std::vector<char> touched = TouchedCells(mesh, apart);
-    monitor.Check(StageName, 0.15);
-    this->Parts = WalkParts(this->Counts, mesh, touched);
-    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-    {
-      if (touched[cell])
-      {
-        this->Touched.push_back(cell);
-      }
-    }
-  }
-
-  /** At the same place in every cell. */
-  std::vector<double> At(
-    const SiteWeights& place, Monitor& monitor, const ProgressRange& progress) const
-  {
-    const Sites sites = { this->Mesh.Points, this->Mesh.Cells, place };
-    std::vector<double> w(this->Mesh.Cells.size(), 0.0);
-    const double middle = progress.Begin + (progress.End - progress.Begin) / 8;
-    std::vector<Id> evaluated = this->Touched;
-    evaluated.insert(
-      evaluated.end(), this->Parts.FirstCell.begin(), this->Parts.FirstCell.end());
-    this->Exact.EvaluateClosed(
-      sites, evaluated, w, monitor, { progress.Stage, progress.Begin, middle });
-    for (std::size_t cell = 0; cell < w.size(); ++cell)
-    {
-      if (this->Parts.Part[cell] != None)
-      {
-        w[cell] = w[this->Parts.FirstCell[this->Parts.Part[cell]]] + this->Parts.Rise[cell];
-      }
-    }
-    if (!this->Exact.IsClosed())
-    {
-      this->Exact.AddCaps(
-        sites, SpatialOrder(sites), w, monitor, { progress.Stage, middle, progress.End });
-    }
-    return w;
-  }
-
-private:
-  std::vector<CountedTriangle> Chain(const std::vector<CountedTriangle>& beyond) const
-  {
-    std::vector<CountedTriangle> chain = this->Counts.Chain();
-    chain.insert(chain.end(), beyond.begin(), beyond.end());
-    return chain;
-  }
-
-  const TetrahedralMesh& Mesh;
-  const FaceCounts Counts;
-  const ExactWindingNumber Exact;
-  UntouchedParts Parts;
-  std::vector<Id> Touched;
+  std::vector<CountedTriangle> Closed;
+  std::vector<std::vector<CountedTriangle>> Caps;
 };
 
-/** The mean over each cell; of whole and half numbers where the complex is closed. */
-std::vector<double> PartlyWalkedMeans(
-  const PartlyWalked& walked, bool isClosed, const QuadratureRule& rule, Monitor& monitor)
+ClosedWithCaps CloseMeshChain(const FaceCounts& counts, const std::vector<Point>& points,
+  const std::vector<CountedTriangle>& beyond)
 {
-  std::vector<double> means;
-  const double part = 0.8 / static_cast<double>(rule.Sites.size());
+  std::vector<CountedTriangle> chain = counts.Chain();
+  chain.insert(chain.end(), beyond.begin(), beyond.end());
+  ClosedWithCaps result;
+  result.Caps = CapHoles(points, CountedBoundary(chain, static_cast<Id>(points.size())));
+  result.Closed = CloseChain(chain, result.Caps);
+  return result;
+}
+
+/** Where the rule's places are in some cells, rounded. */
+std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<Id>& which, const QuadratureRule& rule)
+{
+  std::vector<Point> places;
+  for (const SiteWeights& weights : rule.Sites)
+  {
+    const Sites sites = { points, cells, weights };
+    for (const Id cell : which)
+    {
+      places.push_back(RoundedSite(sites[cell]).High);
+    }
+  }
+  return places;
+}
+
+/**
+ * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain
+ * is the mesh's faces and the facets beyond it, and its holes have caps: on cells that neither caps
+ * nor facets beyond the mesh may touch, the whole part is walked; elsewhere it is evaluated.
+ */
+std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::vector<CountedTriangle>& beyond, bool isClosed, const QuadratureRule& rule,
+  Monitor& monitor)
+{
+  monitor.Check(StageName, 0);
+  const std::vector<Point> points = ScaledPoints(mesh.Points, LargestExponent(mesh.Points));
+  const FaceCounts counts(surface, mesh);
+  const ClosedWithCaps chain = CloseMeshChain(counts, points, beyond);
+  std::vector<std::vector<CountedTriangle>> apart = chain.Caps;
+  apart.push_back(beyond);
+  const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
+  const UntouchedParts parts = WalkParts(counts, mesh, touched);
+  std::vector<Id> evaluated = parts.FirstCell;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    if (touched[cell])
+    {
+      evaluated.push_back(cell);
+    }
+  }
+  const ClosedChainTree tree(points, chain.Closed,
+    RoundedPlaces(points, mesh.Cells, evaluated, rule), monitor, { StageName, 0.05, 0.1 });
+  const WindingNumberOfCaps caps(points, chain.Caps);
+  const std::vector<Id> order =
+    caps.IsEmpty() ? std::vector<Id>() : SpatialOrder({ points, mesh.Cells });
+
+  std::vector<double> means(mesh.Cells.size(), 0.0);
+  std::vector<double> w(mesh.Cells.size(), 0.0);
+  const double step = 0.9 / static_cast<double>(rule.Sites.size());
   for (std::size_t i = 0; i < rule.Sites.size(); ++i)
   {
-    const double begin = 0.2 + part * static_cast<double>(i);
-    const std::vector<double> w =
-      walked.At(rule.Sites[i], monitor, { StageName, begin, begin + part });
-    means.resize(w.size(), 0.0);
+    const Sites sites = { points, mesh.Cells, rule.Sites[i] };
+    const double begin = 0.1 + step * static_cast<double>(i);
+    tree.Evaluate(sites, evaluated, w, monitor, { StageName, begin, begin + step / 8 });
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
+    {
+      if (parts.Part[cell] != None)
+      {
+        w[cell] = w[parts.FirstCell[parts.Part[cell]]] + parts.Rise[cell];
+      }
+    }
+    caps.Add(sites, order, w, monitor, { StageName, begin + step / 8, begin + step });
     for (std::size_t cell = 0; cell < w.size(); ++cell)
     {
       means[cell] += rule.Weights[i] * (isClosed ? Rounded(w[cell], cell) : w[cell]);
@@ -368,8 +366,8 @@ bool IsClosed(const FacetComplex& surface)
   return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size())).empty();
 }
 
-std::vector<double> WindingNumberOfCells(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  Monitor& monitor, int quadratureOrder)
+std::vector<double> WindingNumberOfCells(
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, int quadratureOrder)
 {
   const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
   const bool isClosed = IsClosed(surface);
@@ -378,8 +376,7 @@ std::vector<double> WindingNumberOfCells(const FacetComplex& surface, const Tetr
   {
     return WalkedWindingNumbers(surface, mesh, monitor);
   }
-  return PartlyWalkedMeans(
-    PartlyWalked(surface, mesh, beyond, monitor), isClosed, rule, monitor);
+  return PartlyWalkedMeans(surface, mesh, beyond, isClosed, rule, monitor);
 }
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)

@@ -53,7 +53,7 @@ void SumBatch(const SolidAngleTiles& tiles, TileRange all, const Sites& sites,
   std::vector<SiteProducts> blocks;
   for (std::size_t i = first; i < last; i += Lanes)
   {
-    blocks.push_back(tiles.MakeBlock(sites, order, i));
+    blocks.push_back(MakeBlock(sites, order, i));
   }
   for (std::size_t tile = all.First; tile < all.Last; ++tile)
   {
@@ -75,8 +75,11 @@ std::vector<double> WindingNumberSum(
 {
   const char* stage = "winding numbers";
   monitor.Check(stage, 0);
-  SolidAngleTiles tiles(
-    surface.Points, std::max(LargestExponent(surface.Points), LargestExponent(sites.Points)));
+  const int exponent = std::max(LargestExponent(surface.Points), LargestExponent(sites.Points));
+  const std::vector<Point> points = ScaledPoints(surface.Points, exponent);
+  const std::vector<Point> sitePoints = ScaledPoints(sites.Points, exponent);
+  const Sites scaledSites = { sitePoints, sites.Cells, sites.Weights };
+  SolidAngleTiles tiles(points);
   const TileRange all = tiles.Add(CountedFacets(surface));
   std::vector<Id> order(sites.Cells.size());
   std::iota(order.begin(), order.end(), 0);
@@ -84,7 +87,8 @@ std::vector<double> WindingNumberSum(
   const Id batches = static_cast<Id>((order.size() + SitesPerBatch - 1) / SitesPerBatch);
   const double nanosecondsPerPair = 2;
   ChunkedLoop(batches, nanosecondsPerPair * SitesPerBatch * tiles.NumberOfTriangles(), monitor,
-    { stage, 0, 1 }, [&](Id batch) { SumBatch(tiles, all, sites, order, batch * SitesPerBatch, w); });
+    { stage, 0, 1 },
+    [&](Id batch) { SumBatch(tiles, all, scaledSites, order, batch * SitesPerBatch, w); });
   monitor.Check(stage, 1);
   return w;
 }
