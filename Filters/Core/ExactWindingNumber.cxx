@@ -26,4 +26,10 @@ void ExactWindingNumber::Evaluate(const Sites& sites, const std::vector<Id>& ord
   this->Tree.Evaluate(scaled, order, w, monitor, { progress.Stage, progress.Begin, middle });
   this->SumOfCaps.Add(scaled, order, w, monitor, { progress.Stage, middle, progress.End });
 }
+
+double ExactWindingNumber::At(const Point& point) const
+{
+  const std::vector<Point> points = ScaledPoints({ point }, this->Exponent);
+  return this->Tree.At(SiteAt(points.front())) + this->SumOfCaps.At(points.front());
+}
 } // namespace insideout

@@ -43,14 +43,14 @@ public:
   void Evaluate(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
     Monitor& monitor, const ProgressRange& progress) const;
 
+  /** The winding number at one point. Safe to call from several threads. */
+  double At(const Point& point) const;
+
   /** Whether the chain has no boundary, so that w is a whole number away from it. */
   bool IsClosed() const { return this->Boundary.empty(); }
 
   /** The chain's open edges. */
   const std::vector<CountedEdge>& OpenEdges() const { return this->Boundary; }
-
-  /** All coordinates of the chain are below 2 to this. */
-  int CoordinateExponent() const { return this->Exponent; }
 
 private:
   const int Exponent;

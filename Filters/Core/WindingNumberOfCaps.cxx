@@ -261,4 +261,17 @@ void WindingNumberOfCaps::Add(const Sites& sites, const std::vector<Id>& order,
       }
     });
 }
+
+double WindingNumberOfCaps::At(const Point& point) const
+{
+  std::vector<double> w = { 0 };
+  if (!this->IsEmpty())
+  {
+    const std::vector<Point> points = { point };
+    const std::vector<Tetrahedron> cells = { { { 0, 0, 0, 0 } } };
+    std::vector<double> bounds;
+    this->AddBlock({ points, cells }, { 0 }, 0, bounds, w);
+  }
+  return w.front();
+}
 } // namespace insideout

@@ -38,6 +38,9 @@ public:
   void Add(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
     Monitor& monitor, const ProgressRange& progress) const;
 
+  /** The winding number at one point. Safe to call from several threads. */
+  double At(const Point& point) const;
+
   bool IsEmpty() const { return this->Caps.empty(); }
 
 private:
