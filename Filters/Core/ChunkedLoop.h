@@ -29,6 +29,11 @@ void ChunkedLoop(
     monitor.Check(progress.Stage,
       progress.Begin + (progress.End - progress.Begin) * static_cast<double>(first) / count);
     const Id size = static_cast<Id>(std::min<std::int64_t>(perChunk, count - first));
+    if (size == 1)
+    {
+      body(static_cast<Id>(first));
+      continue;
+    }
     ParallelLoop(size, silent, progress, [&](Id i) { body(static_cast<Id>(first + i)); });
   }
 }

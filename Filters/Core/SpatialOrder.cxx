@@ -10,6 +10,7 @@ namespace insideout
 {
 namespace
 {
+constexpr std::size_t SmallSize = 4096; // not worth a second thread
 constexpr int BitsPerAxis = 10;
 constexpr std::uint32_t CellsPerAxis = 1u << BitsPerAxis;
 
@@ -80,7 +81,7 @@ std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
     return std::min(CellsPerAxis - 1, static_cast<std::uint32_t>(part * CellsPerAxis));
   };
   std::vector<Key> keys(positions.size());
-#pragma omp parallel for
+#pragma omp parallel for if (positions.size() > SmallSize)
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     const Point& p = positions[i];
@@ -100,7 +101,7 @@ std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
 std::vector<Id> SpatialOrder(const Sites& sites)
 {
   std::vector<Point> positions(sites.Cells.size());
-#pragma omp parallel for
+#pragma omp parallel for if (positions.size() > SmallSize)
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     const Site site = sites[i];
