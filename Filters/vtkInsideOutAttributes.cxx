@@ -172,3 +172,9 @@ void vtkInsideOutAttributes::PassCellData(vtkCellData* input, vtkIdType inputSiz
   }
   AddIds(output, "vtkOriginalCellIds", cells);
 }
+
+void vtkInsideOutAttributes::PassAll(vtkDataSetAttributes* input, vtkIdType inputSize,
+  std::initializer_list<const char*> added, vtkDataSetAttributes* output, Warnings& warnings)
+{
+  output->ShallowCopy(UsableArrays(input, inputSize, added, warnings));
+}

@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkCellData;
+class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkPointData;
 
@@ -45,6 +46,15 @@ void PassPointData(vtkPointData* input, vtkIdType inputSize,
  */
 void PassCellData(vtkCellData* input, vtkIdType inputSize, const std::vector<vtkIdType>& cells,
   vtkCellData* output, std::vector<std::string>& warnings);
+
+/**
+ * Point or cell data as they are, for an output that has the input's points or cells.
+ *
+ * @param[in] added names of arrays that the output adds: the input's are renamed
+ */
+void PassAll(vtkDataSetAttributes* input, vtkIdType inputSize,
+  std::initializer_list<const char*> added, vtkDataSetAttributes* output,
+  std::vector<std::string>& warnings);
 } // namespace vtkInsideOutAttributes
 
 #endif

@@ -310,6 +310,18 @@ vtkIdType vtkInsideOutConversion::CellOfFacet(const FacetComplex& surface, Id fa
   return lowest;
 }
 
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::CopySurface(
+  std::initializer_list<const char*> added)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->CopyStructure(this->Input);
+  vtkInsideOutAttributes::PassAll(this->Input->GetPointData(), this->Input->GetNumberOfPoints(), {},
+    output->GetPointData(), this->Warnings);
+  vtkInsideOutAttributes::PassAll(this->Input->GetCellData(), this->Input->GetNumberOfCells(),
+    added, output->GetCellData(), this->Warnings);
+  return output;
+}
+
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
   const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
   const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells)
@@ -641,6 +653,31 @@ insideout::PolygonSurface vtkInsideOutReadPolyData(vtkPolyData* input)
   surface.PointAttributes = MakeAttributes(input->GetPointData(), points);
   surface.PolygonAttributes = MakeAttributes(input->GetCellData(), polygons.Cells);
   return surface;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefects& defects)
+{
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  for (const insideout::DefectLine& line : defects.Lines)
+  {
+    vtkCellArray* const cells = line.Points.size() > 1 ? lines : vertices;
+    cells->InsertNextCell(static_cast<int>(line.Points.size()));
+    for (const Id p : line.Points)
+    {
+      cells->InsertCellPoint(p);
+    }
+  }
+  vtkNew<vtkIdTypeArray> inputPoints;
+  inputPoints->SetName("vtkOriginalPointIds");
+  inputPoints->SetNumberOfValues(static_cast<vtkIdType>(defects.InputPoints.size()));
+  std::copy(defects.InputPoints.begin(), defects.InputPoints.end(), inputPoints->GetPointer(0));
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(MakePoints(defects.Points));
+  output->SetVerts(vertices);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(inputPoints);
+  return output;
 }
 
 void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)

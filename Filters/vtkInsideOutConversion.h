@@ -11,11 +11,13 @@
 #define vtkInsideOutConversion_h
 
 #include "HullMesh.h"
+#include "SurfaceDefects.h"
 #include "SurfaceFile.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -42,10 +44,17 @@ public:
   /** What was passed over or looks wrong, one line each. */
   std::vector<std::string> Warnings;
 
+  /** The input cell that each triangle of the soup is a part of. */
+  const std::vector<vtkIdType>& GetCellOfTriangle() const { return this->CellOfTriangle; }
+
   /** The input cell of a facet: of several the lowest, of those along `side` (+1 or -1) if there is
    * one. */
   vtkIdType CellOfFacet(
     const insideout::FacetComplex& surface, insideout::Id facet, int side) const;
+
+  /** The input with its cells and data as they are, but for cell arrays of the names that the
+   * output adds: those are renamed. */
+  vtkSmartPointer<vtkPolyData> CopySurface(std::initializer_list<const char*> added);
 
   /** Facets as a surface with FacetMultiplicity, vtkOriginalCellIds, vtkOriginalPointIds and the
    * input's data. */
@@ -92,6 +101,10 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolyData(const insideout::PolygonSu
  * @throws insideout::Error that names the cell whose point is out of range
  */
 insideout::PolygonSurface vtkInsideOutReadPolyData(vtkPolyData* input);
+
+/** The lines of a surface's defects with vtkOriginalPointIds: those of one point become vertices,
+ * which VTK numbers before the polylines. */
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefects& defects);
 
 /** Put each figure into the data set's field data, as a one-value array Statistics_NAME. */
 void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);

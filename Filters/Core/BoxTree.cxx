@@ -10,6 +10,15 @@ namespace
 {
 constexpr Id LeafSize = 4;
 
+/** Boxes for which another thread is worth its while. */
+constexpr Id TaskSize = 4096;
+
+/** Of the tree over this many boxes. */
+std::size_t NumberOfNodes(Id count)
+{
+  return count <= LeafSize ? 1 : 1 + NumberOfNodes(count / 2) + NumberOfNodes(count - count / 2);
+}
+
 int LongestAxis(const Box& box)
 {
   int axis = 0;
@@ -42,42 +51,53 @@ Box BoundingBox(const std::vector<Point>& points, const Triangle& triangle)
 }
 
 BoxTree::BoxTree(std::vector<Box> boxes)
-  : Boxes(std::move(boxes))
-  , Order(this->Boxes.size())
+  : Order(boxes.size())
 {
   std::iota(this->Order.begin(), this->Order.end(), 0);
-  if (!this->Boxes.empty())
+  if (boxes.empty())
   {
-    this->Build(0, static_cast<Id>(this->Boxes.size()));
+    return;
+  }
+  const Id count = static_cast<Id>(boxes.size());
+  this->Nodes.resize(NumberOfNodes(count));
+#pragma omp parallel
+#pragma omp single
+  this->Build(boxes, 0, count, 0);
+  this->Boxes.reserve(boxes.size());
+  for (const Id i : this->Order)
+  {
+    this->Boxes.push_back(boxes[i]);
   }
 }
 
-void BoxTree::Build(Id begin, Id end)
+/** Builds the subtree over a part of the order. Where its nodes stand follows from its size. */
+void BoxTree::Build(const std::vector<Box>& boxes, Id begin, Id end, std::size_t node)
 {
-  Box bounds = this->Boxes[this->Order[begin]];
+  Box bounds = boxes[this->Order[begin]];
   for (Id k = begin + 1; k < end; ++k)
   {
-    bounds.Add(this->Boxes[this->Order[k]]);
+    bounds.Add(boxes[this->Order[k]]);
   }
-  const std::size_t node = this->Nodes.size();
+  const std::size_t next = node + NumberOfNodes(end - begin);
   if (end - begin <= LeafSize)
   {
-    this->Nodes.push_back({ bounds, begin, end, node + 1 });
+    this->Nodes[node] = { bounds, begin, end, next };
     return;
   }
-  this->Nodes.push_back({ bounds, begin, begin, 0 });
+  this->Nodes[node] = { bounds, begin, begin, next };
   const int axis = LongestAxis(bounds);
   const Id middle = begin + (end - begin) / 2;
   const auto first = this->Order.begin();
   std::nth_element(first + begin, first + middle, first + end,
     [&](Id a, Id b)
     {
-      const double x = this->Boxes[a].Low[axis] / 2 + this->Boxes[a].High[axis] / 2;
-      const double y = this->Boxes[b].Low[axis] / 2 + this->Boxes[b].High[axis] / 2;
+      const double x = boxes[a].Low[axis] / 2 + boxes[a].High[axis] / 2;
+      const double y = boxes[b].Low[axis] / 2 + boxes[b].High[axis] / 2;
       return x != y ? x < y : a < b;
     });
-  this->Build(begin, middle);
-  this->Build(middle, end);
-  this->Nodes[node].Next = this->Nodes.size();
+#pragma omp task shared(boxes) if (end - begin > TaskSize)
+  this->Build(boxes, begin, middle, node + 1);
+  this->Build(boxes, middle, end, node + 1 + NumberOfNodes(middle - begin));
+#pragma omp taskwait
 }
 } // namespace insideout

@@ -26,7 +26,7 @@ struct Box
 /** The bounding box of a triangle with finite corners; exact, for it only compares. */
 Box BoundingBox(const std::vector<Point>& points, const Triangle& triangle);
 
-/** A binary tree over boxes that finds those which meet a given box. Split at medians. */
+/** A binary tree over boxes that finds those which meet. Split at medians. */
 class BoxTree
 {
 public:
@@ -36,8 +36,7 @@ public:
   template <class Visitor>
   void Visit(const Box& box, const Visitor& visit) const
   {
-    std::size_t node = 0;
-    while (node < this->Nodes.size())
+    for (std::size_t node = 0; node < this->Nodes.size();)
     {
       const Node& here = this->Nodes[node];
       if (!here.Bounds.Meets(box))
@@ -47,7 +46,7 @@ public:
       }
       for (Id k = here.Begin; k < here.End; ++k)
       {
-        if (this->Boxes[this->Order[k]].Meets(box))
+        if (this->Boxes[k].Meets(box))
         {
           visit(this->Order[k]);
         }
@@ -56,7 +55,38 @@ public:
     }
   }
 
-  const Box& operator[](Id i) const { return this->Boxes[i]; }
+  /** The number of parts that VisitPairs can be asked for. */
+  Id NumberOfParts() const { return static_cast<Id>(this->Nodes.size()); }
+
+  /**
+   * Calls visit(i, j) for boxes i and j that meet. All parts together give each pair once, in an
+   * order that is always the same.
+   */
+  template <class Visitor>
+  void VisitPairs(Id part, const Visitor& visit) const
+  {
+    const Node& leaf = this->Nodes[part];
+    for (Id k = leaf.Begin; k < leaf.End; ++k)
+    {
+      this->VisitLeaf(k, k + 1, leaf.End, visit);
+    }
+    // What stands before this leaf has met it already.
+    for (std::size_t node = leaf.Begin < leaf.End ? part + 1 : this->Nodes.size();
+         node < this->Nodes.size();)
+    {
+      const Node& other = this->Nodes[node];
+      if (!other.Bounds.Meets(leaf.Bounds))
+      {
+        node = other.Next;
+        continue;
+      }
+      for (Id k = leaf.Begin; other.Begin < other.End && k < leaf.End; ++k)
+      {
+        this->VisitLeaf(k, other.Begin, other.End, visit);
+      }
+      ++node;
+    }
+  }
 
 private:
   /** Nodes stand in depth-first order; an inner node holds no boxes itself (Begin = End). */
@@ -68,10 +98,22 @@ private:
     std::size_t Next; ///< the node to go on with where this one is passed over
   };
 
-  void Build(Id begin, Id end);
+  template <class Visitor>
+  void VisitLeaf(Id k, Id begin, Id end, const Visitor& visit) const
+  {
+    for (Id other = begin; other < end; ++other)
+    {
+      if (this->Boxes[k].Meets(this->Boxes[other]))
+      {
+        visit(this->Order[k], this->Order[other]);
+      }
+    }
+  }
 
-  std::vector<Box> Boxes;
-  std::vector<Id> Order;
+  void Build(const std::vector<Box>& boxes, Id begin, Id end, std::size_t node);
+
+  std::vector<Id> Order;  ///< of the boxes in the leaves
+  std::vector<Box> Boxes; ///< in that order
   std::vector<Node> Nodes;
 };
 } // namespace insideout

@@ -13,17 +13,23 @@ namespace
 {
 constexpr const char* Stage = "finding self-intersections";
 
-/** Facets that a thread takes at once. */
+/** Facets, or parts of the tree, that a thread takes at once. */
 constexpr Id BlockSize = 256;
 
+Id NumberOfBlocks(Id count)
+{
+  return (count + BlockSize - 1) / BlockSize;
+}
+
+/** The bounding boxes of the facets from `begin` on. */
 std::vector<Box> BoundingBoxes(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets)
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id begin)
 {
   std::vector<Box> boxes;
-  boxes.reserve(facets.size());
-  for (const Triangle& facet : facets)
+  boxes.reserve(facets.size() - begin);
+  for (auto facet = facets.begin() + begin; facet != facets.end(); ++facet)
   {
-    boxes.push_back(BoundingBox(points, facet));
+    boxes.push_back(BoundingBox(points, *facet));
   }
   return boxes;
 }
@@ -39,25 +45,35 @@ std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& point
   const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor)
 {
   monitor.Check(Stage, 0);
-  const Id count = static_cast<Id>(facets.size());
-  const BoxTree tree(BoundingBoxes(points, facets));
+  const BoxTree tree(BoundingBoxes(points, facets, firstNew));
   const std::vector<FilteredPoint> filtered = ToFiltered(points);
 
-  const Id blocks = (count - firstNew + BlockSize - 1) / BlockSize;
+  // First among the new facets, then of the others with them.
+  const Id blocksOfNew = NumberOfBlocks(tree.NumberOfParts());
+  const Id blocks = blocksOfNew + NumberOfBlocks(firstNew);
   std::vector<std::vector<std::array<Id, 2>>> found(blocks);
   const auto search = [&](Id block)
   {
-    const Id begin = firstNew + block * BlockSize;
-    for (Id j = begin; j < std::min(begin + BlockSize, count); ++j)
+    const auto test = [&](Id i, Id j)
     {
-      tree.Visit(tree[j],
-        [&](Id i)
-        {
-          if (i < j && MeetBeyondSharedCorners(filtered, facets[i], facets[j]))
-          {
-            found[block].push_back({ i, j });
-          }
-        });
+      if (MeetBeyondSharedCorners(filtered, facets[i], facets[j]))
+      {
+        found[block].push_back({ std::min(i, j), std::max(i, j) });
+      }
+    };
+    if (block < blocksOfNew)
+    {
+      const Id begin = block * BlockSize;
+      for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
+      {
+        tree.VisitPairs(part, [&](Id a, Id b) { test(firstNew + a, firstNew + b); });
+      }
+      return;
+    }
+    const Id begin = (block - blocksOfNew) * BlockSize;
+    for (Id i = begin; i < std::min(begin + BlockSize, firstNew); ++i)
+    {
+      tree.Visit(BoundingBox(points, facets[i]), [&](Id leaf) { test(i, firstNew + leaf); });
     }
   };
   ParallelLoop(blocks, monitor, { Stage, 0, 1 }, search);

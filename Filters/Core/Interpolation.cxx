@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Interpolation.h"
 
-#include "ExactPoint.h"
+#include "ConstructedPoint.h"
 #include "TrianglePredicates.h"
 
 #include <algorithm>
@@ -12,11 +12,12 @@ namespace insideout
 namespace
 {
 /** Twice the signed area, exactly, of three points seen along an axis. */
-ExactNumber Area(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis)
+ExactNumber Area(const Point& a, const Point& b, const Point& c, int axis)
 {
   const int x = (axis + 1) % 3;
   const int y = (axis + 2) % 3;
-  return (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x]);
+  return (ExactNumber(b[x]) - a[x]) * (ExactNumber(c[y]) - a[y]) -
+    (ExactNumber(b[y]) - a[y]) * (ExactNumber(c[x]) - a[x]);
 }
 
 /** Exact, for in a sliver doubles would not even give the signs. */
@@ -24,12 +25,11 @@ std::array<double, 3> WeightsInPlane(const std::array<Point, 3>& triangle, const
 {
   const std::vector<FilteredPoint> corners = ToFiltered({ triangle[0], triangle[1], triangle[2] });
   const int axis = ProjectionAxis({ corners[0], corners[1], corners[2] });
-  const std::array<ExactPoint, 3> t = { ToExact(triangle[0]), ToExact(triangle[1]),
-    ToExact(triangle[2]) };
-  const ExactPoint q = ToExact(p);
+  const std::array<Point, 3>& t = triangle;
   const ExactNumber area = Area(t[0], t[1], t[2], axis);
-  return { Nearest(Area(q, t[1], t[2], axis) / area), Nearest(Area(t[0], q, t[2], axis) / area),
-    Nearest(Area(t[0], t[1], q, axis) / area) };
+  return { NearestQuotient(Area(p, t[1], t[2], axis), area),
+    NearestQuotient(Area(t[0], p, t[2], axis), area),
+    NearestQuotient(Area(t[0], t[1], p, axis), area) };
 }
 
 /** The weight of `b` in the point of the segment from a to b that is nearest to p. */

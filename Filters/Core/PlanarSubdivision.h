@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ExactPoint.h"
+#include "ConstructedPoint.h"
 
 #include <vector>
 
 namespace insideout
 {
-struct ExactSegment
+/** A segment along which a facet is cut. */
+struct Cut
 {
-  ExactPoint First;
-  ExactPoint Last; ///< equal to First for a single point
+  ConstructedPoint First;
+  ConstructedPoint Last; ///< equal to First for a single point
+  Id Facet = None;       ///< whose plane the segment is in; None where it joins two corners
 };
 
-/** A triangle that a piece is part of, and whether the piece runs the other way. */
+/** A facet that a piece is part of, and whether the piece runs the other way. */
 struct PieceSource
 {
   Id Facet;
@@ -29,18 +31,18 @@ struct Piece
 
 struct PlanarSubdivision
 {
-  std::vector<Point> Points; ///< the exact corners, rounded to the nearest doubles
+  std::vector<ConstructedPoint> Points;
   std::vector<Piece> Pieces; ///< corners index Points
 };
 
 /**
- * The triangles of one plane cut along each other's edges and along segments: a constrained
- * Delaunay triangulation, in which every edge and segment is a union of edges and which is exact
- * until its points are rounded at the end. Sources index `triangles`.
+ * Facets of one plane cut along each other's edges and along segments: a constrained
+ * triangulation in which every edge and segment is a union of edges. Exact; as near to Delaunay as
+ * doubles tell.
  *
- * @param[in] triangles non-degenerate, exactly in one plane; they may overlap
- * @param[in] segments each in one of the triangles, boundary included
+ * @param[in] facets ascending, exactly in one plane; they may overlap
+ * @param[in] cuts each in one of the facets, boundary included
  */
 PlanarSubdivision SubdividePlane(
-  const std::vector<std::array<Point, 3>>& triangles, const std::vector<ExactSegment>& segments);
+  const FacetList& surface, const std::vector<Id>& facets, const std::vector<Cut>& cuts);
 } // namespace insideout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PointIndex.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -13,14 +14,8 @@ double SquaredDistance(const Point& p, const Point& q)
   const Point d = { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
   return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
 }
-} // namespace
 
-PointIndex::PointIndex(double radius)
-  : Radius(radius)
-{
-}
-
-std::size_t PointIndex::Hash::operator()(const Cell& cell) const
+std::size_t HashOf(const std::array<double, 3>& cell)
 {
   std::size_t hash = 0;
   for (const double x : cell)
@@ -29,6 +24,12 @@ std::size_t PointIndex::Hash::operator()(const Cell& cell) const
     hash ^= hash >> 29;
   }
   return hash;
+}
+} // namespace
+
+PointIndex::PointIndex(double radius)
+  : Radius(radius)
+{
 }
 
 PointIndex::Cell PointIndex::CellOf(const Point& p) const
@@ -43,11 +44,33 @@ PointIndex::Cell PointIndex::CellOf(const Point& p) const
 
 void PointIndex::Add(const Point& p, Id id)
 {
-  this->Cells.insert({ this->CellOf(p), { p, id } });
+  if (this->Entries.size() + 1 >= this->Buckets.size())
+  {
+    this->Grow();
+  }
+  const Cell cell = this->CellOf(p);
+  Id& bucket = this->Buckets[HashOf(cell) & (this->Buckets.size() - 1)];
+  this->Entries.push_back({ cell, p, id, bucket });
+  bucket = static_cast<Id>(this->Entries.size()) - 1;
+}
+
+void PointIndex::Grow()
+{
+  this->Buckets.assign(std::max<std::size_t>(1024, 2 * this->Buckets.size()), None);
+  for (std::size_t i = 0; i < this->Entries.size(); ++i)
+  {
+    Id& bucket = this->Buckets[HashOf(this->Entries[i].Place) & (this->Buckets.size() - 1)];
+    this->Entries[i].Next = bucket;
+    bucket = static_cast<Id>(i);
+  }
 }
 
 Id PointIndex::Find(const Point& p) const
 {
+  if (this->Entries.empty())
+  {
+    return None;
+  }
   const int reach = this->Radius > 0 ? 1 : 0;
   const Cell cell = this->CellOf(p);
   double nearest = this->Radius * this->Radius;
@@ -58,11 +81,16 @@ Id PointIndex::Find(const Point& p) const
     {
       for (int k = -reach; k <= reach; ++k)
       {
-        const auto range = this->Cells.equal_range({ cell[0] + i, cell[1] + j, cell[2] + k });
-        for (auto entry = range.first; entry != range.second; ++entry)
+        const Cell place = { cell[0] + i, cell[1] + j, cell[2] + k };
+        const std::size_t bucket = HashOf(place) & (this->Buckets.size() - 1);
+        for (Id entry = this->Buckets[bucket]; entry != None; entry = this->Entries[entry].Next)
         {
-          const double distance = SquaredDistance(p, entry->second.Position);
-          const Id id = entry->second.PointId;
+          if (this->Entries[entry].Place != place)
+          {
+            continue;
+          }
+          const double distance = SquaredDistance(p, this->Entries[entry].Position);
+          const Id id = this->Entries[entry].PointId;
           if (distance < nearest || (distance == nearest && (found == None || id < found)))
           {
             nearest = distance;

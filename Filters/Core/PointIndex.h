@@ -3,7 +3,7 @@
 
 #include "Types.h"
 
-#include <unordered_map>
+#include <vector>
 
 namespace insideout
 {
@@ -22,19 +22,19 @@ public:
 private:
   /** The corner of a cube of the radius' size, or with radius 0 the point itself. */
   using Cell = std::array<double, 3>;
-  struct Hash
-  {
-    std::size_t operator()(const Cell& cell) const;
-  };
   struct Entry
   {
+    Cell Place;
     Point Position;
     Id PointId;
+    Id Next; ///< the entry with the same hash that was added before this one
   };
 
   Cell CellOf(const Point& p) const;
+  void Grow();
 
   double Radius;
-  std::unordered_multimap<Cell, Entry, Hash> Cells;
+  std::vector<Entry> Entries;
+  std::vector<Id> Buckets; ///< the last entry by hash; a power of two, more than there are entries
 };
 } // namespace insideout

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ResolveSelfIntersections.h"
 
+#include "CollapseSlivers.h"
 #include "CutFacets.h"
 #include "FindIntersections.h"
 #include "Interpolation.h"
+#include "ParallelLoop.h"
 #include "PointIndex.h"
+#include "SortedTriangle.h"
 #include "TrianglePredicates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
+#include <unordered_map>
 
 namespace insideout
 {
@@ -30,13 +35,13 @@ constexpr int Patience = 6;
 constexpr std::size_t Divergence = 4;
 
 /**
- * How far new points move at most to an existing point, relative to the largest coordinate: in the
- * first round not at all; then some spacings of the doubles, because new points nearer than that to
- * old ones make slivers that cross again. Over all rounds the sum stays below 1e-12.
+ * How near two points, or a point and an edge, are at most taken for one: some spacings of the
+ * doubles, because what lies nearer makes slivers that cross again. Over all rounds the sum stays
+ * below 1e-12 of the largest coordinate.
  */
-double SnappingRadius(int round, double largestCoordinate)
+double SnappingRadius(double largestCoordinate)
 {
-  return round == 1 ? 0 : std::ldexp(largestCoordinate, -45);
+  return std::ldexp(largestCoordinate, -45);
 }
 
 using Pairs = std::vector<std::array<Id, 2>>;
@@ -44,44 +49,40 @@ using Pairs = std::vector<std::array<Id, 2>>;
 /** What a facet stands for, beside its corners. */
 struct Meaning
 {
-  Id Root = None;       ///< a facet of the given complex that it is a piece of
-  int Multiplicity = 0; ///< along its own orientation
-  std::vector<FacetSource> Sources;
+  Id Root = None;                   ///< a facet of the given complex that it is a piece of
+  int Multiplicity = 0;             ///< along its own orientation
+  std::vector<FacetSource> Sources; ///< by triangle; one triangle's are all turned alike
 };
 
-Meaning MeaningOf(const FacetComplex& surface, Id facet)
+Meaning MeaningOfGiven(const FacetComplex& surface, Id facet)
 {
   const auto sources = surface.Sources.begin();
   return { facet, surface.Multiplicity[facet],
     { sources + surface.SourceOffsets[facet], sources + surface.SourceOffsets[facet + 1] } };
 }
 
-/** Adds the sources and multiplicity of a coinciding facet, or of the reverse of one. */
+/**
+ * Adds the sources and multiplicity of a coinciding facet, or of the reverse of one. Where rounding
+ * folded a triangle onto itself, its piece and the reverse of that cancel.
+ */
 void Add(Meaning& meaning, const Meaning& other, bool reversed)
 {
   meaning.Multiplicity += reversed ? -other.Multiplicity : other.Multiplicity;
   for (const FacetSource& source : other.Sources)
   {
-    const auto place = std::lower_bound(meaning.Sources.begin(), meaning.Sources.end(), source,
+    const FacetSource added = { source.Triangle, source.Reversed != reversed };
+    const auto place = std::lower_bound(meaning.Sources.begin(), meaning.Sources.end(), added,
       [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
-    if (place == meaning.Sources.end() || place->Triangle != source.Triangle)
+    if (place != meaning.Sources.end() && place->Triangle == added.Triangle &&
+      place->Reversed != added.Reversed)
     {
-      meaning.Sources.insert(place, { source.Triangle, source.Reversed != reversed });
+      meaning.Sources.erase(place);
+    }
+    else
+    {
+      meaning.Sources.insert(place, added);
     }
   }
-}
-
-Triangle Sorted(Triangle triangle)
-{
-  std::sort(triangle.begin(), triangle.end());
-  return triangle;
-}
-
-/** Whether two triangles with the same corners run opposite ways. */
-bool AreOpposite(const Triangle& a, const Triangle& b)
-{
-  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
-  return a[1] != b[(first + 1) % 3];
 }
 
 double LargestCoordinate(const std::vector<Point>& points)
@@ -133,10 +134,10 @@ struct CutFacet
 struct State
 {
   std::vector<Point> Points;
-  std::vector<PointOrigin> Origins;
   std::vector<Triangle> Facets;
-  std::vector<Meaning> Meanings; ///< one per facet
-  Pairs Crossings;               ///< pairs of facets that cross
+  std::vector<Id> MeaningIds; ///< one per facet: a given facet, or beyond those a piece's meaning
+  Id FirstUnchecked = 0;      ///< facets from here on were not searched for crossings
+  Pairs Crossings;            ///< pairs of facets that cross
 };
 
 class Resolver
@@ -147,15 +148,23 @@ public:
 
 private:
   void CutRepeatedly();
-  Id Cut();
-  void PreparePoints();
-  std::vector<CutFacet> TakePieces(const PlanarSubdivision& subdivision);
-  std::vector<Id> PlacePoints(const PlanarSubdivision& subdivision);
+  void Cut(const ProgressRange& progress);
+  void PrepareSnapping();
+  std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
-  PointOrigin OriginOf(const Point& p, Id root) const;
-  Id KeepUncut();
-  void AddFacets(std::vector<CutFacet> facets);
-  FacetComplex Assemble(const std::vector<Id>& leftOut) const;
+  std::vector<Id> DegenerateFacets() const;
+  std::vector<Id> CrossingFacets() const;
+  void Collapse(const std::vector<Id>& candidates);
+  void FindCrossings();
+  void Replace(std::vector<char> isRemoved, std::vector<CutFacet> added);
+  std::vector<CutFacet> TakePieces(const std::vector<PlanarSubdivision>& subdivisions,
+    const std::vector<std::vector<Id>>& ids) const;
+  void AddFacets(std::vector<CutFacet> facets, std::vector<char>& isRemoved);
+  Id AddMeaning(Meaning meaning);
+  Id RootOf(Id meaning) const;
+  Meaning MeaningOf(Id meaning) const;
+  FacetComplex Assemble(const std::vector<Id>& leftOut);
+  std::vector<PointOrigin> OriginsOf(const std::vector<Point>& points) const;
 
   const FacetComplex& Surface;
   Monitor& Watch;
@@ -163,6 +172,8 @@ private:
   int Round = 0;
 
   State Now;
+  std::vector<Meaning> Meanings; ///< of pieces, of all rounds
+  std::vector<Id> Roots;         ///< of new points: the given facet that they lie on
 
   PointIndex Positions{ 0 }; ///< of all points
   PointIndex Nearby{ 0 };    ///< the points that new ones of this round may snap to
@@ -175,18 +186,15 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
   , Size(LargestCoordinate(surface.Points))
 {
   this->Now.Points = surface.Points;
-  this->Now.Origins = surface.Origins;
   this->Now.Facets.assign(
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  for (Id f = 0; f < surface.NumberOfConstraints; ++f)
-  {
-    this->Now.Meanings.push_back(MeaningOf(surface, f));
-  }
+  this->Now.MeaningIds.resize(surface.NumberOfConstraints);
+  std::iota(this->Now.MeaningIds.begin(), this->Now.MeaningIds.end(), 0);
 }
 
 Resolution Resolver::Resolve()
 {
-  this->Now.Crossings = FindIntersections(this->Now.Points, this->Now.Facets, this->Watch);
+  this->FindCrossings();
   Resolution resolution;
   resolution.IntersectingPairs = this->Now.Crossings;
   if (!this->Now.Crossings.empty())
@@ -211,10 +219,19 @@ void Resolver::CutRepeatedly()
   while (!this->Now.Crossings.empty() && this->Round < MaximumRounds)
   {
     ++this->Round;
-    const Id firstNew = this->Cut();
-    this->Now.Crossings =
-      FindIntersections(this->Now.Points, this->Now.Facets, firstNew, this->Watch);
+    // How many rounds there will be is unknown: each takes half of the progress that is left.
+    const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
+    const double end = 1 - std::ldexp(1.0, -this->Round);
+    this->Cut({ Stage, begin, end });
+    this->Collapse(this->DegenerateFacets());
+    this->FindCrossings();
+    this->Collapse(this->CrossingFacets());
+    this->FindCrossings();
     const std::size_t count = this->Now.Crossings.size();
+    if (count == 0)
+    {
+      return;
+    }
     if (bestRound == 0 || count < best.Crossings.size())
     {
       best = this->Now;
@@ -228,36 +245,29 @@ void Resolver::CutRepeatedly()
   this->Now = std::move(best);
 }
 
-/**
- * Cuts the facets that cross. Afterwards the uncut facets come first.
- * @return the first new facet
- */
-Id Resolver::Cut()
+/** Cuts the facets that cross. */
+void Resolver::Cut(const ProgressRange& progress)
 {
-  // How many rounds there will be is unknown: each takes half of the progress that is left.
-  const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
-  const double end = 1 - std::ldexp(1.0, -this->Round);
-  this->Watch.Check(Stage, begin);
-  const std::vector<PlanarSubdivision> subdivisions = CutFacets(
-    this->Now.Points, this->Now.Facets, this->Now.Crossings, this->Watch, { Stage, begin, end });
-
-  this->PreparePoints();
-  std::vector<CutFacet> pieces;
-  for (const PlanarSubdivision& subdivision : subdivisions)
+  this->Watch.Check(Stage, progress.Begin);
+  const FacetList facets{ this->Now.Points, this->Now.Facets };
+  const std::vector<PlanarSubdivision> subdivisions =
+    CutFacets(facets, this->Now.Crossings, this->Watch, progress);
+  this->PrepareSnapping();
+  const std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
+  this->Watch.Check(Stage, progress.End);
+  std::vector<CutFacet> pieces = this->TakePieces(subdivisions, ids);
+  std::vector<char> isCut(this->Now.Facets.size(), 0);
+  for (const auto& pair : this->Now.Crossings)
   {
-    std::vector<CutFacet> taken = this->TakePieces(subdivision);
-    std::move(taken.begin(), taken.end(), std::back_inserter(pieces));
+    isCut[pair[0]] = isCut[pair[1]] = 1;
   }
-  this->Watch.Check(Stage, end);
-  const Id firstNew = this->KeepUncut();
-  this->AddFacets(std::move(pieces));
-  return firstNew;
+  this->Replace(std::move(isCut), std::move(pieces));
 }
 
-void Resolver::PreparePoints()
+void Resolver::PrepareSnapping()
 {
   this->Moved = PointIndex(0);
-  this->Nearby = PointIndex(SnappingRadius(this->Round, this->Size));
+  this->Nearby = PointIndex(this->Round == 1 ? 0 : SnappingRadius(this->Size));
   std::vector<char> added(this->Now.Points.size(), 0);
   for (const auto& pair : this->Now.Crossings)
   {
@@ -275,42 +285,47 @@ void Resolver::PreparePoints()
   }
 }
 
-/** The pieces with their points placed; those that rounding made degenerate are dropped. */
-std::vector<CutFacet> Resolver::TakePieces(const PlanarSubdivision& subdivision)
+/**
+ * Gives every point of the subdivisions a place: each name is rounded once.
+ * @return the ids of the points, by subdivision
+ */
+std::vector<std::vector<Id>> Resolver::PlacePoints(
+  const std::vector<PlanarSubdivision>& subdivisions)
 {
-  const std::vector<Id> ids = this->PlacePoints(subdivision);
-  std::vector<CutFacet> facets;
-  for (const Piece& piece : subdivision.Pieces)
+  std::vector<ConstructedPoint> names;
+  for (const PlanarSubdivision& subdivision : subdivisions)
   {
-    const Triangle corners = { ids[piece.Corners[0]], ids[piece.Corners[1]],
-      ids[piece.Corners[2]] };
-    if (IsDegenerate(
-          this->Now.Points[corners[0]], this->Now.Points[corners[1]], this->Now.Points[corners[2]]))
-    {
-      continue;
-    }
-    CutFacet facet{ corners, {} };
-    facet.Means.Root = this->Now.Meanings[piece.Sources[0].Facet].Root;
-    for (const PieceSource& source : piece.Sources)
-    {
-      Add(facet.Means, this->Now.Meanings[source.Facet], source.Reversed);
-    }
-    facets.push_back(std::move(facet));
+    names.insert(names.end(), subdivision.Points.begin(), subdivision.Points.end());
   }
-  return facets;
-}
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
 
-std::vector<Id> Resolver::PlacePoints(const PlanarSubdivision& subdivision)
-{
-  std::vector<Id> ids(subdivision.Points.size(), None);
-  for (const Piece& piece : subdivision.Pieces)
+  std::vector<Point> rounded(names.size());
+  const FacetList facets{ this->Now.Points, this->Now.Facets };
+  ParallelLoop(static_cast<Id>(names.size()), this->Watch, { Stage, 0, 0 },
+    [&](Id i) { rounded[i] = Nearest(names[i], facets); });
+
+  std::vector<Id> placed(names.size(), None);
+  std::vector<std::vector<Id>> ids;
+  for (const PlanarSubdivision& subdivision : subdivisions)
   {
-    for (const Id p : piece.Corners)
+    ids.emplace_back(subdivision.Points.size(), None);
+    for (const Piece& piece : subdivision.Pieces)
     {
-      if (ids[p] == None)
+      const Id root = this->RootOf(this->Now.MeaningIds[piece.Sources[0].Facet]);
+      for (const Id p : piece.Corners)
       {
-        const Id root = this->Now.Meanings[piece.Sources[0].Facet].Root;
-        ids[p] = this->PlacePoint(subdivision.Points[p], root);
+        if (ids.back()[p] != None)
+        {
+          continue;
+        }
+        const auto at =
+          std::lower_bound(names.begin(), names.end(), subdivision.Points[p]) - names.begin();
+        if (placed[at] == None)
+        {
+          placed[at] = this->PlacePoint(rounded[at], root);
+        }
+        ids.back()[p] = placed[at];
       }
     }
   }
@@ -338,82 +353,190 @@ Id Resolver::PlacePoint(const Point& p, Id root)
   }
   const Id id = static_cast<Id>(this->Now.Points.size());
   this->Now.Points.push_back(p);
-  this->Now.Origins.push_back(this->OriginOf(p, root));
+  this->Roots.push_back(root);
   this->Positions.Add(p, id);
   this->Nearby.Add(p, id);
   return id;
 }
 
-PointOrigin Resolver::OriginOf(const Point& p, Id root) const
+/** The pieces with their points placed; those that have one twice are nothing. */
+std::vector<CutFacet> Resolver::TakePieces(
+  const std::vector<PlanarSubdivision>& subdivisions, const std::vector<std::vector<Id>>& ids) const
 {
-  const Triangle& corners = this->Surface.Facets[root];
-  PointOrigin origin;
-  std::array<Point, 3> triangle;
-  for (int k = 0; k < 3; ++k)
+  std::vector<CutFacet> facets;
+  for (std::size_t s = 0; s < subdivisions.size(); ++s)
   {
-    origin.Points[k] = this->Surface.Origins[corners[k]].Points[0];
-    triangle[k] = this->Surface.Points[corners[k]];
-  }
-  origin.Weights = BarycentricWeights(triangle, p);
-  return origin;
-}
-
-/** Removes the facets that cross; returns how many are left. */
-Id Resolver::KeepUncut()
-{
-  std::vector<char> isCut(this->Now.Facets.size(), 0);
-  for (const auto& pair : this->Now.Crossings)
-  {
-    isCut[pair[0]] = isCut[pair[1]] = 1;
-  }
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < this->Now.Facets.size(); ++f)
-  {
-    if (!isCut[f])
+    for (const Piece& piece : subdivisions[s].Pieces)
     {
-      if (kept != f)
+      CutFacet facet;
+      for (int k = 0; k < 3; ++k)
       {
-        this->Now.Facets[kept] = this->Now.Facets[f];
-        this->Now.Meanings[kept] = std::move(this->Now.Meanings[f]);
+        facet.Corners[k] = ids[s][piece.Corners[k]];
       }
-      ++kept;
+      if (facet.Corners[0] == facet.Corners[1] || facet.Corners[1] == facet.Corners[2] ||
+        facet.Corners[2] == facet.Corners[0])
+      {
+        continue;
+      }
+      facet.Means.Root = this->RootOf(this->Now.MeaningIds[piece.Sources[0].Facet]);
+      for (const PieceSource& source : piece.Sources)
+      {
+        Add(facet.Means, this->MeaningOf(this->Now.MeaningIds[source.Facet]), source.Reversed);
+      }
+      facets.push_back(std::move(facet));
     }
   }
-  this->Now.Facets.resize(kept);
-  this->Now.Meanings.resize(kept);
-  return static_cast<Id>(kept);
+  return facets;
 }
 
-/** Adds facets, or what they mean to the ones with the same corners. */
-void Resolver::AddFacets(std::vector<CutFacet> facets)
+/** The facets that rounding made degenerate: they come right out of a cut. */
+std::vector<Id> Resolver::DegenerateFacets() const
+{
+  std::vector<Id> degenerate;
+  for (Id f = this->Now.FirstUnchecked; f < static_cast<Id>(this->Now.Facets.size()); ++f)
+  {
+    const Triangle& t = this->Now.Facets[f];
+    if (IsDegenerate(this->Now.Points[t[0]], this->Now.Points[t[1]], this->Now.Points[t[2]]))
+    {
+      degenerate.push_back(f);
+    }
+  }
+  return degenerate;
+}
+
+std::vector<Id> Resolver::CrossingFacets() const
+{
+  std::vector<Id> crossing;
+  for (const auto& pair : this->Now.Crossings)
+  {
+    crossing.insert(crossing.end(), pair.begin(), pair.end());
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return crossing;
+}
+
+/** Collapses slivers among some facets. */
+void Resolver::Collapse(const std::vector<Id>& candidates)
+{
+  if (candidates.empty())
+  {
+    return;
+  }
+  const CollapsedSlivers slivers =
+    CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size));
+  std::vector<char> isRemoved(this->Now.Facets.size(), 0);
+  for (const Id f : slivers.Removed)
+  {
+    isRemoved[f] = 1;
+  }
+  std::vector<CutFacet> parts;
+  for (const ReplacedFacet& part : slivers.Added)
+  {
+    parts.push_back({ part.Corners, this->MeaningOf(this->Now.MeaningIds[part.Parent]) });
+  }
+  this->Replace(std::move(isRemoved), std::move(parts));
+}
+
+/** Takes facets away and adds others, behind those that stay. */
+void Resolver::Replace(std::vector<char> isRemoved, std::vector<CutFacet> added)
+{
+  this->AddFacets(std::move(added), isRemoved);
+  std::vector<Id> kept(this->Now.Facets.size(), None);
+  Id count = 0;
+  Id firstUnchecked = 0;
+  for (std::size_t f = 0; f < this->Now.Facets.size(); ++f)
+  {
+    if (isRemoved[f])
+    {
+      continue;
+    }
+    this->Now.Facets[count] = this->Now.Facets[f];
+    this->Now.MeaningIds[count] = this->Now.MeaningIds[f];
+    kept[f] = count++;
+    firstUnchecked = static_cast<Id>(f) < this->Now.FirstUnchecked ? count : firstUnchecked;
+  }
+  this->Now.Facets.resize(count);
+  this->Now.MeaningIds.resize(count);
+  this->Now.FirstUnchecked = firstUnchecked;
+  Pairs crossings;
+  for (const auto& pair : this->Now.Crossings)
+  {
+    if (kept[pair[0]] != None && kept[pair[1]] != None)
+    {
+      crossings.push_back({ kept[pair[0]], kept[pair[1]] });
+    }
+  }
+  this->Now.Crossings = std::move(crossings);
+}
+
+/** Finds the crossings of the facets that were not searched yet. */
+void Resolver::FindCrossings()
+{
+  const Pairs found =
+    FindIntersections(this->Now.Points, this->Now.Facets, this->Now.FirstUnchecked, this->Watch);
+  this->Now.Crossings.insert(this->Now.Crossings.end(), found.begin(), found.end());
+  std::sort(this->Now.Crossings.begin(), this->Now.Crossings.end());
+  this->Now.FirstUnchecked = static_cast<Id>(this->Now.Facets.size());
+}
+
+/**
+ * Adds facets, or what they mean to the ones with the same corners. What is left without a meaning
+ * is marked as removed, too.
+ */
+void Resolver::AddFacets(std::vector<CutFacet> facets, std::vector<char>& isRemoved)
 {
   std::vector<char> touched(this->Now.Points.size(), 0);
   for (const CutFacet& facet : facets)
   {
     touched[facet.Corners[0]] = touched[facet.Corners[1]] = touched[facet.Corners[2]] = 1;
   }
-  std::map<Triangle, Id> ids;
+  std::unordered_map<Triangle, Id, HashOfTriangle> known;
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
     const Triangle& corners = this->Now.Facets[f];
-    if (touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
+    if (!isRemoved[f] && touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
     {
-      ids.insert({ Sorted(corners), f });
+      known.insert({ SortedTriangle(corners).Points, f });
     }
   }
   for (CutFacet& facet : facets)
   {
+    const SortedTriangle sorted(facet.Corners);
     const Id next = static_cast<Id>(this->Now.Facets.size());
-    const auto inserted = ids.insert({ Sorted(facet.Corners), next });
+    const auto inserted = known.insert({ sorted.Points, next });
     if (inserted.second)
     {
       this->Now.Facets.push_back(facet.Corners);
-      this->Now.Meanings.push_back(std::move(facet.Means));
+      isRemoved.push_back(facet.Means.Sources.empty());
+      this->Now.MeaningIds.push_back(this->AddMeaning(std::move(facet.Means)));
       continue;
     }
     const Id same = inserted.first->second;
-    Add(this->Now.Meanings[same], facet.Means, AreOpposite(this->Now.Facets[same], facet.Corners));
+    Meaning sum = this->MeaningOf(this->Now.MeaningIds[same]);
+    Add(sum, facet.Means, SortedTriangle(this->Now.Facets[same]).Turned != sorted.Turned);
+    isRemoved[same] = sum.Sources.empty();
+    this->Now.MeaningIds[same] = this->AddMeaning(std::move(sum));
   }
+}
+
+Id Resolver::AddMeaning(Meaning meaning)
+{
+  this->Meanings.push_back(std::move(meaning));
+  return static_cast<Id>(this->Surface.Facets.size() + this->Meanings.size() - 1);
+}
+
+/** The meaning with this number: a given facet's, or beyond those a piece's. */
+Meaning Resolver::MeaningOf(Id meaning) const
+{
+  const Id given = this->Surface.NumberOfFacets();
+  return meaning < given ? MeaningOfGiven(this->Surface, meaning) : this->Meanings[meaning - given];
+}
+
+Id Resolver::RootOf(Id meaning) const
+{
+  const Id given = this->Surface.NumberOfFacets();
+  return meaning < given ? meaning : this->Meanings[meaning - given].Root;
 }
 
 std::int16_t CheckedMultiplicity(const Meaning& meaning)
@@ -431,16 +554,17 @@ void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meani
 {
   surface.Facets.push_back(corners);
   surface.Multiplicity.push_back(CheckedMultiplicity(meaning));
-  surface.Sources.insert(surface.Sources.end(), meaning.Sources.begin(), meaning.Sources.end());
+  // Several pieces of one triangle may lie on each other; it is named once.
+  std::unique_copy(meaning.Sources.begin(), meaning.Sources.end(),
+    std::back_inserter(surface.Sources),
+    [](const FacetSource& a, const FacetSource& b) { return a.Triangle == b.Triangle; });
   surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
 }
 
 /** The constraints, then what is left out of them, then what the given complex had left out. */
-FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut) const
+FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut)
 {
   FacetComplex surface;
-  surface.Points = this->Now.Points;
-  surface.Origins = this->Now.Origins;
   auto next = leftOut.begin();
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
@@ -449,18 +573,42 @@ FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut) const
       ++next;
       continue;
     }
-    Append(surface, this->Now.Facets[f], this->Now.Meanings[f]);
+    Append(surface, this->Now.Facets[f], this->MeaningOf(this->Now.MeaningIds[f]));
   }
   surface.NumberOfConstraints = surface.NumberOfFacets();
   for (const Id f : leftOut)
   {
-    Append(surface, this->Now.Facets[f], this->Now.Meanings[f]);
+    Append(surface, this->Now.Facets[f], this->MeaningOf(this->Now.MeaningIds[f]));
   }
   for (Id f = this->Surface.NumberOfConstraints; f < this->Surface.NumberOfFacets(); ++f)
   {
-    Append(surface, this->Surface.Facets[f], MeaningOf(this->Surface, f));
+    Append(surface, this->Surface.Facets[f], MeaningOfGiven(this->Surface, f));
   }
+  surface.Points = std::move(this->Now.Points);
+  surface.Origins = this->OriginsOf(surface.Points);
   return surface;
+}
+
+/** Where points come from: the given ones as they were, new ones from the facet they lie on. */
+std::vector<PointOrigin> Resolver::OriginsOf(const std::vector<Point>& points) const
+{
+  std::vector<PointOrigin> origins = this->Surface.Origins;
+  const Id given = static_cast<Id>(origins.size());
+  origins.resize(points.size());
+  ParallelLoop(static_cast<Id>(points.size()) - given, this->Watch, { Stage, 1, 1 },
+    [&](Id i)
+    {
+      const Triangle& corners = this->Surface.Facets[this->Roots[i]];
+      PointOrigin& origin = origins[given + i];
+      std::array<Point, 3> triangle;
+      for (int k = 0; k < 3; ++k)
+      {
+        origin.Points[k] = this->Surface.Origins[corners[k]].Points[0];
+        triangle[k] = this->Surface.Points[corners[k]];
+      }
+      origin.Weights = BarycentricWeights(triangle, points[given + i]);
+    });
+  return origins;
 }
 } // namespace
 

@@ -29,4 +29,19 @@ struct SortedTriangle
   Triangle Points;
   bool Turned = false;
 };
+
+/** For tables of triangles. */
+struct HashOfTriangle
+{
+  std::size_t operator()(const Triangle& t) const
+  {
+    std::size_t hash = 0;
+    for (const Id point : t)
+    {
+      hash = (hash ^ static_cast<std::size_t>(point)) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+};
 } // namespace insideout

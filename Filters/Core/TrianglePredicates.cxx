@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insideout
 {
@@ -46,6 +47,22 @@ std::array<int, 3> SharedCorners(const Triangle& a, const Triangle& b)
     shared[k] = a[k] == b[0] ? 0 : a[k] == b[1] ? 1 : a[k] == b[2] ? 2 : None;
   }
   return shared;
+}
+
+/** Whether all corners that are not shared lie on one side, so that nothing else is. */
+bool Apart(const std::array<int, 3>& sides, const std::array<int, 3>& shared)
+{
+  int low = 1;
+  int high = -1;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (shared[k] == None)
+    {
+      low = std::min(low, sides[k]);
+      high = std::max(high, sides[k]);
+    }
+  }
+  return low == high && low != 0;
 }
 
 /** SidesOfPlane, but a corner that both share is on the plane without asking. */
@@ -147,6 +164,102 @@ FilteredTriangle Corners(const std::vector<FilteredPoint>& points, const Triangl
 {
   return { points[triangle[0]], points[triangle[1]], points[triangle[2]] };
 }
+
+/** A floating-point value and a bound of its error. */
+struct Estimate
+{
+  double Value;
+  double Error;
+};
+
+/** Far above what a few operations lose, relative to the terms and where they underflow. */
+constexpr double RelativeError = 16 * std::numeric_limits<double>::epsilon();
+constexpr double Underflow = 16 * std::numeric_limits<double>::min();
+
+/** The component of p - origin along a direction. */
+Estimate Along(
+  const std::array<double, 3>& direction, const FilteredPoint& origin, const FilteredPoint& p)
+{
+  const double x = direction[0] * (p.x() - origin.x());
+  const double y = direction[1] * (p.y() - origin.y());
+  const double z = direction[2] * (p.z() - origin.z());
+  return { x + y + z, RelativeError * (std::abs(x) + std::abs(y) + std::abs(z)) + Underflow };
+}
+
+/**
+ * Whether triangles with at most one shared corner are clearly apart beyond it: a plane across the
+ * line between their centres, through that corner, has one on either side. Spares neighbours in one
+ * plane the exact arithmetic. Where overflow leaves no number it compares as false, which is safe.
+ */
+bool ClearlyApart(const FilteredTriangle& a, const std::array<int, 3>& sharedOfA,
+  const FilteredTriangle& b, const std::array<int, 3>& sharedOfB)
+{
+  FilteredPoint origin = a[0];
+  bool through = false;
+  std::array<double, 3> direction;
+  for (int k = 0; k < 3; ++k)
+  {
+    direction[k] = (a[0][k] + a[1][k] + a[2][k]) - (b[0][k] + b[1][k] + b[2][k]);
+    if (sharedOfA[k] != None)
+    {
+      origin = a[k];
+      through = true;
+    }
+  }
+  std::array<Estimate, 3> ofB;
+  for (int k = 0; k < 3; ++k)
+  {
+    ofB[k] = Along(direction, origin, b[k]);
+    if (through && sharedOfB[k] == None && !(ofB[k].Value < -ofB[k].Error))
+    {
+      return false;
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    if (sharedOfA[k] != None)
+    {
+      continue;
+    }
+    const Estimate ofA = Along(direction, origin, a[k]);
+    for (int i = 0; i < 3; ++i)
+    {
+      if (!(ofA.Value - ofA.Error > ofB[i].Value + ofB[i].Error))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/**
+ * Whether triangles with a common edge lie clearly on either side of its line, seen along an axis.
+ */
+bool ClearlyOnEitherSide(
+  const FilteredPoint& p, const FilteredPoint& q, const FilteredPoint& r, const FilteredPoint& s)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const double along[2] = { q[u] - p[u], q[v] - p[v] };
+    const auto side = [&](const FilteredPoint& t) -> Estimate
+    {
+      const double left = along[0] * (t[v] - p[v]);
+      const double right = along[1] * (t[u] - p[u]);
+      return { left - right, RelativeError * (std::abs(left) + std::abs(right)) + Underflow };
+    };
+    const Estimate ofR = side(r);
+    const Estimate ofS = side(s);
+    if ((ofR.Value > ofR.Error && ofS.Value < -ofS.Error) ||
+      (ofR.Value < -ofR.Error && ofS.Value > ofS.Error))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 } // namespace
 
 std::vector<FilteredPoint> ToFiltered(const std::vector<Point>& points)
@@ -223,26 +336,36 @@ bool MeetBeyondSharedCorners(
 {
   const std::array<int, 3> sharedOfA = SharedCorners(a, b);
   const std::array<int, 3> sharedOfB = SharedCorners(b, a);
-  const std::array<int, 3> sidesOfB = SidesOfPlane(points, a, b, sharedOfB);
   const int shared = (sharedOfA[0] != None) + (sharedOfA[1] != None) + (sharedOfA[2] != None);
-  const bool coplanar = sidesOfB[0] == 0 && sidesOfB[1] == 0 && sidesOfB[2] == 0;
+  const FilteredTriangle p = Corners(points, a);
+  const FilteredTriangle q = Corners(points, b);
   if (shared == 2)
   {
-    // Else they lie on either side of the line through their common edge, or in two planes.
-    return coplanar && OverlapInPlane(Corners(points, a), Corners(points, b));
+    const int apexOfA =
+      static_cast<int>(std::find(sharedOfA.begin(), sharedOfA.end(), None) - sharedOfA.begin());
+    const int apexOfB =
+      static_cast<int>(std::find(sharedOfB.begin(), sharedOfB.end(), None) - sharedOfB.begin());
+    // Where they lie in two planes they have only the edge in common, too.
+    return !ClearlyOnEitherSide(
+             p[(apexOfA + 1) % 3], p[(apexOfA + 2) % 3], p[apexOfA], q[apexOfB]) &&
+      CGAL::coplanar(p[0], p[1], p[2], q[apexOfB]) && OverlapInPlane(p, q);
   }
-  if (Apart(sidesOfB))
+  if (ClearlyApart(p, sharedOfA, q, sharedOfB))
+  {
+    return false;
+  }
+  const std::array<int, 3> sidesOfB = SidesOfPlane(points, a, b, sharedOfB);
+  const bool coplanar = sidesOfB[0] == 0 && sidesOfB[1] == 0 && sidesOfB[2] == 0;
+  if (Apart(sidesOfB, sharedOfB))
   {
     return false;
   }
   const std::array<int, 3> sidesOfA =
     coplanar ? std::array<int, 3>{ { 0, 0, 0 } } : SidesOfPlane(points, b, a, sharedOfA);
-  if (Apart(sidesOfA))
+  if (Apart(sidesOfA, sharedOfA))
   {
     return false;
   }
-  const FilteredTriangle p = Corners(points, a);
-  const FilteredTriangle q = Corners(points, b);
   return EdgeMeets(p, sidesOfA, sharedOfA, q) || EdgeMeets(q, sidesOfB, sharedOfB, p);
 }
 } // namespace insideout

@@ -14,7 +14,8 @@ PLUGIN, SURFACE = sys.argv[1:3]
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
-           "GeneralizedWindingNumber", "GraphCutSegmentation", "ProbeWindingNumber"]
+           "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
+           "ProbeWindingNumber"]
 
 
 def volume(proxy, port=0):
@@ -49,6 +50,31 @@ class TestPlugin(unittest.TestCase):
         solid.UpdatePipeline()
         self.assertAlmostEqual(volume(hull), volume(w), 12)
         self.assertAlmostEqual(volume(solid), 1.75, 12)
+
+    def test_defects_are_marked_and_drawn(self):
+        defects = simple.SurfaceDefects(Input=self.surface)
+        surface = servermanager.Fetch(defects, idx=0)
+        lines = servermanager.Fetch(defects, idx=1)
+        self.assertEqual(surface.GetCellData().GetArray("ComponentId").GetRange(), (0, 1))
+        self.assertEqual(surface.GetCellData().GetArray("SelfIntersections").GetRange()[0], 0)
+        self.assertEqual(lines.GetCellData().GetArray("DefectType").GetRange(), (3, 3))
+        self.assertGreater(lines.GetNumberOfCells(), 0)
+
+    def test_defects_are_shown_in_their_own_colors(self):
+        definitions = servermanager.ProxyManager()
+        geometry = definitions.NewProxy("representations", "SurfaceDefectsGeometry")
+        array = geometry.GetProperty("ColorArrayName")
+        self.assertEqual([array.GetElement(i) for i in (3, 4)], ["1", "DefectColor"])
+        self.assertEqual(geometry.GetProperty("MapScalars").GetElement(0), 0)
+
+        defects = simple.SurfaceDefects(Input=self.surface)
+        view = simple.CreateView("RenderView")
+        for port in (0, 1):
+            shown = simple.Show(servermanager.OutputPort(defects, port), view)
+            self.assertEqual(shown.GetXMLName(), "SurfaceDefectsRepresentation")
+            self.assertEqual(shown.Representation, "Defect Colors")
+            self.assertEqual((shown.LineWidth, shown.RenderLinesAsTubes), (4, 1))
+        simple.Delete(view)
 
     def test_the_probe_marks_the_points_inside(self):
         sphere = simple.Sphere(Radius=0.01, Center=[0.5, 0.5, 0.5])

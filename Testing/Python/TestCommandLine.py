@@ -101,7 +101,7 @@ class Success(CommandLine):
                 self.assertEqual(read_grid(hull).GetNumberOfCells(), found["statistics"]["HullCells"])
                 self.assertEqual(read_surface(outliers)[0].GetNumberOfCells(), found["statistics"]["OutlierFacets"])
                 self.assertGreater(found["statistics"]["OutlierFacets"], 0)
-                self.assertEqual(found["parameters"], {"gamma": 0.5, "sigma": 0.2})
+                self.assertEqual(found["parameters"], {"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0})
 
     def test_empty_outliers_are_written_in_every_format(self):
         source = self.file("box.ply", surfaces.box())

@@ -15,10 +15,13 @@ import sys
 import time
 from typing import Iterator, Optional, Sequence
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .checking import CHECK_STAGES, Finding, check, make_marker
 from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, read_surface, write_grid, write_surface
 from .pipeline import Error
 from .progress import StageBars
-from .summary import defects, summary
+from .summary import check_summary, defects, summary
 from .tetrahedralization import STAGES, Tetrahedralization, make_filter, tetrahedralize
 from .version import __version__
 
@@ -26,8 +29,21 @@ SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Do what the arguments say. Returns the exit status: 0 when tetrahedra were written."""
-    return Job(_parser().parse_args(arguments)).run()
+    """Do what the arguments say. Returns the exit status: 0 when that was done."""
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    if options.check:
+        _refuse_what_makes_no_mesh(parser, options)
+        return CheckJob(options).run()
+    if options.output is None:
+        parser.error("the following arguments are required: OUTPUT.vtu")
+    return Job(options).run()
+
+
+def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma"):
+        if getattr(options, name) is not None:
+            parser.error(f"--check meshes nothing: it goes without {'OUTPUT.vtu' if name == 'output' else '--' + name}")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -42,11 +58,14 @@ def _parser() -> argparse.ArgumentParser:
         prog="insideout",
         allow_abbrev=False,
         description="From a broken surface to tetrahedra of the solid that it means.",
-        epilog="Exit status 0 when tetrahedra were written, 1 when not.",
+        epilog="Exit status 0 when tetrahedra were written (with --check: when the surface was checked), 1 when not.",
     )
     surface_endings = ", ".join(WRITABLE_SURFACES)
     parser.add_argument("surface", metavar="SURFACE", help="a .ply, .obj, .off, .stl or .vtp file")
-    parser.add_argument("output", metavar="OUTPUT.vtu", help="where to write the tetrahedra inside")
+    parser.add_argument("output", metavar="OUTPUT.vtu", nargs="?", help="where to write the tetrahedra inside")
+    parser.add_argument(
+        "--check", action="store_true", help="only say what is wrong with the surface, and whether it matters here"
+    )
     parser.add_argument("--hull", metavar="HULL.vtu", help="write all tetrahedra of the convex hull, with w and Inside")
     parser.add_argument("--boundary", metavar="FILE", help=f"write the solid's boundary ({surface_endings})")
     parser.add_argument(
@@ -57,6 +76,9 @@ def _parser() -> argparse.ArgumentParser:
         "--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2"
     )
     parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6")
+    parser.add_argument(
+        "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0"
+    )
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
     return parser
@@ -104,8 +126,12 @@ class Job:
         if options.report is not None:
             check_output(options.report, (".json",))
             self.report_is_writable = True
-        tetrahedralizer = make_filter(options.gamma, options.sigma)
-        self.parameters = {"gamma": tetrahedralizer.GetGamma(), "sigma": tetrahedralizer.GetSigma()}
+        tetrahedralizer = make_filter(options.gamma, options.sigma, merge_tolerance=options.merge_tolerance)
+        self.parameters = {
+            "gamma": tetrahedralizer.GetGamma(),
+            "sigma": tetrahedralizer.GetSigma(),
+            "merge_tolerance": tetrahedralizer.GetMergeTolerance(),
+        }
         check_input(options.surface)
         check_output(options.output, WRITABLE_GRIDS)
         for path, endings in (
@@ -130,15 +156,14 @@ class Job:
     def work(self) -> None:
         options = self.options
         began = time.monotonic()
-        self.bars.show("reading", 0)
-        surface, self.warnings = read_surface(options.surface, lambda _, fraction: self.bars.show("reading", fraction))
-        self.bars.finish()
+        surface = self.read()
         seconds_read = time.monotonic() - began
 
         result = tetrahedralize(
             surface,
             gamma=options.gamma,
             sigma=options.sigma,
+            merge_tolerance=options.merge_tolerance,
             progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
         )
         self.bars.finish()
@@ -147,11 +172,18 @@ class Job:
         try:
             self.write(result)
         finally:
-            self.statistics["SecondsTotal"] = time.monotonic() - self.begin
-            self.statistics["PeakMemory"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+            self.measure()
         if "solid" not in self.outputs:
             least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
             raise Error(f"{options.surface}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
+
+    def read(self) -> vtkPolyData:
+        self.bars.show("reading", 0)
+        surface, self.warnings = read_surface(
+            self.options.surface, lambda _, fraction: self.bars.show("reading", fraction)
+        )
+        self.bars.finish()
+        return surface
 
     def write(self, result: Tetrahedralization) -> None:
         """Write what was asked for; when nothing is inside, the hull alone."""
@@ -162,6 +194,10 @@ class Job:
             self.outputs[kind] = path
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
+
+    def measure(self) -> None:
+        self.statistics["SecondsTotal"] = time.monotonic() - self.begin
+        self.statistics["PeakMemory"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
     def files_to_write(self, result: Tetrahedralization) -> Iterator[tuple]:
         options = self.options
@@ -188,6 +224,7 @@ class Job:
             "defects": defects(self.statistics),
             "warnings": self.warnings,
             "statistics": self.statistics,
+            **self.more_for_the_report(),
         }
         try:
             with open(self.options.report, "w", encoding="utf-8", errors="backslashreplace") as file:
@@ -198,8 +235,14 @@ class Job:
             return status or FAILURE
         return status
 
+    def more_for_the_report(self) -> dict:
+        return {}
+
+    def summary(self) -> list[str]:
+        return summary(os.path.basename(self.options.surface), self.statistics)
+
     def print_summary(self) -> None:
-        lines = summary(os.path.basename(self.options.surface), self.statistics)
+        lines = self.summary()
         lines += [f"Warning: {warning}" for warning in self.warnings]
         lines += [f"Wrote {kind:10} {path}" for kind, path in self.outputs.items()]
         try:
@@ -207,6 +250,42 @@ class Job:
         except OSError:
             # Nobody reads on (`| head`). The files are written, and Python is not to complain on exit.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+class CheckJob(Job):
+    """One run with --check, which reads a surface and looks at it."""
+
+    findings: list[Finding] = []
+    verdict: Optional[str] = None
+
+    def check(self) -> None:
+        if self.options.report is not None:
+            check_output(self.options.report, (".json",))
+            self.report_is_writable = True
+        self.parameters = {"merge_tolerance": make_marker(self.options.merge_tolerance).GetMergeTolerance()}
+        check_input(self.options.surface)
+        self.check_that_files_differ()
+
+    def work(self) -> None:
+        began = time.monotonic()
+        surface = self.read()
+        seconds_read = time.monotonic() - began
+        result = check(
+            surface,
+            merge_tolerance=self.options.merge_tolerance,
+            progress=lambda stage, fraction: self.bars.show_part(CHECK_STAGES, stage, fraction),
+        )
+        self.bars.finish()
+        self.warnings = self.warnings + result.warnings
+        self.findings, self.verdict = result.findings, result.verdict
+        self.statistics = dict(result.statistics, SecondsRead=seconds_read)
+        self.measure()
+
+    def more_for_the_report(self) -> dict:
+        return {"findings": [vars(finding) for finding in self.findings], "verdict": self.verdict}
+
+    def summary(self) -> list[str]:
+        return check_summary(os.path.basename(self.options.surface), self.statistics, self.findings, self.verdict)
 
 
 def _print_error(message: str) -> None:

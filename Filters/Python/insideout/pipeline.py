@@ -7,6 +7,7 @@ nothing is printed and nothing goes unnoticed.
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Callable, Optional
 
@@ -20,7 +21,7 @@ Progress = Callable[[str, float], None]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
 
 STATISTICS_PREFIX = "Statistics_"
-MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "PeakMemory")  # all other statistics count
+MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory")  # all other statistics count
 
 
 class Error(RuntimeError):
@@ -88,6 +89,14 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
             name, value = name[len(STATISTICS_PREFIX) :], array.GetTuple1(0)
             statistics[name] = value if name.startswith(MEASURED) else int(value)
     return statistics
+
+
+def at_least(least: float, name: str, value: float) -> float:
+    """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
+    value = float(value)
+    if not math.isfinite(value) or value < least:
+        raise Error(f"{name} is {value:g}; it must be finite and at least {least:g}")
+    return value
 
 
 def plain_message(decorated: str) -> str:

@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
-from typing import Mapping
+from typing import Mapping, Sequence
+
+from .checking import Finding
 
 DEFECTS = (
     # statistic, one, several
     ("OpenEdges", "open edge", "open edges"),
     ("IntersectingPairs", "pair of facets that intersect", "pairs of facets that intersect"),
     ("NonManifoldEdges", "non-manifold edge", "non-manifold edges"),
+    ("InconsistentEdges", "edge whose two facets face opposite ways", "edges whose two facets face opposite ways"),
+    ("NearPoints", "point that nearly coincides with another", "points that nearly coincide with others"),
     ("DuplicateFacets", "duplicate facet", "duplicate facets"),
     ("CancelledFacets", "facet cancelled by its opposite", "facets cancelled by their opposites"),
     ("DegenerateFacets", "degenerate facet, left out", "degenerate facets, left out"),
@@ -17,6 +21,17 @@ DEFECTS = (
     ("TwoSidedSheets", "two-sided sheet, which bounds nothing", "two-sided sheets, which bound nothing"),
     ("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
     ("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
+)
+
+TABLE = (
+    ("Points", "vertices in use"),
+    ("Facets", "facets"),
+    ("OpenEdges", "open edges"),
+    ("IntersectingPairs", "intersecting pairs"),
+    ("Components", "components"),
+    ("NonManifoldEdges", "non-manifold edges"),
+    ("InconsistentEdges", "inconsistent edges"),
+    ("NearPoints", "near-coincident points"),
 )
 
 TIMES = (
@@ -60,6 +75,24 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
         *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
     ]
+
+
+def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], verdict: str) -> list[str]:
+    """The lines that `--check` prints: the columns of the thesis's table 8.1, and what they mean."""
+    merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
+    return [
+        f"Surface {name}",
+        f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
+        *(f"  {words:30} {_count(statistics[key]):>10}" for key, words in TABLE),
+        *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
+        *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),
+        f"Verdict: {verdict}",
+        f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+    ]
+
+
+def _listed(title: str, findings: Sequence[Finding]) -> list[str]:
+    return [title, *(f"  {finding.text}: {finding.consequence}" for finding in findings)] if findings else []
 
 
 def _count(value: float) -> str:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from dataclasses import dataclass
 from typing import Optional, Union
@@ -12,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstruc
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .files import read_surface
-from .pipeline import Error, Progress, run, statistics_of
+from .pipeline import Error, Progress, at_least, run, statistics_of
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 STAGES = (
@@ -108,23 +107,16 @@ def make_filter(
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
     if gamma is not None:
-        tetrahedralizer.SetGamma(_at_least(0, "gamma", gamma))
+        tetrahedralizer.SetGamma(at_least(0, "gamma", gamma))
     if sigma is not None:
-        tetrahedralizer.SetSigma(_at_least(1e-6, "sigma", sigma))
+        tetrahedralizer.SetSigma(at_least(1e-6, "sigma", sigma))
     if merge_tolerance is not None:
-        tetrahedralizer.SetMergeTolerance(_at_least(0, "merge_tolerance", merge_tolerance))
+        tetrahedralizer.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
     if orientation not in ORIENTATIONS:
         raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
     tetrahedralizer.SetOrientation(ORIENTATIONS[orientation])
     tetrahedralizer.SetCountDuplicates(bool(count_duplicates))
     return tetrahedralizer
-
-
-def _at_least(least: float, name: str, value: float) -> float:
-    value = float(value)
-    if not math.isfinite(value) or value < least:
-        raise Error(f"{name} is {value:g}; it must be finite and at least {least:g}")
-    return value
 
 
 def _inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:

@@ -18,4 +18,16 @@ bool MeetBeyondSharedByClipping(
 /** All such pairs (i, j), i < j, sorted. */
 std::vector<std::array<Id, 2>> IntersectionsByClipping(
   const std::vector<Point>& points, const std::vector<Triangle>& facets);
+
+/**
+ * The same two questions for large surfaces, on all threads: boxes by CGAL's sweep, then signs of
+ * exact orientation predicates, and of triangles that share no corner CGAL's do_intersect. The
+ * triangles must not be degenerate.
+ * @{
+ */
+bool MeetBeyondSharedByOrientation(
+  const std::vector<Point>& points, const Triangle& a, const Triangle& b);
+std::vector<std::array<Id, 2>> IntersectionsBySweep(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets);
+/** @} */
 } // namespace testmeshes

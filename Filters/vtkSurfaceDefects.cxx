@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSurfaceDefects.h"
+
+#include "SurfaceDefects.h"
+#include "vtkInsideOutConversion.h"
+#include "vtkInsideOutMonitor.h"
+
+#include <vtkCellData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkSurfaceDefects);
+
+vtkSurfaceDefects::vtkSurfaceDefects()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+void vtkSurfaceDefects::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+}
+
+vtkPolyData* vtkSurfaceDefects::GetLines()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+namespace
+{
+static_assert(vtkSurfaceDefects::OPEN_BOUNDARY == static_cast<int>(DefectType::OpenBoundary) &&
+    vtkSurfaceDefects::NON_MANIFOLD_EDGE == static_cast<int>(DefectType::NonManifoldEdge) &&
+    vtkSurfaceDefects::INCONSISTENT_EDGE == static_cast<int>(DefectType::InconsistentEdge) &&
+    vtkSurfaceDefects::INTERSECTION_CURVE == static_cast<int>(DefectType::IntersectionCurve),
+  "the filter's values are the algorithm's");
+
+using Color = std::array<unsigned char, 3>;
+
+// Red, dark red and purple are those of the thesis's figure 8.22.
+constexpr Color CrossingColor = { { 230, 0, 0 } };
+
+struct TypeOfLine
+{
+  const char* Name;
+  Color LineColor;
+};
+
+/** By DefectType. */
+constexpr std::array<TypeOfLine, 4> TypesOfLines = { {
+  { "open boundary", { { 110, 0, 0 } } },
+  { "non-manifold edge", { { 150, 0, 200 } } },
+  { "inconsistent edge", { { 255, 140, 0 } } },
+  { "intersection curve", { { 0, 0, 0 } } },
+} };
+
+/** Light colors, every next one far from those before it, and none that is taken for a defect's. */
+Color ColorOfComponent(Id component)
+{
+  if (component == None)
+  {
+    return { { 128, 128, 128 } };
+  }
+  // Hues from yellow over green to blue, by steps of the golden ratio, in three shades.
+  constexpr double FirstHue = 50.0 / 360, HueRange = 200.0 / 360, GoldenRatio = 0.6180339887498949;
+  const double hue = FirstHue + HueRange * std::fmod(0.8 + GoldenRatio * component, 1.0);
+  const double value = 0.95 - 0.12 * (component % 3);
+  constexpr double Saturation = 0.4;
+  Color color;
+  for (int k = 0; k < 3; ++k)
+  {
+    // How far the hue is from the k-th primary color, in sixths of the circle.
+    const double turn = std::abs(std::remainder(6 * hue - 2 * k, 6.0));
+    const double strength = std::min(std::max(2 - turn, 0.0), 1.0);
+    color[k] =
+      static_cast<unsigned char>(std::lround(255 * value * (1 - Saturation * (1 - strength))));
+  }
+  return color;
+}
+
+template <typename Array>
+vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType size, int components = 1)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(size);
+  return array;
+}
+
+void SetColor(vtkUnsignedCharArray* colors, vtkIdType cell, const Color& color)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    colors->SetTypedComponent(cell, k, color[k]);
+  }
+}
+
+/** What the triangles of each cell have in common, in the order of the cells. */
+std::vector<TriangleDefects> DefectsOfCells(
+  const SurfaceDefects& defects, const std::vector<vtkIdType>& cells, vtkIdType numberOfCells)
+{
+  std::vector<TriangleDefects> result(numberOfCells);
+  for (std::size_t t = 0; t < cells.size(); ++t)
+  {
+    const TriangleDefects& triangle = defects.Triangles[t];
+    TriangleDefects& cell = result[cells[t]];
+    if (triangle.Component != None &&
+      (cell.Component == None || triangle.Component < cell.Component))
+    {
+      cell.Component = triangle.Component;
+    }
+    cell.SelfIntersections += triangle.SelfIntersections;
+    cell.Degenerate |= triangle.Degenerate;
+    cell.Duplicate |= triangle.Duplicate;
+    cell.Inconsistent |= triangle.Inconsistent;
+    cell.TwoSided |= triangle.TwoSided;
+  }
+  return result;
+}
+
+void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
+{
+  const vtkIdType size = static_cast<vtkIdType>(cells.size());
+  const auto component = MakeArray<vtkIntArray>("ComponentId", size);
+  const auto crossings = MakeArray<vtkIntArray>("SelfIntersections", size);
+  const auto degenerate = MakeArray<vtkUnsignedCharArray>("Degenerate", size);
+  const auto duplicate = MakeArray<vtkUnsignedCharArray>("Duplicate", size);
+  const auto inconsistent = MakeArray<vtkUnsignedCharArray>("Inconsistent", size);
+  const auto twoSided = MakeArray<vtkUnsignedCharArray>("TwoSided", size);
+  const auto color = MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    const TriangleDefects& cell = cells[c];
+    component->SetValue(c, cell.Component);
+    crossings->SetValue(c, cell.SelfIntersections);
+    degenerate->SetValue(c, cell.Degenerate);
+    duplicate->SetValue(c, cell.Duplicate);
+    inconsistent->SetValue(c, cell.Inconsistent);
+    twoSided->SetValue(c, cell.TwoSided);
+    SetColor(
+      color, c, cell.SelfIntersections > 0 ? CrossingColor : ColorOfComponent(cell.Component));
+  }
+  data->AddArray(component);
+  data->AddArray(crossings);
+  data->AddArray(degenerate);
+  data->AddArray(duplicate);
+  data->AddArray(inconsistent);
+  data->AddArray(twoSided);
+  data->AddArray(color);
+}
+
+/** The type of each cell of output 1, in VTK's order: vertices, then lines. */
+std::vector<DefectType> TypesOfCells(const std::vector<DefectLine>& lines)
+{
+  std::vector<DefectType> types;
+  for (const bool isLine : { false, true })
+  {
+    for (const DefectLine& line : lines)
+    {
+      if ((line.Points.size() > 1) == isLine)
+      {
+        types.push_back(line.Type);
+      }
+    }
+  }
+  return types;
+}
+
+void NameLines(const std::vector<DefectType>& types, vtkCellData* data)
+{
+  const vtkIdType size = static_cast<vtkIdType>(types.size());
+  const auto type = MakeArray<vtkIntArray>("DefectType", size);
+  const auto name = MakeArray<vtkStringArray>("DefectName", size);
+  const auto color = MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    const int value = static_cast<int>(types[c]);
+    type->SetValue(c, value);
+    name->SetValue(c, TypesOfLines[value].Name);
+    SetColor(color, c, TypesOfLines[value].LineColor);
+  }
+  data->AddArray(type);
+  data->AddArray(name);
+  data->AddArray(color);
+}
+} // namespace
+
+int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  return vtkInsideOutRun(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(
+        this, { "validating", "finding self-intersections", "tracing intersections" });
+      vtkInsideOutConversion conversion(input);
+      const SurfaceDefects defects =
+        FindSurfaceDefects(conversion.Soup, this->MergeTolerance, monitor);
+
+      const auto surface = conversion.CopySurface({ "ComponentId", "SelfIntersections",
+        "Degenerate", "Duplicate", "Inconsistent", "TwoSided", "DefectColor" });
+      MarkCells(DefectsOfCells(defects, conversion.GetCellOfTriangle(), input->GetNumberOfCells()),
+        surface->GetCellData());
+      const auto lines = vtkInsideOutMakeLines(defects);
+      NameLines(TypesOfCells(defects.Lines), lines->GetCellData());
+
+      Statistics statistics;
+      AddDefects(defects, statistics);
+      for (int port = 0; port < 2; ++port)
+      {
+        vtkPolyData* output = vtkPolyData::GetData(outputVector, port);
+        output->ShallowCopy(port == 0 ? surface : lines);
+        vtkInsideOutAddStatistics(statistics, output);
+      }
+      vtkInsideOutWarn(this, defects.Warnings);
+      vtkInsideOutWarn(this, conversion.Warnings);
+    });
+}

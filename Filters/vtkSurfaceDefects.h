@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSurfaceDefects
+ * @brief   marks and draws what is wrong with a surface
+ *
+ * Takes any polygonal surface and shows where it crosses itself, is open, non-manifold, turned the
+ * wrong way, doubled or degenerate: what the table 8.1 of Jacobson's thesis (2013) counts and its
+ * figure 8.22 draws. Nothing is changed or cut. Facets meet exactly where exact predicates say so.
+ *
+ * Output 0, the surface: the input with these cell arrays. Where a cell has several triangles, it
+ * sums up SelfIntersections, has the lowest ComponentId that is not -1, and is marked when one of
+ * them is. Lines and vertices have no marks.
+ * - ComponentId (int): components of facets joined through edges, numbered from 0 by first cell; -1
+ *   for cells with no area
+ * - SelfIntersections (int): how many facets it meets beyond shared corners and edges
+ * - Degenerate (unsigned char): 1 where a triangle has no area
+ * - Duplicate (unsigned char): 1 where an earlier triangle has the same three points
+ * - Inconsistent (unsigned char): 1 where a neighbor across an edge of exactly two facets faces the
+ *   other way
+ * - TwoSided (unsigned char): 1 where the whole component is given in both orientations
+ * - DefectColor (3 unsigned char): red where SelfIntersections is above 0, else
+ *   a light color per component
+ *
+ * Output 1, the lines: polylines, and vertices where facets only touch, with the point array
+ * vtkOriginalPointIds (-1 on intersection curves) and the cell arrays
+ * - DefectType (int): a DefectTypes
+ * - DefectName (string): the same in words
+ * - DefectColor (3 unsigned char): open boundary dark red, non-manifold purple,
+ *   inconsistent orange, intersection curves black
+ *
+ * Both carry field data Statistics_NAME, a double each: the counts of vtkResolveSelfIntersections,
+ * and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on which the facets' signed sum
+ * is not 0; without any the surface is closed), Planar (1: all facets lie in one plane), NearPoints
+ * (points nearer than NearDistance, a millionth of the size, to another).
+ *
+ * A point that is not finite or a cell with a point out of range is an error that names it; the
+ * outputs are then empty.
+ *
+ * @sa vtkResolveSelfIntersections
+ *
+ */
+#ifndef vtkSurfaceDefects_h
+#define vtkSurfaceDefects_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceDefects : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceDefects* New();
+  vtkTypeMacro(vtkSurfaceDefects, vtkPolyDataAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The values of DefectType. */
+  enum DefectTypes
+  {
+    OPEN_BOUNDARY = 0,     ///< edges of exactly one facet
+    NON_MANIFOLD_EDGE = 1, ///< edges of more than two facets
+    INCONSISTENT_EDGE = 2, ///< edges along which exactly two facets run the same way
+    INTERSECTION_CURVE = 3 ///< where facets cross or touch; the boundary of overlaps in a plane
+  };
+
+  /** The lines (output 1). */
+  vtkPolyData* GetLines();
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surface; of several the one with the
+   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+protected:
+  vtkSurfaceDefects();
+  ~vtkSurfaceDefects() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double MergeTolerance = 0.0;
+
+private:
+  vtkSurfaceDefects(const vtkSurfaceDefects&) = delete;
+  void operator=(const vtkSurfaceDefects&) = delete;
+};
+
+#endif

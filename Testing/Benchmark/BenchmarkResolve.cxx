@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CountedChain.h"
+#include "DetectionByCgal.h"
+#include "FindIntersections.h"
+#include "Measure.h"
+#include "ReadTriangles.h"
+#include "ResolveSelfIntersections.h"
+
+#include <fstream>
+#include <malloc.h>
+#include <map>
+#include <omp.h>
+
+using namespace insideout;
+using namespace benchmark;
+
+namespace
+{
+constexpr Limit AtMost(double value)
+{
+  return { Limit::Side::AtMost, value };
+}
+
+constexpr Limit AtLeast(double value)
+{
+  return { Limit::Side::AtLeast, value };
+}
+
+/** The whole stage over CGAL's detection alone, for surfaces that have a target. */
+const std::map<std::string, Limit> Targets = {
+  { "Beast", AtMost(1.5) },
+  { "AlienSpaceObject", AtMost(4) },
+  { "man", AtMost(4) },
+  { "propellerTip", AtMost(4) },
+  { "motorBike", AtMost(4) },
+};
+constexpr Limit ThreadsTarget = AtLeast(1.6); ///< detection on one thread over two
+constexpr Limit ScaleTarget = AtMost(1.5);    ///< time per facet, 16 times as many over as given
+const char* const ScaledSurface = "Beast";    ///< what these two are measured on
+
+std::string StemOf(const std::string& path)
+{
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  return name.substr(0, name.find_last_of('.'));
+}
+
+FacetComplex Validated(const TriangleSoup& soup)
+{
+  Monitor monitor;
+  return CountFacets(soup, {}, monitor).Surface;
+}
+
+void Resolve(const FacetComplex& surface)
+{
+  Monitor monitor;
+  ResolveSelfIntersections(surface, monitor);
+}
+
+/** Every triangle in four, at the midpoints of its edges. */
+TriangleSoup Subdivided(const TriangleSoup& soup)
+{
+  TriangleSoup fine;
+  fine.Points = soup.Points;
+  std::map<std::array<Id, 2>, Id> midpoints;
+  const auto between = [&](Id p, Id q)
+  {
+    const Id next = static_cast<Id>(fine.Points.size());
+    const auto inserted = midpoints.insert({ { std::min(p, q), std::max(p, q) }, next });
+    if (inserted.second)
+    {
+      Point middle;
+      for (int k = 0; k < 3; ++k)
+      {
+        middle[k] = (soup.Points[p][k] + soup.Points[q][k]) / 2;
+      }
+      fine.Points.push_back(middle);
+    }
+    return inserted.first->second;
+  };
+  for (const Triangle& t : soup.Triangles)
+  {
+    const Triangle m = { between(t[0], t[1]), between(t[1], t[2]), between(t[2], t[0]) };
+    fine.Triangles.insert(fine.Triangles.end(),
+      { { t[0], m[0], m[2] }, { t[1], m[1], m[0] }, { t[2], m[2], m[1] }, m });
+  }
+  return fine;
+}
+
+void MeasureStage(const std::string& name, const FacetComplex& surface)
+{
+  const Detection cgal = DetectionByCgal(surface);
+  Monitor monitor;
+  const std::size_t pairs = FindIntersections(surface.Points, surface.Facets, monitor).size();
+  const std::size_t expected = cgal.Run();
+  if (pairs != expected)
+  {
+    std::printf("%s: %zu pairs, %zu by %s\n", name.c_str(), pairs, expected, cgal.Name.c_str());
+  }
+  const auto seconds = MedianSeconds([&] { Resolve(surface); }, [&] { cgal.Run(); });
+  PrintSeconds("pre/" + name, surface.Facets.size(), "stage", cgal.Name.c_str(), seconds);
+  const auto target = Targets.find(name);
+  if (target != Targets.end())
+  {
+    PrintRatio("pre/" + name, seconds[0] / seconds[1], target->second);
+  }
+}
+
+void MeasureThreads(const FacetComplex& surface)
+{
+  const int threads = omp_get_max_threads();
+  const auto detectOn = [&](int count)
+  {
+    omp_set_num_threads(count);
+    Monitor monitor;
+    FindIntersections(surface.Points, surface.Facets, monitor);
+  };
+  const auto seconds = MedianSeconds([&] { detectOn(1); }, [&] { detectOn(2); });
+  omp_set_num_threads(threads);
+  PrintSeconds("detect/threads", surface.Facets.size(), "1 thread", "2 threads", seconds);
+  PrintRatio("detect/threads", seconds[0] / seconds[1], ThreadsTarget);
+}
+
+void MeasureScale(const TriangleSoup& soup)
+{
+  const FacetComplex small = Validated(soup);
+  const FacetComplex large = Validated(Subdivided(Subdivided(soup)));
+  const auto seconds = MedianSeconds([&] { Resolve(large); }, [&] { Resolve(small); });
+  PrintSeconds("scale/pre", large.Facets.size(), "subdivided", "as given", seconds);
+  const double perFacet = (seconds[0] / static_cast<double>(large.Facets.size())) /
+    (seconds[1] / static_cast<double>(small.Facets.size()));
+  PrintRatio("scale/pre", perFacet, ScaleTarget);
+}
+
+void Measure(const std::string& path)
+{
+  const std::string name = StemOf(path);
+  const TriangleSoup soup = testmeshes::ReadTriangles(path);
+  const FacetComplex surface = Validated(soup);
+  MeasureStage(name, surface);
+  if (name == ScaledSurface)
+  {
+    MeasureThreads(surface);
+    MeasureScale(soup);
+  }
+}
+
+/** The resident memory of this process at its highest since the last reset, in MiB. */
+double HighWaterMark()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kibibytes = 0;
+  while (status >> word && !(word == "VmHWM:" && status >> kibibytes))
+  {
+  }
+  return kibibytes / 1024;
+}
+
+/** In a process of its own, for memory that was used once stays with the process. */
+void MeasureMemory(const std::string& path)
+{
+  const FacetComplex surface = Validated(testmeshes::ReadTriangles(path));
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5"; // makes the mark fall to what is in use now
+  const double before = HighWaterMark();
+  Resolve(surface);
+  std::printf("memory pre/%s %.1f MiB above %.1f MiB\n", StemOf(path).c_str(),
+    HighWaterMark() - before, before);
+}
+} // namespace
+
+/**
+ * BenchmarkResolve [--memory] SURFACE...: measures stage pre, or the memory that it takes at most.
+ * Lines as in Measure.h; a surface that cannot be read is named and passed over.
+ */
+int main(int argc, char** argv)
+{
+  const bool memory = argc > 1 && std::string(argv[1]) == "--memory";
+  for (int i = memory ? 2 : 1; i < argc; ++i)
+  {
+    try
+    {
+      memory ? MeasureMemory(argv[i]) : Measure(argv[i]);
+    }
+    catch (const Error& error)
+    {
+      std::printf("%s: %s\n", argv[i], error.what());
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+/** What the benchmarks of all stages have in common: medians, and the lines that they print. */
+namespace benchmark
+{
+/** A number that a stage has to reach. */
+struct Limit
+{
+  enum class Side
+  {
+    AtMost,
+    AtLeast
+  };
+  Side Which;
+  double Value;
+};
+
+inline double SecondsOf(const std::function<void()>& work)
+{
+  insideout::Stopwatch watch;
+  work();
+  return watch.Lap();
+}
+
+inline double Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/**
+ * Median seconds of two pieces of work, run by turns so that both meet the same machine: once for
+ * warming up, then five times, and short ones more often.
+ */
+inline std::array<double, 2> MedianSeconds(
+  const std::function<void()>& first, const std::function<void()>& second)
+{
+  constexpr std::size_t leastRuns = 5;
+  constexpr std::size_t mostRuns = 15;
+  constexpr double enoughSeconds = 5;
+  SecondsOf(first);
+  SecondsOf(second);
+  std::array<std::vector<double>, 2> seconds;
+  double spent = 0;
+  while (seconds[0].size() < leastRuns || (seconds[0].size() < mostRuns && spent < enoughSeconds))
+  {
+    seconds[0].push_back(SecondsOf(first));
+    seconds[1].push_back(SecondsOf(second));
+    spent += seconds[0].back() + seconds[1].back();
+  }
+  return { Median(seconds[0]), Median(seconds[1]) };
+}
+
+/** A line for machines. Names begin with the stage: pre, detect, cdt, w, cut, rerun, scale, ... */
+inline void PrintRatio(const std::string& name, double value, const Limit& limit)
+{
+  std::printf("ratio %s %.3f %s %g\n", name.c_str(), value,
+    limit.Which == Limit::Side::AtMost ? "at most" : "at least", limit.Value);
+  std::fflush(stdout);
+}
+
+/** A line for people: seconds of a stage and of what it is compared with. */
+inline void PrintSeconds(const std::string& name, std::size_t size, const char* stage,
+  const char* reference, const std::array<double, 2>& seconds)
+{
+  std::printf("%-28s %9zu facets   %s %8.4f s   %s %8.4f s\n", name.c_str(), size, stage,
+    seconds[0], reference, seconds[1]);
+  std::fflush(stdout);
+}
+} // namespace benchmark

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "FacetComplex.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+/** Surfaces that are hard to resolve, in families: each names what makes it hard. */
+namespace testmeshes
+{
+using namespace insideout;
+
+/** What a family of surfaces promises. */
+enum class Expectation
+{
+  NothingLeftOut,   ///< every facet can be resolved, and no piece is turned over by rounding
+  MayLeaveFacetsOut ///< layers nearer to each other than rounding: some facets may be left out
+};
+
+struct SurfaceFamily
+{
+  std::string Name;
+  Expectation Expects;
+  std::vector<TriangleSoup> Members;
+};
+
+/** For GoogleTest's messages. */
+inline void PrintTo(const SurfaceFamily& family, std::ostream* out)
+{
+  *out << family.Name;
+}
+
+/**
+ * All families but the random soups of 100 facets (GridSoups). Points may be there several times
+ * and triangles too; validation comes first.
+ *
+ * @param[in] members of each random family; the others have a fixed number
+ */
+std::vector<SurfaceFamily> SurfaceFamilies(int members);
+
+/** `members` soups of up to 100 facets on integer grids of side 2 to 8, in turn. */
+SurfaceFamily GridSoups(int members);
+} // namespace testmeshes
