@@ -3,10 +3,10 @@
 
 #include "CountedChain.h"
 #include "TestMeshes.h"
+#include "WindingNumberInQuads.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>
-#include <quadmath.h>
 
 #include <cmath>
 #include <cstring>
@@ -15,35 +15,9 @@ namespace
 {
 using namespace insideout;
 
-__extension__ typedef __float128 Quad;
-
-Quad Dot(const std::array<Quad, 3>& a, const std::array<Quad, 3>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** The sum of the solid angles; facets in whose plane the point lies count 0. */
 double SumInQuads(const FacetComplex& surface, const Point& p)
 {
-  Quad sum = 0;
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
-  {
-    std::array<std::array<Quad, 3>, 3> v;
-    for (int k = 0; k < 3; ++k)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        v[k][axis] = Quad(surface.Points[surface.Facets[f][k]][axis]) - p[axis];
-      }
-    }
-    const auto& [a, b, c] = v;
-    const Quad la = sqrtq(Dot(a, a)), lb = sqrtq(Dot(b, b)), lc = sqrtq(Dot(c, c));
-    const Quad det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-      a[2] * (b[0] * c[1] - b[1] * c[0]);
-    const Quad div = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-    sum += det == 0 ? Quad(0) : surface.Multiplicity[f] * atan2q(det, div);
-  }
-  return static_cast<double>(sum / (8 * atanq(1)));
+  return testmeshes::WindingNumberInQuads(surface, SiteAt(p));
 }
 
 FacetComplex Counted(const TriangleSoup& soup)

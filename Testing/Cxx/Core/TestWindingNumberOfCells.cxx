@@ -2,13 +2,14 @@
 #include "WindingNumberOfCells.h"
 
 #include "SolidAngle.h"
+#include "SurfaceWindingNumber.h"
 #include "TestMeshes.h"
 #include "TestTetrahedra.h"
+#include "WindingNumberInQuads.h"
 #include "WindingNumberSum.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>
-#include <quadmath.h>
 
 #include <cmath>
 #include <cstring>
@@ -16,12 +17,11 @@
 namespace
 {
 using namespace insideout;
+using testmeshes::WindingNumberInQuads;
 using testtetrahedra::BoundaryOfLabels;
 using testtetrahedra::Grid;
 using testtetrahedra::RandomFaces;
 using testtetrahedra::RandomLabels;
-
-__extension__ typedef __float128 Quad;
 
 /** Meshes of all kinds: well shaped, flat as paper, with slivers. */
 enum Shape
@@ -53,38 +53,10 @@ TetrahedralMesh MakeMesh(int shape, unsigned seed, int size = 3)
   return mesh;
 }
 
-Quad Dot(const std::array<Quad, 3>& a, const std::array<Quad, 3>& b)
+/** The barycentre of a cell. */
+Site SiteOf(const TetrahedralMesh& mesh, std::size_t cell)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** The sum of the solid angles, with an arctangent each, at the barycentre times 4. */
-double WindingNumberInQuads(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, const Tetrahedron& cell)
-{
-  Quad sum = 0;
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
-  {
-    std::array<std::array<Quad, 3>, 3> v;
-    for (int k = 0; k < 3; ++k)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        v[k][axis] = Quad(4) * surface.Points[surface.Facets[f][k]][axis];
-        for (Id corner : cell)
-        {
-          v[k][axis] -= mesh.Points[corner][axis];
-        }
-      }
-    }
-    const auto& [a, b, c] = v;
-    const Quad la = sqrtq(Dot(a, a)), lb = sqrtq(Dot(b, b)), lc = sqrtq(Dot(c, c));
-    const Quad det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-      a[2] * (b[0] * c[1] - b[1] * c[0]);
-    const Quad div = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-    sum += surface.Multiplicity[f] * atan2q(det, div);
-  }
-  return static_cast<double>(sum / (8 * atanq(1)));
+  return Sites{ mesh.Points, mesh.Cells }[cell];
 }
 
 std::vector<double> Sum(const FacetComplex& surface, const TetrahedralMesh& mesh)
@@ -251,8 +223,7 @@ double WorstError(const FacetComplex& surface, const TetrahedralMesh& mesh)
   double worst = 0;
   for (std::size_t cell = 0; cell < w.size(); ++cell)
   {
-    worst =
-      std::max(worst, std::abs(w[cell] - WindingNumberInQuads(surface, mesh, mesh.Cells[cell])));
+    worst = std::max(worst, std::abs(w[cell] - WindingNumberInQuads(surface, SiteOf(mesh, cell))));
   }
   return worst;
 }
@@ -302,6 +273,83 @@ TEST(WindingNumberOfCells, EqualsQuadruplePrecisionOnOpenComplexesWithFacetsThat
   }
 }
 
+/** The integral of the gradient of w along a line, which no facet crosses: how much w changes. */
+double SmoothChange(const SurfaceWindingNumber& w, const Point& from, const Point& to)
+{
+  // Gauss and Legendre's rule with three places, on many parts of the line.
+  const int parts = 150;
+  const double places[3] = { 0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15) };
+  const double weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
+  double sum = 0;
+  for (int part = 0; part < parts; ++part)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double t = (part + places[k]) / parts;
+      Point p;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        p[axis] = from[axis] + t * (to[axis] - from[axis]);
+      }
+      const Point gradient = w.Gradient(p);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum += weights[k] / parts * gradient[axis] * (to[axis] - from[axis]);
+      }
+    }
+  }
+  return sum;
+}
+
+Point Mean(const TetrahedralMesh& mesh, const std::vector<Id>& corners)
+{
+  Point mean = { 0, 0, 0 };
+  for (const Id p : corners)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      mean[axis] += mesh.Points[p][axis] / static_cast<double>(corners.size());
+    }
+  }
+  return mean;
+}
+
+TEST(WindingNumberOfCells, RisesAcrossEveryFaceByMultiplicityAndTheBoundarysPart)
+{
+  Monitor monitor;
+  for (unsigned seed = 0; seed < 2; ++seed)
+  {
+    TetrahedralMesh mesh = MakeMesh(Plain, seed);
+    const FacetComplex surface = RandomFaces(mesh, seed);
+    ASSERT_FALSE(IsClosed(surface));
+    const SurfaceWindingNumber smooth(surface, {}, monitor);
+    const std::vector<double> w = Stage(surface, mesh);
+    int counted = 0;
+    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+    {
+      const Tetrahedron& t = mesh.Cells[cell];
+      for (int k = 0; k < 4; ++k)
+      {
+        const Id neighbor = mesh.Neighbors[cell][k];
+        if (neighbor == None || neighbor > cell)
+        {
+          continue;
+        }
+        const Tetrahedron& u = mesh.Cells[neighbor];
+        const std::array<int, 3>& corners = TetrahedronFaces[k];
+        const Point middle = Mean(mesh, { t[corners[0]], t[corners[1]], t[corners[2]] });
+        const double change = SmoothChange(smooth, Mean(mesh, { u[0], u[1], u[2], u[3] }), middle) +
+          SmoothChange(smooth, middle, Mean(mesh, { t[0], t[1], t[2], t[3] }));
+        const int multiplicity = MultiplicityOnEntering(surface, mesh, cell, k);
+        counted += multiplicity != 0;
+        EXPECT_NEAR(w[cell] - w[neighbor], multiplicity + change, 1e-9)
+          << "cells " << cell << " and " << neighbor << ", seed " << seed;
+      }
+    }
+    EXPECT_GT(counted, 10);
+  }
+}
+
 TEST(WindingNumberSum, EqualsTheLabelsOnClosedComplexes)
 {
   for (unsigned seed = 0; seed < 5 * NumberOfShapes; ++seed)
@@ -332,7 +380,7 @@ TEST(WindingNumberSum, ChangesByTwiceTheSolidAngleOfAFacetThatIsTurnedOver)
     difference.Multiplicity = { 4 };
     for (std::size_t cell = 0; cell < before.size(); ++cell)
     {
-      const double expected = WindingNumberInQuads(difference, mesh, mesh.Cells[cell]);
+      const double expected = WindingNumberInQuads(difference, SiteOf(mesh, cell));
       EXPECT_NEAR(before[cell] - after[cell], expected, 1e-13);
     }
   }
@@ -436,7 +484,7 @@ TEST(WindingNumberSum, KeepsProductsOfManySmallFactorsInRange)
   {
     const TetrahedralMesh mesh = CellAround(centre, 0x1p-10);
     surface.Multiplicity[0] = 1;
-    const double once = WindingNumberInQuads(surface, mesh, mesh.Cells[0]);
+    const double once = WindingNumberInQuads(surface, SiteOf(mesh, 0));
     surface.Multiplicity[0] = 30000;
     EXPECT_NEAR(Sum(surface, mesh)[0], 30000 * once, 1e-10);
   }
