@@ -56,6 +56,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       }
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);
+      conversion.AddLeftOutCells(hull.Surface, output);
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
     });

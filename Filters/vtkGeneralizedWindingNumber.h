@@ -11,7 +11,7 @@
  *
  * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
  * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
- * each stage.
+ * each stage, and LeftOutCellIds (see vtkResolveSelfIntersections).
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  *

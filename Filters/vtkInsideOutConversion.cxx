@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 using insideout::Error;
 using insideout::ErrorCode;
@@ -308,6 +309,25 @@ vtkIdType vtkInsideOutConversion::CellOfFacet(const FacetComplex& surface, Id fa
     }
   }
   return lowest;
+}
+
+void vtkInsideOutConversion::AddLeftOutCells(const FacetComplex& surface, vtkDataSet* output) const
+{
+  std::set<vtkIdType> cells;
+  for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
+  {
+    for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
+    {
+      cells.insert(this->CellOfTriangle[surface.Sources[s].Triangle]);
+    }
+  }
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName("LeftOutCellIds");
+  for (const vtkIdType cell : cells)
+  {
+    array->InsertNextValue(cell);
+  }
+  output->GetFieldData()->AddArray(array);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::CopySurface(

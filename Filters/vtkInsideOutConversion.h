@@ -52,6 +52,10 @@ public:
   vtkIdType CellOfFacet(
     const insideout::FacetComplex& surface, insideout::Id facet, int side) const;
 
+  /** Name the input cells of facets that could not be resolved in the field array LeftOutCellIds of
+   * an output: ascending, each once. */
+  void AddLeftOutCells(const insideout::FacetComplex& surface, vtkDataSet* output) const;
+
   /** The input with its cells and data as they are, but for cell arrays of the names that the
    * output adds: those are renamed. */
   vtkSmartPointer<vtkPolyData> CopySurface(std::initializer_list<const char*> added);

@@ -134,6 +134,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkPolyData::GetData(outputVector, 2)
         ->ShallowCopy(conversion.MakeSurface(hull.Surface, outliers));
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
+      conversion.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
       if (insideCells == 0)

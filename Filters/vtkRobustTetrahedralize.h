@@ -11,11 +11,11 @@
  * the hull, with its exact coordinates.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME. Output 1, its boundary:
- * triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell each lies
- * on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets that are
- * no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
- * surfaces its cell data.
+ * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME and LeftOutCellIds (see
+ * vtkResolveSelfIntersections). Output 1, its boundary: triangles, oriented outward and watertight,
+ * with vtkOriginalCellIds (the input cell each lies on, -1 where a hole was closed). Output 2, the
+ * outliers: the pieces of input facets that are no face of a cell inside. All carry the input's
+ * point data and vtkOriginalPointIds, the surfaces its cell data.
  *
  * When no cell is inside there is a warning that gives the range of w. Errors, which name the
  * culprit, leave all outputs empty.

@@ -423,7 +423,7 @@ void Resolver::Collapse(const std::vector<Id>& candidates)
   {
     return;
   }
-  const CollapsedSlivers slivers =
+  const Replacement slivers =
     CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size));
   std::vector<char> isRemoved(this->Now.Facets.size(), 0);
   for (const Id f : slivers.Removed)

@@ -94,6 +94,7 @@ class Job:
         self.parameters: dict[str, float] = {}
         self.outputs: dict[str, str] = {}
         self.statistics: dict[str, float] = {}
+        self.left_out_cells: list[int] = []
         self.warnings: list[str] = []
         self.error: Optional[str] = None
         self.begin = time.monotonic()
@@ -169,6 +170,7 @@ class Job:
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.statistics = dict(result.statistics, SecondsRead=seconds_read)
+        self.left_out_cells = result.left_out_cells
         try:
             self.write(result)
         finally:
@@ -236,7 +238,7 @@ class Job:
         return status
 
     def more_for_the_report(self) -> dict:
-        return {}
+        return {"left_out_cells": self.left_out_cells}
 
     def summary(self) -> list[str]:
         return summary(os.path.basename(self.options.surface), self.statistics)

@@ -91,6 +91,12 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
     return statistics
 
 
+def left_out_cells_of(data: vtkDataObject) -> list[int]:
+    """The input cells of facets that could not be resolved, ascending."""
+    array = data.GetFieldData().GetArray("LeftOutCellIds")
+    return [] if array is None else [int(array.GetTuple1(index)) for index in range(array.GetNumberOfValues())]
+
+
 def at_least(least: float, name: str, value: float) -> float:
     """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
     value = float(value)

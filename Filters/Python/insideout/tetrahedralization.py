@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstruc
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .files import read_surface
-from .pipeline import Error, Progress, at_least, run, statistics_of
+from .pipeline import Error, Progress, at_least, left_out_cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 STAGES = (
@@ -45,6 +45,8 @@ class Tetrahedralization:
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
     statistics: dict[str, float]
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
+    left_out_cells: list[int]
+    """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
@@ -93,6 +95,7 @@ def tetrahedralize(
         outliers=tetrahedralizer.GetOutliers(),
         hull=hull,
         statistics=statistics_of(hull),
+        left_out_cells=left_out_cells_of(hull),
         warnings=warnings,
     )
 
