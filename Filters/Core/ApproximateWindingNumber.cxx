@@ -2,7 +2,7 @@
 #include "ApproximateWindingNumber.h"
 
 #include "Error.h"
-#include "HierarchicalWindingNumber.h"
+#include "SolidAngle.h"
 
 #include <algorithm>
 #include <cmath>

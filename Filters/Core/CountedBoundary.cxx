@@ -61,6 +61,20 @@ private:
 };
 } // namespace
 
+std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
+{
+  std::vector<CountedTriangle> counted;
+  counted.reserve(surface.Facets.size());
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    if (surface.Multiplicity[f] != 0)
+    {
+      counted.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+    }
+  }
+  return counted;
+}
+
 std::vector<CountedEdge> CountedBoundary(
   const std::vector<CountedTriangle>& triangles, Id numberOfPoints)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Types.h"
+#include "FacetComplex.h"
 
 #include <cstdint>
 #include <vector>
@@ -14,6 +14,9 @@ struct CountedTriangle
   Triangle Corners;
   int Count;
 };
+
+/** The facets of a complex that count, in its order. */
+std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface);
 
 /** An edge from one point to another, and how often it counts that way. */
 struct CountedEdge

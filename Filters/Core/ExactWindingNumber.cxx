@@ -7,29 +7,23 @@ namespace insideout
 {
 ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
   const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress)
-  : Exponent(LargestExponent(points))
-  , Points(ScaledPoints(points, this->Exponent))
-  , Boundary(CountedBoundary(triangles, static_cast<Id>(points.size())))
-  , Caps(CapHoles(this->Points, this->Boundary))
-  , Tree(this->Points, CloseChain(triangles, this->Caps), monitor, progress)
-  , SumOfCaps(this->Points, this->Caps)
+  : Caps(CapHoles(points, CountedBoundary(triangles, static_cast<Id>(points.size()))))
+  , Tree(points, CloseChain(triangles, this->Caps), monitor, progress)
+  , SumOfCaps(points, this->Caps)
 {
 }
 
 void ExactWindingNumber::Evaluate(const Sites& sites, const std::vector<Id>& order,
   std::vector<double>& w, Monitor& monitor, const ProgressRange& progress) const
 {
-  const std::vector<Point> points = ScaledPoints(sites.Points, this->Exponent);
-  const Sites scaled = { points, sites.Cells, sites.Weights };
   const double middle =
-    this->IsClosed() ? progress.End : progress.Begin + (progress.End - progress.Begin) / 8;
-  this->Tree.Evaluate(scaled, order, w, monitor, { progress.Stage, progress.Begin, middle });
-  this->SumOfCaps.Add(scaled, order, w, monitor, { progress.Stage, middle, progress.End });
+    this->SumOfCaps.IsEmpty() ? progress.End : progress.Begin + (progress.End - progress.Begin) / 8;
+  this->Tree.Evaluate(sites, order, w, monitor, { progress.Stage, progress.Begin, middle });
+  this->SumOfCaps.Add(sites, order, w, monitor, { progress.Stage, middle, progress.End });
 }
 
 double ExactWindingNumber::At(const Point& point) const
 {
-  const std::vector<Point> points = ScaledPoints({ point }, this->Exponent);
-  return this->Tree.At(SiteAt(points.front())) + this->SumOfCaps.At(points.front());
+  return this->Tree.At(SiteAt(point)) + this->SumOfCaps.At(point);
 }
 } // namespace insideout

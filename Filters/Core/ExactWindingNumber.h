@@ -24,7 +24,8 @@ class ExactWindingNumber
 {
 public:
   /**
-   * @param[in] triangles finite and not degenerate
+   * @param[in] points below 1 in each coordinate; has to live as long as this object
+   * @param[in] triangles not degenerate
    * @throws Error (Stopped)
    */
   ExactWindingNumber(const std::vector<Point>& points,
@@ -37,7 +38,7 @@ public:
    * where neighbours in `order` are neighbours in space. The values do not depend on the number of
    * threads, and on the order only by rounding.
    *
-   * @param[in] sites at most 2^100 times as far from the origin as the chain reaches
+   * @param[in] sites below 2^100 in each coordinate
    * @throws Error (Stopped)
    */
   void Evaluate(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
@@ -46,16 +47,7 @@ public:
   /** The winding number at one point. Safe to call from several threads. */
   double At(const Point& point) const;
 
-  /** Whether the chain has no boundary, so that w is a whole number away from it. */
-  bool IsClosed() const { return this->Boundary.empty(); }
-
-  /** The chain's open edges. */
-  const std::vector<CountedEdge>& OpenEdges() const { return this->Boundary; }
-
 private:
-  const int Exponent;
-  const std::vector<Point> Points; // scaled
-  const std::vector<CountedEdge> Boundary;
   const std::vector<std::vector<CountedTriangle>> Caps;
   const ClosedChainTree Tree;
   const WindingNumberOfCaps SumOfCaps;

@@ -11,12 +11,7 @@ namespace insideout
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr Id LeafSize = 16;
-
-// Relative to the product of the three distances; see SolidAngleProduct.cxx.
-constexpr double LeastSquaredModulus = 0x1p-12;
-constexpr double UndecidedDeterminant = 0x1p-47;
 
 bool IsBefore(const CountedEdge& a, const CountedEdge& b)
 {
@@ -62,37 +57,7 @@ std::vector<CountedEdge> BoundaryOf(const CountedTriangle* first, const CountedT
   std::sort(edges.begin(), edges.end(), IsBefore);
   return Summed(edges);
 }
-
-Point Minus(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 } // namespace
-
-double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)
-{
-  const Point a = Minus(triangle[0], p);
-  const Point b = Minus(triangle[1], p);
-  const Point c = Minus(triangle[2], p);
-  const double lengthA = std::sqrt(Dot(a, a));
-  const double lengthB = std::sqrt(Dot(b, b));
-  const double lengthC = std::sqrt(Dot(c, c));
-  const double all = lengthA * lengthB * lengthC;
-  const double div = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
-  const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-  const bool isClear = div * div + det * det >= LeastSquaredModulus * all * all && all > 0;
-  if (isClear && (div > 0 || std::abs(det) > UndecidedDeterminant * all))
-  {
-    return std::atan2(det, div) / (2 * Pi);
-  }
-  return std::arg(HalfSolidAngle(triangle, SiteAt(p))) / (2 * Pi);
-}
 
 HierarchicalWindingNumber::HierarchicalWindingNumber(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)

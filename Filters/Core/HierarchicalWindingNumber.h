@@ -36,7 +36,4 @@ private:
   };
   std::vector<Fan> Fans; ///< one per node
 };
-
-/** w of one triangle, which counts once: its solid angle over 4 pi, 0 in its plane. Exact sides. */
-double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p);
 } // namespace insideout

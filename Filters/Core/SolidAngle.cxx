@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
@@ -14,6 +15,10 @@ namespace
 {
 // 168 bits: half angles keep 16 digits even where the site is 1e-30 sizes from an edge.
 using Precise = boost::multiprecision::cpp_bin_float_50;
+
+// Relative to the product of the three distances; see SolidAngleProduct.cxx.
+constexpr double LeastSquaredModulus = 0x1p-12;
+constexpr double UndecidedDeterminant = 0x1p-47;
 
 template <typename Number>
 using Vector = std::array<Number, 3>;
@@ -46,6 +51,15 @@ Precise Dot(const Vector<Precise>& a, const Vector<Precise>& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+Point Minus(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 /** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
 int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
@@ -80,5 +94,26 @@ std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const 
   const double least = 1e-180;
   return { static_cast<double>(Precise(real / modulus)),
     side * std::max(static_cast<double>(Precise(imaginary / modulus)), least) };
+}
+
+double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)
+{
+  const double pi = 3.14159265358979323846;
+  const Point a = Minus(triangle[0], p);
+  const Point b = Minus(triangle[1], p);
+  const Point c = Minus(triangle[2], p);
+  const double lengthA = std::sqrt(Dot(a, a));
+  const double lengthB = std::sqrt(Dot(b, b));
+  const double lengthC = std::sqrt(Dot(c, c));
+  const double all = lengthA * lengthB * lengthC;
+  const double div = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
+  const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const bool isClear = div * div + det * det >= LeastSquaredModulus * all * all && all > 0;
+  if (isClear && (div > 0 || std::abs(det) > UndecidedDeterminant * all))
+  {
+    return std::atan2(det, div) / (2 * pi);
+  }
+  return std::arg(HalfSolidAngle(triangle, SiteAt(p))) / (2 * pi);
 }
 } // namespace insideout

@@ -20,4 +20,12 @@ namespace insideout
  * @param[in] site of finite corners
  */
 std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site);
+
+/**
+ * The winding number of one triangle at a point: its solid angle over 4 pi. Quick, and as exact
+ * about the side as HalfSolidAngle.
+ *
+ * @param[in] triangle, p below 1 in each coordinate
+ */
+double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p);
 } // namespace insideout

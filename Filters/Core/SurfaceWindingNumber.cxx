@@ -23,20 +23,6 @@ constexpr double Pi = 3.14159265358979323846;
 // From 2^100 times the surface's size away, w is below 2^-190.
 constexpr double Afar = 0x1p100;
 
-std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
-{
-  std::vector<CountedTriangle> counted;
-  counted.reserve(surface.Facets.size());
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
-  {
-    if (surface.Multiplicity[f] != 0)
-    {
-      counted.push_back({ surface.Facets[f], surface.Multiplicity[f] });
-    }
-  }
-  return counted;
-}
-
 FacetComplex ComplexOf(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
 {

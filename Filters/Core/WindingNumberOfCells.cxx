@@ -6,6 +6,7 @@
 #include "SpatialOrder.h"
 #include "TetrahedronQuadrature.h"
 #include "TouchedCells.h"
+#include "WalkedWindingNumber.h"
 #include "WindingNumberOfCaps.h"
 
 #include <algorithm>
@@ -17,104 +18,6 @@ namespace insideout
 namespace
 {
 const char* const StageName = "winding numbers";
-
-/** Carry the winding number from the hull into every cell that can be reached. */
-std::vector<double> Walk(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, std::vector<Id>& reached)
-{
-  std::vector<double> w(mesh.Cells.size(), 0.0);
-  std::vector<char> known(mesh.Cells.size(), 0);
-  const auto reach = [&](Id cell, double value)
-  {
-    if (!known[cell])
-    {
-      known[cell] = 1;
-      w[cell] = value;
-      reached.push_back(cell);
-    }
-  };
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[cell][k] == None)
-      {
-        reach(cell, MultiplicityOnEntering(surface, mesh, cell, k));
-      }
-    }
-  }
-  for (std::size_t next = 0; next < reached.size(); ++next)
-  {
-    const Id cell = reached[next];
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[cell][k] != None)
-      {
-        reach(mesh.Neighbors[cell][k], w[cell] - MultiplicityOnEntering(surface, mesh, cell, k));
-      }
-    }
-  }
-  return w;
-}
-
-/** Throw unless w jumps by the facets' multiplicity, seen from both sides of every face. */
-void VerifyJumps(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, const std::vector<double>& w)
-{
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = mesh.Neighbors[cell][k];
-      const double beyond = neighbor == None ? 0.0 : w[neighbor];
-      if (w[cell] - beyond != MultiplicityOnEntering(surface, mesh, cell, k))
-      {
-        throw Error(ErrorCode::Inconsistent,
-          "the winding number does not rise by the facets' count between cell " +
-            (neighbor == None ? std::string("(outside)") : std::to_string(neighbor)) +
-            " and cell " + std::to_string(cell));
-      }
-    }
-  }
-}
-
-std::vector<double> WalkedWindingNumbers(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor)
-{
-  monitor.Check(StageName, 0);
-  std::vector<Id> reached;
-  const std::vector<double> w = Walk(surface, mesh, reached);
-  if (reached.size() != mesh.Cells.size())
-  {
-    std::sort(reached.begin(), reached.end());
-    Id missing = 0;
-    while (missing < static_cast<Id>(reached.size()) && reached[missing] == missing)
-    {
-      ++missing;
-    }
-    throw Error(ErrorCode::Inconsistent,
-      "cell " + std::to_string(missing) + " cannot be reached from the hull");
-  }
-  monitor.Check(StageName, 0.5);
-  VerifyJumps(surface, mesh, w);
-  monitor.Check(StageName, 1);
-  return w;
-}
-
-/** The facets that count, of all of these. */
-std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
-{
-  std::vector<CountedTriangle> counted;
-  counted.reserve(surface.Facets.size());
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
-  {
-    if (surface.Multiplicity[f] != 0)
-    {
-      counted.push_back({ surface.Facets[f], surface.Multiplicity[f] });
-    }
-  }
-  return counted;
-}
 
 /** Facets that count and are no faces of the mesh: lost by it, or left out before. */
 std::vector<CountedTriangle> FacetsBeyondMesh(
@@ -134,112 +37,6 @@ std::vector<CountedTriangle> FacetsBeyondMesh(
     }
   }
   return beyond;
-}
-
-/** What every face of the mesh counts for, as far as the facets in it are whole. */
-class FaceCounts
-{
-public:
-  FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh)
-    : Mesh(mesh)
-    , Count(surface.Multiplicity.begin(), surface.Multiplicity.end())
-  {
-    for (const Id facet : mesh.LostFacets)
-    {
-      this->Count[facet] = 0;
-    }
-  }
-
-  /** By how much w rises when entering the cell through the face; 0 for pieces of lost facets. */
-  int OnEntering(Id cell, int face) const
-  {
-    const Id facet = this->Mesh.Facets[cell][face];
-    return facet == None ? 0 : this->Mesh.FacetSides[cell][face] * this->Count[facet];
-  }
-
-  /** The faces that count, each once, along the outward normal of one of its cells. */
-  std::vector<CountedTriangle> Chain() const
-  {
-    std::vector<CountedTriangle> faces;
-    for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
-    {
-      const Tetrahedron& t = this->Mesh.Cells[cell];
-      for (int k = 0; k < 4; ++k)
-      {
-        const int count = this->OnEntering(cell, k);
-        if (count != 0 && this->Mesh.Neighbors[cell][k] < cell)
-        {
-          const std::array<int, 3>& corners = TetrahedronFaces[k];
-          faces.push_back({ { { t[corners[0]], t[corners[1]], t[corners[2]] } }, count });
-        }
-      }
-    }
-    return faces;
-  }
-
-private:
-  const TetrahedralMesh& Mesh;
-  std::vector<int> Count; // per facet
-};
-
-/** Parts of the mesh, joined through faces, of the cells that nothing but its faces touches. */
-struct UntouchedParts
-{
-  std::vector<Id> Part;      ///< of each cell, None for touched ones
-  std::vector<Id> FirstCell; ///< of each part
-  std::vector<int> Rise;     ///< from the part's first cell to each cell
-};
-
-/** Walk from a part's first cell to all others. */
-void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
-  const std::vector<char>& touched, Id first, UntouchedParts& parts)
-{
-  const Id part = static_cast<Id>(parts.FirstCell.size());
-  parts.FirstCell.push_back(first);
-  parts.Part[first] = part;
-  std::vector<Id> stack = { first };
-  while (!stack.empty())
-  {
-    const Id cell = stack.back();
-    stack.pop_back();
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = mesh.Neighbors[cell][k];
-      if (neighbor == None || touched[neighbor])
-      {
-        continue;
-      }
-      const int rise = parts.Rise[cell] - counts.OnEntering(cell, k);
-      if (parts.Part[neighbor] == None)
-      {
-        parts.Part[neighbor] = part;
-        parts.Rise[neighbor] = rise;
-        stack.push_back(neighbor);
-      }
-      else if (parts.Rise[neighbor] != rise)
-      {
-        throw Error(ErrorCode::Inconsistent,
-          "the winding number does not rise by the facets' count between cell " +
-            std::to_string(cell) + " and cell " + std::to_string(neighbor));
-      }
-    }
-  }
-}
-
-UntouchedParts WalkParts(
-  const FaceCounts& counts, const TetrahedralMesh& mesh, const std::vector<char>& touched)
-{
-  UntouchedParts parts;
-  parts.Part.assign(mesh.Cells.size(), None);
-  parts.Rise.assign(mesh.Cells.size(), 0);
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    if (!touched[cell] && parts.Part[cell] == None)
-    {
-      WalkPart(counts, mesh, touched, cell, parts);
-    }
-  }
-  return parts;
 }
 
 /** To the integer or half that a value stands for. */
@@ -374,7 +171,7 @@ std::vector<double> WindingNumberOfCells(
   const std::vector<CountedTriangle> beyond = FacetsBeyondMesh(surface, mesh);
   if (isClosed && beyond.empty())
   {
-    return WalkedWindingNumbers(surface, mesh, monitor);
+    return WalkedWindingNumbers(surface, mesh, monitor, StageName);
   }
   return PartlyWalkedMeans(surface, mesh, beyond, isClosed, rule, monitor);
 }

@@ -19,30 +19,28 @@ namespace
 constexpr std::size_t SitesPerBatch = 8 * Lanes;
 
 /** The facets that count, neighbours in space next to each other. */
-std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
+std::vector<CountedTriangle> SortedFacets(const FacetComplex& surface)
 {
-  const Id facets = surface.NumberOfFacets();
-  std::vector<Point> centres(facets);
-  for (Id f = 0; f < facets; ++f)
+  const std::vector<CountedTriangle> counted = CountedFacets(surface);
+  std::vector<Point> centres;
+  for (const CountedTriangle& triangle : counted)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    Point centre = { 0, 0, 0 };
+    for (const Id p : triangle.Corners)
     {
-      centres[f][axis] = 0;
-      for (Id p : surface.Facets[f])
+      for (int axis = 0; axis < 3; ++axis)
       {
-        centres[f][axis] += surface.Points[p][axis] / 3;
+        centre[axis] += surface.Points[p][axis] / 3;
       }
     }
+    centres.push_back(centre);
   }
-  std::vector<CountedTriangle> counted;
-  for (Id f : SpatialOrder(centres))
+  std::vector<CountedTriangle> sorted;
+  for (const Id i : SpatialOrder(centres))
   {
-    if (surface.Multiplicity[f] != 0)
-    {
-      counted.push_back({ surface.Facets[f], surface.Multiplicity[f] });
-    }
+    sorted.push_back(counted[i]);
   }
-  return counted;
+  return sorted;
 }
 
 /** The sites from `first` on of `order`, a block of lanes at a time. */
@@ -80,7 +78,7 @@ std::vector<double> WindingNumberSum(
   const std::vector<Point> sitePoints = ScaledPoints(sites.Points, exponent);
   const Sites scaledSites = { sitePoints, sites.Cells, sites.Weights };
   SolidAngleTiles tiles(points);
-  const TileRange all = tiles.Add(CountedFacets(surface));
+  const TileRange all = tiles.Add(SortedFacets(surface));
   std::vector<Id> order(sites.Cells.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<double> w(order.size(), 0.0);
