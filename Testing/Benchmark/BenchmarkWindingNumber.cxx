@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <omp.h>
 #include <random>
 
@@ -44,7 +45,7 @@ constexpr std::size_t EdgesPerHole = 60;
 // As for the thesis's figures 8.10 and 8.11.
 constexpr int PointsOfFigures = 1000;
 const char* const SubdividedSurface = "dino";
-constexpr std::size_t MostSubdividedFacets = 2000000;
+constexpr int SubdivisionLevels = 5;
 
 std::string StemOf(const std::string& path)
 {
@@ -186,7 +187,10 @@ void Measure(const std::string& name, const TriangleSoup& soup)
   }
 }
 
-/** Seconds per evaluation by one method, without what it builds. */
+/**
+ * Seconds per evaluation by one method, without what it builds: the least of some runs, for these
+ * are so short that other programs disturb many of them.
+ */
 double SecondsPerPoint(
   const FacetComplex& surface, const std::vector<Point>& points, WindingNumberMethod method)
 {
@@ -194,14 +198,13 @@ double SecondsPerPoint(
   WindingNumberParameters parameters;
   parameters.Method = method;
   const SurfaceWindingNumber w(surface, parameters, monitor);
-  std::vector<double> seconds;
-  const std::size_t runs = method == WindingNumberMethod::Naive ? 1 : 15;
-  w.At(points, monitor);
-  while (seconds.size() < runs)
+  const int runs = method == WindingNumberMethod::Naive ? 2 : 20;
+  double least = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < runs; ++run)
   {
-    seconds.push_back(SecondsOf([&] { w.At(points, monitor); }));
+    least = std::min(least, SecondsOf([&] { w.At(points, monitor); }));
   }
-  return Median(seconds) / static_cast<double>(points.size());
+  return least / static_cast<double>(points.size());
 }
 
 /** A line of a figure's table: facets, open edges, seconds by naive, hierarchical, exact. */
@@ -238,7 +241,7 @@ void DrawGrowth(const std::string& folder, TriangleSoup soup)
 {
   std::FILE* table = OpenTable(folder + "/figure-8.10.csv");
   std::vector<double> perLogarithm;
-  for (int level = 0; soup.Triangles.size() <= MostSubdividedFacets; ++level)
+  for (int level = 0; level < SubdivisionLevels; ++level)
   {
     const FacetComplex surface = Validated(soup);
     const auto seconds =

@@ -30,8 +30,8 @@ def draw(folder, name, title, line):
         for closed, filled in (("1", color), ("0", "none")):
             chosen = [row for row in rows if row["closed"] == closed]
             if chosen:
-                axes.loglog([int(row["facets"]) for row in chosen], [float(row[method]) for row in chosen], line,
-                            marker="o", markersize=5, color=color, markerfacecolor=filled,
+                axes.loglog([int(row["facets"]) for row in chosen], [float(row[method]) for row in chosen],
+                            linestyle=line, marker="o", markersize=5, color=color, markerfacecolor=filled,
                             label=method + ("" if closed == "1" else ", open surface"))
     axes.set_xlabel("facets")
     axes.set_ylabel("seconds per evaluation")
@@ -44,5 +44,5 @@ def draw(folder, name, title, line):
 if __name__ == "__main__":
     folder = Path(sys.argv[1])
     draw(folder, "figure-8.10", "One surface, subdivided", "-")
-    draw(folder, "figure-8.11", "A set of surfaces", "")
+    draw(folder, "figure-8.11", "A set of surfaces", "none")
     print(f"drawn: {folder}/figure-8.10.png {folder}/figure-8.11.png")

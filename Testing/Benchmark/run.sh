@@ -45,6 +45,8 @@ for name in Beast AlienSpaceObject; do
   esac
 done
 
+# Threads that wait do not take the processor from those that work, in any of the programs.
+export OMP_WAIT_POLICY=passive
 bin=$build/Testing/Benchmark
 if [ -x "$bin/BenchmarkWindingNumber" ]; then
   "$bin/BenchmarkWindingNumber" "$@" "$surfaces"/man.off "$open_surfaces"/*
