@@ -10,7 +10,6 @@
 #include "WindingNumberOfCaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace insideout
@@ -37,20 +36,6 @@ std::vector<CountedTriangle> FacetsBeyondMesh(
     }
   }
   return beyond;
-}
-
-/** To the integer or half that a value stands for. */
-double Rounded(double w, std::size_t cell)
-{
-  const double rounded = std::round(2 * w) / 2;
-  const double mostRoundingError = 1e-6;
-  if (!(std::abs(w - rounded) < mostRoundingError))
-  {
-    throw Error(ErrorCode::Inconsistent,
-      "the winding number of cell " + std::to_string(cell) + " is " + std::to_string(w) +
-        ", although the surface is closed");
-  }
-  return rounded;
 }
 
 /** A chain of triangles in pieces: its caps, which close its holes, and the chain less these. */
@@ -93,8 +78,7 @@ std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
  * nor facets beyond the mesh may touch, the whole part is walked; elsewhere it is evaluated.
  */
 std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  const std::vector<CountedTriangle>& beyond, bool isClosed, const QuadratureRule& rule,
-  Monitor& monitor)
+  const std::vector<CountedTriangle>& beyond, const QuadratureRule& rule, Monitor& monitor)
 {
   monitor.Check(StageName, 0);
   const std::vector<Point> points = ScaledPoints(mesh.Points, LargestExponent(mesh.Points));
@@ -118,7 +102,9 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   const std::vector<Id> order =
     caps.IsEmpty() ? std::vector<Id>() : SpatialOrder({ points, mesh.Cells });
 
-  std::vector<double> means(mesh.Cells.size(), 0.0);
+  // As the first place's value and differences to it, so that what is constant stays exact.
+  std::vector<double> means;
+  std::vector<double> first;
   std::vector<double> w(mesh.Cells.size(), 0.0);
   const double step = 0.9 / static_cast<double>(rule.Sites.size());
   for (std::size_t i = 0; i < rule.Sites.size(); ++i)
@@ -134,9 +120,14 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
       }
     }
     caps.Add(sites, order, w, monitor, { StageName, begin + step / 8, begin + step });
+    if (i == 0)
+    {
+      first = means = w;
+      continue;
+    }
     for (std::size_t cell = 0; cell < w.size(); ++cell)
     {
-      means[cell] += rule.Weights[i] * (isClosed ? Rounded(w[cell], cell) : w[cell]);
+      means[cell] += rule.Weights[i] * (w[cell] - first[cell]);
     }
   }
   monitor.Check(StageName, 1);
@@ -167,13 +158,12 @@ std::vector<double> WindingNumberOfCells(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, int quadratureOrder)
 {
   const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
-  const bool isClosed = IsClosed(surface);
   const std::vector<CountedTriangle> beyond = FacetsBeyondMesh(surface, mesh);
-  if (isClosed && beyond.empty())
+  if (beyond.empty() && IsClosed(surface))
   {
     return WalkedWindingNumbers(surface, mesh, monitor, StageName);
   }
-  return PartlyWalkedMeans(surface, mesh, beyond, isClosed, rule, monitor);
+  return PartlyWalkedMeans(surface, mesh, beyond, rule, monitor);
 }
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)

@@ -65,10 +65,11 @@ std::vector<double> Sum(const FacetComplex& surface, const TetrahedralMesh& mesh
   return WindingNumberSum(surface, { mesh.Points, mesh.Cells }, monitor);
 }
 
-std::vector<double> Stage(const FacetComplex& surface, const TetrahedralMesh& mesh)
+std::vector<double> Stage(
+  const FacetComplex& surface, const TetrahedralMesh& mesh, int quadratureOrder = 1)
 {
   Monitor monitor;
-  return WindingNumberOfCells(surface, mesh, monitor);
+  return WindingNumberOfCells(surface, mesh, monitor, quadratureOrder);
 }
 
 bool SameBytes(const std::vector<double>& a, const std::vector<double>& b)
@@ -179,7 +180,10 @@ TEST(WindingNumberOfCells, IsAnIntegerOnClosedComplexesWithFacetsThatTheMeshLack
     FacetComplex surface = BoundaryOfLabels(mesh, labels, seed);
     LoseFacets(surface, mesh, seed);
     ASSERT_FALSE(mesh.LostFacets.empty());
-    EXPECT_EQ(Stage(surface, mesh), std::vector<double>(labels.begin(), labels.end()));
+    for (const int order : { 1, 3, 5 })
+    {
+      EXPECT_EQ(Stage(surface, mesh, order), std::vector<double>(labels.begin(), labels.end()));
+    }
   }
 }
 
