@@ -3,11 +3,13 @@
 
 #include "CollapseSlivers.h"
 #include "CutFacets.h"
+#include "CutLayers.h"
 #include "FindIntersections.h"
 #include "Interpolation.h"
 #include "ParallelLoop.h"
 #include "PointIndex.h"
 #include "SortedTriangle.h"
+#include "SplitAlike.h"
 #include "TrianglePredicates.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ namespace
 constexpr const char* Stage = "resolving self-intersections";
 
 /** Rounds after which what still crosses is left out. Most real models take one to three. */
-constexpr int MaximumRounds = 30;
+constexpr int MaximumRounds = 10;
 
 /** Rounds without fewer crossings than ever before, after which no more are tried. */
 constexpr int Patience = 6;
@@ -35,9 +37,9 @@ constexpr int Patience = 6;
 constexpr std::size_t Divergence = 4;
 
 /**
- * How near two points, or a point and an edge, are at most taken for one: some spacings of the
- * doubles, because what lies nearer makes slivers that cross again. Over all rounds the sum stays
- * below 1e-12 of the largest coordinate.
+ * How near two points, a point and an edge, or layers are at most taken for one: some spacings of
+ * the doubles, because what lies nearer makes slivers that cross again. Three times that in each
+ * round stays below 1e-12 of the largest coordinate.
  */
 double SnappingRadius(double largestCoordinate)
 {
@@ -149,15 +151,19 @@ public:
 private:
   void CutRepeatedly();
   void Cut(const ProgressRange& progress);
-  void PrepareSnapping();
+  void MergeLayers();
+  std::vector<std::vector<Id>> TakePieces(
+    const std::vector<PlanarSubdivision>& subdivisions, double radius);
+  void PrepareSnapping(const std::vector<char>& isCut, double radius);
   std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
   std::vector<Id> DegenerateFacets() const;
   std::vector<Id> CrossingFacets() const;
   void Collapse(const std::vector<Id>& candidates);
+  void Apply(const Replacement& replacement);
   void FindCrossings();
   void Replace(std::vector<char> isRemoved, std::vector<CutFacet> added);
-  std::vector<CutFacet> TakePieces(const std::vector<PlanarSubdivision>& subdivisions,
+  std::vector<CutFacet> PlacedPieces(const std::vector<PlanarSubdivision>& subdivisions,
     const std::vector<std::vector<Id>>& ids) const;
   void AddFacets(std::vector<CutFacet> facets, std::vector<char>& isRemoved);
   Id AddMeaning(Meaning meaning);
@@ -222,6 +228,7 @@ void Resolver::CutRepeatedly()
     // How many rounds there will be is unknown: each takes half of the progress that is left.
     const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
     const double end = 1 - std::ldexp(1.0, -this->Round);
+    this->MergeLayers();
     this->Cut({ Stage, begin, end });
     this->Collapse(this->DegenerateFacets());
     this->FindCrossings();
@@ -245,41 +252,73 @@ void Resolver::CutRepeatedly()
   this->Now = std::move(best);
 }
 
+/** Makes layers, which cross in nearly one plane, one. */
+void Resolver::MergeLayers()
+{
+  const double radius = SnappingRadius(this->Size);
+  const std::vector<PlanarSubdivision> subdivisions =
+    CutLayers({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, radius, this->Watch,
+      { Stage, 0, 0 });
+  if (!subdivisions.empty())
+  {
+    const std::vector<std::vector<Id>> ids = this->TakePieces(subdivisions, radius);
+    std::vector<EdgeChain> chains;
+    for (std::size_t s = 0; s < subdivisions.size(); ++s)
+    {
+      const std::vector<EdgeChain> more = ChainsOf(subdivisions[s], ids[s]);
+      chains.insert(chains.end(), more.begin(), more.end());
+    }
+    this->Apply(SplitAlike(this->Now.Points, this->Now.Facets, chains));
+    this->Collapse(this->DegenerateFacets());
+    this->FindCrossings();
+  }
+}
+
 /** Cuts the facets that cross. */
 void Resolver::Cut(const ProgressRange& progress)
 {
   this->Watch.Check(Stage, progress.Begin);
-  const FacetList facets{ this->Now.Points, this->Now.Facets };
   const std::vector<PlanarSubdivision> subdivisions =
-    CutFacets(facets, this->Now.Crossings, this->Watch, progress);
-  this->PrepareSnapping();
-  const std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
+    CutFacets({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, this->Watch, progress);
+  this->TakePieces(subdivisions, this->Round == 1 ? 0 : SnappingRadius(this->Size));
   this->Watch.Check(Stage, progress.End);
-  std::vector<CutFacet> pieces = this->TakePieces(subdivisions, ids);
-  std::vector<char> isCut(this->Now.Facets.size(), 0);
-  for (const auto& pair : this->Now.Crossings)
-  {
-    isCut[pair[0]] = isCut[pair[1]] = 1;
-  }
-  this->Replace(std::move(isCut), std::move(pieces));
 }
 
-void Resolver::PrepareSnapping()
+/**
+ * Puts pieces in the places of the facets that are subdivided. New points within the radius of a
+ * facet's corner, or of one another, become one.
+ * @return the ids of the points, by subdivision
+ */
+std::vector<std::vector<Id>> Resolver::TakePieces(
+  const std::vector<PlanarSubdivision>& subdivisions, double radius)
+{
+  std::vector<char> isCut(this->Now.Facets.size(), 0);
+  for (const PlanarSubdivision& subdivision : subdivisions)
+  {
+    for (const SubdividedFacet& facet : subdivision.Facets)
+    {
+      isCut[facet.Facet] = 1;
+    }
+  }
+  this->PrepareSnapping(isCut, radius);
+  std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
+  this->Replace(std::move(isCut), this->PlacedPieces(subdivisions, ids));
+  return ids;
+}
+
+void Resolver::PrepareSnapping(const std::vector<char>& isCut, double radius)
 {
   this->Moved = PointIndex(0);
-  this->Nearby = PointIndex(this->Round == 1 ? 0 : SnappingRadius(this->Size));
+  this->Nearby = PointIndex(radius);
   std::vector<char> added(this->Now.Points.size(), 0);
-  for (const auto& pair : this->Now.Crossings)
+  for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
   {
-    for (const Id f : pair)
+    for (const Id p : this->Now.Facets[f])
     {
-      for (const Id p : this->Now.Facets[f])
+      if (isCut[f] && !added[p])
       {
-        if (!added[p])
-        {
-          this->Nearby.Add(this->Now.Points[p], p);
-          added[p] = 1;
-        }
+        this->Nearby.Add(this->Now.Points[p], p);
+        added[p] = 1;
       }
     }
   }
@@ -360,7 +399,7 @@ Id Resolver::PlacePoint(const Point& p, Id root)
 }
 
 /** The pieces with their points placed; those that have one twice are nothing. */
-std::vector<CutFacet> Resolver::TakePieces(
+std::vector<CutFacet> Resolver::PlacedPieces(
   const std::vector<PlanarSubdivision>& subdivisions, const std::vector<std::vector<Id>>& ids) const
 {
   std::vector<CutFacet> facets;
@@ -423,15 +462,19 @@ void Resolver::Collapse(const std::vector<Id>& candidates)
   {
     return;
   }
-  const Replacement slivers =
-    CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size));
+  this->Apply(
+    CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size)));
+}
+
+void Resolver::Apply(const Replacement& replacement)
+{
   std::vector<char> isRemoved(this->Now.Facets.size(), 0);
-  for (const Id f : slivers.Removed)
+  for (const Id f : replacement.Removed)
   {
     isRemoved[f] = 1;
   }
   std::vector<CutFacet> parts;
-  for (const ReplacedFacet& part : slivers.Added)
+  for (const ReplacedFacet& part : replacement.Added)
   {
     parts.push_back({ part.Corners, this->MeaningOf(this->Now.MeaningIds[part.Parent]) });
   }
