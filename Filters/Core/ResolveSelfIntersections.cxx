@@ -159,6 +159,7 @@ private:
   Id PlacePoint(const Point& p, Id root);
   std::vector<Id> DegenerateFacets() const;
   std::vector<Id> CrossingFacets() const;
+  void MergePoints(const std::vector<Id>& candidates);
   void Collapse(const std::vector<Id>& candidates);
   void Apply(const Replacement& replacement);
   void FindCrossings();
@@ -169,6 +170,7 @@ private:
   Id AddMeaning(Meaning meaning);
   Id RootOf(Id meaning) const;
   Meaning MeaningOf(Id meaning) const;
+  void DropUnusedPoints();
   FacetComplex Assemble(const std::vector<Id>& leftOut);
   std::vector<PointOrigin> OriginsOf(const std::vector<Point>& points) const;
 
@@ -231,6 +233,8 @@ void Resolver::CutRepeatedly()
     this->MergeLayers();
     this->Cut({ Stage, begin, end });
     this->Collapse(this->DegenerateFacets());
+    this->FindCrossings();
+    this->MergePoints(this->CrossingFacets());
     this->FindCrossings();
     this->Collapse(this->CrossingFacets());
     this->FindCrossings();
@@ -455,6 +459,57 @@ std::vector<Id> Resolver::CrossingFacets() const
   return crossing;
 }
 
+/** Makes new points of some facets one with corners of them that are too near. */
+void Resolver::MergePoints(const std::vector<Id>& candidates)
+{
+  std::vector<Id> points;
+  for (const Id f : candidates)
+  {
+    points.insert(points.end(), this->Now.Facets[f].begin(), this->Now.Facets[f].end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  // Input points come first, and stay.
+  PointIndex nearby(SnappingRadius(this->Size));
+  std::unordered_map<Id, Id> merged;
+  for (const Id p : points)
+  {
+    const Id near = nearby.Find(this->Now.Points[p]);
+    if (near != None && p >= static_cast<Id>(this->Surface.Points.size()))
+    {
+      merged[p] = near;
+    }
+    else
+    {
+      nearby.Add(this->Now.Points[p], p);
+    }
+  }
+  if (merged.empty())
+  {
+    return;
+  }
+  Replacement replacement;
+  for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
+  {
+    Triangle corners = this->Now.Facets[f];
+    for (Id& p : corners)
+    {
+      const auto found = merged.find(p);
+      p = found == merged.end() ? p : found->second;
+    }
+    if (corners != this->Now.Facets[f])
+    {
+      replacement.Removed.push_back(f);
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      {
+        replacement.Added.push_back({ corners, f });
+      }
+    }
+  }
+  this->Apply(replacement);
+  this->Collapse(this->DegenerateFacets());
+}
+
 /** Collapses slivers among some facets. */
 void Resolver::Collapse(const std::vector<Id>& candidates)
 {
@@ -604,9 +659,40 @@ void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meani
   surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
 }
 
+/** Drops new points that no facet has any more. */
+void Resolver::DropUnusedPoints()
+{
+  const std::size_t given = this->Surface.Points.size();
+  std::vector<Id> places(this->Now.Points.size(), None);
+  for (const Triangle& t : this->Now.Facets)
+  {
+    places[t[0]] = places[t[1]] = places[t[2]] = 0;
+  }
+  std::size_t count = given;
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    if (p < given)
+    {
+      places[p] = static_cast<Id>(p);
+    }
+    else if (places[p] != None)
+    {
+      this->Now.Points[count] = this->Now.Points[p];
+      this->Roots[count - given] = this->Roots[p - given];
+      places[p] = static_cast<Id>(count++);
+    }
+  }
+  this->Now.Points.resize(count);
+  for (Triangle& t : this->Now.Facets)
+  {
+    t = { places[t[0]], places[t[1]], places[t[2]] };
+  }
+}
+
 /** The constraints, then what is left out of them, then what the given complex had left out. */
 FacetComplex Resolver::Assemble(const std::vector<Id>& leftOut)
 {
+  this->DropUnusedPoints();
   FacetComplex surface;
   auto next = leftOut.begin();
   for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
