@@ -3,6 +3,7 @@
 
 #include "InsideBoundary.h"
 #include "InteriorFaces.h"
+#include "WindingNumberOfCells.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
@@ -34,6 +35,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
 }
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -95,10 +97,14 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
       vtkInsideOutConversion conversion(input);
-      const HullMesh hull = MeshHull(conversion.Soup,
+      HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation) },
         monitor);
+      if (this->QuadratureOrder > 1)
+      {
+        hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, this->QuadratureOrder);
+      }
 
       Stopwatch stopwatch;
       const Segmentation segmentation = GraphCutSegmentation(
