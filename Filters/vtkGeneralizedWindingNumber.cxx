@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkGeneralizedWindingNumber.h"
 
+#include "WindingNumberOfCells.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
@@ -25,6 +26,7 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
 }
 
 int vtkGeneralizedWindingNumber::FillInputPortInformation(
@@ -46,11 +48,15 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers" });
       vtkInsideOutConversion conversion(input);
-      const HullMesh hull = MeshHull(conversion.Soup,
+      HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),
           { this->TimeBudget, this->MemoryBudget } },
         monitor);
+      if (this->QuadratureOrder > 1)
+      {
+        hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, this->QuadratureOrder);
+      }
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);
       conversion.AddLeftOutCells(hull.Surface, output);

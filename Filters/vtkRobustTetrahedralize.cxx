@@ -3,6 +3,7 @@
 
 #include "InsideBoundary.h"
 #include "InteriorFaces.h"
+#include "WindingNumberOfCells.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
@@ -36,6 +37,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
 }
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -97,11 +99,15 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
       vtkInsideOutConversion conversion(input);
-      const HullMesh hull = MeshHull(conversion.Soup,
+      HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),
           { this->TimeBudget, this->MemoryBudget } },
         monitor);
+      if (this->QuadratureOrder > 1)
+      {
+        hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, this->QuadratureOrder);
+      }
 
       Stopwatch stopwatch;
       const Segmentation segmentation = GraphCutSegmentation(

@@ -131,6 +131,17 @@ public:
   vtkGetMacro(MemoryBudget, double);
   ///@}
 
+  ///@{
+  /**
+   * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
+   * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
+   * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
+   * direction from the edge, and high order gains little there. Default 1, range 1 to 5.
+   */
+  vtkSetClampMacro(QuadratureOrder, int, 1, 5);
+  vtkGetMacro(QuadratureOrder, int);
+  ///@}
+
 protected:
   vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override = default;
@@ -148,6 +159,7 @@ protected:
   bool CountDuplicates = false;
   double TimeBudget = 0.0;
   double MemoryBudget = 0.0;
+  int QuadratureOrder = 1;
 
 private:
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ChangedSurfaces.h"
 #include "CountedChain.h"
 #include "DetectionByCgal.h"
 #include "FindIntersections.h"
@@ -36,36 +37,6 @@ void Resolve(const FacetComplex& surface)
 {
   Monitor monitor;
   ResolveSelfIntersections(surface, monitor);
-}
-
-/** Every triangle in four, at the midpoints of its edges. */
-TriangleSoup Subdivided(const TriangleSoup& soup)
-{
-  TriangleSoup fine;
-  fine.Points = soup.Points;
-  std::map<std::array<Id, 2>, Id> midpoints;
-  const auto between = [&](Id p, Id q)
-  {
-    const Id next = static_cast<Id>(fine.Points.size());
-    const auto inserted = midpoints.insert({ { std::min(p, q), std::max(p, q) }, next });
-    if (inserted.second)
-    {
-      Point middle;
-      for (int k = 0; k < 3; ++k)
-      {
-        middle[k] = (soup.Points[p][k] + soup.Points[q][k]) / 2;
-      }
-      fine.Points.push_back(middle);
-    }
-    return inserted.first->second;
-  };
-  for (const Triangle& t : soup.Triangles)
-  {
-    const Triangle m = { between(t[0], t[1]), between(t[1], t[2]), between(t[2], t[0]) };
-    fine.Triangles.insert(fine.Triangles.end(),
-      { { t[0], m[0], m[2] }, { t[1], m[1], m[0] }, { t[2], m[2], m[1] }, m });
-  }
-  return fine;
 }
 
 void MeasureStage(const std::string& name, const FacetComplex& surface)
