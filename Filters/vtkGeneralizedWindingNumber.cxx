@@ -25,6 +25,8 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
 int vtkGeneralizedWindingNumber::FillInputPortInformation(
@@ -48,7 +50,8 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       vtkInsideOutConversion conversion(input);
       HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation) },
+          static_cast<insideout::Orientation>(this->Orientation),
+          { this->TimeBudget, this->MemoryBudget } },
         monitor);
       if (this->QuadratureOrder > 1)
       {

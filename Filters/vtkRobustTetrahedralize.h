@@ -11,11 +11,12 @@
  * the hull, with its exact coordinates.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME and LeftOutCellIds (see
- * vtkResolveSelfIntersections). Output 1, its boundary: triangles, oriented outward and watertight,
- * with vtkOriginalCellIds (the input cell each lies on, -1 where a hole was closed). Output 2, the
- * outliers: the pieces of input facets that are no face of a cell inside. All carry the input's
- * point data and vtkOriginalPointIds, the surfaces its cell data.
+ * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME, LeftOutCellIds (see
+ * vtkResolveSelfIntersections) and LostCellIds (see vtkConstrainedDelaunay3D). Output 1, its
+ * boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell
+ * each lies on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets
+ * that are no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
+ * surfaces its cell data.
  *
  * When no cell is inside there is a warning that gives the range of w. Errors, which name the
  * culprit, leave all outputs empty.
@@ -121,6 +122,26 @@ public:
   vtkGetMacro(QuadratureOrder, int);
   ///@}
 
+  ///@{
+  /**
+   * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
+   * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
+   * infinity.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
+   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+   * Range 0 to infinity.
+   */
+  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryBudget, double);
+  ///@}
+
 protected:
   vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override = default;
@@ -137,6 +158,8 @@ protected:
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
   int QuadratureOrder = 1;
+  double TimeBudget = 0.0;
+  double MemoryBudget = 0.0;
 
 private:
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;

@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs=BenchmarkResolve
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -53,6 +53,10 @@ if [ -x "$bin/BenchmarkWindingNumber" ]; then
   "$bin/BenchmarkWindingNumber" --figures "$figures" "$figures/surfaces"/*
   /usr/bin/python3 "$here/plot-figures.py" "$figures" || echo "missing: python3-matplotlib; nothing is drawn"
 fi
+for surface; do
+  "$bin/BenchmarkConstrainedDelaunay" "$surface"
+  "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
+done
 set -- "$@" "$surfaces"/*
 "$bin/BenchmarkResolve" "$@"
 for surface; do
