@@ -47,12 +47,6 @@ constexpr int PointsOfFigures = 1000;
 const char* const SubdividedSurface = "dino";
 constexpr int SubdivisionLevels = 5;
 
-std::string StemOf(const std::string& path)
-{
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  return name.substr(0, name.find_last_of('.'));
-}
-
 FacetComplex Validated(const TriangleSoup& soup)
 {
   Monitor monitor;
