@@ -24,9 +24,9 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
-  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
 }
 
 int vtkGeneralizedWindingNumber::FillInputPortInformation(

@@ -69,6 +69,17 @@ public:
 
   ///@{
   /**
+   * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
+   * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
+   * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
+   * direction from the edge, and high order gains little there. Default 1, range 1 to 5.
+   */
+  vtkSetClampMacro(QuadratureOrder, int, 1, 5);
+  vtkGetMacro(QuadratureOrder, int);
+  ///@}
+
+  ///@{
+  /**
    * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
    * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
    * infinity.
@@ -87,17 +98,6 @@ public:
   vtkGetMacro(MemoryBudget, double);
   ///@}
 
-  ///@{
-  /**
-   * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
-   * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
-   * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
-   * direction from the edge, and high order gains little there. Default 1, range 1 to 5.
-   */
-  vtkSetClampMacro(QuadratureOrder, int, 1, 5);
-  vtkGetMacro(QuadratureOrder, int);
-  ///@}
-
 protected:
   vtkGeneralizedWindingNumber();
   ~vtkGeneralizedWindingNumber() override = default;
@@ -109,9 +109,9 @@ protected:
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  int QuadratureOrder = 1;
   double TimeBudget = 0.0;
   double MemoryBudget = 0.0;
-  int QuadratureOrder = 1;
 
 private:
   vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;

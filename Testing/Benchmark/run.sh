@@ -57,6 +57,10 @@ if [ -x "$bin/BenchmarkWindingNumber" ]; then
   "$bin/BenchmarkWindingNumber" --figures "$figures" "$figures/surfaces"/*
   /usr/bin/python3 "$here/plot-figures.py" "$figures" || echo "missing: python3-matplotlib; nothing is drawn"
 fi
+for surface; do
+  "$bin/BenchmarkConstrainedDelaunay" "$surface"
+  "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
+done
 set -- "$@" "$surfaces"/*
 "$bin/BenchmarkResolve" "$@"
 for surface; do
