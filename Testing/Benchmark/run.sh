@@ -48,10 +48,6 @@ done
 # Threads that wait do not take the processor from those that work, in any of the programs.
 export OMP_WAIT_POLICY=passive
 bin=$build/Testing/Benchmark
-for surface; do
-  "$bin/BenchmarkConstrainedDelaunay" "$surface"
-  "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
-done
 if [ -x "$bin/BenchmarkWindingNumber" ]; then
   "$bin/BenchmarkWindingNumber" "$@" "$surfaces"/man.off "$open_surfaces"/*
   "$bin/BenchmarkWindingNumber" --figures "$figures" "$figures/surfaces"/*
