@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkGeneralizedWindingNumber.h"
 
-#include "WindingNumberOfCells.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
@@ -48,15 +47,11 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers" });
       vtkInsideOutConversion conversion(input);
-      HullMesh hull = MeshHull(conversion.Soup,
+      const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),
-          { this->TimeBudget, this->MemoryBudget } },
+          { this->TimeBudget, this->MemoryBudget }, this->QuadratureOrder },
         monitor);
-      if (this->QuadratureOrder > 1)
-      {
-        hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, this->QuadratureOrder);
-      }
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);
       conversion.AddLeftOutCells(hull.Surface, output);

@@ -3,7 +3,6 @@
 
 #include "InsideBoundary.h"
 #include "InteriorFaces.h"
-#include "WindingNumberOfCells.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
@@ -99,15 +98,11 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
       vtkInsideOutConversion conversion(input);
-      HullMesh hull = MeshHull(conversion.Soup,
+      const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),
-          { this->TimeBudget, this->MemoryBudget } },
+          { this->TimeBudget, this->MemoryBudget }, this->QuadratureOrder },
         monitor);
-      if (this->QuadratureOrder > 1)
-      {
-        hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, this->QuadratureOrder);
-      }
 
       Stopwatch stopwatch;
       const Segmentation segmentation = GraphCutSegmentation(

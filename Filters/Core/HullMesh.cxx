@@ -123,7 +123,7 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   hull.Mesh = std::move(result.Mesh);
   const double meshSeconds = stopwatch.Lap();
 
-  hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor);
+  hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, parameters.QuadratureOrder);
   const bool turned = Orient(hull, parameters.Orientation);
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
   statistics.emplace_back("Closed", IsClosed(hull.Surface));

@@ -21,6 +21,7 @@ struct HullMeshParameters
   CountedChainParameters Chain;
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
   ConstrainedDelaunayParameters Budgets;
+  int QuadratureOrder = 1; ///< see WindingNumberOfCells
 };
 
 /** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
