@@ -128,6 +128,7 @@ class Success(CommandLine):
         self.assertEqual(found["statistics"]["OpenEdges"], 4)
         self.assertEqual(found["statistics"]["InsideCells"], read_grid(self.output).GetNumberOfCells())
         self.assertEqual(found["warnings"], [])
+        self.assertEqual((found["left_out_cells"], found["lost_cells"]), ([], []))
         for text in ("4 open edges", f"{found['statistics']['InsideCells']} tetrahedra inside", "tetrahedralizing", " s"):
             self.assertIn(text, done.stdout)
 
