@@ -3,6 +3,7 @@
 
 #include "ConstrainedDelaunay.h"
 #include "FindIntersections.h"
+#include "HullMesh.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
@@ -23,12 +24,19 @@ void vtkConstrainedDelaunay3D::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
 int vtkConstrainedDelaunay3D::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
+}
+
+const char* vtkConstrainedDelaunay3D::GetRungName(int rung)
+{
+  return RungName(rung);
 }
 
 namespace
@@ -63,16 +71,18 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
       const CountedChain chain =
         CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
       CheckThatNothingCrosses(chain.Surface, conversion, monitor);
-      const TetrahedralMesh mesh = ConstrainedDelaunay(chain.Surface, monitor);
-      output->ShallowCopy(conversion.MakeGrid(chain.Surface, mesh));
+      Stopwatch stopwatch;
+      const Tetrahedralization result =
+        ConstrainedDelaunay(chain.Surface, { this->TimeBudget, this->MemoryBudget }, monitor);
+      Statistics statistics;
+      AddMeshCounts(result, statistics);
+      statistics.emplace_back("SecondsCDT", stopwatch.Lap());
+      std::vector<std::string> warnings = chain.Warnings;
+      AddWarnings(result, warnings);
 
-      vtkInsideOutWarn(this, chain.Warnings);
+      output->ShallowCopy(conversion.MakeGrid(chain.Surface, result.Mesh));
+      vtkInsideOutAddStatistics(statistics, output);
+      vtkInsideOutWarn(this, warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
-      if (!mesh.LostFacets.empty())
-      {
-        vtkWarningMacro(<< mesh.LostFacets.size()
-                        << " facets are no union of faces, the first of cell "
-                        << conversion.CellOfFacet(chain.Surface, mesh.LostFacets.front(), +1));
-      }
     });
 }

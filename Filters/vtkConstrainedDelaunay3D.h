@@ -9,15 +9,22 @@
  * the work in a program of its own, insideout-tetgen, so that nothing it does can take the host
  * down; the environment variable INSIDEOUT_TETGEN names another place for that program.
  *
+ * What comes back is checked with exact predicates. Where TetGen crashes, uses up its budget or
+ * gives a mesh that fails the check, it is run in other ways, and in the end the points alone are
+ * tetrahedralized: then some facets are lost, that is no union of faces. Warnings say which way
+ * gave the mesh and why the others did not; GetRungName(Statistics_Rung) names the way.
+ *
  * Output: positively oriented vtkTetra with two cell arrays of four components, one for each
  * face in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none;
  * of several one whose normal leaves the cell, else the lowest) and FacetMultiplicity (short: by
  * how much the winding number rises when entering the cell there). Points carry
  * vtkOriginalPointIds (-1 for Steiner points) and the input's point data: interpolated on
- * facets, NaN (0 for integers) in the volume.
+ * facets, NaN (0 for integers) in the volume. Field data: Statistics_NAME, a double each (Rung,
+ * HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and
+ * LostCellIds (vtkIdType): the input cells of facets that are lost, empty where none is.
  *
  * Errors, with an empty output: facets that cross, all facets in one plane, points not finite or
- * ids out of range, and a tetrahedralizer that fails.
+ * ids out of range.
  *
  * @sa vtkResolveSelfIntersections vtkGeneralizedWindingNumber
  *
@@ -34,6 +41,9 @@ public:
   static vtkConstrainedDelaunay3D* New();
   vtkTypeMacro(vtkConstrainedDelaunay3D, vtkUnstructuredGridAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What tetrahedralizes in rung 1, 2 ... of the ladder, in words; nullptr beyond its end. */
+  static const char* GetRungName(int rung);
 
   ///@{
   /**
@@ -54,6 +64,26 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
+   * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
+   * infinity.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
+   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+   * Range 0 to infinity.
+   */
+  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryBudget, double);
+  ///@}
+
 protected:
   vtkConstrainedDelaunay3D();
   ~vtkConstrainedDelaunay3D() override = default;
@@ -64,6 +94,8 @@ protected:
 
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  double TimeBudget = 0.0;
+  double MemoryBudget = 0.0;
 
 private:
   vtkConstrainedDelaunay3D(const vtkConstrainedDelaunay3D&) = delete;

@@ -23,6 +23,9 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
 int vtkGeneralizedWindingNumber::FillInputPortInformation(
@@ -46,10 +49,12 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       vtkInsideOutConversion conversion(input);
       const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation) },
+          static_cast<insideout::Orientation>(this->Orientation),
+          { this->TimeBudget, this->MemoryBudget }, this->QuadratureOrder },
         monitor);
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);
+      conversion.AddLeftOutCells(hull.Surface, output);
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
     });

@@ -11,7 +11,8 @@
  *
  * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
  * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
- * each stage.
+ * each stage, LeftOutCellIds (see vtkResolveSelfIntersections) and LostCellIds (see
+ * vtkConstrainedDelaunay3D).
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  *
@@ -66,6 +67,37 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
+   * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
+   * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
+   * direction from the edge, and high order gains little there. Default 1, range 1 to 5.
+   */
+  vtkSetClampMacro(QuadratureOrder, int, 1, 5);
+  vtkGetMacro(QuadratureOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
+   * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
+   * infinity.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
+   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+   * Range 0 to infinity.
+   */
+  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryBudget, double);
+  ///@}
+
 protected:
   vtkGeneralizedWindingNumber();
   ~vtkGeneralizedWindingNumber() override = default;
@@ -77,6 +109,9 @@ protected:
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  int QuadratureOrder = 1;
+  double TimeBudget = 0.0;
+  double MemoryBudget = 0.0;
 
 private:
   vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;

@@ -4,6 +4,7 @@
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 
 namespace
@@ -50,26 +50,7 @@ vtkSmartPointer<Attributes> UsableArrays(
       copy->RemoveArray(i);
     }
   }
-  for (const char* name : added)
-  {
-    if (vtkAbstractArray* array = copy->GetAbstractArray(name))
-    {
-      std::string renamed = std::string("Input_") + name;
-      while (copy->HasArray(renamed.c_str()))
-      {
-        renamed = "Input_" + renamed;
-      }
-      vtkSmartPointer<vtkAbstractArray> clone;
-      clone.TakeReference(array->NewInstance());
-      clone->DeepCopy(array);
-      clone->SetName(renamed.c_str());
-      copy->RemoveArray(name);
-      copy->AddArray(clone);
-      WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
-          ", for the output has its own",
-        warnings);
-    }
-  }
+  vtkInsideOutAttributes::RenameArrays(copy, added, warnings);
   return copy;
 }
 
@@ -108,6 +89,31 @@ void AddIds(vtkDataSetAttributes* data, const char* name, const std::vector<vtkI
   data->AddArray(ids);
 }
 } // namespace
+
+void vtkInsideOutAttributes::RenameArrays(
+  vtkFieldData* data, std::initializer_list<const char*> names, Warnings& warnings)
+{
+  for (const char* name : names)
+  {
+    if (vtkAbstractArray* array = data->GetAbstractArray(name))
+    {
+      std::string renamed = std::string("Input_") + name;
+      while (data->HasArray(renamed.c_str()))
+      {
+        renamed = "Input_" + renamed;
+      }
+      vtkSmartPointer<vtkAbstractArray> clone;
+      clone.TakeReference(array->NewInstance());
+      clone->DeepCopy(array);
+      clone->SetName(renamed.c_str());
+      data->RemoveArray(name);
+      data->AddArray(clone);
+      WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
+          ", for the output has its own",
+        warnings);
+    }
+  }
+}
 
 void vtkInsideOutAttributes::PassPointData(vtkPointData* input, vtkIdType inputSize,
   const std::vector<insideout::PointOrigin>& origins, vtkPointData* output, Warnings& warnings)

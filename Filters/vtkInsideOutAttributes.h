@@ -16,10 +16,19 @@
 
 class vtkCellData;
 class vtkDataSetAttributes;
+class vtkFieldData;
 class vtkPointData;
 
 namespace vtkInsideOutAttributes
 {
+/**
+ * Give arrays another name, Input_NAME, that have one of the names that an output adds.
+ *
+ * @param[in,out] warnings gains a line per array
+ */
+void RenameArrays(
+  vtkFieldData* data, std::initializer_list<const char*> names, std::vector<std::string>& warnings);
+
 /**
  * Point data by origin: copied from an input point, interpolated on a facet, and for a point in the
  * volume NaN (0 in integer arrays). Adds vtkOriginalPointIds: the input point, -1 for a new one.

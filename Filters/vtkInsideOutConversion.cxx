@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 using insideout::Error;
 using insideout::ErrorCode;
@@ -310,6 +311,33 @@ vtkIdType vtkInsideOutConversion::CellOfFacet(const FacetComplex& surface, Id fa
   return lowest;
 }
 
+void vtkInsideOutConversion::AddCellsOfFacets(const char* name, const FacetComplex& surface,
+  const std::vector<Id>& facets, vtkDataSet* output) const
+{
+  std::set<vtkIdType> cells;
+  for (const Id facet : facets)
+  {
+    for (Id s = surface.SourceOffsets[facet]; s < surface.SourceOffsets[facet + 1]; ++s)
+    {
+      cells.insert(this->CellOfTriangle[surface.Sources[s].Triangle]);
+    }
+  }
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  for (const vtkIdType cell : cells)
+  {
+    array->InsertNextValue(cell);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+void vtkInsideOutConversion::AddLeftOutCells(const FacetComplex& surface, vtkDataSet* output) const
+{
+  std::vector<Id> leftOut(surface.NumberOfFacets() - surface.NumberOfConstraints);
+  std::iota(leftOut.begin(), leftOut.end(), surface.NumberOfConstraints);
+  this->AddCellsOfFacets("LeftOutCellIds", surface, leftOut, output);
+}
+
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::CopySurface(
   std::initializer_list<const char*> added)
 {
@@ -419,6 +447,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
   grid->GetCellData()->AddArray(multiplicity);
   vtkInsideOutAttributes::PassPointData(this->Input->GetPointData(),
     this->Input->GetNumberOfPoints(), mesh.Origins, grid->GetPointData(), this->Warnings);
+  this->AddCellsOfFacets("LostCellIds", surface, mesh.LostFacets, grid);
   return grid;
 }
 

@@ -52,6 +52,10 @@ public:
   vtkIdType CellOfFacet(
     const insideout::FacetComplex& surface, insideout::Id facet, int side) const;
 
+  /** Name the input cells of facets that could not be resolved in the field array LeftOutCellIds of
+   * an output: ascending, each once. */
+  void AddLeftOutCells(const insideout::FacetComplex& surface, vtkDataSet* output) const;
+
   /** The input with its cells and data as they are, but for cell arrays of the names that the
    * output adds: those are renamed. */
   vtkSmartPointer<vtkPolyData> CopySurface(std::initializer_list<const char*> added);
@@ -66,7 +70,8 @@ public:
   vtkSmartPointer<vtkPolyData> MakeSurface(const insideout::TetrahedralMesh& mesh,
     const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells);
 
-  /** The mesh with FacetIds, FacetMultiplicity, vtkOriginalPointIds and the input's point data. */
+  /** The mesh with FacetIds, FacetMultiplicity, vtkOriginalPointIds and the input's point data, and
+   * the input cells of facets that it lost in the field array LostCellIds. */
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
     const insideout::FacetComplex& surface, const insideout::TetrahedralMesh& mesh);
 
@@ -77,6 +82,9 @@ private:
   void ReadPolygons(vtkPolyData* input);
   void ReadStrips(vtkPolyData* input);
   void ReadMultiplicity(vtkPolyData* input);
+  /** A field array of the input cells that facets are pieces of, each once, ascending. */
+  void AddCellsOfFacets(const char* name, const insideout::FacetComplex& surface,
+    const std::vector<insideout::Id>& facets, vtkDataSet* output) const;
   void CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners);
   /** Clip a polygon into ears; false where it crosses itself, so that a fan has to do. */
   bool AddPolygon(vtkIdType cell, vtkIdType size, const vtkIdType* corners);

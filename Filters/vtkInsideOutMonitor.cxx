@@ -48,12 +48,16 @@ bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
     this->Stage = found - this->Stages.begin();
     this->Shown = -1;
   }
-  const double progress =
-    (this->Stage + std::min(std::max(fraction, 0.0), 1.0)) / this->Stages.size();
+  const double progress = std::max(
+    this->Shown, (this->Stage + std::min(std::max(fraction, 0.0), 1.0)) / this->Stages.size());
   constexpr double SmallestStepShown = 0.002;
-  if (this->Shown < 0 || progress - this->Shown >= SmallestStepShown)
+  constexpr std::chrono::milliseconds LongestSilence(200);
+  const auto now = std::chrono::steady_clock::now();
+  if (this->Shown < 0 || progress - this->Shown >= SmallestStepShown ||
+    now - this->LastShown >= LongestSilence)
   {
     this->Shown = progress;
+    this->LastShown = now;
     this->Algorithm->SetProgressText(this->Stages[this->Stage].c_str());
     this->Algorithm->UpdateProgress(progress);
   }

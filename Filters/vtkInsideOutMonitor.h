@@ -9,6 +9,7 @@
 
 #include "Monitor.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,7 +22,9 @@ class vtkInsideOutMonitor : public insideout::Monitor
 public:
   /**
    * @param stages the names of the stages that the algorithm runs, in order. Each takes an equal
-   * share of the progress, so that an observer can tell the stage's own progress from it.
+   * share of the progress, so that an observer can tell the stage's own progress from it. Observers
+   * hear of it at least five times a second as long as the stage asks that often, also where there
+   * is none: they may want to stop it.
    */
   vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages);
 
@@ -32,6 +35,7 @@ private:
   std::vector<std::string> Stages;
   std::size_t Stage = 0;
   double Shown = -1;
+  std::chrono::steady_clock::time_point LastShown;
 };
 
 /**

@@ -5,13 +5,14 @@
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
 #include <numeric>
-#include <set>
 
 using namespace insideout;
 
@@ -53,20 +54,19 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
       statistics.emplace_back(
         "LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
       vtkInsideOutAddStatistics(statistics, output);
+      conversion.AddLeftOutCells(surface, output);
 
       vtkInsideOutWarn(this, chain.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
       if (surface.NumberOfConstraints < surface.NumberOfFacets())
       {
-        std::set<vtkIdType> cells;
-        for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
-        {
-          cells.insert(conversion.CellOfFacet(surface, f, +1));
-        }
+        const auto cells =
+          vtkIdTypeArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("LeftOutCellIds"));
         vtkWarningMacro(
           << surface.NumberOfFacets() - surface.NumberOfConstraints
           << " facets still cross others after rounding and are left out; they are pieces of "
-          << cells.size() << " input cells, of which cell " << *cells.begin() << " is the first");
+          << cells->GetNumberOfValues() << " input cells, of which cell " << cells->GetValue(0)
+          << " is the first");
       }
     });
 }

@@ -13,7 +13,8 @@
  * carry vtkOriginalCellIds (the input cell, the lowest of several) and FacetMultiplicity (short:
  * how often the input covers the facet along its own orientation, signed; 0 where it cancels).
  * The input's point data are interpolated at new points, its cell data are copied. Field data:
- * Statistics_NAME, a double each.
+ * Statistics_NAME, a double each; LeftOutCellIds, the input cells of facets that still cross others
+ * after the last round of rounding and are left out (a warning says so; hardly any model has one).
  *
  * Lines and vertices are ignored with a warning, degenerate polygons are left out and counted. A
  * point that is not finite or a cell with a point out of range is an error that names it; the

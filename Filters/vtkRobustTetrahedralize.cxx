@@ -34,6 +34,9 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -97,7 +100,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutConversion conversion(input);
       const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation) },
+          static_cast<insideout::Orientation>(this->Orientation),
+          { this->TimeBudget, this->MemoryBudget }, this->QuadratureOrder },
         monitor);
 
       Stopwatch stopwatch;
@@ -128,6 +132,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkPolyData::GetData(outputVector, 2)
         ->ShallowCopy(conversion.MakeSurface(hull.Surface, outliers));
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
+      conversion.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
       if (insideCells == 0)

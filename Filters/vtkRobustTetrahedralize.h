@@ -11,10 +11,11 @@
  * the hull, with its exact coordinates.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME. Output 1, its boundary:
- * triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell each lies
- * on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets that are
- * no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
+ * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME, LeftOutCellIds (see
+ * vtkResolveSelfIntersections) and LostCellIds (see vtkConstrainedDelaunay3D). Output 1, its
+ * boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell
+ * each lies on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets
+ * that are no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
  * surfaces its cell data.
  *
  * When no cell is inside there is a warning that gives the range of w. Errors, which name the
@@ -110,6 +111,37 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
+   * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
+   * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
+   * direction from the edge, and high order gains little there. Default 1, range 1 to 5.
+   */
+  vtkSetClampMacro(QuadratureOrder, int, 1, 5);
+  vtkGetMacro(QuadratureOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
+   * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
+   * infinity.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
+   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
+   * Range 0 to infinity.
+   */
+  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryBudget, double);
+  ///@}
+
 protected:
   vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override = default;
@@ -125,6 +157,9 @@ protected:
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  int QuadratureOrder = 1;
+  double TimeBudget = 0.0;
+  double MemoryBudget = 0.0;
 
 private:
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AssembleMesh.h"
 
+#include "CheckConvexHull.h"
 #include "FaceTable.h"
 #include "PlaceFacets.h"
 
@@ -18,9 +19,11 @@ namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+constexpr const char* Stage = "tetrahedralizing";
+
 [[noreturn]] void ThrowInconsistent(const std::string& what)
 {
-  throw Error(ErrorCode::Inconsistent, "TetGen's mesh is inconsistent: " + what);
+  throw Error(ErrorCode::Inconsistent, "the mesh is inconsistent: " + what);
 }
 
 // --- Points and cells ----------------------------------------------------------------------------
@@ -168,13 +171,15 @@ void MatchNeighbors(const FaceTable& faces, TetrahedralMesh& mesh)
 }
 } // namespace
 
-TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer)
+TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer, Monitor& monitor)
 {
+  monitor.Check(Stage, 0.9);
   CheckInputPoints(surface.Points, answer.Points);
   const std::vector<bool> used = PointsInCells(answer.Points.size(), answer.Cells);
   CheckPointsAreUsed(answer.Points, surface.Points.size(), used);
   RemoveUnusedSteinerPoints(surface.Points.size(), used, answer);
   OrientCells(answer.Points, answer.Cells);
+  monitor.Check(Stage, 0.93);
   TetrahedralMesh mesh;
   mesh.Points = std::move(answer.Points);
   mesh.Cells = std::move(answer.Cells);
@@ -183,6 +188,8 @@ TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer)
   mesh.NumberOfSteinerPoints = static_cast<Id>(mesh.Points.size() - surface.Points.size());
   const FaceTable faces(mesh.Points.size(), mesh.Cells);
   MatchNeighbors(faces, mesh);
+  CheckConvexHull(mesh, surface.Points.size());
+  monitor.Check(Stage, 0.96);
   PlaceFacets(surface, faces, answer.Faces, answer.FacetOfFaces, mesh);
   return mesh;
 }

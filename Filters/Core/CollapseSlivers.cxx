@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -16,18 +15,6 @@ namespace
 {
 /** Slivers of slivers are looked at too, up to this many for each candidate. */
 constexpr std::size_t LooksPerCandidate = 100;
-
-using Edge = std::array<Id, 2>;
-
-Edge EdgeBetween(Id p, Id q)
-{
-  return { std::min(p, q), std::max(p, q) };
-}
-
-bool HasCorner(const Triangle& corners, Id point)
-{
-  return std::find(corners.begin(), corners.end(), point) != corners.end();
-}
 
 double Distance(const Point& p, const Point& q)
 {
@@ -42,104 +29,36 @@ double DoubleArea(const Point& p, const Point& q, const Point& r)
     a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
 }
 
-/** The facets at every point: those of point p from First[p] to First[p + 1]. */
-struct FacetsAtPoints
-{
-  std::vector<Id> First;
-  std::vector<Id> Facets;
-
-  FacetsAtPoints(std::size_t numberOfPoints, const std::vector<Triangle>& facets)
-    : First(numberOfPoints + 1, 0)
-    , Facets(3 * facets.size())
-  {
-    for (const Triangle& t : facets)
-    {
-      for (const Id p : t)
-      {
-        ++this->First[p];
-      }
-    }
-    Id sum = 0;
-    for (Id& first : this->First)
-    {
-      sum += first;
-      first = sum;
-    }
-    for (Id f = static_cast<Id>(facets.size()) - 1; f >= 0; --f)
-    {
-      for (const Id p : facets[f])
-      {
-        this->Facets[--this->First[p]] = f;
-      }
-    }
-  }
-};
-
 class Collapser
 {
 public:
   Collapser(const std::vector<Point>& points, const std::vector<Triangle>& facets, double radius)
     : Points(points)
-    , Given(facets)
+    , Facets(points.size(), facets)
     , Radius(radius)
-    , AtPoints(points.size(), facets)
-    , IsAlive(facets.size(), 1)
   {
   }
 
-  void Collapse(const std::vector<Id>& candidates);
-  CollapsedSlivers Result() const;
+  Replacement Collapse(const std::vector<Id>& candidates);
 
 private:
-  const Triangle& CornersOf(Id f) const;
-  Id ParentOf(Id f) const;
-  std::vector<Id> FacetsAlong(const Edge& edge) const;
   bool IsCollinear(const Triangle& corners) const;
   int ApexOf(const Triangle& corners) const;
   bool IsSliver(const Triangle& corners, int apex) const;
-  void SplitAt(const Edge& edge, Id apex, bool isCollinear);
-  void Append(const ReplacedFacet& part);
+  bool MaySplit(const Edge& edge, Id apex);
   void Enqueue(Id f);
 
   const std::vector<Point>& Points;
-  const std::vector<Triangle>& Given;
+  SplittableFacets Facets;
   const double Radius;
-  const FacetsAtPoints AtPoints;
-  std::vector<ReplacedFacet> Added; ///< numbered after the given ones
-  std::vector<char> IsAlive;
-  std::map<Edge, std::vector<Id>> AddedAtEdge;
   std::priority_queue<std::pair<double, Id>> Candidates; ///< by their longest edge
   std::set<std::array<Id, 3>> Done;                      ///< edges and the points that split them
 };
 
-const Triangle& Collapser::CornersOf(Id f) const
-{
-  const Id given = static_cast<Id>(this->Given.size());
-  return f < given ? this->Given[f] : this->Added[f - given].Corners;
-}
-
-Id Collapser::ParentOf(Id f) const
-{
-  const Id given = static_cast<Id>(this->Given.size());
-  return f < given ? f : this->Added[f - given].Parent;
-}
-
-void Collapser::Append(const ReplacedFacet& part)
-{
-  const Id f = static_cast<Id>(this->IsAlive.size());
-  this->Added.push_back(part);
-  this->IsAlive.push_back(1);
-  for (int k = 0; k < 3; ++k)
-  {
-    this->AddedAtEdge[EdgeBetween(part.Corners[k], part.Corners[(k + 1) % 3])].push_back(f);
-  }
-  this->Enqueue(f);
-}
-
 void Collapser::Enqueue(Id f)
 {
   double longest = 0;
-  const Triangle& corners = this->CornersOf(f);
+  const Triangle& corners = this->Facets.CornersOf(f);
   for (int k = 0; k < 3; ++k)
   {
     longest =
@@ -148,31 +67,11 @@ void Collapser::Enqueue(Id f)
   this->Candidates.push({ longest, f });
 }
 
-std::vector<Id> Collapser::FacetsAlong(const Edge& edge) const
-{
-  std::vector<Id> facets;
-  for (Id i = this->AtPoints.First[edge[0]]; i < this->AtPoints.First[edge[0] + 1]; ++i)
-  {
-    const Id f = this->AtPoints.Facets[i];
-    if (this->IsAlive[f] && HasCorner(this->Given[f], edge[1]))
-    {
-      facets.push_back(f);
-    }
-  }
-  const auto added = this->AddedAtEdge.find(edge);
-  if (added != this->AddedAtEdge.end())
-  {
-    std::copy_if(added->second.begin(), added->second.end(), std::back_inserter(facets),
-      [&](Id f) { return this->IsAlive[f] != 0; });
-  }
-  return facets;
-}
-
 /**
  * Long edges come first: what a split leaves has no longer one, so that none comes back. Degenerate
  * facets that are left in the end are dropped.
  */
-void Collapser::Collapse(const std::vector<Id>& candidates)
+Replacement Collapser::Collapse(const std::vector<Id>& candidates)
 {
   for (const Id f : candidates)
   {
@@ -183,19 +82,27 @@ void Collapser::Collapse(const std::vector<Id>& candidates)
   {
     const Id f = this->Candidates.top().second;
     this->Candidates.pop();
-    const Triangle corners = this->CornersOf(f);
+    const Triangle corners = this->Facets.CornersOf(f);
     const int apex = this->ApexOf(corners);
-    if (this->IsAlive[f] && this->IsSliver(corners, apex))
+    const Edge edge = EdgeBetween(corners[(apex + 1) % 3], corners[(apex + 2) % 3]);
+    if (this->Facets.IsThere(f) && this->IsSliver(corners, apex) &&
+      (this->IsCollinear(corners) || this->MaySplit(edge, corners[apex])))
     {
-      this->SplitAt(EdgeBetween(corners[(apex + 1) % 3], corners[(apex + 2) % 3]), corners[apex],
-        this->IsCollinear(corners));
+      for (Id part = this->Facets.Split(edge, corners[apex]); part < this->Facets.Count(); ++part)
+      {
+        this->Enqueue(part);
+      }
     }
   }
   for (; !this->Candidates.empty(); this->Candidates.pop())
   {
     const Id f = this->Candidates.top().second;
-    this->IsAlive[f] = this->IsAlive[f] && !this->IsCollinear(this->CornersOf(f));
+    if (this->IsCollinear(this->Facets.CornersOf(f)))
+    {
+      this->Facets.Remove(f);
+    }
   }
+  return this->Facets.Result();
 }
 
 bool Collapser::IsCollinear(const Triangle& corners) const
@@ -237,72 +144,21 @@ bool Collapser::IsSliver(const Triangle& corners, int apex) const
 }
 
 /**
- * Splits the facets along an edge, which leaves nothing of those with a corner there. Where that
- * corner is not exactly on the edge, not twice, lest two slivers turn into each other for ever, and
- * not if a part would be degenerate.
+ * Whether to split an edge at a corner that is not exactly on it: not twice, lest two slivers turn
+ * into each other for ever, and not if a part would be degenerate.
  */
-void Collapser::SplitAt(const Edge& edge, Id apex, bool isCollinear)
+bool Collapser::MaySplit(const Edge& edge, Id apex)
 {
-  const std::vector<Id> facets = this->FacetsAlong(edge);
-  std::vector<ReplacedFacet> parts;
-  for (const Id f : facets)
-  {
-    for (const Id replaced : edge)
-    {
-      Triangle part = this->CornersOf(f);
-      if (HasCorner(part, apex))
-      {
-        continue;
-      }
-      std::replace(part.begin(), part.end(), replaced, apex);
-      if (!isCollinear && this->IsCollinear(part))
-      {
-        return;
-      }
-      parts.push_back({ part, this->ParentOf(f) });
-    }
-  }
-  if (!isCollinear && !this->Done.insert({ edge[0], edge[1], apex }).second)
-  {
-    return;
-  }
-  for (const Id f : facets)
-  {
-    this->IsAlive[f] = 0;
-  }
-  for (const ReplacedFacet& part : parts)
-  {
-    this->Append(part);
-  }
-}
-
-CollapsedSlivers Collapser::Result() const
-{
-  CollapsedSlivers result;
-  const Id given = static_cast<Id>(this->Given.size());
-  for (Id f = 0; f < given; ++f)
-  {
-    if (!this->IsAlive[f])
-    {
-      result.Removed.push_back(f);
-    }
-  }
-  for (Id f = given; f < static_cast<Id>(this->IsAlive.size()); ++f)
-  {
-    if (this->IsAlive[f])
-    {
-      result.Added.push_back(this->Added[f - given]);
-    }
-  }
-  return result;
+  const std::vector<ReplacedFacet> parts = this->Facets.PartsOfSplit(edge, apex);
+  return std::none_of(parts.begin(), parts.end(),
+           [&](const ReplacedFacet& part) { return this->IsCollinear(part.Corners); }) &&
+    this->Done.insert({ edge[0], edge[1], apex }).second;
 }
 } // namespace
 
-CollapsedSlivers CollapseSlivers(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<Id>& candidates, double radius)
+Replacement CollapseSlivers(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const std::vector<Id>& candidates, double radius)
 {
-  Collapser collapser(points, facets, radius);
-  collapser.Collapse(candidates);
-  return collapser.Result();
+  return Collapser(points, facets, radius).Collapse(candidates);
 }
 } // namespace insideout

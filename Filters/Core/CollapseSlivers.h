@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Types.h"
-
-#include <vector>
+#include "SplittableFacets.h"
 
 namespace insideout
 {
-/** A facet that takes the place of another one, or of a part of it. */
-struct ReplacedFacet
-{
-  Triangle Corners; ///< running as the parent does
-  Id Parent;
-};
-
-struct CollapsedSlivers
-{
-  std::vector<Id> Removed; ///< ascending
-  std::vector<ReplacedFacet> Added;
-};
-
 /**
  * Takes slivers away that rounding left: where a facet's corner lies within `radius` of its longest
  * edge, the corner becomes a point of that edge. Every other facet along the edge is split there,
@@ -29,6 +14,6 @@ struct CollapsedSlivers
  * @param[in] candidates facets that may be slivers
  * @param[in] radius in units of the points
  */
-CollapsedSlivers CollapseSlivers(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<Id>& candidates, double radius);
+Replacement CollapseSlivers(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const std::vector<Id>& candidates, double radius);
 } // namespace insideout

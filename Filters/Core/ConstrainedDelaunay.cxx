@@ -2,13 +2,17 @@
 #include "ConstrainedDelaunay.h"
 
 #include "AssembleMesh.h"
+#include "DelaunayOfPoints.h"
 #include "TetgenProcess.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+
+#include <unistd.h>
 
 namespace insideout
 {
@@ -22,6 +26,16 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
  * down) are brought to 1 for it.
  */
 constexpr int LargestExponent = 32;
+
+void CheckParameters(const ConstrainedDelaunayParameters& parameters)
+{
+  // Written so that a NaN is refused, too.
+  if (!(parameters.TimeBudget >= 0) || !(parameters.MemoryBudget >= 0))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the time and memory budgets have to be at least 0, where 0 is the default");
+  }
+}
 
 void CheckIdsAndCoordinates(const FacetComplex& surface)
 {
@@ -103,37 +117,192 @@ void Scale(std::vector<Point>& points, int exponent)
   }
 }
 
-/** TetGen crashes on some surfaces when it has to keep points off the facets: then it need not. */
-TetgenAnswer RunTetgenTwice(
-  const std::vector<Point>& points, const std::vector<Triangle>& constraints, Monitor& monitor)
-{
-  try
-  {
-    return RunTetgen(points, constraints, SurfaceSteinerPoints::Avoid, monitor);
-  }
-  catch (const Error& error)
-  {
-    if (error.Code != ErrorCode::TetrahedralizerDied &&
-      error.Code != ErrorCode::TetrahedralizerFailed)
-    {
-      throw;
-    }
-  }
-  return RunTetgen(points, constraints, SurfaceSteinerPoints::Allow, monitor);
-}
+// --- The ladder ----------------------------------------------------------------------------------
 
-TetrahedralMesh Tetrahedralize(const FacetComplex& surface, Monitor& monitor)
+/** What a rung has to go by. */
+struct Attempt
 {
+  const FacetComplex& Surface;
+  TetgenBudget Budget;
+  Monitor& Caller;
+};
+
+TetrahedralMesh UseTetgen(const Attempt& attempt, const TetgenOptions& options)
+{
+  const FacetComplex& surface = attempt.Surface;
   const std::vector<Triangle> constraints(
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  return AssembleMesh(surface, RunTetgenTwice(surface.Points, constraints, monitor));
+  return AssembleMesh(surface,
+    RunTetgen(surface.Points, constraints, options, attempt.Budget, attempt.Caller),
+    attempt.Caller);
+}
+
+TetrahedralMesh KeepPointsOffFacets(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid });
+}
+
+TetrahedralMesh FlipInGivenOrder(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid, true, true });
+}
+
+TetrahedralMesh LeavePointsOnFacets(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave });
+}
+
+TetrahedralMesh LeavePointsAndFlipInGivenOrder(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave, true, true });
+}
+
+TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Allow });
+}
+
+TetrahedralMesh IgnoreFacets(const Attempt& attempt)
+{
+  return AssembleMesh(attempt.Surface,
+    DelaunayOfPoints(attempt.Surface.Points, attempt.Budget.Mebibytes, attempt.Caller),
+    attempt.Caller);
+}
+
+struct Rung
+{
+  const char* Name;
+  TetrahedralMesh (*Try)(const Attempt&);
+};
+
+/**
+ * From the best mesh to the surest. TetGen most often crashes where it takes Steiner points out of
+ * facets again, which is not tried from the third rung on: that leaves some tens of them. Where
+ * else it crashes depends on the tetrahedra that it begins with, so that another way to these
+ * helps. With points wherever it likes there are ten times as many as the facets have corners.
+ */
+const Rung Ladder[] = {
+  { "TetGen, points kept off facets", KeepPointsOffFacets },
+  { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder },
+  { "TetGen, points left on facets", LeavePointsOnFacets },
+  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder },
+  { "TetGen, points put on facets", PutPointsOnFacets },
+  { "Delaunay tetrahedra of the points alone", IgnoreFacets },
+};
+constexpr int NumberOfRungs = sizeof(Ladder) / sizeof(Ladder[0]);
+
+/** Whether another rung may do better where this was thrown. */
+bool IsFailureOfARung(const Error& error)
+{
+  return error.Code == ErrorCode::TetrahedralizerDied ||
+    error.Code == ErrorCode::TetrahedralizerFailed || error.Code == ErrorCode::Inconsistent ||
+    error.Code == ErrorCode::TooLarge;
+}
+
+/** Later rungs begin anew; whoever watches sees no step back. */
+class ForwardMonitor : public Monitor
+{
+public:
+  explicit ForwardMonitor(Monitor& caller)
+    : Caller(caller)
+  {
+  }
+
+  bool Continue(const char* stage, double fraction) override
+  {
+    this->Furthest = std::max(this->Furthest, fraction);
+    return this->Caller.Continue(stage, this->Furthest);
+  }
+
+private:
+  Monitor& Caller;
+  double Furthest = 0;
+};
+
+/** What each rung may use up. */
+TetgenBudget BudgetOfARung(
+  const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters)
+{
+  constexpr double MinimumSeconds = 4;
+  constexpr double SecondsPerElement = 3e-4;
+  constexpr double SlowestMachine = 10;
+  constexpr double MinimumMebibytes = 1024;
+  constexpr double MebibytesPerElement = 1.0 / 64;
+  constexpr double ShareOfMachine = 0.75;
+  const double elements = static_cast<double>(surface.Points.size() + surface.Facets.size());
+  TetgenBudget budget;
+  if (parameters.TimeBudget > 0)
+  {
+    budget.Seconds = parameters.TimeBudget / NumberOfRungs;
+  }
+  else
+  {
+    budget.ProcessorSeconds = MinimumSeconds + SecondsPerElement * elements;
+    budget.Seconds = SlowestMachine * budget.ProcessorSeconds;
+  }
+  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+    static_cast<double>(sysconf(_SC_PAGE_SIZE)) / (1024 * 1024);
+  budget.Mebibytes = parameters.MemoryBudget > 0
+    ? parameters.MemoryBudget
+    : std::min(MinimumMebibytes + MebibytesPerElement * elements, ShareOfMachine * machine);
+  return budget;
+}
+
+/** Down the ladder until a mesh has every facet. */
+Tetrahedralization Climb(const FacetComplex& surface, const TetgenBudget& budget, Monitor& monitor)
+{
+  ForwardMonitor forward(monitor);
+  Tetrahedralization best;
+  std::optional<Error> lastError;
+  for (int rung = 1; rung <= NumberOfRungs; ++rung)
+  {
+    std::string failure;
+    try
+    {
+      TetrahedralMesh mesh = Ladder[rung - 1].Try({ surface, budget, forward });
+      const std::size_t lost = mesh.LostFacets.size();
+      if (best.Rung == 0 || lost < best.Mesh.LostFacets.size())
+      {
+        best.Mesh = std::move(mesh);
+        best.Rung = rung;
+      }
+      if (lost == 0)
+      {
+        return best;
+      }
+      failure = "it loses " + std::to_string(lost) + " facets";
+    }
+    catch (const Error& error)
+    {
+      if (!IsFailureOfARung(error))
+      {
+        throw;
+      }
+      failure = error.what();
+      lastError.emplace(error);
+    }
+    best.Failures.push_back(std::string(Ladder[rung - 1].Name) + ": " + failure);
+  }
+  if (best.Rung == 0)
+  {
+    throw Error(*lastError);
+  }
+  return best;
 }
 } // namespace
 
-TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor)
+const char* RungName(int rung)
 {
+  return rung >= 1 && rung <= NumberOfRungs ? Ladder[rung - 1].Name : nullptr;
+}
+
+Tetrahedralization ConstrainedDelaunay(
+  const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters, Monitor& monitor)
+{
+  CheckParameters(parameters);
   CheckIdsAndCoordinates(surface);
   CheckSpansSpace(surface.Points);
+  const TetgenBudget budget = BudgetOfARung(surface, parameters);
   const int exponent = ExponentToRemove(surface.Points);
   FacetComplex scaled;
   if (exponent != 0)
@@ -142,14 +311,19 @@ TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monito
     Scale(scaled.Points, -exponent);
     std::vector<Point> restored = scaled.Points;
     Scale(restored, exponent);
-    // Where the smallest coordinates would lose bits, TetGen has to cope.
+    // Where the smallest coordinates would lose bits, the rungs have to cope.
     if (restored == surface.Points)
     {
-      TetrahedralMesh mesh = Tetrahedralize(scaled, monitor);
-      Scale(mesh.Points, exponent);
-      return mesh;
+      Tetrahedralization result = Climb(scaled, budget, monitor);
+      Scale(result.Mesh.Points, exponent);
+      return result;
     }
   }
-  return Tetrahedralize(surface, monitor);
+  return Climb(surface, budget, monitor);
+}
+
+TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor)
+{
+  return ConstrainedDelaunay(surface, {}, monitor).Mesh;
 }
 } // namespace insideout

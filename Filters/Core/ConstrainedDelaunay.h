@@ -4,21 +4,57 @@
 #include "Monitor.h"
 #include "TetrahedralMesh.h"
 
+#include <string>
+
 namespace insideout
 {
+/** What TetGen may use up. Beyond it the next rung has its turn. */
+struct ConstrainedDelaunayParameters
+{
+  /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
+   * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
+   * however busy the machine is; and ten times as much by the clock. */
+  double TimeBudget = 0;
+
+  /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
+   * but at most three quarters of the machine's memory. */
+  double MemoryBudget = 0;
+};
+
+/** Tetrahedra and how they were found. */
+struct Tetrahedralization
+{
+  TetrahedralMesh Mesh;
+  int Rung = 0;                      ///< that the mesh comes from, counted from 1 (RungName)
+  std::vector<std::string> Failures; ///< why each other rung that was tried was not good enough
+};
+
+/** What tetrahedralizes in rung 1, 2 ... as words for a user; nullptr where there is none. */
+const char* RungName(int rung);
+
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
  * faces (thesis, chapter 8). TetGen does the work in a program of its own (TetgenProcess.h), for
- * it exits or crashes on some inputs. What comes back is checked before it is believed
+ * it exits, crashes or loops on some inputs. What comes back is checked before it is believed
  * (AssembleMesh.h): points in place, exact positive volumes, every face shared by at most two
- * cells, facets present.
+ * cells, the hull convex, facets present.
+ *
+ * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
+ * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.
+ * Of meshes that lose facets the one that loses fewest is taken; it names them in LostFacets.
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
  *
+ * The same input gives the same mesh, unless TetGen takes about as long as it may.
+ *
  * @param[in] surface a complex whose constraints do not cross, with no point in the interior of a
- *            constraint or of its edges
- * @throws Error EmptySurface, PointOutOfRange, PointNotFinite, Planar, TetrahedralizerDied,
- *         TetrahedralizerFailed, TooLarge, Inconsistent, Stopped
+ *            constraint or of its edges; if they do cross facets are lost
+ * @throws Error EmptySurface, PointOutOfRange, PointNotFinite, Planar, InvalidParameter, Stopped;
+ *         TetrahedralizerFailed when even the points alone take more than the memory budget
  */
+Tetrahedralization ConstrainedDelaunay(
+  const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters, Monitor& monitor);
+
+/** The mesh alone, with the default budgets. */
 TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor);
 } // namespace insideout

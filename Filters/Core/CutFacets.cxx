@@ -1,46 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CutFacets.h"
 
+#include "DisjointSets.h"
 #include "FacetMeeting.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace insideout
 {
 namespace
 {
-/** Union-find in which the lowest member represents its group. */
-class Groups
-{
-public:
-  explicit Groups(std::size_t count)
-    : Parents(count)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
-  }
-
-  Id Find(Id i)
-  {
-    while (this->Parents[i] != i)
-    {
-      this->Parents[i] = this->Parents[this->Parents[i]];
-      i = this->Parents[i];
-    }
-    return i;
-  }
-
-  void Join(Id i, Id j)
-  {
-    const Id a = this->Find(i);
-    const Id b = this->Find(j);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<Id> Parents;
-};
-
 /** Facets of one plane and where others meet them. */
 struct Group
 {
@@ -51,7 +20,7 @@ struct Group
 std::vector<Group> MakeGroups(std::size_t numberOfFacets,
   const std::vector<std::array<Id, 2>>& pairs, const std::vector<Meeting>& meetings)
 {
-  Groups groups(numberOfFacets);
+  DisjointSets groups(numberOfFacets);
   std::vector<char> involved(numberOfFacets, 0);
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HullMesh.h"
 
-#include "ConstrainedDelaunay.h"
 #include "ResolveSelfIntersections.h"
 #include "WindingNumberOfCells.h"
 
@@ -44,16 +43,37 @@ bool Orient(HullMesh& hull, Orientation orientation)
   }
   return turned;
 }
+} // namespace
 
-void AddMeshCounts(const TetrahedralMesh& mesh, Statistics& statistics)
+void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics)
 {
+  const TetrahedralMesh& mesh = result.Mesh;
+  statistics.emplace_back("Rung", result.Rung);
   statistics.emplace_back("HullPoints", mesh.Points.size());
   statistics.emplace_back("HullCells", mesh.Cells.size());
   statistics.emplace_back("SteinerPoints", mesh.NumberOfSteinerPoints);
   statistics.emplace_back("SurfaceSteinerPoints", mesh.NumberOfSurfaceSteinerPoints);
   statistics.emplace_back("LostFacets", mesh.LostFacets.size());
 }
-} // namespace
+
+void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings)
+{
+  warnings.insert(warnings.end(), result.Failures.begin(), result.Failures.end());
+  if (!result.Failures.empty())
+  {
+    warnings.push_back(std::string("the tetrahedra come from: ") + RungName(result.Rung));
+  }
+  if (!result.Mesh.LostFacets.empty())
+  {
+    warnings.push_back(std::to_string(result.Mesh.LostFacets.size()) +
+      " facets are not in the mesh as faces: they count, but do not shape it");
+  }
+  if (result.Mesh.NumberOfSurfaceSteinerPoints > 0)
+  {
+    warnings.push_back(std::to_string(result.Mesh.NumberOfSurfaceSteinerPoints) +
+      " points were added on facets or their edges");
+  }
+}
 
 void AddCounts(const SurfaceCounts& counts, Statistics& statistics)
 {
@@ -97,21 +117,13 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   }
   const double resolveSeconds = stopwatch.Lap();
 
-  hull.Mesh = ConstrainedDelaunay(hull.Surface, monitor);
-  AddMeshCounts(hull.Mesh, statistics);
-  if (!hull.Mesh.LostFacets.empty())
-  {
-    hull.Warnings.push_back(std::to_string(hull.Mesh.LostFacets.size()) +
-      " facets are not in the mesh as faces: they count, but do not shape it");
-  }
-  if (hull.Mesh.NumberOfSurfaceSteinerPoints > 0)
-  {
-    hull.Warnings.push_back(std::to_string(hull.Mesh.NumberOfSurfaceSteinerPoints) +
-      " points were added on facets or their edges, where TetGen could not do without");
-  }
+  Tetrahedralization result = ConstrainedDelaunay(hull.Surface, parameters.Budgets, monitor);
+  AddMeshCounts(result, statistics);
+  AddWarnings(result, hull.Warnings);
+  hull.Mesh = std::move(result.Mesh);
   const double meshSeconds = stopwatch.Lap();
 
-  hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor);
+  hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, parameters.QuadratureOrder);
   const bool turned = Orient(hull, parameters.Orientation);
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
   statistics.emplace_back("Closed", IsClosed(hull.Surface));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ConstrainedDelaunay.h"
 #include "CountedChain.h"
 #include "Statistics.h"
 #include "TetrahedralMesh.h"
@@ -19,6 +20,8 @@ struct HullMeshParameters
 {
   CountedChainParameters Chain;
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
+  ConstrainedDelaunayParameters Budgets;
+  int QuadratureOrder = 1; ///< see WindingNumberOfCells
 };
 
 /** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
@@ -38,6 +41,13 @@ struct HullMesh
  * @throws Error whatever the stages throw
  */
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
+
+/** Where the mesh comes from and its sizes, for `statistics`. */
+void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics);
+
+/** Say in a line each which rungs failed and why, and where the mesh comes from; nothing when the
+ * first rung was good enough. */
+void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings);
 
 /** The counts of validation under their names, for `statistics`. */
 void AddCounts(const SurfaceCounts& counts, Statistics& statistics);

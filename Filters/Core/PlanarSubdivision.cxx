@@ -310,6 +310,8 @@ void Subdivider::AddFacet(Id facet)
       corners[next]->point().Where->PutOn(line);
     }
   }
+  this->Result.Facets.push_back({ facet, ids,
+    { corners[0]->info().Value, corners[1]->info().Value, corners[2]->info().Value } });
   this->Triangles.push_back(corners);
   this->Facets.push_back(facet);
 }

@@ -29,10 +29,19 @@ struct Piece
   std::vector<PieceSource> Sources; ///< by ascending Facet
 };
 
+/** A facet that is subdivided. */
+struct SubdividedFacet
+{
+  Id Facet;
+  Triangle Corners; ///< points of the surface
+  Triangle Places;  ///< the same corners as points of the subdivision
+};
+
 struct PlanarSubdivision
 {
   std::vector<ConstructedPoint> Points;
-  std::vector<Piece> Pieces; ///< corners index Points
+  std::vector<SubdividedFacet> Facets; ///< by ascending Facet
+  std::vector<Piece> Pieces;           ///< corners index Points
 };
 
 /**
@@ -40,7 +49,9 @@ struct PlanarSubdivision
  * triangulation in which every edge and segment is a union of edges. Exact; as near to Delaunay as
  * doubles tell.
  *
- * @param[in] facets ascending, exactly in one plane; they may overlap
+ * @param[in] facets ascending, exactly in one plane; they may overlap. Without cuts it is enough if
+ *   no facet turns its side to the axis that suits the first one: what counts is how they look from
+ *   there
  * @param[in] cuts each in one of the facets, boundary included
  */
 PlanarSubdivision SubdividePlane(

@@ -17,10 +17,12 @@ struct Resolution
  * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
  * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
  * doubles, slivers that have no room left are collapsed, and what crosses after that is cut again.
- * Input points keep their coordinates and come first, in their order. Pieces that coincide become
- * one facet with all sources and the sum of the multiplicities; where rounding folded a triangle
- * onto itself, its piece and the reverse of that cancel. Facets that still cross after the last
- * round stand behind Surface.NumberOfConstraints.
+ * Layers that cross because they coincide only up to rounding become one before. Input points keep
+ * their coordinates and come first, in their order.
+ *
+ * Pieces that coincide become one facet with all sources and the sum of the multiplicities; where
+ * rounding folded a triangle onto itself, its piece and the reverse of that cancel. Facets that
+ * still cross after the last round stand behind Surface.NumberOfConstraints.
  *
  * @param[in] surface a validated complex
  * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped

@@ -7,26 +7,35 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
 namespace
 {
-// 168 bits: half angles keep 16 digits even where the barycentre is 1e-30 sizes from an edge.
+// 168 bits: half angles keep 16 digits even where the site is 1e-30 sizes from an edge.
 using Precise = boost::multiprecision::cpp_bin_float_50;
+
+// Relative to the product of the three distances; see SolidAngleProduct.cxx.
+constexpr double LeastSquaredModulus = 0x1p-12;
+constexpr double UndecidedDeterminant = 0x1p-47;
 
 template <typename Number>
 using Vector = std::array<Number, 3>;
 
-/** From the barycentre to `corner`, times 4 so that nothing has to be divided. */
+/** From the site to `corner`; as the weights sum to 1, differences can be taken first. */
 template <typename Number>
-Vector<Number> FourTimesFromBarycentre(const std::array<Point, 4>& cell, const Point& corner)
+Vector<Number> FromSite(const Site& site, const Point& corner)
 {
   Vector<Number> result;
   for (int axis = 0; axis < 3; ++axis)
   {
-    result[axis] = Number(4) * Number(corner[axis]) - Number(cell[0][axis]) -
-      Number(cell[1][axis]) - Number(cell[2][axis]) - Number(cell[3][axis]);
+    result[axis] = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      result[axis] +=
+        Number(site.Weights[k]) * (Number(corner[axis]) - Number(site.Corners[k][axis]));
+    }
   }
   return result;
 }
@@ -42,27 +51,34 @@ Precise Dot(const Vector<Precise>& a, const Vector<Precise>& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** +1 where the triangle's normal points away from the barycentre, -1 towards it, 0 in plane. */
-int Side(const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell)
+Point Minus(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+/** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
+int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
   using Exact = CGAL::Exact_rational;
-  return static_cast<int>(CGAL::sign(Determinant(FourTimesFromBarycentre<Exact>(cell, triangle[0]),
-    FourTimesFromBarycentre<Exact>(cell, triangle[1]),
-    FourTimesFromBarycentre<Exact>(cell, triangle[2]))));
+  return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
+    FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
 }
 } // namespace
 
-std::complex<double> HalfSolidAngle(
-  const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell)
+std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site)
 {
-  const int side = Side(triangle, cell);
+  const int side = Side(triangle, site);
   if (side == 0)
   {
     return 1.0;
   }
-  const Vector<Precise> a = FourTimesFromBarycentre<Precise>(cell, triangle[0]);
-  const Vector<Precise> b = FourTimesFromBarycentre<Precise>(cell, triangle[1]);
-  const Vector<Precise> c = FourTimesFromBarycentre<Precise>(cell, triangle[2]);
+  const Vector<Precise> a = FromSite<Precise>(site, triangle[0]);
+  const Vector<Precise> b = FromSite<Precise>(site, triangle[1]);
+  const Vector<Precise> c = FromSite<Precise>(site, triangle[2]);
   const Precise lengthA = sqrt(Dot(a, a));
   const Precise lengthB = sqrt(Dot(b, b));
   const Precise lengthC = sqrt(Dot(c, c));
@@ -78,5 +94,26 @@ std::complex<double> HalfSolidAngle(
   const double least = 1e-180;
   return { static_cast<double>(Precise(real / modulus)),
     side * std::max(static_cast<double>(Precise(imaginary / modulus)), least) };
+}
+
+double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)
+{
+  const double pi = 3.14159265358979323846;
+  const Point a = Minus(triangle[0], p);
+  const Point b = Minus(triangle[1], p);
+  const Point c = Minus(triangle[2], p);
+  const double lengthA = std::sqrt(Dot(a, a));
+  const double lengthB = std::sqrt(Dot(b, b));
+  const double lengthC = std::sqrt(Dot(c, c));
+  const double all = lengthA * lengthB * lengthC;
+  const double div = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
+  const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const bool isClear = div * div + det * det >= LeastSquaredModulus * all * all && all > 0;
+  if (isClear && (div > 0 || std::abs(det) > UndecidedDeterminant * all))
+  {
+    return std::atan2(det, div) / (2 * pi);
+  }
+  return std::arg(HalfSolidAngle(triangle, SiteAt(p))) / (2 * pi);
 }
 } // namespace insideout

@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Types.h"
+#include "Sites.h"
 
 #include <complex>
 
 namespace insideout
 {
 /**
- * The solid angle of a triangle seen from the barycentre of a tetrahedron, as a complex number of
- * modulus 1 whose argument is half of it (van Oosterom and Strackee 1983, equation 8): positive
- * where the triangle's normal points away from the barycentre. The argument is in (-pi, pi), never
- * pi itself; it is 0 where the barycentre lies in the triangle's plane, within the triangle too.
+ * The solid angle of a triangle seen from a site, as a complex number of modulus 1 whose argument
+ * is half of it (van Oosterom and Strackee 1983, equation 8): positive where the triangle's normal
+ * points away from the site. The argument is in (-pi, pi), never pi itself; it is 0 where the site
+ * lies in the triangle's plane, within the triangle too.
  *
- * The barycentre is exact, not rounded, and so is the decision on which side of the triangle it
- * lies. Slow, for the few pairs that double precision cannot decide.
+ * The site is exact, not rounded, and so is the decision on which side of the triangle it lies.
+ * Slow, for the few pairs that double precision cannot decide.
  *
  * @param[in] triangle three finite corners, not on a line
- * @param[in] cell four finite corners
+ * @param[in] site of finite corners
  */
-std::complex<double> HalfSolidAngle(
-  const std::array<Point, 3>& triangle, const std::array<Point, 4>& cell);
+std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site);
+
+/**
+ * The winding number of one triangle at a point: its solid angle over 4 pi. Quick, and as exact
+ * about the side as HalfSolidAngle.
+ *
+ * @param[in] triangle, p below 1 in each coordinate
+ */
+double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p);
 } // namespace insideout

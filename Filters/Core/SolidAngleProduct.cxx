@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolidAngleProduct.h"
 
+#include "VectorClones.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-// The kernels are compiled for the wider vectors of newer processors too. All versions give the
-// same bits, for multiplications and additions are never contracted in this file
-// (CMakeLists.txt).
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-  !defined(__SANITIZE_ADDRESS__)
-#define INSIDEOUT_VECTOR_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define INSIDEOUT_VECTOR_CLONES
-#endif
-
-// What they call has to become part of them, to be compiled for the same processor.
-#if defined(__GNUC__)
-#define INSIDEOUT_ALWAYS_INLINE __attribute__((always_inline)) inline
-#else
-#define INSIDEOUT_ALWAYS_INLINE inline
-#endif
 
 namespace insideout
 {
@@ -43,21 +28,12 @@ constexpr double SideError = 0x1p-48;
 constexpr double LeastImaginary = 1e-200;
 constexpr double LeastSide = 1e-180;
 
-// Unit vectors to points nearer than 2^-48 are not trusted. Barycentres are known to some 2^-104,
+// Unit vectors to points nearer than 2^-48 are not trusted. Sites are known to some 2^-104,
 // so that from there on they have full precision.
 constexpr double LeastSquaredDistance = 0x1p-96;
 
-/** a + b = sum + the value returned, exactly (Knuth). */
-double TwoSum(double a, double b, double& sum)
-{
-  sum = a + b;
-  const double bRounded = sum - a;
-  const double aRounded = sum - bRounded;
-  return (a - aRounded) + (b - bRounded);
-}
-
 /**
- * Multiply one cell's product by z.
+ * Multiply one site's product by z.
  *
  * Arguments are in (-pi, pi], and an imaginary part of -0 counts as 0. The argument of a product
  * wraps around only if both factors have it in [0, pi] and the product has not, or both have not
@@ -81,10 +57,10 @@ INSIDEOUT_ALWAYS_INLINE void Multiply(Products& products, int lane, double zReal
 }
 
 /**
- * Multiply each cell's product by the facet's z, except in the cells where doubles do not decide
+ * Multiply each site's product by the facet's z, except in the sites where doubles do not decide
  * it: those get a 1 in `undecided`, the others a 0.
  *
- * @return whether any cell is undecided
+ * @return whether any site is undecided
  */
 INSIDEOUT_ALWAYS_INLINE bool MultiplyByFacet(const SummedFacet& facet, const UnitVectors& a,
   const UnitVectors& b, const UnitVectors& c, Products& products, double (&undecided)[Lanes])
@@ -137,23 +113,19 @@ void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point
     SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
 }
 
-void SetBarycentre(Barycentres& barycentres, int lane, const std::array<Point, 4>& cell)
+void SetSite(SiteBlock& block, int lane, const Site& site)
 {
+  const RoundedSite rounded(site);
   for (int axis = 0; axis < 3; ++axis)
   {
-    double first, second, sum, high;
-    double error = TwoSum(cell[0][axis], cell[1][axis], first);
-    error += TwoSum(cell[2][axis], cell[3][axis], second);
-    error += TwoSum(first, second, sum);
-    const double low = TwoSum(sum, error, high);
-    barycentres.High[axis][lane] = high / 4;
-    barycentres.Low[axis][lane] = low / 4;
+    block.High[axis][lane] = rounded.High[axis];
+    block.Low[axis][lane] = rounded.Low[axis];
   }
 }
 
 INSIDEOUT_VECTOR_CLONES
 void ComputeUnitVectors(
-  const Point* points, std::size_t count, const Barycentres& from, UnitVectors* vectors)
+  const Point* points, std::size_t count, const SiteBlock& from, UnitVectors* vectors)
 {
   for (std::size_t p = 0; p < count; ++p)
   {

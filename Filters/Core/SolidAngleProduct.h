@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Types.h"
+#include "Sites.h"
 
 #include <cstddef>
 
 /**
- * The sum of solid angles in doubles, side by side for a block of cells (WindingNumberSum.h).
+ * The sum of solid angles in doubles, side by side for a block of sites (WindingNumberSum.h).
  *
  * A sum of arctangents is the argument of a product. The solid angle of a facet is twice the
  * argument of z = real + i imaginary (SolidAngle.h), so instead of adding arctangents the product
  * of all z is kept, and the number of times that its argument wraps around; one arctangent at the
  * end gives the rest. What remains are multiplications and comparisons, which the compiler
- * vectorizes over a block of cells.
+ * vectorizes over a block of sites.
  *
- * With u, v, w the unit vectors from the barycentre to the facet's corners,
+ * With u, v, w the unit vectors from the site to the facet's corners,
  *
  *   real = 1 + u.v + v.w + w.u      imaginary = det(u, v, w)      |z| from 0 (on an edge) to 4.
  *
@@ -23,11 +23,11 @@
  * the negative real axis, where the side matters by a whole turn, or close to 0) goes to
  * HalfSolidAngle.
  *
- * All coordinates here are scaled into [-1, 1] by a power of two.
+ * All coordinates here are below 1.
  */
 namespace insideout
 {
-constexpr int Lanes = 8; ///< cells of a block
+constexpr int Lanes = 8; ///< sites of a block
 
 /** A facet as the sum takes it. */
 struct SummedFacet
@@ -38,14 +38,14 @@ struct SummedFacet
   double UndecidedSide;     ///< |u . Normal| up to this does not tell the side
 };
 
-/** Barycentres of a block's cells: High + Low, without rounding to speak of. */
-struct Barycentres
+/** The sites of a block: High + Low, without rounding to speak of. */
+struct SiteBlock
 {
   double High[3][Lanes];
   double Low[3][Lanes];
 };
 
-/** From each cell's barycentre to one point: unit vector and 1 / distance; NaN where too near. */
+/** From each site to one point: unit vector and 1 / distance; NaN where too near. */
 struct UnitVectors
 {
   double X[Lanes];
@@ -54,7 +54,7 @@ struct UnitVectors
   double InverseDistance[Lanes];
 };
 
-/** Per cell the product so far, and by how many turns its argument has wrapped around. */
+/** Per site the product so far, and by how many turns its argument has wrapped around. */
 struct Products
 {
   double Real[Lanes];
@@ -65,16 +65,16 @@ struct Products
 /** Everything but Corners and Local, from the positions of the corners. */
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c);
 
-/** Cell `lane` of the block has these corners. */
-void SetBarycentre(Barycentres& barycentres, int lane, const std::array<Point, 4>& cell);
+/** Site `lane` of the block is this one. */
+void SetSite(SiteBlock& block, int lane, const Site& site);
 
 /** The unit vectors to `count` points. */
 void ComputeUnitVectors(
-  const Point* points, std::size_t count, const Barycentres& from, UnitVectors* vectors);
+  const Point* points, std::size_t count, const SiteBlock& from, UnitVectors* vectors);
 
 /**
- * Multiply each cell's product by the facets from `first` on, up to the end or up to and including
- * the first one that is not decided for every cell: cells that it is not decided for get a 1 in
+ * Multiply each site's product by the facets from `first` on, up to the end or up to and including
+ * the first one that is not decided for every site: sites that it is not decided for get a 1 in
  * `undecided`, and their product lacks it. All others get a 0.
  *
  * @return the facet after the last one that was taken
@@ -82,7 +82,7 @@ void ComputeUnitVectors(
 const SummedFacet* MultiplyByFacets(const SummedFacet* first, const SummedFacet* last,
   const UnitVectors* vectors, Products& products, double (&undecided)[Lanes]);
 
-/** Multiply one cell's product by a z of modulus 1 that is not a negative real number. */
+/** Multiply one site's product by a z of modulus 1 that is not a negative real number. */
 void MultiplyBy(Products& products, int lane, double real, double imaginary);
 
 /** The sum of the half angles over 2 pi, that is of the solid angles over 4 pi. */

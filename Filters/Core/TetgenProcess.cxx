@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <fstream>
 #include <string>
 #include <system_error>
 
@@ -39,6 +41,14 @@ constexpr double SecondsPerElement = 1e-5;
 [[noreturn]] void ThrowDied(const std::string& what)
 {
   throw Error(ErrorCode::TetrahedralizerDied, "insideout-tetgen " + what);
+}
+
+[[noreturn]] void ThrowBudget(const std::string& what, double budget, const std::string& unit)
+{
+  char number[32];
+  std::snprintf(number, sizeof(number), "%.4g", budget);
+  throw Error(ErrorCode::TetrahedralizerFailed,
+    "insideout-tetgen " + what + " more than the " + number + " " + unit + " that it may");
 }
 
 std::string ErrorText(int number)
@@ -179,16 +189,56 @@ public:
   }
   ~Helper()
   {
-    if (!this->HasEnded())
+    if (!this->Ended)
     {
-      kill(-this->Process, SIGKILL);
-      this->Wait(0);
+      this->Reap();
     }
   }
   Helper(const Helper&) = delete;
   Helper& operator=(const Helper&) = delete;
 
-  bool HasEnded() { return this->Ended || this->Wait(WNOHANG); }
+  bool HasEnded()
+  {
+    if (!this->Ended)
+    {
+      siginfo_t info{};
+      const int peek =
+        waitid(P_PID, static_cast<id_t>(this->Process), &info, WEXITED | WNOHANG | WNOWAIT);
+      // ECHILD: the caller ignores SIGCHLD or reaps every child itself. Then it has ended, too.
+      if (peek == 0 ? info.si_pid != 0 : errno == ECHILD)
+      {
+        this->Reap();
+      }
+    }
+    return this->Ended;
+  }
+
+  double ProcessorSeconds() const
+  {
+    clockid_t clock;
+    timespec time{};
+    if (clock_getcpuclockid(this->Process, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    {
+      return 0;
+    }
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  /** MiB that it holds, in memory or swapped out; 0 where there is no /proc to tell. */
+  double Memory() const
+  {
+    std::ifstream status("/proc/" + std::to_string(this->Process) + "/status");
+    double kibibytes = 0;
+    for (std::string word; status >> word;)
+    {
+      double value;
+      if ((word == "VmRSS:" || word == "VmSwap:") && status >> value)
+      {
+        kibibytes += value;
+      }
+    }
+    return kibibytes / 1024;
+  }
 
   /** For a helper that closed its output: how it ended. */
   std::string DescribeEnd()
@@ -213,16 +263,15 @@ public:
   }
 
 private:
-  bool Wait(int options)
+  /** End what there still is of it, children too: until it is reaped, no other group can have its
+   * number. */
+  void Reap()
   {
-    pid_t got;
-    do
+    kill(-this->Process, SIGKILL);
+    while (waitpid(this->Process, &this->Status, 0) < 0 && errno == EINTR)
     {
-      got = waitpid(this->Process, &this->Status, options);
-    } while (got < 0 && errno == EINTR);
-    // ECHILD: the caller ignores SIGCHLD or reaps every child itself. Then it has ended, too.
-    this->Ended = got != 0;
-    return this->Ended;
+    }
+    this->Ended = true;
   }
 
   pid_t Process = -1;
@@ -247,11 +296,12 @@ struct Bytes
 class Conversation
 {
 public:
-  Conversation(int socket, Helper& helper, std::vector<Bytes> request, double expectedSeconds,
-    Monitor& monitor)
+  Conversation(int socket, Helper& helper, std::vector<Bytes> request, const TetgenBudget& budget,
+    double expectedSeconds, Monitor& monitor)
     : Socket(socket)
     , Child(helper)
     , Unsent(std::move(request))
+    , Budget(budget)
     , ExpectedSeconds(expectedSeconds)
     , Caller(monitor)
   {
@@ -346,12 +396,25 @@ private:
       const double seconds = std::chrono::duration<double>(now - this->Start).count();
       // TetGen says nothing of how far it is.
       this->Caller.Check(Stage, seconds / (seconds + this->ExpectedSeconds));
+      if (seconds > this->Budget.Seconds)
+      {
+        ThrowBudget("took", this->Budget.Seconds, "s");
+      }
+      if (this->Child.ProcessorSeconds() > this->Budget.ProcessorSeconds)
+      {
+        ThrowBudget("computed", this->Budget.ProcessorSeconds, "s");
+      }
+      if (this->Child.Memory() > this->Budget.Mebibytes)
+      {
+        ThrowBudget("held", this->Budget.Mebibytes, "MiB");
+      }
     }
   }
 
   const int Socket;
   Helper& Child;
   std::vector<Bytes> Unsent;
+  const TetgenBudget Budget;
   const double ExpectedSeconds;
   Monitor& Caller;
   const Clock::time_point Start = Clock::now();
@@ -415,12 +478,25 @@ void CheckFacetIds(const std::vector<Id>& facets, std::size_t end)
   }
 }
 
-TetgenAnswer ReceiveAnswer(
-  Conversation& conversation, std::size_t sentPoints, std::size_t sentFacets)
+/** Nobody who may hold little is to send much: the caller would have to hold it. */
+void CheckSizeOfAnswer(const AnswerHeader& header, double mebibytes)
+{
+  const std::int64_t bytes = header.NumberOfPoints * std::int64_t(sizeof(Point)) +
+    header.NumberOfCells * std::int64_t(sizeof(Tetrahedron)) +
+    header.NumberOfFaces * std::int64_t(sizeof(Triangle) + sizeof(Id));
+  if (static_cast<double>(bytes) > mebibytes * 1024 * 1024)
+  {
+    ThrowBudget("sends", mebibytes, "MiB");
+  }
+}
+
+TetgenAnswer ReceiveAnswer(Conversation& conversation, std::size_t sentPoints,
+  std::size_t sentFacets, const TetgenBudget& budget)
 {
   AnswerHeader header;
   conversation.Receive(&header, sizeof(header));
   CheckHeader(header, sentPoints);
+  CheckSizeOfAnswer(header, budget.Mebibytes);
   std::string message(static_cast<std::size_t>(header.MessageLength), ' ');
   conversation.Receive(&message[0], message.size());
   if (header.Status != 0)
@@ -454,10 +530,18 @@ Bytes BytesOf(const std::vector<T>& array)
 {
   return { reinterpret_cast<const char*>(array.data()), array.size() * sizeof(T) };
 }
+
+std::int64_t BitsOf(const TetgenOptions& options)
+{
+  return (options.Steiner == SurfaceSteinerPoints::Allow ? AllowSurfaceSteinerPoints : 0) |
+    (options.Steiner == SurfaceSteinerPoints::Leave ? LeaveSurfaceSteinerPoints : 0) |
+    (options.FlipIncrementally ? FlipIncrementally : 0) |
+    (options.KeepOrderOfPoints ? KeepOrderOfPoints : 0);
+}
 } // namespace
 
 TetgenAnswer RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  SurfaceSteinerPoints steiner, Monitor& monitor)
+  const TetgenOptions& options, const TetgenBudget& budget, Monitor& monitor)
 {
   CheckSize("points", points.size());
   CheckSize("facets", facets.size());
@@ -472,15 +556,15 @@ TetgenAnswer RunTetgen(const std::vector<Point>& points, const std::vector<Trian
   Helper helper(path, theirs.Number);
   theirs.Close();
 
-  const RequestHeader header = { RequestMagic, steiner == SurfaceSteinerPoints::Allow,
+  const RequestHeader header = { RequestMagic, BitsOf(options),
     static_cast<std::int64_t>(points.size()), static_cast<std::int64_t>(facets.size()) };
   std::vector<Bytes> request = { { reinterpret_cast<const char*>(&header), sizeof(header) },
     BytesOf(points), BytesOf(facets) };
-  Conversation conversation(ours.Number, helper, std::move(request),
+  Conversation conversation(ours.Number, helper, std::move(request), budget,
     SecondsPerElement * static_cast<double>(points.size() + facets.size()), monitor);
   try
   {
-    return ReceiveAnswer(conversation, points.size(), facets.size());
+    return ReceiveAnswer(conversation, points.size(), facets.size(), budget);
   }
   catch (const EndOfAnswer&)
   {

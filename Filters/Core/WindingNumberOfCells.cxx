@@ -1,132 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumberOfCells.h"
 
-#include "WindingNumberSum.h"
+#include "ClosedChainTree.h"
+#include "HoleCaps.h"
+#include "SpatialOrder.h"
+#include "TetrahedronQuadrature.h"
+#include "TouchedCells.h"
+#include "WalkedWindingNumber.h"
+#include "WindingNumberOfCaps.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 namespace insideout
 {
 namespace
 {
-/** An edge of a facet: its points in ascending order, and how often it is run through that way. */
-struct CountedEdge
-{
-  Id Low;
-  Id High;
-  std::int64_t Count;
+const char* const StageName = "winding numbers";
 
-  bool IsSameEdge(const CountedEdge& other) const
+/** Facets that count and are no faces of the mesh: lost by it, or left out before. */
+std::vector<CountedTriangle> FacetsBeyondMesh(
+  const FacetComplex& surface, const TetrahedralMesh& mesh)
+{
+  std::vector<Id> facets = mesh.LostFacets;
+  for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
   {
-    return this->Low == other.Low && this->High == other.High;
+    facets.push_back(f);
   }
-  bool operator<(const CountedEdge& other) const
+  std::vector<CountedTriangle> beyond;
+  for (const Id f : facets)
   {
-    return this->Low != other.Low ? this->Low < other.Low : this->High < other.High;
+    if (surface.Multiplicity[f] != 0)
+    {
+      beyond.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+    }
   }
+  return beyond;
+}
+
+/** A chain of triangles in pieces: its caps, which close its holes, and the chain less these. */
+struct ClosedWithCaps
+{
+  std::vector<CountedTriangle> Closed;
+  std::vector<std::vector<CountedTriangle>> Caps;
 };
 
-std::vector<CountedEdge> CountedEdges(const FacetComplex& surface)
+ClosedWithCaps CloseMeshChain(const FaceCounts& counts, const std::vector<Point>& points,
+  const std::vector<CountedTriangle>& beyond)
 {
-  std::vector<CountedEdge> edges;
-  edges.reserve(3 * surface.Facets.size());
-  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
-  {
-    const int multiplicity = surface.Multiplicity[f];
-    for (int k = 0; multiplicity != 0 && k < 3; ++k)
-    {
-      const Id from = surface.Facets[f][k];
-      const Id to = surface.Facets[f][(k + 1) % 3];
-      edges.push_back(
-        { std::min(from, to), std::max(from, to), from < to ? multiplicity : -multiplicity });
-    }
-  }
-  return edges;
+  std::vector<CountedTriangle> chain = counts.Chain();
+  chain.insert(chain.end(), beyond.begin(), beyond.end());
+  ClosedWithCaps result;
+  result.Caps = CapHoles(points, CountedBoundary(chain, static_cast<Id>(points.size())));
+  result.Closed = CloseChain(chain, result.Caps);
+  return result;
 }
 
-/** Carry the winding number from the hull into every cell that can be reached. */
-std::vector<double> Walk(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, std::vector<Id>& reached)
+/** Where the rule's places are in some cells, rounded. */
+std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<Id>& which, const QuadratureRule& rule)
 {
+  std::vector<Point> places;
+  for (const SiteWeights& weights : rule.Sites)
+  {
+    const Sites sites = { points, cells, weights };
+    for (const Id cell : which)
+    {
+      places.push_back(RoundedSite(sites[cell]).High);
+    }
+  }
+  return places;
+}
+
+/**
+ * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain
+ * is the mesh's faces and the facets beyond it, and its holes have caps: on cells that neither caps
+ * nor facets beyond the mesh may touch, the whole part is walked; elsewhere it is evaluated.
+ */
+std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::vector<CountedTriangle>& beyond, const QuadratureRule& rule, Monitor& monitor)
+{
+  monitor.Check(StageName, 0);
+  const std::vector<Point> points = ScaledPoints(mesh.Points, LargestExponent(mesh.Points));
+  const FaceCounts counts(surface, mesh);
+  const ClosedWithCaps chain = CloseMeshChain(counts, points, beyond);
+  std::vector<std::vector<CountedTriangle>> apart = chain.Caps;
+  apart.push_back(beyond);
+  const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
+  const UntouchedParts parts = WalkParts(counts, mesh, touched);
+  std::vector<Id> evaluated = parts.FirstCell;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    if (touched[cell])
+    {
+      evaluated.push_back(cell);
+    }
+  }
+  const ClosedChainTree tree(points, chain.Closed,
+    RoundedPlaces(points, mesh.Cells, evaluated, rule), monitor, { StageName, 0.05, 0.1 });
+  const WindingNumberOfCaps caps(points, chain.Caps);
+  const std::vector<Id> order =
+    caps.IsEmpty() ? std::vector<Id>() : SpatialOrder({ points, mesh.Cells });
+
+  // As the first place's value and differences to it, so that what is constant stays exact.
+  std::vector<double> means;
+  std::vector<double> first;
   std::vector<double> w(mesh.Cells.size(), 0.0);
-  std::vector<char> known(mesh.Cells.size(), 0);
-  const auto reach = [&](Id cell, double value)
+  const double step = 0.9 / static_cast<double>(rule.Sites.size());
+  for (std::size_t i = 0; i < rule.Sites.size(); ++i)
   {
-    if (!known[cell])
+    const Sites sites = { points, mesh.Cells, rule.Sites[i] };
+    const double begin = 0.1 + step * static_cast<double>(i);
+    tree.Evaluate(sites, evaluated, w, monitor, { StageName, begin, begin + step / 8 });
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
     {
-      known[cell] = 1;
-      w[cell] = value;
-      reached.push_back(cell);
-    }
-  };
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[cell][k] == None)
+      if (parts.Part[cell] != None)
       {
-        reach(cell, MultiplicityOnEntering(surface, mesh, cell, k));
+        w[cell] = w[parts.FirstCell[parts.Part[cell]]] + parts.Rise[cell];
       }
     }
-  }
-  for (std::size_t next = 0; next < reached.size(); ++next)
-  {
-    const Id cell = reached[next];
-    for (int k = 0; k < 4; ++k)
+    caps.Add(sites, order, w, monitor, { StageName, begin + step / 8, begin + step });
+    if (i == 0)
     {
-      if (mesh.Neighbors[cell][k] != None)
-      {
-        reach(mesh.Neighbors[cell][k], w[cell] - MultiplicityOnEntering(surface, mesh, cell, k));
-      }
+      first = means = w;
+      continue;
+    }
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
+    {
+      means[cell] += rule.Weights[i] * (w[cell] - first[cell]);
     }
   }
-  return w;
-}
-
-/** Throw unless w jumps by the facets' multiplicity, seen from both sides of every face. */
-void VerifyJumps(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, const std::vector<double>& w)
-{
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = mesh.Neighbors[cell][k];
-      const double beyond = neighbor == None ? 0.0 : w[neighbor];
-      if (w[cell] - beyond != MultiplicityOnEntering(surface, mesh, cell, k))
-      {
-        throw Error(ErrorCode::Inconsistent,
-          "the winding number does not rise by the facets' count between cell " +
-            (neighbor == None ? std::string("(outside)") : std::to_string(neighbor)) +
-            " and cell " + std::to_string(cell));
-      }
-    }
-  }
-}
-
-std::vector<double> WalkedWindingNumbers(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor)
-{
-  const char* stage = "winding numbers";
-  monitor.Check(stage, 0);
-  std::vector<Id> reached;
-  const std::vector<double> w = Walk(surface, mesh, reached);
-  if (reached.size() != mesh.Cells.size())
-  {
-    std::sort(reached.begin(), reached.end());
-    Id missing = 0;
-    while (missing < static_cast<Id>(reached.size()) && reached[missing] == missing)
-    {
-      ++missing;
-    }
-    throw Error(ErrorCode::Inconsistent,
-      "cell " + std::to_string(missing) + " cannot be reached from the hull");
-  }
-  monitor.Check(stage, 0.5);
-  VerifyJumps(surface, mesh, w);
-  monitor.Check(stage, 1);
-  return w;
+  monitor.Check(StageName, 1);
+  return means;
 }
 
 /** Six times the volume, positive where the cell is positively oriented. */
@@ -146,45 +151,19 @@ double SixfoldVolume(const std::array<Point, 4>& p)
 
 bool IsClosed(const FacetComplex& surface)
 {
-  std::vector<CountedEdge> edges = CountedEdges(surface);
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t first = 0; first < edges.size();)
-  {
-    std::int64_t sum = 0;
-    std::size_t next = first;
-    for (; next < edges.size() && edges[next].IsSameEdge(edges[first]); ++next)
-    {
-      sum += edges[next].Count;
-    }
-    if (sum != 0)
-    {
-      return false;
-    }
-    first = next;
-  }
-  return true;
+  return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size())).empty();
 }
 
 std::vector<double> WindingNumberOfCells(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor)
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, int quadratureOrder)
 {
-  const bool closed = IsClosed(surface);
-  const bool complete =
-    mesh.LostFacets.empty() && surface.NumberOfConstraints == surface.NumberOfFacets();
-  if (closed && complete)
+  const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
+  const std::vector<CountedTriangle> beyond = FacetsBeyondMesh(surface, mesh);
+  if (beyond.empty() && IsClosed(surface))
   {
-    return WalkedWindingNumbers(surface, mesh, monitor);
+    return WalkedWindingNumbers(surface, mesh, monitor, StageName);
   }
-  std::vector<double> w = WindingNumberSum(surface, mesh.Points, mesh.Cells, monitor);
-  if (closed)
-  {
-    // The sum is an integer but for rounding, or halfway between two in a barycentre on a facet.
-    for (double& value : w)
-    {
-      value = std::round(2 * value) / 2;
-    }
-  }
-  return w;
+  return PartlyWalkedMeans(surface, mesh, beyond, rule, monitor);
 }
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)

@@ -4,6 +4,7 @@
 // tetrahedra of its convex hull, and writes them to standard output (TetgenProtocol.h). TetGen
 // exits, aborts, loops or corrupts memory on some surfaces; here it harms nobody but this process.
 
+#include "LeaveSteinerPoints.h"
 #include "TetgenProtocol.h"
 
 #include <tetgen.h>
@@ -34,7 +35,7 @@ constexpr int NobodyListens = 3;
 
 struct Request
 {
-  bool AllowSurfaceSteinerPoints = false;
+  std::int64_t Options = 0;
   std::vector<double> Points;
   std::vector<std::int32_t> Facets;
 };
@@ -86,7 +87,7 @@ Request ReadRequest()
     _exit(BadRequest);
   }
   Request request;
-  request.AllowSurfaceSteinerPoints = header.AllowSurfaceSteinerPoints != 0;
+  request.Options = header.Options;
   request.Points.resize(3 * static_cast<std::size_t>(header.NumberOfPoints));
   request.Facets.resize(3 * static_cast<std::size_t>(header.NumberOfFacets));
   ReadBytes(request.Points.data(), request.Points.size() * sizeof(double));
@@ -129,14 +130,32 @@ void FillInput(const Request& request, tetgenio& input)
 /**
  * TetGen's manual, section 4.2. c: the whole convex hull; J: keep points that no cell uses, so that
  * ids stay; Q: quiet; p: facets are constraints; M: do not merge coplanar facets, nor points; Y: no
- * Steiner points on facets and segments, as far as TetGen can avoid it.
+ * Steiner points on facets and segments, as far as TetGen can avoid it; Y0: none but to recover
+ * them; l: the first Delaunay tetrahedra by flips instead of Bowyer and Watson's cavities; b0:
+ * points in the order given.
  */
 std::string Switches(const Request& request)
 {
   std::string switches = "cJQ";
   if (!request.Facets.empty())
   {
-    switches += request.AllowSurfaceSteinerPoints ? "pM" : "pMY";
+    switches += "pM";
+    if (request.Options & LeaveSurfaceSteinerPoints)
+    {
+      switches += "Y0";
+    }
+    else if (!(request.Options & AllowSurfaceSteinerPoints))
+    {
+      switches += "Y";
+    }
+  }
+  if (request.Options & FlipIncrementally)
+  {
+    switches += "l";
+  }
+  if (request.Options & KeepOrderOfPoints)
+  {
+    switches += "b0";
   }
   return switches;
 }
@@ -233,6 +252,17 @@ void BindToParent()
 #endif
 }
 
+/** Where memory runs out, the kernel is to end this process and not the one that asked. */
+void VolunteerToBeEnded()
+{
+  const int file = open("/proc/self/oom_score_adj", O_WRONLY);
+  if (file >= 0)
+  {
+    WriteBytes(file, "1000", 4);
+    close(file);
+  }
+}
+
 /** Whether the parent went away before it could be bound to; nothing follows a request. */
 bool ParentIsGone()
 {
@@ -244,6 +274,7 @@ bool ParentIsGone()
 int main()
 {
   BindToParent();
+  VolunteerToBeEnded();
   const int answers = TakeStandardOutput();
   try
   {
@@ -254,6 +285,10 @@ int main()
       const Request request = ReadRequest();
       FillInput(request, input);
       behavior = Behavior(request);
+      if (request.Options & LeaveSurfaceSteinerPoints)
+      {
+        LeaveSteinerPoints();
+      }
     }
     if (ParentIsGone())
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ChangedSurfaces.h"
 #include "CountedChain.h"
 #include "DetectionByCgal.h"
 #include "FindIntersections.h"
@@ -6,8 +7,6 @@
 #include "ReadTriangles.h"
 #include "ResolveSelfIntersections.h"
 
-#include <fstream>
-#include <malloc.h>
 #include <map>
 #include <omp.h>
 
@@ -16,16 +15,6 @@ using namespace benchmark;
 
 namespace
 {
-constexpr Limit AtMost(double value)
-{
-  return { Limit::Side::AtMost, value };
-}
-
-constexpr Limit AtLeast(double value)
-{
-  return { Limit::Side::AtLeast, value };
-}
-
 /** The whole stage over CGAL's detection alone, for surfaces that have a target. */
 const std::map<std::string, Limit> Targets = {
   { "Beast", AtMost(1.5) },
@@ -38,12 +27,6 @@ constexpr Limit ThreadsTarget = AtLeast(1.6); ///< detection on one thread over 
 constexpr Limit ScaleTarget = AtMost(1.5);    ///< time per facet, 16 times as many over as given
 const char* const ScaledSurface = "Beast";    ///< what these two are measured on
 
-std::string StemOf(const std::string& path)
-{
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  return name.substr(0, name.find_last_of('.'));
-}
-
 FacetComplex Validated(const TriangleSoup& soup)
 {
   Monitor monitor;
@@ -54,36 +37,6 @@ void Resolve(const FacetComplex& surface)
 {
   Monitor monitor;
   ResolveSelfIntersections(surface, monitor);
-}
-
-/** Every triangle in four, at the midpoints of its edges. */
-TriangleSoup Subdivided(const TriangleSoup& soup)
-{
-  TriangleSoup fine;
-  fine.Points = soup.Points;
-  std::map<std::array<Id, 2>, Id> midpoints;
-  const auto between = [&](Id p, Id q)
-  {
-    const Id next = static_cast<Id>(fine.Points.size());
-    const auto inserted = midpoints.insert({ { std::min(p, q), std::max(p, q) }, next });
-    if (inserted.second)
-    {
-      Point middle;
-      for (int k = 0; k < 3; ++k)
-      {
-        middle[k] = (soup.Points[p][k] + soup.Points[q][k]) / 2;
-      }
-      fine.Points.push_back(middle);
-    }
-    return inserted.first->second;
-  };
-  for (const Triangle& t : soup.Triangles)
-  {
-    const Triangle m = { between(t[0], t[1]), between(t[1], t[2]), between(t[2], t[0]) };
-    fine.Triangles.insert(fine.Triangles.end(),
-      { { t[0], m[0], m[2] }, { t[1], m[1], m[0] }, { t[2], m[2], m[1] }, m });
-  }
-  return fine;
 }
 
 void MeasureStage(const std::string& name, const FacetComplex& surface)
@@ -144,25 +97,11 @@ void Measure(const std::string& path)
   }
 }
 
-/** The resident memory of this process at its highest since the last reset, in MiB. */
-double HighWaterMark()
-{
-  std::ifstream status("/proc/self/status");
-  std::string word;
-  double kibibytes = 0;
-  while (status >> word && !(word == "VmHWM:" && status >> kibibytes))
-  {
-  }
-  return kibibytes / 1024;
-}
-
 /** In a process of its own, for memory that was used once stays with the process. */
 void MeasureMemory(const std::string& path)
 {
   const FacetComplex surface = Validated(testmeshes::ReadTriangles(path));
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5"; // makes the mark fall to what is in use now
-  const double before = HighWaterMark();
+  const double before = ResetHighWaterMark();
   Resolve(surface);
   std::printf("memory pre/%s %.1f MiB above %.1f MiB\n", StemOf(path).c_str(),
     HighWaterMark() - before, before);

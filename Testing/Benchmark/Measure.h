@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <malloc.h>
 
 /** What the benchmarks of all stages have in common: medians, and the lines that they print. */
 namespace benchmark
@@ -24,6 +27,23 @@ struct Limit
   Side Which;
   double Value;
 };
+
+constexpr Limit AtMost(double value)
+{
+  return { Limit::Side::AtMost, value };
+}
+
+constexpr Limit AtLeast(double value)
+{
+  return { Limit::Side::AtLeast, value };
+}
+
+/** What a surface is called: its file's name without folder and ending. */
+inline std::string StemOf(const std::string& path)
+{
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  return name.substr(0, name.find_last_of('.'));
+}
 
 inline double SecondsOf(const std::function<void()>& work)
 {
@@ -60,6 +80,26 @@ inline std::array<double, 2> MedianSeconds(
     spent += seconds[0].back() + seconds[1].back();
   }
   return { Median(seconds[0]), Median(seconds[1]) };
+}
+
+/** The resident memory of this process at its highest since the last reset, in MiB. */
+inline double HighWaterMark()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kibibytes = 0;
+  while (status >> word && !(word == "VmHWM:" && status >> kibibytes))
+  {
+  }
+  return kibibytes / 1024;
+}
+
+/** Make the mark fall to what is in use now. @return the mark */
+inline double ResetHighWaterMark()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";
+  return HighWaterMark();
 }
 
 /** A line for machines. Names begin with the stage: pre, detect, cdt, w, cut, rerun, scale, ... */

@@ -2,20 +2,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # run.sh [SURFACE...]: build in Release and measure every stage that has a target, on real models
 # that Debian packages and on the surfaces given. Prints seconds for people and, for machines, one
-# line `ratio NAME VALUE at most|at least LIMIT` per target. Builds in build-benchmark/.
+# line `ratio NAME VALUE at most|at least LIMIT` per target. Builds in build-benchmark/, and draws
+# the thesis's figures 8.10 and 8.11 in build-benchmark/figures. What winding numbers are compared
+# with needs libembree-dev, drawing python3-matplotlib.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay"
+if [ -r /usr/include/embree3/rtcore.h ]; then
+  programs="$programs BenchmarkWindingNumber"
+else
+  echo "missing: libembree-dev; winding numbers are not measured"
+fi
+# shellcheck disable=SC2086 # a list of words
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
-  -DINSIDEOUT_CORE_ONLY=ON >"$build.log" 2>&1 && cmake --build "$build" --target BenchmarkResolve \
+  -DINSIDEOUT_CORE_ONLY=ON >"$build.log" 2>&1 && cmake --build "$build" --target $programs \
   >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 mv "$build.log" "$build/build.log"
 
 surfaces=$build/surfaces
-mkdir -p "$surfaces"
+open_surfaces=$build/open-surfaces
+figures=$build/figures
+mkdir -p "$surfaces" "$open_surfaces" "$figures/surfaces"
 "$here/unpack-surfaces.sh" "$surfaces" man.off propellerTip.obj motorBike.obj
+"$here/unpack-surfaces.sh" "$open_surfaces" mannequin-devil.off pig.stl elephant-with-holes.off
+"$here/unpack-surfaces.sh" "$figures/surfaces" dino.off armadillo.off bear.off blobby.off bones.off \
+  bull.off camel.off cow.off diplodocus.off dragknob.off elephant.off elephant-with-holes.off elk.off \
+  fandisk.off femur.off hand.off head.off homer.off knot.off man.off mannequin-devil.off pig.off
 
 given=
 for surface; do
@@ -30,9 +45,20 @@ for name in Beast AlienSpaceObject; do
   esac
 done
 
-program=$build/Testing/Benchmark/BenchmarkResolve
-set -- "$@" "$surfaces"/*
-"$program" "$@"
+# Threads that wait do not take the processor from those that work, in any of the programs.
+export OMP_WAIT_POLICY=passive
+bin=$build/Testing/Benchmark
+if [ -x "$bin/BenchmarkWindingNumber" ]; then
+  "$bin/BenchmarkWindingNumber" "$@" "$surfaces"/man.off "$open_surfaces"/*
+  "$bin/BenchmarkWindingNumber" --figures "$figures" "$figures/surfaces"/*
+  /usr/bin/python3 "$here/plot-figures.py" "$figures" || echo "missing: python3-matplotlib; nothing is drawn"
+fi
 for surface; do
-  "$program" --memory "$surface"
+  "$bin/BenchmarkConstrainedDelaunay" "$surface"
+  "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
+done
+set -- "$@" "$surfaces"/*
+"$bin/BenchmarkResolve" "$@"
+for surface; do
+  "$bin/BenchmarkResolve" --memory "$surface"
 done

@@ -57,7 +57,8 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
     Deadline deadline;
     const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, deadline);
     const TetrahedralMesh mesh =
-      AssembleMesh(surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces });
+      AssembleMesh(
+      surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces }, patient);
     testing::TestPartResultArray violations;
     {
       const testing::ScopedFakeTestPartResultReporter reporter(&violations);

@@ -14,7 +14,8 @@ PLUGIN, SURFACE = sys.argv[1:3]
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
-           "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects"]
+           "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
+           "ProbeWindingNumber"]
 
 
 def volume(proxy, port=0):
@@ -75,6 +76,15 @@ class TestPlugin(unittest.TestCase):
             self.assertEqual((shown.LineWidth, shown.RenderLinesAsTubes), (4, 1))
         simple.Delete(view)
 
+    def test_the_probe_marks_the_points_inside(self):
+        sphere = simple.Sphere(Radius=0.01, Center=[0.5, 0.5, 0.5])
+        probe = simple.ProbeWindingNumber(Input=sphere, Surface=self.surface)
+        probe.UpdatePipeline()
+        self.assertEqual(probe.PointData["Inside"].GetRange(), (1, 1))
+        probe.InsideOut = 1
+        probe.UpdatePipeline()
+        self.assertEqual(probe.PointData["Inside"].GetRange(), (0, 0))
+
     def test_a_property_changes_the_result(self):
         solid = simple.RobustTetrahedralize(Input=self.surface, ExtractInside=0)
         whole = volume(solid)
@@ -93,7 +103,7 @@ class TestPlugin(unittest.TestCase):
                 properties.Next()
                 with self.subTest(filter=name, property=key):
                     self.assertTrue(prop.GetDocumentation().GetDescription().strip())
-                    if key != "Input":
+                    if not isinstance(prop, servermanager.vtkSMInputProperty):
                         default = prop.GetElement(0)
                         self.assertEqual(default, getattr(fresh, "Get" + key)())
 

@@ -91,7 +91,8 @@ class Success(CommandLine):
                 hull, boundary, outliers, report = names
                 done = run(
                     *(source, self.output, "--hull", hull, "--boundary", boundary),
-                    *("--outliers", outliers, "--report", report, "--gamma", "0.5", "--sigma", "0.2"),
+                    *("--outliers", outliers, "--report", report),
+                    *("--gamma", "0.5", "--sigma", "0.2", "--time-budget", "60"),
                 )
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(self.output)))), 15 / 8, delta=1e-12)
@@ -101,7 +102,11 @@ class Success(CommandLine):
                 self.assertEqual(read_grid(hull).GetNumberOfCells(), found["statistics"]["HullCells"])
                 self.assertEqual(read_surface(outliers)[0].GetNumberOfCells(), found["statistics"]["OutlierFacets"])
                 self.assertGreater(found["statistics"]["OutlierFacets"], 0)
-                self.assertEqual(found["parameters"], {"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0})
+                self.assertEqual(
+                    found["parameters"],
+                    {"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
+                )
+                self.assertEqual(found["tetrahedralizer"], "TetGen, points kept off facets")
 
     def test_empty_outliers_are_written_in_every_format(self):
         source = self.file("box.ply", surfaces.box())
@@ -123,6 +128,7 @@ class Success(CommandLine):
         self.assertEqual(found["statistics"]["OpenEdges"], 4)
         self.assertEqual(found["statistics"]["InsideCells"], read_grid(self.output).GetNumberOfCells())
         self.assertEqual(found["warnings"], [])
+        self.assertEqual((found["left_out_cells"], found["lost_cells"]), ([], []))
         for text in ("4 open edges", f"{found['statistics']['InsideCells']} tetrahedra inside", "tetrahedralizing", " s"):
             self.assertIn(text, done.stdout)
 

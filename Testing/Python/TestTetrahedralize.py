@@ -4,8 +4,13 @@
 import contextlib
 import io
 import os
+import signal
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
+from unittest import mock
 
 import insideout
 import numpy as np
@@ -304,6 +309,8 @@ class BadInput(unittest.TestCase):
             *({"gamma": value} for value in (-1, float("nan"), float("inf"))),
             *({"sigma": value} for value in (0, -1, float("nan"))),
             *({"merge_tolerance": value} for value in (-1, float("nan"))),
+            *({"time_budget": value} for value in (-1, float("nan"))),
+            *({"memory_budget": value} for value in (-1, float("inf"))),
             {"orientation": "sideways"},
         ):
             name = next(iter(parameters))
@@ -320,6 +327,133 @@ class BadInput(unittest.TestCase):
         self.assertEqual(printed, [""])
         self.assertEqual(len(result.warnings), 1)
         self.assertIn("lines are ignored", result.warnings[0])
+
+
+INTERRUPTED = """
+import insideout, os, surfaces
+try:
+    insideout.tetrahedralize(surfaces.box(), progress=lambda stage, _: print(stage, flush=True))
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+os.environ["INSIDEOUT_TETGEN"] = "/bin/false"
+print(insideout.tetrahedralize(surfaces.box()).solid.GetNumberOfCells() > 0)
+"""
+
+
+class TetGenInTrouble(unittest.TestCase):
+    """Programs in TetGen's place that hang or fail."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def stand_in(self, script: str):
+        """A shell script in TetGen's place; its process id is to be read in the file pid."""
+        path = os.path.join(self.folder, "helper")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(f'#!/bin/sh\necho $$ > "{self.folder}/pid"\n{script}\n')
+        os.chmod(path, 0o700)
+        patch = mock.patch.dict(os.environ, INSIDEOUT_TETGEN=path)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def check_that_helper_has_ended(self):
+        with open(os.path.join(self.folder, "pid"), encoding="utf-8") as file:
+            self.assertFalse(os.path.exists(f"/proc/{file.read().strip()}"))
+        with self.assertRaises(ChildProcessError):
+            os.waitpid(-1, os.WNOHANG)
+
+    def test_what_a_progress_callback_raises_stops_the_work_within_a_second(self):
+        self.stand_in("exec sleep 100")
+        raised = []
+
+        def progress(stage, _):
+            if stage == "tetrahedralizing":
+                first = raised[0] if raised else time.monotonic()
+                raised[:] = [first, time.monotonic()]
+                if raised[1] - first > 0.5:
+                    raise ArithmeticError("mine")
+
+        with self.assertRaisesRegex(ArithmeticError, "mine"):
+            insideout.tetrahedralize(surfaces.box(), progress=progress)
+        self.assertLess(time.monotonic() - raised[1], 1)
+        self.check_that_helper_has_ended()
+
+    def test_an_observer_stops_the_filter_within_a_second(self):
+        self.stand_in("exec sleep 100")
+        tetrahedralizer = insideout.vtkRobustTetrahedralize()
+        tetrahedralizer.SetInputData(surfaces.box())
+        began = time.monotonic()
+        times = []
+
+        def observe(algorithm, _event):
+            times.append(time.monotonic())
+            if times[-1] - began > 2:
+                algorithm.SetAbortExecute(1)
+
+        tetrahedralizer.AddObserver("ProgressEvent", observe)
+        tetrahedralizer.Update()
+        self.assertLess(time.monotonic() - began, 3)
+        self.assertLess(max(np.diff(times)), 1)
+        self.assertEqual(tetrahedralizer.GetOutput().GetNumberOfCells(), 0)
+        self.check_that_helper_has_ended()
+
+    def test_ctrl_c_is_an_exception_within_a_second(self):
+        self.stand_in("exec sleep 100")
+        environment = dict(os.environ)
+        environment["PYTHONPATH"] = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
+        with subprocess.Popen(
+            [sys.executable, "-c", INTERRUPTED], stdout=subprocess.PIPE, env=environment, text=True
+        ) as process:
+            for line in process.stdout:
+                if line == "tetrahedralizing\n":
+                    break
+            time.sleep(0.5)
+            began = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            for line in process.stdout:
+                if line == "interrupted\n":
+                    break
+            self.assertEqual(line, "interrupted\n")
+            self.assertLess(time.monotonic() - began, 1)
+            self.assertEqual(process.stdout.read(), "True\n")
+        self.assertEqual(process.returncode, 0)
+        self.check_that_helper_has_ended()
+
+    def test_lost_facets_are_counted_warned_of_and_listed_and_the_solid_is_right(self):
+        self.stand_in("exit 1")
+        points = [(2, 0, 0), (-1, 2, 0), (-1, -2, 0), (0, 0, 0.1), (0, 0, -0.1)]
+        closed = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (1, 0, 4), (2, 1, 4), (0, 2, 4)]
+        surface = surfaces.polydata(points, [*closed, (0, 1, 2)])
+        result = insideout.tetrahedralize(surface, gamma=0)
+        name = insideout.vtkConstrainedDelaunay3D.GetRungName(result.statistics["Rung"])
+        lost = result.statistics["LostFacets"]
+        if name.startswith("Delaunay"):
+            self.assertEqual(lost, 1)
+            self.assertIn(f"the tetrahedra come from: {name}", result.warnings)
+            self.assertTrue(any("1 facets are not in the mesh" in warning for warning in result.warnings))
+        self.assertFalse(name.startswith("TetGen"))
+        self.assertEqual(result.lost_cells, [6] if lost else [])
+        self.assertTrue(any("exited with status 1" in warning for warning in result.warnings))
+        self.assertTrue(surfaces.is_watertight(result.boundary))
+
+        hull = insideout.vtkConstrainedDelaunay3D()
+        hull.SetInputData(surface)
+        warnings = insideout.pipeline.run(hull)
+        statistics = insideout.pipeline.statistics_of(hull.GetOutput())
+        self.assertEqual(statistics["Rung"], result.statistics["Rung"])
+        self.assertEqual(statistics["LostFacets"], lost)
+        self.assertTrue(any("exited with status 1" in warning for warning in warnings))
+
+    def test_a_budget_ends_what_hangs(self):
+        self.stand_in("exec sleep 100")
+        began = time.monotonic()
+        result = insideout.tetrahedralize(surfaces.box(), time_budget=1)
+        self.assertLess(time.monotonic() - began, 2)
+        self.assertTrue(any("took more than the 0.1667 s" in warning for warning in result.warnings))
+        self.assertAlmostEqual(surfaces.enclosed_volume(result.boundary), 1, delta=1e-12)
+        self.check_that_helper_has_ended()
 
 
 class Package(unittest.TestCase):

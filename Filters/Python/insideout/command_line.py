@@ -21,7 +21,7 @@ from .checking import CHECK_STAGES, Finding, check, make_marker
 from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, read_surface, write_grid, write_surface
 from .pipeline import Error
 from .progress import StageBars
-from .summary import check_summary, defects, summary
+from .summary import check_summary, defects, summary, tetrahedralizer
 from .tetrahedralization import STAGES, Tetrahedralization, make_filter, tetrahedralize
 from .version import __version__
 
@@ -41,9 +41,10 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma"):
+    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "time_budget", "memory_budget"):
         if getattr(options, name) is not None:
-            parser.error(f"--check meshes nothing: it goes without {'OUTPUT.vtu' if name == 'output' else '--' + name}")
+            words = "OUTPUT.vtu" if name == "output" else "--" + name.replace("_", "-")
+            parser.error(f"--check meshes nothing: it goes without {words}")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -79,6 +80,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0"
     )
+    parser.add_argument(
+        "--time-budget", metavar="S", type=float, help="seconds that TetGen may take in all; 0 goes by the surface's size"
+    )
+    parser.add_argument(
+        "--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size"
+    )
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
     return parser
@@ -94,6 +101,8 @@ class Job:
         self.parameters: dict[str, float] = {}
         self.outputs: dict[str, str] = {}
         self.statistics: dict[str, float] = {}
+        self.left_out_cells: list[int] = []
+        self.lost_cells: list[int] = []
         self.warnings: list[str] = []
         self.error: Optional[str] = None
         self.begin = time.monotonic()
@@ -126,11 +135,19 @@ class Job:
         if options.report is not None:
             check_output(options.report, (".json",))
             self.report_is_writable = True
-        tetrahedralizer = make_filter(options.gamma, options.sigma, merge_tolerance=options.merge_tolerance)
+        solid = make_filter(
+            options.gamma,
+            options.sigma,
+            merge_tolerance=options.merge_tolerance,
+            time_budget=options.time_budget,
+            memory_budget=options.memory_budget,
+        )
         self.parameters = {
-            "gamma": tetrahedralizer.GetGamma(),
-            "sigma": tetrahedralizer.GetSigma(),
-            "merge_tolerance": tetrahedralizer.GetMergeTolerance(),
+            "gamma": solid.GetGamma(),
+            "sigma": solid.GetSigma(),
+            "merge_tolerance": solid.GetMergeTolerance(),
+            "time_budget": solid.GetTimeBudget(),
+            "memory_budget": solid.GetMemoryBudget(),
         }
         check_input(options.surface)
         check_output(options.output, WRITABLE_GRIDS)
@@ -164,11 +181,15 @@ class Job:
             gamma=options.gamma,
             sigma=options.sigma,
             merge_tolerance=options.merge_tolerance,
+            time_budget=options.time_budget,
+            memory_budget=options.memory_budget,
             progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
         )
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.statistics = dict(result.statistics, SecondsRead=seconds_read)
+        self.left_out_cells = result.left_out_cells
+        self.lost_cells = result.lost_cells
         try:
             self.write(result)
         finally:
@@ -221,6 +242,7 @@ class Job:
             "parameters": self.parameters,
             "exit_status": status,
             "error": self.error,
+            "tetrahedralizer": tetrahedralizer(self.statistics),
             "defects": defects(self.statistics),
             "warnings": self.warnings,
             "statistics": self.statistics,
@@ -236,7 +258,7 @@ class Job:
         return status
 
     def more_for_the_report(self) -> dict:
-        return {}
+        return {"left_out_cells": self.left_out_cells, "lost_cells": self.lost_cells}
 
     def summary(self) -> list[str]:
         return summary(os.path.basename(self.options.surface), self.statistics)

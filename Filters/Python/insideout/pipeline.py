@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 import re
+import signal
+import threading
 from typing import Callable, Optional
 
 from vtkmodules.util.misc import calldata_type
@@ -61,16 +63,12 @@ def run(
     """Bring an algorithm up to date, or do `action` with it (`writer.Write`, say).
 
     Returns its warnings. Raises `Error` with its first error that does not begin with one of `harmless`. What is upstream of the algorithm
-    reports for itself: run that before.
+    reports for itself: run that before. Raises `KeyboardInterrupt` after Ctrl-C, when the algorithm has
+    stopped, and whatever `progress` raises, which stops it too.
     """
     executive = algorithm.GetExecutive()
-    with Messages(algorithm) as messages, Messages(executive) as executive_messages:
-        tag = algorithm.AddObserver("ProgressEvent", _progress_observer(progress)) if progress else None
-        try:
-            (action or algorithm.Update)()
-        finally:
-            if tag is not None:
-                algorithm.RemoveObserver(tag)
+    with Messages(algorithm) as messages, Messages(executive) as executive_messages, _Stopper(algorithm, progress):
+        (action or algorithm.Update)()
     # That a request failed, which is all the executive knows, counts only if nobody says why.
     for error in messages.errors or executive_messages.errors:
         if not error.startswith(harmless):
@@ -89,6 +87,12 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
             name, value = name[len(STATISTICS_PREFIX) :], array.GetTuple1(0)
             statistics[name] = value if name.startswith(MEASURED) else int(value)
     return statistics
+
+
+def cells_of(data: vtkDataObject, name: str) -> list[int]:
+    """The input cells that a filter listed in a field array: LeftOutCellIds or LostCellIds."""
+    array = data.GetFieldData().GetArray(name)
+    return [] if array is None else [int(array.GetTuple1(index)) for index in range(array.GetNumberOfValues())]
 
 
 def at_least(least: float, name: str, value: float) -> float:
@@ -114,8 +118,46 @@ def _appender(messages: list[str]) -> Callable:
     return append
 
 
-def _progress_observer(progress: Progress) -> Callable:
-    def report(algorithm: vtkAlgorithm, _event: str) -> None:
-        progress(algorithm.GetProgressText() or "working", algorithm.GetProgress())
+class _Stopper:
+    """While it is entered, Ctrl-C and what `progress` raises stop the algorithm, and come out at its end.
 
-    return report
+    VTK ends the program where an observer is interrupted, and forgets whatever else it raises.
+    """
+
+    def __init__(self, algorithm: vtkAlgorithm, progress: Optional[Progress]):
+        self._algorithm = algorithm
+        self._progress = progress
+        self._reason: Optional[BaseException] = None
+        self._handler = None
+
+    def __enter__(self) -> None:
+        self._algorithm.SetAbortExecute(0)
+        self._tag = self._algorithm.AddObserver("ProgressEvent", self._observe)
+        # Python lets only the main thread handle signals, and only what Python has set can be set again.
+        if threading.current_thread() is threading.main_thread():
+            handler = signal.getsignal(signal.SIGINT)
+            if callable(handler):
+                self._handler = handler
+                signal.signal(signal.SIGINT, self._interrupt)
+
+    def __exit__(self, *_) -> None:
+        self._algorithm.RemoveObserver(self._tag)
+        if self._handler is not None:
+            signal.signal(signal.SIGINT, self._handler)
+        if self._reason is not None:
+            self._algorithm.SetAbortExecute(0)
+            # What was stopped is not up to date, whatever the pipeline believes.
+            self._algorithm.Modified()
+            raise self._reason
+
+    def _interrupt(self, *_) -> None:
+        self._reason = self._reason or KeyboardInterrupt()
+
+    def _observe(self, algorithm: vtkAlgorithm, _event: str) -> None:
+        if self._reason is None and self._progress is not None:
+            try:
+                self._progress(algorithm.GetProgressText() or "working", algorithm.GetProgress())
+            except Exception as error:
+                self._reason = error
+        if self._reason is not None:
+            algorithm.SetAbortExecute(1)

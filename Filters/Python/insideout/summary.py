@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from typing import Mapping, Sequence
+from typing import Mapping, Optional, Sequence
 
 from .checking import Finding
+from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
 
 DEFECTS = (
     # statistic, one, several
@@ -57,6 +58,11 @@ def defects(statistics: Mapping[str, float]) -> list[str]:
     return lines
 
 
+def tetrahedralizer(statistics: Mapping[str, float]) -> Optional[str]:
+    """What made the tetrahedra, in words."""
+    return vtkConstrainedDelaunay3D.GetRungName(int(statistics["Rung"])) if "Rung" in statistics else None
+
+
 def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     """The lines that the command ends with."""
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
@@ -69,6 +75,7 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
         f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets",
         f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",

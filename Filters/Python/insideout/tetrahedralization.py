@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstruc
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .files import read_surface
-from .pipeline import Error, Progress, at_least, run, statistics_of
+from .pipeline import Error, Progress, at_least, cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 STAGES = (
@@ -45,6 +45,10 @@ class Tetrahedralization:
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
     statistics: dict[str, float]
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
+    left_out_cells: list[int]
+    """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
+    lost_cells: list[int]
+    """The cells of the surface that the mesh does not follow, all or in part; hardly ever any."""
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
@@ -57,6 +61,8 @@ def tetrahedralize(
     orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
+    time_budget: Optional[float] = None,
+    memory_budget: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
@@ -69,12 +75,17 @@ def tetrahedralize(
                       never does, "reverse" always
     merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
     count_duplicates  count a facet as often as it is given
-    progress          called with the stage and the fraction of all the work that is done
+    time_budget       seconds that TetGen may take, all tries together; 0 goes by the surface's size
+    memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
+    progress          called with the stage and the fraction of all the work that is done; what it
+                      raises stops the work and is raised
 
     What is not given has the default of the class vtkRobustTetrahedralize. Raises `Error` with one
     line that names what is wrong.
     """
-    tetrahedralizer = make_filter(gamma, sigma, orientation, merge_tolerance, count_duplicates)
+    tetrahedralizer = make_filter(
+        gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget
+    )
     warnings: list[str] = []
     if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
         raise Error(f"the surface is a {type(surface).__name__}; it can be a vtkPolyData or a file's name")
@@ -93,6 +104,8 @@ def tetrahedralize(
         outliers=tetrahedralizer.GetOutliers(),
         hull=hull,
         statistics=statistics_of(hull),
+        left_out_cells=cells_of(hull, "LeftOutCellIds"),
+        lost_cells=cells_of(hull, "LostCellIds"),
         warnings=warnings,
     )
 
@@ -103,6 +116,8 @@ def make_filter(
     orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
+    time_budget: Optional[float] = None,
+    memory_budget: Optional[float] = None,
 ) -> vtkRobustTetrahedralize:
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
@@ -116,6 +131,10 @@ def make_filter(
         raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
     tetrahedralizer.SetOrientation(ORIENTATIONS[orientation])
     tetrahedralizer.SetCountDuplicates(bool(count_duplicates))
+    if time_budget is not None:
+        tetrahedralizer.SetTimeBudget(at_least(0, "time_budget", time_budget))
+    if memory_budget is not None:
+        tetrahedralizer.SetMemoryBudget(at_least(0, "memory_budget", memory_budget))
     return tetrahedralizer
 
 

@@ -227,8 +227,9 @@ void Judge::CheckPoints()
         0))
   {
     this->Violate("the input points do not come first, bit by bit");
+    return;
   }
-  for (std::size_t p = 0; p < std::min(count, this->After.Points.size()); ++p)
+  for (std::size_t p = 0; p < count; ++p)
   {
     if (this->Before.Origins[p].Points != this->After.Origins[p].Points ||
       this->Before.Origins[p].Weights != this->After.Origins[p].Weights)
@@ -236,6 +237,16 @@ void Judge::CheckPoints()
       this->Violate(Named("the origin changed of point", static_cast<Id>(p)));
       return;
     }
+  }
+  std::vector<char> isCorner(this->After.Points.size(), 0);
+  for (const Triangle& t : this->After.Facets)
+  {
+    isCorner[t[0]] = isCorner[t[1]] = isCorner[t[2]] = 1;
+  }
+  const auto unused = std::find(isCorner.begin() + count, isCorner.end(), 0);
+  if (unused != isCorner.end())
+  {
+    this->Violate(Named("no facet has new point", static_cast<Id>(unused - isCorner.begin())));
   }
 }
 

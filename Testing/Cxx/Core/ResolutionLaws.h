@@ -35,7 +35,7 @@ double SizeOf(const std::vector<Point>& points);
  * Judge a resolved surface. Its laws:
  * - No two constraints meet except in shared points and edges (IntersectionsBySweep).
  * - No facet is degenerate, or there twice.
- * - Input points come first, bit by bit, and so do their origins.
+ * - Input points come first, bit by bit, and so do their origins. New points are corners.
  * - Pieces of a facet are within 1e-12 of the size of it; their area is its area, to what that
  *   allows along its perimeter; and, unless facets were left out, the edges of exactly
  *   one of its pieces are on its boundary: there is no gap.

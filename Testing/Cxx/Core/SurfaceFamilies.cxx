@@ -289,11 +289,6 @@ TriangleSoup Repeated(const TriangleSoup& soup, int times)
   return repeated;
 }
 
-SurfaceFamily Family(const char* name, Expectation expects, std::vector<TriangleSoup> members)
-{
-  return { name, expects, std::move(members) };
-}
-
 /** member(seed) for every seed from 0 on. */
 template <class Member>
 std::vector<TriangleSoup> Random(int members, const Member& member)
@@ -308,68 +303,66 @@ std::vector<TriangleSoup> Random(int members, const Member& member)
 
 std::vector<SurfaceFamily> ResolvableFamilies(int members)
 {
-  constexpr Expectation all = Expectation::NothingLeftOut;
   return {
-    Family("coplanar-overlap", all,
-      Random(members, [](unsigned seed) { return OverlapsInPlanes(seed, 1 + seed % 3, 12); })),
-    Family("coplanar-nested", all,
+    { "coplanar-overlap",
+      Random(members, [](unsigned seed) { return OverlapsInPlanes(seed, 1 + seed % 3, 12); }) },
+    { "coplanar-nested",
       { NestedTriangles(12, true), NestedTriangles(12, false),
-        Join(NestedTriangles(8, true), NestedTriangles(8, false)) }),
-    Family(
-      "comb", all, { Comb(7), Comb(150), PiercingComb(150), Join(Comb(50), PiercingComb(50)) }),
-    Family("fan", all, { Fan(3), Fan(12), Fan(25) }),
-    Family("through-one-line", all,
-      Random(members, [](unsigned seed) { return PlanesThroughLine(seed, 8 + 4 * (seed % 4)); })),
-    Family("through-one-point", all,
-      Random(members, [](unsigned seed) { return ThroughOnePoint(seed, 4 + 4 * (seed % 4)); })),
-    Family("nested-boxes", all, { NestedBoxes(3, 4), NestedBoxes(12, 2), NestedBoxes(6, 0.1) }),
-    Family("stacked-boxes", all,
-      { StackedBoxes(2, 0), StackedBoxes(3, 0.5), StackedBoxes(2, 0.25), BoxesOnWalls() }),
-    Family("boxes-turned", all,
+        Join(NestedTriangles(8, true), NestedTriangles(8, false)) } },
+    { "comb", { Comb(7), Comb(150), PiercingComb(150), Join(Comb(50), PiercingComb(50)) } },
+    { "fan", { Fan(3), Fan(12), Fan(25) } },
+    { "through-one-line",
+      Random(members, [](unsigned seed) { return PlanesThroughLine(seed, 8 + 4 * (seed % 4)); }) },
+    { "through-one-point",
+      Random(members, [](unsigned seed) { return ThroughOnePoint(seed, 4 + 4 * (seed % 4)); }) },
+    { "nested-boxes", { NestedBoxes(3, 4), NestedBoxes(12, 2), NestedBoxes(6, 0.1) } },
+    { "stacked-boxes",
+      { StackedBoxes(2, 0), StackedBoxes(3, 0.5), StackedBoxes(2, 0.25), BoxesOnWalls() } },
+    { "boxes-turned",
       { Mapped(StackedBoxes(1, 0), Rotated),
-        Join(UnitBoxAt({ 0, 0, 0 }), Mapped(UnitBoxAt({ 0, 0, 0 }), Rotated)) }),
-    Family("duplicates-1000", all,
+        Join(UnitBoxAt({ 0, 0, 0 }), Mapped(UnitBoxAt({ 0, 0, 0 }), Rotated)) } },
+    { "duplicates-1000",
       { Repeated(Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 0.5, 0, 0 }, { 1.5, 1, 1 })), 1000),
-        Repeated(GridSoup(1, 12, 3), 1000) }),
-    Family("random-soup", all, Random(members, [](unsigned seed) { return RandomSoup(seed, 20); })),
+        Repeated(GridSoup(1, 12, 3), 1000) } },
+    { "random-soup", Random(members, [](unsigned seed) { return RandomSoup(seed, 20); }) },
     // A decimal factor rounds, so that what was in one plane no longer is.
-    Family("scale-1e-30", Expectation::MayLeaveFacetsOut,
+    { "scale-1e-30",
       Random(members,
-        [](unsigned seed) { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(1e-30)); })),
-    Family("scale-1e30", Expectation::MayLeaveFacetsOut,
+        [](unsigned seed) { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(1e-30)); }) },
+    { "scale-1e30",
       Random(members,
-        [](unsigned seed) { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(1e30)); })),
-    Family("scale-2^-100", all,
+        [](unsigned seed) { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(1e30)); }) },
+    { "scale-2^-100",
       Random(members,
         [](unsigned seed)
-        { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(0x1p-100)); })),
-    Family("scale-2^100", all,
+        { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(0x1p-100)); }) },
+    { "scale-2^100",
       Random(members,
-        [](unsigned seed) { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(0x1p100)); })),
-    Family("offset-1e8", all,
+        [](unsigned seed)
+        { return Mapped(GridSoup(seed, 20, 2 + seed % 4), ScaledBy(0x1p100)); }) },
+    { "offset-1e8",
       Random(members,
         [](unsigned seed) {
           return Mapped(GridSoup(seed, 20, 2 + seed % 4), MovedBy({ 1e8, -1e8, 1e8 }));
-        })),
+        }) },
   };
 }
 
 std::vector<SurfaceFamily> NearlyDegenerateFamilies(int members)
 {
-  constexpr Expectation some = Expectation::MayLeaveFacetsOut;
   const double ulp = std::numeric_limits<double>::epsilon();
   const auto twice = [](const TriangleSoup& a, const TriangleSoup& b, const Map& map)
   { return Mapped(Join(a, b), map); };
   const Map rotatedFloat = [](const Point& p) { return ToFloat(Rotated(p)); };
   const Map movedFar = [](const Point& p) { return MovedBy({ 1e8, 1e8, 1e8 })(Rotated(p)); };
   return {
-    Family("needles", some,
+    { "needles",
+      Random(members,
+        [](unsigned seed) { return Needles(seed, 12, std::pow(10., -4. * (seed % 4))); }) },
+    { "caps",
       Random(
-        members, [](unsigned seed) { return Needles(seed, 12, std::pow(10., -4. * (seed % 4))); })),
-    Family("caps", some,
-      Random(
-        members, [](unsigned seed) { return Caps(seed, 12, std::pow(10., -4. * (seed % 4))); })),
-    Family("sheets-one-ulp-apart", some,
+        members, [](unsigned seed) { return Caps(seed, 12, std::pow(10., -4. * (seed % 4))); }) },
+    { "sheets-one-ulp-apart",
       { Join(Mapped(Sheet(3, 4), MovedBy({ 0, 0, 1 })),
           Mapped(Sheet(5, 2), MovedBy({ 0, 0, 1 + ulp }))),
         Join(Mapped(Sheet(4, 4),
@@ -379,27 +372,29 @@ std::vector<SurfaceFamily> NearlyDegenerateFamilies(int members)
           Mapped(Sheet(3, 3),
             [=](const Point& p) {
               return Point{ p[0], p[1], (1 + p[0]) * (1 + ulp * (p[1] > 0.5)) };
-            })) }),
-    Family("sheets-rotated", some,
-      { twice(Sheet(3, 3), Sheet(4, 5), Rotated), twice(Sheet(7, 2), Sheet(3, 8), Rotated) }),
-    Family("sheets-rotated-float", some,
+            })) } },
+    { "sheets-rotated",
+      { twice(Sheet(3, 3), Sheet(4, 5), Rotated), twice(Sheet(7, 2), Sheet(3, 8), Rotated) } },
+    { "sheets-rotated-float",
       { twice(Sheet(3, 3), Sheet(4, 5), rotatedFloat),
-        twice(Sheet(7, 2), Sheet(3, 8), rotatedFloat) }),
-    Family("sheets-rotated-offset", some,
-      { twice(Sheet(3, 3), Sheet(4, 5), movedFar), twice(Sheet(7, 2), Sheet(3, 8), movedFar) }),
-    Family("cylinders-tessellated-twice", some,
+        twice(Sheet(7, 2), Sheet(3, 8), rotatedFloat) } },
+    { "sheets-rotated-offset",
+      { twice(Sheet(3, 3), Sheet(4, 5), movedFar), twice(Sheet(7, 2), Sheet(3, 8), movedFar) } },
+    { "cylinders-tessellated-twice",
       { twice(Cylinder(12, 3), Cylinder(12, 4), Rotated),
         twice(Cylinder(12, 3), Cylinder(24, 2), Rotated),
-        twice(Cylinder(12, 3), Cylinder(24, 2), rotatedFloat) }),
-    Family("t-junctions-rotated", some,
+        twice(Cylinder(12, 3), Cylinder(24, 2), rotatedFloat),
+        twice(Cylinder(6, 4), Cylinder(12, 1), Rotated),
+        twice(Cylinder(12, 3), Cylinder(36, 3), Rotated) } },
+    { "t-junctions-rotated",
       { twice(Sheet(4, 3), Mapped(Sheet(7, 3), MovedBy({ 0, 1, 0 })), Rotated),
         twice(Sheet(4, 3), Mapped(Sheet(7, 3), MovedBy({ 0, 1, 0 })), rotatedFloat),
-        twice(Sheet(16, 1), Mapped(Sheet(5, 1), MovedBy({ 0, 1, 0 })), movedFar) }),
-    Family("boxes-sharing-walls-rotated", some,
+        twice(Sheet(16, 1), Mapped(Sheet(5, 1), MovedBy({ 0, 1, 0 })), movedFar) } },
+    { "boxes-sharing-walls-rotated",
       { Mapped(BoxesOnWalls(), Rotated), Mapped(StackedBoxes(2, 0.25), Rotated),
         Join(BoxesOnWalls(), Mapped(BoxesOnWalls(), Rotated)),
-        Mapped(BoxesOnWalls(), rotatedFloat) }),
-    Family("nearly-in-one-plane", some,
+        Mapped(BoxesOnWalls(), rotatedFloat) } },
+    { "nearly-in-one-plane",
       Random(members,
         [](unsigned seed)
         {
@@ -407,8 +402,8 @@ std::vector<SurfaceFamily> NearlyDegenerateFamilies(int members)
             [](const Point& p) {
               return Point{ p[0], p[1], p[0] / 3 + p[1] / 7 };
             });
-        })),
-    Family("box-turned-a-little", some,
+        }) },
+    { "box-turned-a-little",
       { Join(UnitBoxAt({ 0, 0, 0 }),
           Mapped(UnitBoxAt({ 0, 0, 0 }),
             [](const Point& p) {
@@ -418,7 +413,7 @@ std::vector<SurfaceFamily> NearlyDegenerateFamilies(int members)
           Mapped(UnitBoxAt({ 0, 0, 0 }),
             [](const Point& p) {
               return Point{ p[0] - 1e-15 * p[1], p[1] + 1e-15 * p[0], p[2] };
-            })) }),
+            })) } },
   };
 }
 } // namespace
@@ -435,7 +430,7 @@ std::vector<SurfaceFamily> SurfaceFamilies(int members)
 
 SurfaceFamily GridSoups(int members)
 {
-  return { "grid-soup", Expectation::NothingLeftOut,
+  return { "grid-soup",
     Random(members, [](unsigned seed) { return GridSoup(seed, 100, 2 + seed % 7); }) };
 }
 } // namespace testmeshes

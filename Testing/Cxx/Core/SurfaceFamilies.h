@@ -12,17 +12,9 @@ namespace testmeshes
 {
 using namespace insideout;
 
-/** What a family of surfaces promises. */
-enum class Expectation
-{
-  NothingLeftOut,   ///< every facet can be resolved, and no piece is turned over by rounding
-  MayLeaveFacetsOut ///< layers nearer to each other than rounding: some facets may be left out
-};
-
 struct SurfaceFamily
 {
   std::string Name;
-  Expectation Expects;
   std::vector<TriangleSoup> Members;
 };
 

@@ -27,7 +27,13 @@ FacetComplex CrosswiseCube()
 TetgenAnswer Answer(const FacetComplex& surface, SurfaceSteinerPoints steiner)
 {
   Monitor monitor;
-  return RunTetgen(surface.Points, surface.Facets, steiner, monitor);
+  return RunTetgen(surface.Points, surface.Facets, { steiner }, {}, monitor);
+}
+
+TetrahedralMesh Assembled(const FacetComplex& surface, const TetgenAnswer& answer)
+{
+  Monitor monitor;
+  return AssembleMesh(surface, answer, monitor);
 }
 
 FacetComplex BoxComplex()
@@ -40,7 +46,7 @@ void ExpectInconsistent(
 {
   try
   {
-    AssembleMesh(surface, answer);
+    Assembled(surface, answer);
     FAIL() << "no error";
   }
   catch (const Error& error)
@@ -76,7 +82,7 @@ TEST(AssembleMesh, RecognizesFacetsInPieces)
 {
   const SplitAnswer answer;
   ASSERT_LT(answer.Facet, 12) << "TetGen split no facet: this test needs another surface";
-  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, answer.Whole);
+  const TetrahedralMesh mesh = Assembled(answer.Surface, answer.Whole);
   testmeshes::ExpectMeshLaws(answer.Surface, mesh);
   EXPECT_TRUE(mesh.LostFacets.empty());
   EXPECT_GT(mesh.NumberOfSurfaceSteinerPoints, 0);
@@ -85,7 +91,7 @@ TEST(AssembleMesh, RecognizesFacetsInPieces)
 TEST(AssembleMesh, InterpolatesPointsOnFacets)
 {
   const SplitAnswer answer;
-  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, answer.Whole);
+  const TetrahedralMesh mesh = Assembled(answer.Surface, answer.Whole);
   int checked = 0;
   for (std::size_t p = 8; p < mesh.Points.size(); ++p)
   {
@@ -112,7 +118,7 @@ TEST(AssembleMesh, LosesAFacetWithAPieceMissing)
     damaged.FacetOfFaces.begin();
   damaged.FacetOfFaces.erase(damaged.FacetOfFaces.begin() + at);
   damaged.Faces.erase(damaged.Faces.begin() + at);
-  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, damaged);
+  const TetrahedralMesh mesh = Assembled(answer.Surface, damaged);
   testmeshes::ExpectMeshLaws(answer.Surface, mesh);
   EXPECT_EQ(mesh.LostFacets, std::vector<Id>{ answer.Facet });
 }
@@ -123,7 +129,7 @@ TEST(AssembleMesh, LosesAFacetWithAPieceThatIsNoFace)
   TetgenAnswer damaged = answer.Whole;
   damaged.Faces.push_back({ { 0, 6, 3 } });
   damaged.FacetOfFaces.push_back(answer.Facet);
-  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, damaged);
+  const TetrahedralMesh mesh = Assembled(answer.Surface, damaged);
   EXPECT_EQ(mesh.LostFacets, std::vector<Id>{ answer.Facet });
 }
 
@@ -139,7 +145,7 @@ TEST(AssembleMesh, LosesFacetsWhoseNewPointsLieElsewhere)
       x *= std::abs(x) > 0.5 ? 1 + 1e-9 : 1;
     }
   }
-  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, damaged);
+  const TetrahedralMesh mesh = Assembled(answer.Surface, damaged);
   EXPECT_NE(
     std::find(mesh.LostFacets.begin(), mesh.LostFacets.end(), answer.Facet), mesh.LostFacets.end());
   for (const auto& facets : mesh.Facets)
@@ -156,7 +162,7 @@ TEST(AssembleMesh, LosesAFacetThatIsNoFace)
   // The other diagonal of a side.
   surface.Facets[0] = { { 0, 2, 1 } };
   surface.Facets[1] = { { 1, 2, 3 } };
-  const TetrahedralMesh mesh = AssembleMesh(surface, answer);
+  const TetrahedralMesh mesh = Assembled(surface, answer);
   EXPECT_EQ(mesh.LostFacets, (std::vector<Id>{ 0, 1 }));
   testmeshes::ExpectMeshLaws(surface, mesh);
 }
@@ -179,15 +185,15 @@ TEST(AssembleMesh, DropsSteinerPointsThatNoCellUses)
   };
   shift(padded.Cells);
   shift(padded.Faces);
-  const TetrahedralMesh expected = AssembleMesh(answer.Surface, answer.Whole);
-  const TetrahedralMesh mesh = AssembleMesh(answer.Surface, padded);
+  const TetrahedralMesh expected = Assembled(answer.Surface, answer.Whole);
+  const TetrahedralMesh mesh = Assembled(answer.Surface, padded);
   EXPECT_EQ(mesh.Points, expected.Points);
   EXPECT_EQ(mesh.Cells, expected.Cells);
   EXPECT_EQ(mesh.Facets, expected.Facets);
   // A marked face on such a point is none.
   padded.Faces.push_back({ { 0, 1, 8 } });
   padded.FacetOfFaces.push_back(answer.Facet);
-  EXPECT_EQ(AssembleMesh(answer.Surface, padded).LostFacets, std::vector<Id>{ answer.Facet });
+  EXPECT_EQ(Assembled(answer.Surface, padded).LostFacets, std::vector<Id>{ answer.Facet });
 }
 
 TEST(AssembleMesh, RefusesPointsThatMoved)
@@ -236,7 +242,7 @@ TEST(AssembleMesh, RefusesCellsThatOverlap)
   twice.Cells.push_back(twice.Cells[0]);
   ExpectInconsistent(surface, twice, "face ");
   // On a hull face that one cell has, a second one on the same side.
-  const TetrahedralMesh mesh = AssembleMesh(surface, answer);
+  const TetrahedralMesh mesh = Assembled(surface, answer);
   for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {
     for (int k = 0; k < 4; ++k)
@@ -251,7 +257,7 @@ TEST(AssembleMesh, RefusesCellsThatOverlap)
       {
         TetgenAnswer damaged = answer;
         damaged.Cells.push_back({ { cell[corners[0]], cell[corners[1]], cell[corners[2]], apex } });
-        EXPECT_THROW(AssembleMesh(surface, damaged), Error);
+        EXPECT_THROW(Assembled(surface, damaged), Error);
       }
     }
   }

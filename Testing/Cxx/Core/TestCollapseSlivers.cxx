@@ -24,7 +24,7 @@ std::vector<Id> AllOf(const std::vector<Triangle>& facets)
 }
 
 /** The facets that are there after a collapse. */
-std::vector<Triangle> Applied(const std::vector<Triangle>& facets, const CollapsedSlivers& slivers)
+std::vector<Triangle> Applied(const std::vector<Triangle>& facets, const Replacement& slivers)
 {
   std::vector<Triangle> after;
   for (Id f = 0; f < static_cast<Id>(facets.size()); ++f)
@@ -75,7 +75,7 @@ TEST(CollapseSlivers, SplitsTheOtherFacetsAlongTheLongestEdge)
 {
   const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1e-14, 0 }, { 0.5, -1, 0 } };
   const std::vector<Triangle> facets = { { 0, 1, 2 }, { 1, 0, 3 } };
-  const CollapsedSlivers slivers = CollapseSlivers(points, facets, { 0 }, Radius);
+  const Replacement slivers = CollapseSlivers(points, facets, { 0 }, Radius);
   EXPECT_EQ(slivers.Removed, (std::vector<Id>{ 0, 1 }));
   ASSERT_EQ(slivers.Added.size(), 2u);
   EXPECT_EQ(slivers.Added[0].Corners, (Triangle{ 1, 2, 3 }));
@@ -87,7 +87,7 @@ TEST(CollapseSlivers, SplitsTheOtherFacetsAlongTheLongestEdge)
 TEST(CollapseSlivers, LeavesFacetsAloneThatAreWiderThanTheRadius)
 {
   const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 3e-13, 0 }, { 0.5, -1, 0 } };
-  const CollapsedSlivers slivers =
+  const Replacement slivers =
     CollapseSlivers(points, { { 0, 1, 2 }, { 1, 0, 3 } }, { 0, 1 }, Radius);
   EXPECT_TRUE(slivers.Removed.empty());
   EXPECT_TRUE(slivers.Added.empty());
@@ -149,7 +149,7 @@ TEST(CollapseSlivers, LeavesNoDegenerateFacetAndKeepsSurfacesClosed)
     const auto isDegenerate = [&](const Triangle& t)
     { return IsDegenerate(points[t[0]], points[t[1]], points[t[2]]); };
     degenerateBefore += std::count_if(facets.begin(), facets.end(), isDegenerate);
-    const CollapsedSlivers collapsed = CollapseSlivers(points, facets, AllOf(facets), Radius);
+    const Replacement collapsed = CollapseSlivers(points, facets, AllOf(facets), Radius);
     slivers += collapsed.Removed.size();
     const std::vector<Triangle> after = Applied(facets, collapsed);
     ASSERT_EQ(std::count_if(after.begin(), after.end(), isDegenerate), 0) << "trial " << trial;

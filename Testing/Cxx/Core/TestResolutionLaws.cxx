@@ -81,6 +81,13 @@ TEST_F(SpoiledResolution, WithANewPointOffItsFacet)
   EXPECT_TRUE(this->Complains("stand off"));
 }
 
+TEST_F(SpoiledResolution, WithAPointThatNoFacetHas)
+{
+  this->After.Points.push_back(this->After.Points.back());
+  this->After.Origins.push_back(this->After.Origins.back());
+  EXPECT_TRUE(this->Complains("no facet has new point"));
+}
+
 TEST_F(SpoiledResolution, WithAFacetTurnedOver)
 {
   std::swap(this->After.Facets.back()[0], this->After.Facets.back()[1]);

@@ -1,96 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ConstrainedDelaunay.h"
 #include "TetgenProcess.h"
-#include "TetgenProtocol.h"
 
+#include "StandInHelper.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <thread>
-
-#include <sys/wait.h>
-#include <unistd.h>
-
 using namespace insideout;
 using namespace insideout::tetgenprotocol;
-namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
+using namespace standin;
 
 namespace
 {
-/** A folder of its own that goes with the test. */
-class TemporaryFolder
+TetgenAnswer RunOn(const TriangleSoup& soup, Monitor& monitor, const TetgenBudget& budget = {})
 {
-public:
-  TemporaryFolder()
-  {
-    std::string name = (fs::temp_directory_path() / "insideout.XXXXXX").string();
-    this->Path = mkdtemp(&name[0]);
-  }
-  ~TemporaryFolder() { fs::remove_all(this->Path); }
-
-  fs::path Path;
-};
-
-/** A shell script in the helper's place. */
-class StandIn
-{
-public:
-  explicit StandIn(const std::string& script)
-    : Path((this->Folder.Path / "helper").string())
-  {
-    std::ofstream(this->Path) << "#!/bin/sh\n" << script << "\n";
-    fs::permissions(this->Path, fs::perms::owner_all);
-    setenv("INSIDEOUT_TETGEN", this->Path.c_str(), 1);
-  }
-  ~StandIn() { unsetenv("INSIDEOUT_TETGEN"); }
-
-  const TemporaryFolder Folder;
-  const std::string Path;
-};
-
-/** A helper that answers with given bytes, whatever it is asked. */
-class StandInAnswer : public StandIn
-{
-public:
-  explicit StandInAnswer(const std::string& bytes)
-    : StandIn("cat \"$(dirname \"$0\")/answer\"")
-  {
-    std::ofstream(this->Folder.Path / "answer", std::ios::binary) << bytes;
-  }
-};
-
-std::size_t OpenDescriptors()
-{
-  return static_cast<std::size_t>(
-    std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()));
-}
-
-/** Proves at its end that no child and no descriptor is left. */
-class NothingIsLeft
-{
-public:
-  ~NothingIsLeft()
-  {
-    EXPECT_EQ(OpenDescriptors(), this->Descriptors);
-    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
-    EXPECT_EQ(errno, ECHILD);
-  }
-
-private:
-  const std::size_t Descriptors = OpenDescriptors();
-};
-
-TetgenAnswer RunOn(const TriangleSoup& soup, Monitor& monitor)
-{
-  return RunTetgen(soup.Points, soup.Triangles, SurfaceSteinerPoints::Avoid, monitor);
+  return RunTetgen(soup.Points, soup.Triangles, {}, budget, monitor);
 }
 
 const TriangleSoup& UnitBox()
@@ -99,13 +23,14 @@ const TriangleSoup& UnitBox()
   return box;
 }
 
-void ExpectError(ErrorCode code, const std::string& part, const TriangleSoup& soup = UnitBox())
+void ExpectError(ErrorCode code, const std::string& part, const TriangleSoup& soup = UnitBox(),
+  const TetgenBudget& budget = {})
 {
   const NothingIsLeft check;
   Monitor monitor;
   try
   {
-    RunOn(soup, monitor);
+    RunOn(soup, monitor, budget);
     FAIL() << "no error";
   }
   catch (const Error& error)
@@ -155,37 +80,6 @@ void ExpectStopped(const TriangleSoup& soup)
     EXPECT_EQ(error.Code, ErrorCode::Stopped) << error.what();
   }
   EXPECT_LT(Clock::now() - stopper.End, std::chrono::seconds(1));
-}
-
-/** Whether a process runs no more; whoever inherits it may take its time to reap it. */
-bool HasEnded(pid_t process)
-{
-  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
-  std::string word;
-  stat >> word >> word >> word;
-  return !stat || word == "Z" || word == "X";
-}
-
-template <typename Condition>
-bool SoonHolds(Condition condition)
-{
-  const Clock::time_point end = Clock::now() + std::chrono::seconds(3);
-  while (!condition() && Clock::now() < end)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return condition();
-}
-
-std::string BytesOf(const AnswerHeader& header)
-{
-  return std::string(reinterpret_cast<const char*>(&header), sizeof(header));
-}
-
-template <typename T>
-std::string BytesOf(const std::vector<T>& values)
-{
-  return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
 /** An answer of one cell to the unit box, with what a test wants to be wrong. */
@@ -342,6 +236,54 @@ TEST(TetgenProcess, StopsTheChildrenOfAHelperToo)
 {
   const StandIn standIn("sleep 100 & echo $! > \"$(dirname \"$0\")/child\"; wait");
   ExpectStopped(UnitBox());
+  pid_t child = 0;
+  std::ifstream(standIn.Folder.Path / "child") >> child;
+  ASSERT_GT(child, 0);
+  EXPECT_TRUE(SoonHolds([child]() { return HasEnded(child); }));
+}
+
+TEST(TetgenProcess, EndsAHelperThatTakesTooLong)
+{
+  const NothingIsLeft check;
+  for (const char* script :
+    { "exec sleep 100", "cat > /dev/null; sleep 100", "while :; do :; done" })
+  {
+    const StandIn standIn(script);
+    const Clock::time_point start = Clock::now();
+    ExpectError(ErrorCode::TetrahedralizerFailed,
+      "insideout-tetgen took more than the 0.25 s that it may", UnitBox(), { 0.25 });
+    EXPECT_LT(Clock::now() - start, std::chrono::seconds(1));
+  }
+}
+
+TEST(TetgenProcess, EndsAHelperThatComputesTooLong)
+{
+  const StandIn standIn("while :; do :; done");
+  ExpectError(ErrorCode::TetrahedralizerFailed,
+    "insideout-tetgen computed more than the 0.25 s that it may", UnitBox(), { 60, 0.25 });
+}
+
+TEST(TetgenProcess, EndsAHelperThatHoldsTooMuch)
+{
+  // tail keeps what it reads until the end of a line, which never comes.
+  const StandIn standIn("exec tail /dev/zero");
+  const Clock::time_point start = Clock::now();
+  ExpectError(ErrorCode::TetrahedralizerFailed,
+    "insideout-tetgen held more than the 100 MiB that it may", UnitBox(), { 60, 60, 100 });
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(TetgenProcess, RefusesMoreThanTheMemoryBudgetBeforeItComes)
+{
+  const StandInAnswer standIn(BytesOf(AnswerHeader{ AnswerMagic, 0, 0, 8, 10000000, 0 }));
+  ExpectError(ErrorCode::TetrahedralizerFailed,
+    "insideout-tetgen sends more than the 100 MiB that it may", UnitBox(), { 60, 60, 100 });
+}
+
+TEST(TetgenProcess, EndsWhatAHelperThatEndedLeftBehind)
+{
+  const StandIn standIn("sleep 100 & echo $! > \"$(dirname \"$0\")/child\"; exit 0");
+  ExpectError(ErrorCode::TetrahedralizerDied, "exited with status 0 before answering");
   pid_t child = 0;
   std::ifstream(standIn.Folder.Path / "child") >> child;
   ASSERT_GT(child, 0);
@@ -511,33 +453,3 @@ TEST(TetgenHelper, DoesNotOutliveItsParent)
   EXPECT_TRUE(SoonHolds([helper]() { return HasEnded(helper); }));
 }
 #endif
-
-TEST(ConstrainedDelaunay, LetsTetGenPutPointsOnFacetsWhereItCrashesOtherwise)
-{
-  const NothingIsLeft check;
-  const StandIn crashesOnce("tried=\"$(dirname \"$0\")/tried\"\n"
-                            "[ -e \"$tried\" ] || { : > \"$tried\"; kill -SEGV $$; }\n"
-                            "exec \"" INSIDEOUT_TETGEN_PATH "\"");
-  Monitor monitor;
-  const TetrahedralMesh mesh = ConstrainedDelaunay(testmeshes::ToComplex(UnitBox()), monitor);
-  EXPECT_TRUE(fs::exists(crashesOnce.Folder.Path / "tried"));
-  EXPECT_TRUE(mesh.LostFacets.empty());
-  EXPECT_GE(mesh.NumberOfCells(), 5);
-}
-
-TEST(ConstrainedDelaunay, SaysHowTetGenEndedWhereItCrashesTwice)
-{
-  const NothingIsLeft check;
-  const StandIn crashes("kill -SEGV $$");
-  Monitor monitor;
-  try
-  {
-    ConstrainedDelaunay(testmeshes::ToComplex(UnitBox()), monitor);
-    FAIL() << "no error";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.Code, ErrorCode::TetrahedralizerDied);
-    EXPECT_NE(std::string(error.what()).find("signal 11"), std::string::npos) << error.what();
-  }
-}

@@ -27,10 +27,17 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
@@ -279,6 +286,42 @@ TEST(vtkRobustTetrahedralize, CanBeStoppedInEveryStageAndRunAgain)
     ASSERT_EQ(filter->GetOutput()->GetNumberOfCells(), undisturbed->GetNumberOfCells()) << stage;
     EXPECT_EQ(Volume(filter->GetOutput()), Volume(undisturbed)) << stage;
   }
+}
+
+TEST(vtkRobustTetrahedralize, IsStoppedWithinASecondWhileTetGenHangs)
+{
+  using Clock = std::chrono::steady_clock;
+  struct Patience
+  {
+    const Clock::time_point End = Clock::now() + std::chrono::milliseconds(1500);
+    Clock::time_point Stopped;
+  } patience;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&patience);
+  observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* still = static_cast<Patience*>(data);
+      if (Clock::now() > still->End && !vtkAlgorithm::SafeDownCast(caller)->GetAbortExecute())
+      {
+        still->Stopped = Clock::now();
+        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      }
+    });
+  const std::string helper = testing::TempDir() + "insideout-hangs-" + std::to_string(getpid());
+  std::ofstream(helper) << "#!/bin/sh\nexec sleep 100\n";
+  std::filesystem::permissions(helper, std::filesystem::perms::owner_all);
+  setenv("INSIDEOUT_TETGEN", helper.c_str(), 1);
+  vtkNew<vtkRobustTetrahedralize> filter;
+  filter->SetInputData(TwoBoxes());
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  filter->Update();
+  EXPECT_GT(patience.Stopped, patience.End);
+  EXPECT_LT(Clock::now() - patience.End, std::chrono::seconds(1));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+  unsetenv("INSIDEOUT_TETGEN");
+  std::filesystem::remove(helper);
 }
 
 TEST(vtkRobustTetrahedralize, IgnoresLinesAndVerticesWithAWarningAndKeepsCellNumbers)

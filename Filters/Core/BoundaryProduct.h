@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "CountedBoundary.h"
+#include "SolidAngleProduct.h"
+
+#include <vector>
+
+/**
+ * The winding number modulo 1, from the boundary alone.
+ *
+ * Modulo 1 it is the same for all surfaces with one boundary, so that it must be a function of the
+ * boundary's edges: half the solid angle of a loop of directions is the argument of a product of
+ * spinors (Pancharatnam 1956),
+ *
+ *   solid angle / 2 = arg prod <s(u_i) | s(u_i+1)>   modulo 2 pi,   |<s(u) | s(v)>| = cos(angle /
+ * 2)
+ *
+ * where s(u) = (1 + z, x + i y) / norm points to the direction u = (x, y, z). Scaling a spinor by
+ * any complex number changes nothing, for each stands once in a bra and once in a ket. So the norm
+ * can be left out, u need not be a unit vector, and (x - i y, 1 - z), the same spinor without
+ * cancellation where z is negative, may stand in for it. A point costs one root, an edge two
+ * complex products, and there is no division, no arctangent and no branch.
+ */
+namespace insideout
+{
+/** An edge from one point of its tile to another. */
+struct TileEdge
+{
+  std::int32_t From;
+  std::int32_t To;
+};
+
+/** Per site the product so far. */
+struct PhaseProducts
+{
+  double Real[Lanes];
+  double Imaginary[Lanes];
+};
+
+/**
+ * Multiply each site's product by the edges of a tile. Sites have to keep away from the edges: the
+ * relative error of a factor is some 2^-52 / cos(half the angle that the edge is seen under).
+ *
+ * @param[in] points scaled into [-1, 1]; at most MostTilePoints of them
+ * @param[in] sites at least 2^-45 away from all points
+ */
+void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
+  std::size_t numberOfEdges, const SiteBlock& sites, PhaseProducts& products);
+
+constexpr std::size_t MostTilePoints = 64; ///< their spinors for a block fit in the first cache
+} // namespace insideout

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ClosedChainTree.h"
+#include "WindingNumberOfCaps.h"
+
+namespace insideout
+{
+/**
+ * The winding number of any chain of triangles at any place, exact but for the rounding of its
+ * fraction.
+ *
+ * The chain's holes are closed with caps (HoleCaps.h). Then
+ *
+ *   w = winding number of (chain - caps) + winding number of caps
+ *
+ * where the first is a whole number, found in a tree (ClosedChainTree.h) in time that grows with
+ * the logarithm of the number of triangles, and the second costs a few operations per open edge
+ * (WindingNumberOfCaps.h), nothing where the chain is closed.
+ *
+ * On the chain w is the mean of its values around the place, weighted by solid angle.
+ */
+class ExactWindingNumber
+{
+public:
+  /**
+   * @param[in] points below 1 in each coordinate; has to live as long as this object
+   * @param[in] triangles not degenerate
+   * @throws Error (Stopped)
+   */
+  ExactWindingNumber(const std::vector<Point>& points,
+    const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress);
+  ExactWindingNumber(const ExactWindingNumber&) = delete;
+  void operator=(const ExactWindingNumber&) = delete;
+
+  /**
+   * Set w[order[i]] to the winding number at site order[i], for all i, on all threads. Fastest
+   * where neighbours in `order` are neighbours in space. The values do not depend on the number of
+   * threads, and on the order only by rounding.
+   *
+   * @param[in] sites below 2^100 in each coordinate
+   * @throws Error (Stopped)
+   */
+  void Evaluate(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
+    Monitor& monitor, const ProgressRange& progress) const;
+
+  /** The winding number at one point. Safe to call from several threads. */
+  double At(const Point& point) const;
+
+private:
+  const std::vector<std::vector<CountedTriangle>> Caps;
+  const ClosedChainTree Tree;
+  const WindingNumberOfCaps SumOfCaps;
+};
+} // namespace insideout

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TouchedCells.h"
+
+#include "SitePredicates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+struct Bounds
+{
+  Point Low;
+  Point High;
+
+  bool IsApart(const Bounds& other) const
+  {
+    return this->High[0] < other.Low[0] || other.High[0] < this->Low[0] ||
+      this->High[1] < other.Low[1] || other.High[1] < this->Low[1] ||
+      this->High[2] < other.Low[2] || other.High[2] < this->Low[2];
+  }
+  void Add(const Point& p)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], p[axis]);
+      this->High[axis] = std::max(this->High[axis], p[axis]);
+    }
+  }
+  void Add(const Bounds& other)
+  {
+    this->Add(other.Low);
+    this->Add(other.High);
+  }
+};
+
+template <std::size_t Size>
+Bounds BoundsOf(const std::vector<Point>& points, const std::array<Id, Size>& corners)
+{
+  Bounds bounds = { points[corners[0]], points[corners[0]] };
+  for (std::size_t k = 1; k < Size; ++k)
+  {
+    bounds.Add(points[corners[k]]);
+  }
+  return bounds;
+}
+
+struct BoundedTriangle
+{
+  Bounds Box;
+  PlaneOfTriangle Plane;
+
+  bool MayTouch(const std::vector<Point>& points, const Tetrahedron& cell, const Bounds& box) const
+  {
+    if (this->Box.IsApart(box))
+    {
+      return false;
+    }
+    int below = 0;
+    int above = 0;
+    for (const Id p : cell)
+    {
+      const int side = QuickSide(this->Plane,
+        { this->Plane.Origin[0] - points[p][0], this->Plane.Origin[1] - points[p][1],
+          this->Plane.Origin[2] - points[p][2] });
+      below += side < 0;
+      above += side > 0;
+    }
+    return below < 4 && above < 4;
+  }
+};
+
+/** Some triangles and a box around them. */
+struct Bunch
+{
+  Bounds Box;
+  std::vector<BoundedTriangle> Triangles;
+};
+
+/** A box around some bunches. */
+struct Group
+{
+  Bounds Box;
+  std::vector<Bunch> Bunches;
+};
+
+Group MakeGroup(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+{
+  const std::size_t trianglesPerBunch = 8;
+  Group group = { BoundsOf(points, triangles.front().Corners), {} };
+  for (const CountedTriangle& triangle : triangles)
+  {
+    const Triangle& t = triangle.Corners;
+    const Bounds box = BoundsOf(points, t);
+    if (group.Bunches.empty() || group.Bunches.back().Triangles.size() == trianglesPerBunch)
+    {
+      group.Bunches.push_back({ box, {} });
+    }
+    group.Box.Add(box);
+    group.Bunches.back().Box.Add(box);
+    group.Bunches.back().Triangles.push_back(
+      { box, PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
+  }
+  return group;
+}
+
+bool MayTouch(
+  const Group& group, const std::vector<Point>& points, const Tetrahedron& cell, const Bounds& box)
+{
+  return !group.Box.IsApart(box) &&
+    std::any_of(group.Bunches.begin(), group.Bunches.end(),
+      [&](const Bunch& bunch)
+      {
+        return !bunch.Box.IsApart(box) &&
+          std::any_of(bunch.Triangles.begin(), bunch.Triangles.end(),
+            [&](const BoundedTriangle& triangle) { return triangle.MayTouch(points, cell, box); });
+      });
+}
+} // namespace
+
+std::vector<char> TouchedCells(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<std::vector<CountedTriangle>>& groups)
+{
+  std::vector<Group> made;
+  for (const std::vector<CountedTriangle>& triangles : groups)
+  {
+    if (!triangles.empty())
+    {
+      made.push_back(MakeGroup(points, triangles));
+    }
+  }
+  std::vector<char> touched(cells.size(), 0);
+#pragma omp parallel for schedule(static)
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    const Bounds box = BoundsOf(points, cells[c]);
+    touched[c] = std::any_of(made.begin(), made.end(),
+      [&](const Group& group) { return MayTouch(group, points, cells[c], box); });
+  }
+  return touched;
+}
+} // namespace insideout

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkImplicitWindingNumber.h"
+
+#include "vtkInsideOutSurface.h"
+
+#include <vtkDataArray.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkImplicitWindingNumber);
+
+class vtkImplicitWindingNumber::Internal
+{
+public:
+  std::unique_ptr<const SurfaceWindingNumber> WindingNumber; ///< null without a usable surface
+  std::atomic<vtkMTimeType> BuildTime{ 0 };
+  std::mutex Mutex;
+};
+
+vtkImplicitWindingNumber::vtkImplicitWindingNumber()
+  : Built(new Internal)
+{
+}
+
+vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
+{
+  this->SetInput(nullptr);
+  delete this->Built;
+}
+
+void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Input: " << this->Input << "\n";
+  os << indent << "Orientation: " << this->Orientation << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+}
+
+vtkCxxSetObjectMacro(vtkImplicitWindingNumber, Input, vtkPolyData);
+
+vtkMTimeType vtkImplicitWindingNumber::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Input ? std::max(own, this->Input->GetMTime()) : own;
+}
+
+void vtkImplicitWindingNumber::Build()
+{
+  this->Built->WindingNumber.reset();
+  if (!this->Input)
+  {
+    return;
+  }
+  try
+  {
+    Monitor silent;
+    std::vector<std::string> warnings;
+    this->Built->WindingNumber = vtkInsideOutMakeWindingNumber(this->Input,
+      { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE, {} }, silent,
+      warnings);
+    for (const std::string& warning : warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+/** The winding number of the surface as it is now; the first thread that comes builds it. */
+const vtkImplicitWindingNumber::Internal& vtkImplicitWindingNumber::UpToDate()
+{
+  const vtkMTimeType now = this->GetMTime();
+  if (this->Built->BuildTime.load(std::memory_order_acquire) < now)
+  {
+    const std::lock_guard<std::mutex> lock(this->Built->Mutex);
+    if (this->Built->BuildTime.load(std::memory_order_relaxed) < now)
+    {
+      this->Build();
+      this->Built->BuildTime.store(now, std::memory_order_release);
+    }
+  }
+  return *this->Built;
+}
+
+double vtkImplicitWindingNumber::EvaluateFunction(double x[3])
+{
+  const Internal& built = this->UpToDate();
+  return built.WindingNumber ? 0.5 - built.WindingNumber->At(Point{ x[0], x[1], x[2] }) : 0.5;
+}
+
+void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArray* output)
+{
+  const Internal& built = this->UpToDate();
+  const vtkIdType size = input->GetNumberOfTuples();
+  output->SetNumberOfComponents(1);
+  output->SetNumberOfTuples(size);
+  if (!built.WindingNumber)
+  {
+    output->Fill(0.5);
+    return;
+  }
+  std::vector<Point> points(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    input->GetTuple(i, points[i].data());
+  }
+  Monitor silent;
+  const std::vector<double> w = built.WindingNumber->At(points, silent);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    output->SetComponent(i, 0, 0.5 - w[i]);
+  }
+}
+
+void vtkImplicitWindingNumber::EvaluateGradient(double x[3], double g[3])
+{
+  const Internal& built = this->UpToDate();
+  Point gradient = { 0, 0, 0 };
+  if (built.WindingNumber)
+  {
+    gradient = built.WindingNumber->Gradient({ x[0], x[1], x[2] });
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    g[i] = 0 - gradient[i];
+  }
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkImplicitWindingNumber
+ * @brief   a surface, however broken, as an implicit function: 1/2 less its winding number
+ *
+ * The function is 1/2 - w, with w the generalized winding number of Jacobson, Kavan and
+ * Sorkine-Hornung (2013) of the surface: negative inside, positive outside, and with a zero that
+ * closes the surface's holes. It drives vtkClipDataSet, vtkCutter, vtkSampleFunction,
+ * vtkContourFilter and vtkExtractGeometry. The surface is neither resolved nor meshed.
+ *
+ * The function jumps across the surface: it is no distance. On a closed surface it is constant on
+ * each side (1/2 and -1/2 where w is 0 and 1), so that a contour of its samples is only as fine as
+ * these. EvaluateGradient gives its gradient away from the surface, analytically: zero everywhere
+ * on a closed surface, and a Biot-Savart integral over the open edges of an open one.
+ *
+ * Evaluation is thread-safe, as long as neither the properties nor the surface change. Without a
+ * surface, or where it cannot be used, which is an error that names the culprit, the function is
+ * 1/2: everything is outside. Where x is not finite it is NaN.
+ *
+ * @sa vtkProbeWindingNumber vtkImplicitPolyDataDistance
+ *
+ */
+#ifndef vtkImplicitWindingNumber_h
+#define vtkImplicitWindingNumber_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkImplicitFunction.h"
+
+class vtkPolyData;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkImplicitWindingNumber : public vtkImplicitFunction
+{
+public:
+  static vtkImplicitWindingNumber* New();
+  vtkTypeMacro(vtkImplicitWindingNumber, vtkImplicitFunction)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** When this or the surface was changed last. */
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /**
+   * The surface: polygons and strips. Lines and vertices are ignored with a warning.
+   */
+  virtual void SetInput(vtkPolyData* surface);
+  vtkGetObjectMacro(Input, vtkPolyData);
+  ///@}
+
+  ///@{
+  /** 1/2 - w at one place, or at each tuple of three components. */
+  using vtkImplicitFunction::EvaluateFunction;
+  double EvaluateFunction(double x[3]) override;
+  void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override;
+  ///@}
+
+  /** The gradient of 1/2 - w, away from the surface; zero where the surface is closed. */
+  void EvaluateGradient(double x[3], double g[3]) override;
+
+  /** Which way the surface faces; the values are those of vtkGeneralizedWindingNumber. */
+  enum OrientationType
+  {
+    AS_GIVEN = 1,
+    REVERSE = 2
+  };
+
+  ///@{
+  /**
+   * Which way the surface as a whole is meant to face: AS_GIVEN (1), or the other way, REVERSE (2).
+   * Default AS_GIVEN.
+   */
+  vtkSetClampMacro(Orientation, int, AS_GIVEN, REVERSE);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surface; of several the one with the
+   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a polygon as often as it is given. Default off: triangles with the same three points
+   * count once per orientation, and opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+protected:
+  vtkImplicitWindingNumber();
+  ~vtkImplicitWindingNumber() override;
+
+  vtkPolyData* Input = nullptr;
+  int Orientation = AS_GIVEN;
+  double MergeTolerance = 0.0;
+  bool CountDuplicates = false;
+
+private:
+  vtkImplicitWindingNumber(const vtkImplicitWindingNumber&) = delete;
+  void operator=(const vtkImplicitWindingNumber&) = delete;
+
+  class Internal;
+  Internal* Built;
+
+  void Build();
+  const Internal& UpToDate();
+};
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkProbeWindingNumber.h"
+
+#include "vtkInsideOutAttributes.h"
+#include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutSurface.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkCellData.h>
+#include <vtkDataObject.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkGenericCell.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <limits>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkProbeWindingNumber);
+
+class vtkProbeWindingNumber::Internal
+{
+public:
+  std::unique_ptr<const SurfaceWindingNumber> WindingNumber;
+};
+
+vtkProbeWindingNumber::vtkProbeWindingNumber()
+  : Last(new Internal)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkProbeWindingNumber::~vtkProbeWindingNumber()
+{
+  delete this->Last;
+}
+
+void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Association: " << this->Association << "\n";
+  os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "InsideOut: " << this->InsideOut << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "ApproximationOrder: " << this->ApproximationOrder << "\n";
+  os << indent << "Accuracy: " << this->Accuracy << "\n";
+  os << indent << "Orientation: " << this->Orientation << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+}
+
+void vtkProbeWindingNumber::SetSurfaceData(vtkPolyData* surface)
+{
+  this->SetInputData(1, surface);
+}
+
+void vtkProbeWindingNumber::SetSurfaceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+vtkPolyData* vtkProbeWindingNumber::GetSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0));
+}
+
+int vtkProbeWindingNumber::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
+  return 1;
+}
+
+/** Of several pieces of the input each needs the whole surface. */
+int vtkProbeWindingNumber::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  if (vtkInformation* surface = inputVector[1]->GetInformationObject(0))
+  {
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return done;
+}
+
+namespace
+{
+std::vector<Point> PointsOf(vtkDataSet* input)
+{
+  std::vector<Point> points(input->GetNumberOfPoints());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    input->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+  }
+  return points;
+}
+
+std::vector<Point> CentresOf(vtkDataSet* input)
+{
+  std::vector<Point> centres(input->GetNumberOfCells());
+  vtkNew<vtkGenericCell> cell;
+  std::vector<double> weights(input->GetMaxCellSize());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < centres.size(); ++i)
+  {
+    input->GetCell(static_cast<vtkIdType>(i), cell);
+    centres[i] = { nan, nan, nan };
+    if (cell->GetNumberOfPoints() > 0)
+    {
+      double parametric[3];
+      int part = cell->GetParametricCenter(parametric);
+      cell->EvaluateLocation(part, parametric, centres[i].data(), weights.data());
+    }
+  }
+  return centres;
+}
+} // namespace
+
+unsigned char vtkProbeWindingNumber::Mark(double w) const
+{
+  return (w > this->Threshold) != this->InsideOut ? 1 : 0;
+}
+
+int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  this->Last->WindingNumber.reset();
+  return vtkInsideOutRun(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(this, { "validating", "winding numbers" });
+      const bool atPoints = this->Association == POINTS;
+      const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
+      if (size > std::numeric_limits<Id>::max())
+      {
+        throw Error(ErrorCode::TooLarge,
+          "the input has " + std::to_string(size) + " places to probe; at most " +
+            std::to_string(std::numeric_limits<Id>::max()) + " can be handled");
+      }
+      std::vector<std::string> warnings;
+      this->Last->WindingNumber = vtkInsideOutMakeWindingNumber(surface,
+        { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE,
+          { static_cast<WindingNumberMethod>(this->Method), this->ApproximationOrder,
+            this->Accuracy } },
+        monitor, warnings);
+      const std::vector<double> values =
+        this->Last->WindingNumber->At(atPoints ? PointsOf(input) : CentresOf(input), monitor);
+
+      vtkNew<vtkDoubleArray> w;
+      w->SetName("w");
+      w->SetNumberOfValues(size);
+      vtkNew<vtkUnsignedCharArray> inside;
+      inside->SetName("Inside");
+      inside->SetNumberOfValues(size);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        w->SetValue(i, values[i]);
+        inside->SetValue(i, this->Mark(values[i]));
+      }
+      output->ShallowCopy(input);
+      vtkDataSetAttributes* data =
+        output->GetAttributes(atPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+      vtkInsideOutAttributes::RenameArrays(data, { "w", "Inside" }, warnings);
+      data->AddArray(inside);
+      data->SetScalars(w);
+      vtkInsideOutWarn(this, warnings);
+    });
+}
+
+int vtkProbeWindingNumber::IsInside(vtkIdType id)
+{
+  vtkDataSet* output = this->GetOutput();
+  vtkDataSetAttributes* data = output
+    ? output->GetAttributes(
+        this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL)
+    : nullptr;
+  auto* inside = vtkUnsignedCharArray::SafeDownCast(data ? data->GetArray("Inside") : nullptr);
+  return inside && id >= 0 && id < inside->GetNumberOfValues() ? inside->GetValue(id) : 0;
+}
+
+int vtkProbeWindingNumber::IsInsideSurface(double x, double y, double z)
+{
+  return this->Last->WindingNumber ? this->Mark(this->Last->WindingNumber->At(Point{ x, y, z }))
+                                   : 0;
+}
+
+int vtkProbeWindingNumber::IsInsideSurface(double x[3])
+{
+  return this->IsInsideSurface(x[0], x[1], x[2]);
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkProbeWindingNumber
+ * @brief   the winding number of a surface at the points or cells of any data set
+ *
+ * Takes any data set (port 0) and any triangle or polygon surface (port 1), however broken, and
+ * evaluates at each point, or at the centre of each cell, the generalized winding number w of
+ * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around it. The surface is
+ * neither resolved nor meshed. It may cross itself, and it may be open: w is then a fraction that
+ * fades smoothly near the holes, and w > 1/2 still tells inside from outside, where ray casting, as
+ * in vtkSelectEnclosedPoints, depends on the ray. It takes that filter's place: SetSurfaceData,
+ * SetSurfaceConnection, InsideOut, IsInside and IsInsideSurface are the same.
+ *
+ * Output: the input with all its data, and w (double) and Inside (unsigned char, 1 where w is above
+ * Threshold, else 0) on its points or cells. On the surface itself w is the mean of its values
+ * around the point, weighted by solid angle: on a polygon of a closed surface the mean of both
+ * sides, a half.
+ *
+ * A surface that is given inside out has w of the opposite sign: see Orientation. Duplicates,
+ * two-sided parts and degenerate polygons count as in vtkGeneralizedWindingNumber. A point of the
+ * input that is not finite has w = NaN and is not inside. A point of the surface that is not
+ * finite, or a cell with a point out of range, is an error that names it.
+ *
+ * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
+ *
+ */
+#ifndef vtkProbeWindingNumber_h
+#define vtkProbeWindingNumber_h
+
+#include "vtkDataSetAlgorithm.h"
+#include "vtkFiltersInsideOutModule.h" // for export macro
+
+class vtkPolyData;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkProbeWindingNumber : public vtkDataSetAlgorithm
+{
+public:
+  static vtkProbeWindingNumber* New();
+  vtkTypeMacro(vtkProbeWindingNumber, vtkDataSetAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The surface: polygons and strips. Lines and vertices are ignored with a warning.
+   */
+  void SetSurfaceData(vtkPolyData* surface);
+  void SetSurfaceConnection(vtkAlgorithmOutput* output);
+  vtkPolyData* GetSurface();
+  ///@}
+
+  /** Where w is evaluated. */
+  enum AssociationType
+  {
+    POINTS = 0, ///< at the points
+    CELLS = 1   ///< at the cells' parametric centres
+  };
+
+  ///@{
+  /**
+   * Whether w is evaluated at the POINTS (0) or at the centres of the CELLS (1). Default POINTS.
+   */
+  vtkSetClampMacro(Association, int, POINTS, CELLS);
+  vtkGetMacro(Association, int);
+  ///@}
+
+  ///@{
+  /**
+   * Inside is where w is above this, without unit. Default 0.5, range minus infinity to infinity.
+   */
+  vtkSetMacro(Threshold, double);
+  vtkGetMacro(Threshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * On: the array Inside marks what is outside instead. w stays as it is. Default off.
+   */
+  vtkSetMacro(InsideOut, bool);
+  vtkGetMacro(InsideOut, bool);
+  vtkBooleanMacro(InsideOut, bool);
+  ///@}
+
+  /** How w is evaluated. */
+  enum MethodType
+  {
+    EXACT = 0,        ///< right to rounding, and fastest
+    NAIVE = 1,        ///< the sum over all facets
+    HIERARCHICAL = 2, ///< the thesis's
+    APPROXIMATE = 3   ///< far-field expansion
+  };
+
+  ///@{
+  /**
+   * How w is evaluated. EXACT (0) is right to rounding and the fastest. For reference: NAIVE (1)
+   * sums the solid angles of all facets, HIERARCHICAL (2) is the hierarchy of Jacobson, Kavan and
+   * Sorkine-Hornung (2013), both exact as well; APPROXIMATE (3) is the far-field expansion of
+   * Barill et al. (2018), which errs by some 1e-3. Default EXACT.
+   */
+  vtkSetClampMacro(Method, int, EXACT, APPROXIMATE);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of APPROXIMATE: the order of the expansion. Default 2, range 1 to 3.
+   */
+  vtkSetClampMacro(ApproximationOrder, int, 1, 3);
+  vtkGetMacro(ApproximationOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of APPROXIMATE: how many of their radii away facets count as far. Larger is slower and errs
+   * less. Default 2, range 1 to infinity.
+   */
+  vtkSetClampMacro(Accuracy, double, 1.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Accuracy, double);
+  ///@}
+
+  /** Which way the surface faces; the values are those of vtkGeneralizedWindingNumber. */
+  enum OrientationType
+  {
+    AS_GIVEN = 1,
+    REVERSE = 2
+  };
+
+  ///@{
+  /**
+   * Which way the surface as a whole is meant to face: AS_GIVEN (1), or the other way, REVERSE (2).
+   * Default AS_GIVEN.
+   */
+  vtkSetClampMacro(Orientation, int, AS_GIVEN, REVERSE);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surface; of several the one with the
+   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a polygon as often as it is given. Default off: triangles with the same three points
+   * count once per orientation, and opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+  /**
+   * After the filter was updated: whether the input's point (with Association CELLS, its cell) is
+   * marked in the array Inside; 0 or 1, 0 for an id out of range.
+   */
+  int IsInside(vtkIdType id);
+
+  ///@{
+  /**
+   * After the filter was updated: whether a place would be marked in the array Inside; 0 or 1.
+   * Evaluates as the last update did.
+   */
+  int IsInsideSurface(double x, double y, double z);
+  int IsInsideSurface(double x[3]);
+  ///@}
+
+protected:
+  vtkProbeWindingNumber();
+  ~vtkProbeWindingNumber() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Association = POINTS;
+  double Threshold = 0.5;
+  bool InsideOut = false;
+  int Method = EXACT;
+  int ApproximationOrder = 2;
+  double Accuracy = 2.0;
+  int Orientation = AS_GIVEN;
+  double MergeTolerance = 0.0;
+  bool CountDuplicates = false;
+
+private:
+  vtkProbeWindingNumber(const vtkProbeWindingNumber&) = delete;
+  void operator=(const vtkProbeWindingNumber&) = delete;
+
+  unsigned char Mark(double w) const;
+
+  class Internal;
+  Internal* Last; ///< what the last update left for IsInsideSurface
+};
+
+#endif

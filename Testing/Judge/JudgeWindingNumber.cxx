@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "HullMesh.h"
+#include "ReadTriangles.h"
+#include "SurfaceWindingNumber.h"
+#include "WindingNumberInQuads.h"
+#include "WindingNumberOfCells.h"
+#include "WindingNumberSum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+using namespace insideout;
+using namespace testmeshes;
+
+namespace
+{
+// The fraction against quadruple precision; the sum in doubles itself errs by about 1e-14 times the
+// root of the number of facets.
+constexpr double MostErrorToQuads = 1e-12;
+constexpr double MostErrorToSum = 1e-10;
+
+constexpr double SliverThickness = 1e-6;
+constexpr int RandomPoints = 100000;
+
+/** Largest difference between values and a reference, and whether one is not a number. */
+double LargestError(const std::vector<double>& values, const std::vector<double>& reference)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double error = std::abs(values[i] - reference[i]);
+    largest = error <= largest ? largest : error; // NaN stays
+  }
+  return largest;
+}
+
+/** The same against quadruple precision at some of the sites. */
+double LargestErrorToQuads(const FacetComplex& surface, const Sites& sites,
+  const std::vector<Id>& which, const std::vector<double>& values)
+{
+  std::vector<double> some(which.size());
+  std::vector<double> reference(which.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < which.size(); ++i)
+  {
+    some[i] = values[which[i]];
+    reference[i] = WindingNumberInQuads(surface, sites[which[i]]);
+  }
+  return LargestError(some, reference);
+}
+
+/** Six times the volume over the cube of the longest edge at corner 0, roughly. */
+double Thickness(const TetrahedralMesh& mesh, const Tetrahedron& cell)
+{
+  long double e[3][3];
+  long double longest = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      e[k][axis] =
+        static_cast<long double>(mesh.Points[cell[k + 1]][axis]) - mesh.Points[cell[0]][axis];
+    }
+    longest = std::max(longest, std::hypot(e[k][0], e[k][1], e[k][2]));
+  }
+  const long double volume = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+    e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+    e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  return static_cast<double>(std::abs(volume) / (longest * longest * longest));
+}
+
+/** The thinnest cells, but at most `number` slivers, and as many others at random. */
+std::vector<Id> SliversAndOthers(
+  const TetrahedralMesh& mesh, std::size_t number, std::size_t& slivers)
+{
+  std::vector<std::pair<double, Id>> thin;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    const double thickness = Thickness(mesh, mesh.Cells[cell]);
+    if (thickness < SliverThickness)
+    {
+      thin.push_back({ thickness, cell });
+    }
+  }
+  std::sort(thin.begin(), thin.end());
+  slivers = thin.size();
+  thin.resize(std::min(thin.size(), number));
+  std::vector<Id> which;
+  for (const auto& cell : thin)
+  {
+    which.push_back(cell.second);
+  }
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    which.push_back(static_cast<Id>(random() % mesh.Cells.size()));
+  }
+  return which;
+}
+
+/** Points in the surface's box; then on vertices, edges and facets, and the lines through edges. */
+std::vector<Point> PointsAround(const FacetComplex& surface, int inBox, int ofEach)
+{
+  Point low = surface.Points[surface.Facets[0][0]];
+  Point high = low;
+  for (const Triangle& t : surface.Facets)
+  {
+    for (const Id p : t)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], surface.Points[p][axis]);
+        high[axis] = std::max(high[axis], surface.Points[p][axis]);
+      }
+    }
+  }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> part(0, 1);
+  std::vector<Point> points(inBox);
+  for (Point& p : points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = low[axis] + part(random) * (high[axis] - low[axis]);
+    }
+  }
+  for (int i = 0; i < ofEach; ++i)
+  {
+    const Triangle& t = surface.Facets[random() % surface.Facets.size()];
+    const double u = part(random);
+    for (const std::array<double, 3>& weights : { std::array<double, 3>{ 1, 0, 0 }, { u, 1 - u, 0 },
+           { u / 2, u / 2, 1 - u }, { 1 + u, -u, 0 }, { 0, -u, 1 + u } })
+    {
+      Point p = { 0, 0, 0 };
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          p[axis] += weights[k] * surface.Points[t[k]][axis];
+        }
+      }
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
+bool Verdict(double toQuads, double toSum)
+{
+  return toQuads <= MostErrorToQuads && toSum <= MostErrorToSum;
+}
+
+bool JudgeCells(const std::string& name, const TriangleSoup& soup, std::size_t sample)
+{
+  Monitor monitor;
+  const HullMesh hull = MeshHull(soup, {}, monitor);
+  const Sites sites = { hull.Mesh.Points, hull.Mesh.Cells };
+  const double toSum = LargestError(hull.W, WindingNumberSum(hull.Surface, sites, monitor));
+  std::size_t slivers = 0;
+  const std::vector<Id> which = SliversAndOthers(hull.Mesh, sample, slivers);
+  const double toQuads = LargestErrorToQuads(hull.Surface, sites, which, hull.W);
+  std::printf("%-28s cells  %s %9d of which %6zu slivers: error to sum %.1e; to quads on %5zu "
+              "%.1e  %s\n",
+    name.c_str(), IsClosed(hull.Surface) ? "closed" : "open  ", hull.Mesh.NumberOfCells(), slivers,
+    toSum, which.size(), toQuads, Verdict(toQuads, toSum) ? "ok" : "VIOLATED");
+  return Verdict(toQuads, toSum);
+}
+
+bool JudgePoints(const std::string& name, const TriangleSoup& soup, int sample)
+{
+  Monitor monitor;
+  const FacetComplex surface = CountFacets(soup, {}, monitor).Surface;
+  const std::vector<Point> points = PointsAround(surface, RandomPoints, sample);
+  std::vector<Tetrahedron> cells;
+  std::vector<Id> which;
+  for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
+  {
+    cells.push_back({ { p, p, p, p } });
+    // Quadruple precision does not know what lies in a plane, so it has the points in the box only.
+    if (p < sample)
+    {
+      which.push_back(p);
+    }
+  }
+  const Sites sites = { points, cells };
+  const std::vector<double> w = SurfaceWindingNumber(surface, {}, monitor).At(points, monitor);
+  const double toSum = LargestError(w, WindingNumberSum(surface, sites, monitor));
+  const double toQuads = LargestErrorToQuads(surface, sites, which, w);
+  std::printf("%-28s points        %9zu: error to sum %.1e; to quads on %5zu %.1e  %s\n",
+    name.c_str(), points.size(), toSum, which.size(), toQuads,
+    Verdict(toQuads, toSum) ? "ok" : "VIOLATED");
+  return Verdict(toQuads, toSum);
+}
+} // namespace
+
+/**
+ * JudgeWindingNumber [--sample N] SURFACE...: compares w in the cells of each surface's hull mesh,
+ * and at 100,000 points of its box and some on the surface itself, with brute force: everywhere
+ * with the sum over all facets, and in quadruple precision on N slivers (all, if there are fewer),
+ * N other cells and N points (1000). Exit status 1 where w is not right to 1e-12, or a surface
+ * cannot be meshed.
+ */
+int main(int argc, char** argv)
+{
+  int sample = 1000;
+  bool allGood = true;
+  for (int i = 1; i < argc; ++i)
+  {
+    if (std::strcmp(argv[i], "--sample") == 0 && i + 1 < argc)
+    {
+      sample = std::max(1, std::atoi(argv[++i]));
+      continue;
+    }
+    const std::string path = argv[i];
+    const std::string name = path.substr(path.find_last_of('/') + 1);
+    try
+    {
+      const TriangleSoup soup = ReadTriangles(path);
+      allGood = JudgePoints(name, soup, sample) && allGood;
+      allGood = JudgeCells(name, soup, static_cast<std::size_t>(sample)) && allGood;
+    }
+    catch (const Error& error)
+    {
+      std::printf("%-28s %s\n", name.c_str(), error.what());
+      allGood = false;
+    }
+    std::fflush(stdout);
+  }
+  return allGood ? 0 : 1;
+}

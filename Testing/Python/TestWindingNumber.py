@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The winding number of raw surfaces: as a probe on any data set, and as an implicit function."""
+
+import random
+import unittest
+
+import insideout
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkCutter, vtkMassProperties, vtkTriangleFilter
+from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
+from vtkmodules.vtkFiltersModeling import vtkSelectEnclosedPoints
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+
+import numpy as np
+
+
+def sphere(hole_facets=0, resolution=24):
+    """A ball of radius 1/2, less some facets."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.Update()
+    whole = source.GetOutput()
+    surface = vtkPolyData()
+    surface.SetPoints(whole.GetPoints())
+    polygons = vtkCellArray()
+    for i in range(hole_facets, whole.GetNumberOfCells()):
+        polygons.InsertNextCell(whole.GetCell(i).GetPointIds())
+    surface.SetPolys(polygons)
+    return surface
+
+
+def grid(size=9):
+    """An image over about [-1, 1] cubed, whose points keep off the surfaces' symmetry planes."""
+    image = vtkImageData()
+    image.SetDimensions(size, size, size)
+    image.SetOrigin(-1.01, -1.02, -1.03)
+    image.SetSpacing(*[2 / (size - 1)] * 3)
+    return image
+
+
+def radii(data):
+    points = np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+    return np.linalg.norm(points, axis=1)
+
+
+def probe(data, surface, **properties):
+    filter_ = insideout.vtkProbeWindingNumber()
+    filter_.SetInputData(data)
+    filter_.SetSurfaceData(surface)
+    for name, value in properties.items():
+        getattr(filter_, "Set" + name)(value)
+    filter_.Update()
+    return filter_
+
+
+class TestProbe(unittest.TestCase):
+    def test_w_is_an_exact_integer_on_a_closed_surface(self):
+        image = grid()
+        output = probe(image, sphere()).GetOutput()
+        self.assertEqual(output.GetClassName(), "vtkImageData")
+        w = vtk_to_numpy(output.GetPointData().GetArray("w"))
+        self.assertEqual(set(w), {0.0, 1.0})
+        np.testing.assert_array_equal(w, vtk_to_numpy(output.GetPointData().GetArray("Inside")))
+        r = radii(image)
+        self.assertTrue(np.all(w[r < 0.48] == 1) and np.all(w[r > 0.5] == 0))
+
+    def test_inside_is_right_on_an_open_surface(self):
+        image = grid(20)
+        inside = vtk_to_numpy(probe(image, sphere(6)).GetOutput().GetPointData().GetArray("Inside"))
+        r = radii(image)
+        self.assertTrue(np.all(inside[r < 0.4] == 1) and np.all(inside[r > 0.52] == 0))
+
+    def test_it_takes_the_place_of_select_enclosed_points(self):
+        for surface in (sphere(), sphere(resolution=5)):
+            old = vtkSelectEnclosedPoints()
+            new = insideout.vtkProbeWindingNumber()
+            for selector in (old, new):
+                selector.SetInputData(grid(10))
+                selector.SetSurfaceData(surface)
+                selector.Update()
+            for i in range(1000):
+                self.assertEqual(old.IsInside(i), new.IsInside(i))
+            self.assertEqual(new.IsInsideSurface(0, 0, 0), 1)
+            self.assertEqual(new.IsInsideSurface([2, 0, 0]), 0)
+            new.InsideOutOn()
+            new.Update()
+            self.assertEqual(new.IsInsideSurface(0, 0, 0), 0)
+            self.assertEqual(new.IsInside(0), 1)
+            self.assertEqual(new.IsInside(1000), 0)
+
+    def test_cells_are_probed_at_their_centres(self):
+        image = grid()
+        output = probe(image, sphere(), Association=1).GetOutput()
+        self.assertIsNone(output.GetPointData().GetArray("w"))
+        w = vtk_to_numpy(output.GetCellData().GetArray("w"))
+        for i in range(image.GetNumberOfCells()):
+            bounds = image.GetCell(i).GetBounds()
+            centre = [(bounds[2 * k] + bounds[2 * k + 1]) / 2 for k in range(3)]
+            r = np.linalg.norm(centre)
+            if r < 0.48 or r > 0.5:
+                self.assertEqual(w[i], r < 0.5)
+
+    def test_all_methods_agree(self):
+        exact, naive, hierarchical, approximate = (
+            vtk_to_numpy(probe(grid(), sphere(5), Method=m).GetOutput().GetPointData().GetArray("w"))
+            for m in range(4))
+        np.testing.assert_allclose(naive, exact, atol=1e-13)
+        np.testing.assert_allclose(hierarchical, exact, atol=1e-13)
+        self.assertLess(abs(approximate - exact).mean(), 0.02)
+        better = probe(grid(), sphere(5), Method=3, ApproximationOrder=3, Accuracy=10).GetOutput()
+        np.testing.assert_allclose(vtk_to_numpy(better.GetPointData().GetArray("w")), exact, atol=1e-4)
+
+    def test_reverse_negates(self):
+        given = vtk_to_numpy(probe(grid(), sphere(5)).GetOutput().GetPointData().GetArray("w"))
+        turned = vtk_to_numpy(probe(grid(), sphere(5), Orientation=2).GetOutput().GetPointData().GetArray("w"))
+        np.testing.assert_allclose(turned, -given, atol=1e-15)
+
+    def test_duplicates_count_once_unless_asked_for(self):
+        surface = sphere()
+        for i in range(surface.GetNumberOfCells()):
+            surface.GetPolys().InsertNextCell(surface.GetCell(i).GetPointIds())
+        self.assertEqual(probe(grid(), surface).GetOutput().GetPointData().GetArray("w").GetRange()[1], 1)
+        twice = probe(grid(), surface, CountDuplicates=True)
+        self.assertEqual(twice.GetOutput().GetPointData().GetArray("w").GetRange()[1], 2)
+
+    def test_merging_closes_gaps(self):
+        surface = sphere()
+        torn = vtkPolyData()
+        points, polygons = vtkPoints(), vtkCellArray()
+        points.SetDataTypeToDouble()
+        shake = random.Random(1)
+        for i in range(surface.GetNumberOfCells()):
+            polygons.InsertNextCell(3)
+            for k in range(3):
+                x = surface.GetPoint(surface.GetCell(i).GetPointId(k))
+                polygons.InsertCellPoint(points.InsertNextPoint([c + 1e-6 * shake.random() for c in x]))
+        torn.SetPoints(points)
+        torn.SetPolys(polygons)
+        w = vtk_to_numpy(probe(grid(), torn, MergeTolerance=1e-5).GetOutput().GetPointData().GetArray("w"))
+        self.assertEqual(set(w), {0.0, 1.0})
+
+    def test_data_are_passed_on_and_clashing_arrays_renamed(self):
+        image = grid()
+        for name in ("w", "other"):
+            array = numpy_to_vtk(np.arange(image.GetNumberOfPoints(), dtype=float), deep=1)
+            array.SetName(name)
+            image.GetPointData().AddArray(array)
+        warned = []
+        filter_ = insideout.vtkProbeWindingNumber()
+        filter_.AddObserver("WarningEvent", lambda *_: warned.append(1))
+        filter_.SetInputData(image)
+        filter_.SetSurfaceData(sphere())
+        filter_.Update()
+        data = filter_.GetOutput().GetPointData()
+        self.assertEqual(data.GetArray("Input_w").GetValue(7), 7)
+        self.assertEqual(data.GetArray("other").GetValue(7), 7)
+        self.assertTrue(warned)
+        self.assertEqual(image.GetPointData().GetNumberOfArrays(), 2)
+
+    def test_errors_name_the_culprit(self):
+        bad = sphere()
+        points = vtkPoints()
+        points.DeepCopy(bad.GetPoints())
+        points.SetPoint(17, 0, float("nan"), 0)
+        bad.SetPoints(points)
+        with self.assertRaisesRegex(insideout.Error, "point 17"):
+            filter_ = insideout.vtkProbeWindingNumber()
+            filter_.SetInputData(grid())
+            filter_.SetSurfaceData(bad)
+            insideout.pipeline.run(filter_)
+
+
+def function(surface):
+    implicit = insideout.vtkImplicitWindingNumber()
+    implicit.SetInput(surface)
+    return implicit
+
+
+class TestImplicitFunction(unittest.TestCase):
+    def test_it_clips(self):
+        clip = vtkClipDataSet()
+        clip.SetInputData(grid(20))
+        clip.SetClipFunction(function(sphere(4)))
+        clip.InsideOutOn()
+        clip.Update()
+        output = clip.GetOutput()
+        self.assertGreater(output.GetNumberOfCells(), 100)
+        self.assertLess(radii(output).max(), 0.6)
+
+    def test_it_cuts(self):
+        cut = vtkCutter()
+        cut.SetInputData(grid(20))
+        cut.SetCutFunction(function(sphere(4)))
+        cut.Update()
+        r = radii(cut.GetOutput())
+        self.assertGreater(len(r), 100)
+        self.assertTrue(r.min() > 0.3 and r.max() < 0.6)
+
+    def test_it_is_sampled_and_contoured(self):
+        sample = vtkSampleFunction()
+        sample.SetImplicitFunction(function(sphere()))
+        sample.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        sample.SetSampleDimensions(40, 40, 40)
+        sample.ComputeNormalsOff()
+        contour = vtkContourFilter()
+        contour.SetInputConnection(sample.GetOutputPort())
+        contour.SetValue(0, 0)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(contour.GetOutputPort())
+        mass = vtkMassProperties()
+        mass.SetInputConnection(triangles.GetOutputPort())
+        mass.Update()
+        ball = 4 / 3 * np.pi * 0.5**3
+        self.assertAlmostEqual(mass.GetVolume(), ball, delta=0.1 * ball)
+        values = vtk_to_numpy(sample.GetOutput().GetPointData().GetScalars())
+        self.assertEqual(set(values), {-0.5, 0.5})
+
+    def test_it_extracts(self):
+        extract = vtkExtractGeometry()
+        extract.SetInputData(grid(20))
+        extract.SetImplicitFunction(function(sphere(4)))
+        extract.Update()
+        self.assertGreater(extract.GetOutput().GetNumberOfCells(), 100)
+        self.assertLess(radii(extract.GetOutput()).max(), 0.55)
+
+    def test_arrays_and_single_points_agree(self):
+        implicit = function(sphere(4))
+        image = grid(6)
+        points = vtkDoubleArray()
+        points.SetNumberOfComponents(3)
+        for i in range(image.GetNumberOfPoints()):
+            points.InsertNextTuple(image.GetPoint(i))
+        values = vtkDoubleArray()
+        implicit.FunctionValue(points, values)
+        for i in range(image.GetNumberOfPoints()):
+            self.assertAlmostEqual(values.GetValue(i), implicit.FunctionValue(points.GetTuple(i)), 14)
+
+    def test_the_gradient_is_that_of_differences(self):
+        implicit = function(sphere(4))
+        chance = random.Random(2)
+        for _ in range(50):
+            x = [chance.uniform(-1, 1) for _ in range(3)]
+            gradient = [0, 0, 0]
+            implicit.FunctionGradient(x, gradient)
+            for k in range(3):
+                h = 1e-5
+                above, below = list(x), list(x)
+                above[k] += h
+                below[k] -= h
+                difference = implicit.FunctionValue(above) - implicit.FunctionValue(below)
+                difference -= round(difference)
+                self.assertAlmostEqual(gradient[k], difference / (2 * h), delta=1e-3 * max(1, abs(gradient[k])))
+        closed = function(sphere())
+        gradient = [1, 1, 1]
+        closed.FunctionGradient([0.1, 0.2, 0.3], gradient)
+        self.assertEqual(gradient, [0, 0, 0])
+
+    def test_it_follows_the_surface_and_the_properties(self):
+        surface = sphere()
+        implicit = function(surface)
+        self.assertEqual(implicit.FunctionValue(0, 0, 0), -0.5)
+        implicit.SetOrientation(2)
+        self.assertEqual(implicit.FunctionValue(0, 0, 0), 1.5)
+        implicit.SetOrientation(1)
+        for i in range(surface.GetNumberOfPoints()):
+            x = surface.GetPoint(i)
+            surface.GetPoints().SetPoint(i, x[0] + 5, x[1], x[2])
+        surface.GetPoints().Modified()
+        self.assertEqual(implicit.FunctionValue(0, 0, 0), 0.5)
+        self.assertEqual(implicit.FunctionValue(5, 0, 0), -0.5)
+        implicit.SetInput(None)
+        self.assertEqual(implicit.FunctionValue(5, 0, 0), 0.5)
+
+    def test_a_surface_of_no_use_is_an_error_and_all_is_outside(self):
+        implicit = function(vtkPolyData())
+        errors = []
+        implicit.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        self.assertEqual(implicit.FunctionValue(0, 0, 0), 0.5)
+        self.assertEqual(implicit.FunctionValue(1, 0, 0), 0.5)
+        self.assertEqual(len(errors), 1)
+
+    def test_quadrature_changes_open_cells_only(self):
+        for surface, changes in ((sphere(0, 12), False), (sphere(4, 12), True)):
+            values = []
+            for order in (1, 5):
+                filter_ = insideout.vtkGeneralizedWindingNumber()
+                filter_.SetInputData(surface)
+                filter_.SetQuadratureOrder(order)
+                filter_.Update()
+                values.append(vtk_to_numpy(filter_.GetOutput().GetCellData().GetArray("w")))
+            self.assertEqual(np.any(values[0] != values[1]), changes)
+            self.assertLess(abs(values[0] - values[1]).max(), 0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
