@@ -22,9 +22,8 @@ constexpr double LargestRounding = 1e-12;
 class FacetPlacer
 {
 public:
-  FacetPlacer(const FacetComplex& surface, const FaceTable& faces, TetrahedralMesh& mesh)
-    : Surface(surface)
-    , Faces(faces)
+  FacetPlacer(const FaceTable& faces, TetrahedralMesh& mesh)
+    : Faces(faces)
     , Mesh(mesh)
   {
     mesh.Facets.assign(mesh.Cells.size(), { { None, None, None, None } });
@@ -49,26 +48,7 @@ public:
     }
   }
 
-  /** @return the constraints that are no face */
-  std::vector<Id> PlaceWholeFacets()
-  {
-    std::vector<Id> others;
-    for (Id facet = 0; facet < this->Surface.NumberOfConstraints; ++facet)
-    {
-      if (this->IsFree(this->Surface.Facets[facet]))
-      {
-        this->Place(facet, this->Surface.Facets[facet]);
-      }
-      else
-      {
-        others.push_back(facet);
-      }
-    }
-    return others;
-  }
-
 private:
-  const FacetComplex& Surface;
   const FaceTable& Faces;
   TetrahedralMesh& Mesh;
 };
@@ -143,7 +123,7 @@ struct PointOnFacet
   std::array<double, 3> Weights;
 };
 
-/** A facet that is not a face but may be a union of faces. */
+/** A facet that may be a union of faces. */
 struct SplitFacet
 {
   Id Facet;
@@ -152,23 +132,30 @@ struct SplitFacet
   std::vector<PointOnFacet> NewPoints;
 };
 
-/** The facets with the faces that TetGen marked as theirs. */
-std::vector<SplitFacet> GatherMarkedFaces(const std::vector<Id>& facets,
-  const std::vector<Triangle>& faces, const std::vector<Id>& facetOfFaces)
+/** The facets that several faces are marked as pieces of, ascending. */
+std::vector<SplitFacet> GatherSplitFacets(
+  Id numberOfFacets, const std::vector<Triangle>& faces, const std::vector<Id>& facetOfFaces)
 {
-  std::vector<SplitFacet> split;
-  std::map<Id, std::size_t> indices;
-  for (const Id facet : facets)
+  std::vector<int> numberOfPieces(static_cast<std::size_t>(numberOfFacets), 0);
+  for (const Id facet : facetOfFaces)
   {
-    indices[facet] = split.size();
-    split.push_back({ facet, {}, {}, {} });
+    ++numberOfPieces[facet];
+  }
+  std::vector<SplitFacet> split;
+  std::vector<std::size_t> index(static_cast<std::size_t>(numberOfFacets), 0);
+  for (Id facet = 0; facet < numberOfFacets; ++facet)
+  {
+    if (numberOfPieces[facet] > 1)
+    {
+      index[facet] = split.size();
+      split.push_back({ facet, {}, {}, {} });
+    }
   }
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
-    const auto index = indices.find(facetOfFaces[face]);
-    if (index != indices.end())
+    if (numberOfPieces[facetOfFaces[face]] > 1)
     {
-      split[index->second].MarkedFaces.push_back(faces[face]);
+      split[index[facetOfFaces[face]]].MarkedFaces.push_back(faces[face]);
     }
   }
   return split;
@@ -273,9 +260,9 @@ void ForEachPath(const Triangle& facet, const PiecesOfFacet& parts, Visit visit)
   }
 }
 
-/** Facets that share an edge must split it alike, or they would gape: whole ones decide, then the
- * lowest. */
-EdgePaths AgreeOnPaths(const FacetComplex& surface, const std::vector<bool>& isWhole,
+/** Facets that share an edge must split it alike, or they would gape: those that can only be whole
+ * decide, then the lowest. */
+EdgePaths AgreeOnPaths(const FacetComplex& surface, const std::vector<Id>& wholeFacets,
   const std::vector<SplitFacet>& split)
 {
   EdgePaths paths;
@@ -286,11 +273,11 @@ EdgePaths AgreeOnPaths(const FacetComplex& surface, const std::vector<bool>& isW
         paths.insert({ edge, path });
       });
   }
-  for (std::size_t f = 0; !paths.empty() && f < isWhole.size(); ++f)
+  for (std::size_t f = 0; !paths.empty() && f < wholeFacets.size(); ++f)
   {
-    for (int k = 0; isWhole[f] && k < 3; ++k)
+    const Triangle& facet = surface.Facets[wholeFacets[f]];
+    for (int k = 0; k < 3; ++k)
     {
-      const Triangle& facet = surface.Facets[f];
       const auto path = paths.find(std::minmax(facet[k], facet[(k + 1) % 3]));
       if (path != paths.end())
       {
@@ -337,35 +324,49 @@ void PlaceFacets(const FacetComplex& surface, const FaceTable& faces,
   const std::vector<Triangle>& markedFaces, const std::vector<Id>& facetOfMarkedFaces,
   TetrahedralMesh& mesh)
 {
-  FacetPlacer placer(surface, faces, mesh);
-  const std::vector<Id> others = placer.PlaceWholeFacets();
-  std::vector<bool> isWhole(static_cast<std::size_t>(surface.NumberOfConstraints), true);
-  for (const Id facet : others)
-  {
-    isWhole[facet] = false;
-  }
-
+  FacetPlacer placer(faces, mesh);
   const SplitFacetMatcher matcher(surface, placer, mesh);
+  std::vector<bool> isSplit(static_cast<std::size_t>(surface.NumberOfConstraints), false);
   std::vector<SplitFacet> matched;
-  for (SplitFacet& split : GatherMarkedFaces(others, markedFaces, facetOfMarkedFaces))
+  for (SplitFacet& split :
+    GatherSplitFacets(surface.NumberOfConstraints, markedFaces, facetOfMarkedFaces))
   {
     if (matcher.Match(split))
     {
+      isSplit[split.Facet] = true;
       matched.push_back(std::move(split));
+    }
+  }
+  std::vector<Id> whole;
+  for (Id facet = 0; facet < surface.NumberOfConstraints; ++facet)
+  {
+    if (isSplit[facet])
+    {
+      continue;
+    }
+    if (placer.IsFree(surface.Facets[facet]))
+    {
+      placer.Place(facet, surface.Facets[facet]);
+      whole.push_back(facet);
     }
     else
     {
-      mesh.LostFacets.push_back(split.Facet);
+      mesh.LostFacets.push_back(facet);
     }
   }
-  const EdgePaths paths = AgreeOnPaths(surface, isWhole, matched);
+  const EdgePaths paths = AgreeOnPaths(surface, whole, matched);
   for (const SplitFacet& split : matched)
   {
+    const Triangle& facet = surface.Facets[split.Facet];
     const bool free = std::all_of(split.Parts.Pieces.begin(), split.Parts.Pieces.end(),
       [&](const Triangle& piece) { return placer.IsFree(piece); });
-    if (free && FollowsPaths(surface.Facets[split.Facet], split.Parts, paths))
+    if (free && FollowsPaths(facet, split.Parts, paths))
     {
       PlaceSplitFacet(surface, split, placer, mesh);
+    }
+    else if (placer.IsFree(facet) && FollowsPaths(facet, {}, paths))
+    {
+      placer.Place(split.Facet, facet);
     }
     else
     {

@@ -56,6 +56,26 @@ void ExpectInconsistent(
   }
 }
 
+/**
+ * An octahedron around the edge from point 0 to 1, and point 6, which rounding moved off it: the
+ * triangle of points 0, 1 and 2 is a face, and nearly so are two triangles together that have point
+ * 6. On the other side of the edge there are only two such.
+ */
+struct MeshBesideAnEdge
+{
+  const std::vector<Point> Points = { { { -1, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
+    { { 0, -1, 0 } }, { { 0, 0, 1 } }, { { 0, 0, -1 } }, { { 0, -1e-14, -1e-14 } } };
+  const std::vector<Tetrahedron> Cells = { { { 0, 1, 2, 4 } }, { { 0, 1, 4, 6 } },
+    { { 0, 1, 6, 2 } }, { { 0, 6, 3, 4 } }, { { 6, 1, 3, 4 } }, { { 0, 6, 3, 5 } },
+    { { 6, 1, 3, 5 } }, { { 0, 6, 2, 5 } }, { { 6, 1, 2, 5 } } };
+
+  /** A surface of facets between all points but the last. */
+  FacetComplex With(const std::vector<Triangle>& facets) const
+  {
+    return testmeshes::ToComplex({ { this->Points.begin(), this->Points.end() - 1 }, facets });
+  }
+};
+
 /** An answer with a facet in pieces; the first such facet. */
 struct SplitAnswer
 {
@@ -131,6 +151,38 @@ TEST(AssembleMesh, LosesAFacetWithAPieceThatIsNoFace)
   damaged.FacetOfFaces.push_back(answer.Facet);
   const TetrahedralMesh mesh = Assembled(answer.Surface, damaged);
   EXPECT_EQ(mesh.LostFacets, std::vector<Id>{ answer.Facet });
+}
+
+TEST(AssembleMesh, PrefersPiecesThatMatchToAFaceByChance)
+{
+  const MeshBesideAnEdge example;
+  const TetrahedralMesh mesh = Assembled(example.With({ { { 0, 1, 2 } }, { { 1, 0, 3 } } }),
+    { example.Points, example.Cells,
+      { { { 0, 6, 2 } }, { { 6, 1, 2 } }, { { 0, 3, 6 } }, { { 6, 3, 1 } } }, { 0, 0, 1, 1 } });
+  EXPECT_TRUE(mesh.LostFacets.empty());
+  EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, 1);
+  std::array<int, 2> sides = { { 0, 0 } };
+  for (const std::array<Id, 4>& cell : mesh.Facets)
+  {
+    for (const Id facet : cell)
+    {
+      if (facet != None)
+      {
+        ++sides[facet];
+      }
+    }
+  }
+  EXPECT_EQ(sides, (std::array<int, 2>{ { 4, 4 } }));
+}
+
+TEST(AssembleMesh, TakesTheWholeFaceWhereANeighborIsNotSplit)
+{
+  const MeshBesideAnEdge example;
+  const TetrahedralMesh mesh = Assembled(example.With({ { { 0, 1, 2 } }, { { 0, 1, 4 } } }),
+    { example.Points, example.Cells, { { { 0, 6, 2 } }, { { 6, 1, 2 } }, { { 0, 1, 4 } } },
+      { 0, 0, 1 } });
+  EXPECT_TRUE(mesh.LostFacets.empty());
+  EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, 0);
 }
 
 TEST(AssembleMesh, LosesFacetsWhoseNewPointsLieElsewhere)
