@@ -24,6 +24,7 @@ void vtkConstrainedDelaunay3D::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
@@ -72,8 +73,10 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
         CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
       CheckThatNothingCrosses(chain.Surface, conversion, monitor);
       Stopwatch stopwatch;
-      const Tetrahedralization result =
-        ConstrainedDelaunay(chain.Surface, { this->TimeBudget, this->MemoryBudget }, monitor);
+      const Tetrahedralization result = ConstrainedDelaunay(chain.Surface,
+        { this->TimeBudget, this->MemoryBudget,
+          static_cast<TetrahedralizationEngine>(this->Engine) },
+        monitor);
       Statistics statistics;
       AddMeshCounts(result, statistics);
       statistics.emplace_back("SecondsCDT", stopwatch.Lap());

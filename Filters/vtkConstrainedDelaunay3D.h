@@ -7,10 +7,11 @@
  * its convex hull with tetrahedra so that every facet is a union of their faces and every vertex
  * one of their points. Steiner points are added only where there is no other way. TetGen does
  * the work in a program of its own, insideout-tetgen, so that nothing it does can take the host
- * down; the environment variable INSIDEOUT_TETGEN names another place for that program.
+ * down; the environment variable INSIDEOUT_TETGEN names another place for that program. Where it
+ * fails, or as Engine says, exact flips and cuts do the work in this process.
  *
  * What comes back is checked with exact predicates. Where TetGen crashes, uses up its budget or
- * gives a mesh that fails the check, it is run in other ways, and in the end the points alone are
+ * gives a mesh that fails the check, other ways are tried, and in the end the points alone are
  * tetrahedralized: then some facets are lost, that is no union of faces. Warnings say which way
  * gave the mesh and why the others did not; GetRungName(Statistics_Rung) names the way.
  *
@@ -64,11 +65,33 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  /** What makes the tetrahedra. */
+  enum EngineType
+  {
+    ENGINE_AUTOMATIC = 0, ///< TetGen; where it would put points on facets or fails, exact flips
+    ENGINE_EXACT = 1,     ///< flips and cuts with exact predicates, in this process
+    ENGINE_TETGEN = 2     ///< TetGen alone
+  };
+
   ///@{
   /**
-   * Seconds that TetGen may take, an equal part of it in each of the ways that are tried in turn.
-   * Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet. Range 0 to
-   * infinity.
+   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries TetGen, and exact flips and cuts where
+   * TetGen fails unless it may put points on facets; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only
+   * the one. Where neither keeps every facet the mesh that loses fewest is taken. Default
+   * ENGINE_AUTOMATIC.
+   */
+  vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
+  vtkGetMacro(Engine, int);
+  void SetEngineToAutomatic() { this->SetEngine(ENGINE_AUTOMATIC); }
+  void SetEngineToExact() { this->SetEngine(ENGINE_EXACT); }
+  void SetEngineToTetGen() { this->SetEngine(ENGINE_TETGEN); }
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that tetrahedralizing may take, an equal part of it in each of the ways that are tried
+   * in turn. Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet, or five
+   * times that for exact flips. Range 0 to infinity.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);
@@ -94,6 +117,7 @@ protected:
 
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  int Engine = ENGINE_AUTOMATIC;
   double TimeBudget = 0.0;
   double MemoryBudget = 0.0;
 

@@ -24,6 +24,7 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
+  os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
@@ -50,7 +51,9 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),
-          { this->TimeBudget, this->MemoryBudget }, this->QuadratureOrder },
+          { this->TimeBudget, this->MemoryBudget,
+            static_cast<TetrahedralizationEngine>(this->Engine) },
+          this->QuadratureOrder },
         monitor);
       output->ShallowCopy(conversion.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);

@@ -3,12 +3,15 @@
 
 #include "AssembleMesh.h"
 #include "DelaunayOfPoints.h"
+#include "ExactTetrahedralization.h"
+#include "Statistics.h"
 #include "TetgenProcess.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <optional>
 #include <string>
 
@@ -117,6 +120,8 @@ void Scale(std::vector<Point>& points, int exponent)
   }
 }
 
+constexpr const char* Stage = "tetrahedralizing";
+
 // --- The ladder ----------------------------------------------------------------------------------
 
 /** What a rung has to go by. */
@@ -162,6 +167,59 @@ TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
   return UseTetgen(attempt, { SurfaceSteinerPoints::Allow });
 }
 
+/** Ends the exact rung when its time is over: it has no process of its own to be killed. */
+class DeadlineMonitor : public Monitor
+{
+public:
+  DeadlineMonitor(const TetgenBudget& budget, Monitor& caller)
+    : Budget(budget)
+    , Caller(caller)
+    , ProcessorStart(ProcessorSeconds())
+  {
+  }
+
+  bool Continue(const char*, double) override
+  {
+    this->Elapsed += this->Watch.Lap();
+    if (this->Elapsed > this->Budget.Seconds ||
+      ProcessorSeconds() - this->ProcessorStart > this->Budget.ProcessorSeconds)
+    {
+      throw Error(ErrorCode::TetrahedralizerFailed, "it took more than the time it may");
+    }
+    return this->Caller.Continue(Stage, 0);
+  }
+
+private:
+  static double ProcessorSeconds()
+  {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  const TetgenBudget& Budget;
+  Monitor& Caller;
+  Stopwatch Watch;
+  double Elapsed = 0;
+  const double ProcessorStart;
+};
+
+TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
+{
+  /** Nearly all surfaces need much less, and those for which the other rungs are worse need it. */
+  constexpr double Patience = 5;
+  TetgenBudget budget = attempt.Budget;
+  budget.ProcessorSeconds *= Patience;
+  DeadlineMonitor deadline(budget, attempt.Caller);
+  const FacetComplex& surface = attempt.Surface;
+  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
+    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline);
+  return AssembleMesh(surface,
+    { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
+      std::move(exact.FacetOfFaces) },
+    attempt.Caller);
+}
+
 TetrahedralMesh IgnoreFacets(const Attempt& attempt)
 {
   return AssembleMesh(attempt.Surface,
@@ -173,23 +231,44 @@ struct Rung
 {
   const char* Name;
   TetrahedralMesh (*Try)(const Attempt&);
+  TetrahedralizationEngine Engine; ///< Automatic for a rung that every engine ends with
 };
 
 /**
  * From the best mesh to the surest. TetGen most often crashes where it takes Steiner points out of
- * facets again, which is not tried from the third rung on: that leaves some tens of them. Where
+ * facets again, which only its first two rungs try: else some tens of them are left. The exact rung
+ * leaves fewer, mostly none, and takes longer the more TetGen has to do. Where
  * else it crashes depends on the tetrahedra that it begins with, so that another way to these
  * helps. With points wherever it likes there are ten times as many as the facets have corners.
  */
 const Rung Ladder[] = {
-  { "TetGen, points kept off facets", KeepPointsOffFacets },
-  { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder },
-  { "TetGen, points left on facets", LeavePointsOnFacets },
-  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder },
-  { "TetGen, points put on facets", PutPointsOnFacets },
-  { "Delaunay tetrahedra of the points alone", IgnoreFacets },
+  { "TetGen, points kept off facets", KeepPointsOffFacets, TetrahedralizationEngine::TetGen },
+  { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
+    TetrahedralizationEngine::TetGen },
+  { "exact flips and cuts", FlipAndCutExactly, TetrahedralizationEngine::Exact },
+  { "TetGen, points left on facets", LeavePointsOnFacets, TetrahedralizationEngine::TetGen },
+  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
+    TetrahedralizationEngine::TetGen },
+  { "TetGen, points put on facets", PutPointsOnFacets, TetrahedralizationEngine::TetGen },
+  { "Delaunay tetrahedra of the points alone", IgnoreFacets, TetrahedralizationEngine::Automatic },
 };
 constexpr int NumberOfRungs = sizeof(Ladder) / sizeof(Ladder[0]);
+
+/** The rungs that an engine has, counted from 1. */
+std::vector<int> RungsOf(TetrahedralizationEngine engine)
+{
+  std::vector<int> rungs;
+  for (int rung = 1; rung <= NumberOfRungs; ++rung)
+  {
+    const TetrahedralizationEngine its = Ladder[rung - 1].Engine;
+    if (engine == TetrahedralizationEngine::Automatic || its == engine ||
+      its == TetrahedralizationEngine::Automatic)
+    {
+      rungs.push_back(rung);
+    }
+  }
+  return rungs;
+}
 
 /** Whether another rung may do better where this was thrown. */
 bool IsFailureOfARung(const Error& error)
@@ -233,7 +312,7 @@ TetgenBudget BudgetOfARung(
   TetgenBudget budget;
   if (parameters.TimeBudget > 0)
   {
-    budget.Seconds = parameters.TimeBudget / NumberOfRungs;
+    budget.Seconds = parameters.TimeBudget / static_cast<double>(RungsOf(parameters.Engine).size());
   }
   else
   {
@@ -249,12 +328,13 @@ TetgenBudget BudgetOfARung(
 }
 
 /** Down the ladder until a mesh has every facet. */
-Tetrahedralization Climb(const FacetComplex& surface, const TetgenBudget& budget, Monitor& monitor)
+Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine engine,
+  const TetgenBudget& budget, Monitor& monitor)
 {
   ForwardMonitor forward(monitor);
   Tetrahedralization best;
   std::optional<Error> lastError;
-  for (int rung = 1; rung <= NumberOfRungs; ++rung)
+  for (const int rung : RungsOf(engine))
   {
     std::string failure;
     try
@@ -314,12 +394,12 @@ Tetrahedralization ConstrainedDelaunay(
     // Where the smallest coordinates would lose bits, the rungs have to cope.
     if (restored == surface.Points)
     {
-      Tetrahedralization result = Climb(scaled, budget, monitor);
+      Tetrahedralization result = Climb(scaled, parameters.Engine, budget, monitor);
       Scale(result.Mesh.Points, exponent);
       return result;
     }
   }
-  return Climb(surface, budget, monitor);
+  return Climb(surface, parameters.Engine, budget, monitor);
 }
 
 TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor)

@@ -8,17 +8,29 @@
 
 namespace insideout
 {
-/** What TetGen may use up. Beyond it the next rung has its turn. */
+/** What makes the tetrahedra. */
+enum class TetrahedralizationEngine
+{
+  Automatic, ///< TetGen where it keeps its points off facets, else Exact, else whatever loses least
+  Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
+  TetGen     ///< TetGen alone
+};
+
+/** Who works, and what it may use up. Beyond it the next rung has its turn. */
 struct ConstrainedDelaunayParameters
 {
   /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
    * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
-   * however busy the machine is; and ten times as much by the clock. */
+   * however busy the machine is; and ten times as much by the clock. The exact rung has five times
+   * as much as one of TetGen's. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
-   * but at most three quarters of the machine's memory. */
+   * but at most three quarters of the machine's memory. TetGen's process is watched for it, the
+   * exact rung is not. */
   double MemoryBudget = 0;
+
+  TetrahedralizationEngine Engine = TetrahedralizationEngine::Automatic;
 };
 
 /** Tetrahedra and how they were found. */
@@ -34,10 +46,10 @@ const char* RungName(int rung);
 
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
- * faces (thesis, chapter 8). TetGen does the work in a program of its own (TetgenProcess.h), for
- * it exits, crashes or loops on some inputs. What comes back is checked before it is believed
- * (AssembleMesh.h): points in place, exact positive volumes, every face shared by at most two
- * cells, the hull convex, facets present.
+ * faces (thesis, chapter 8). TetGen works in a program of its own (TetgenProcess.h), for it exits,
+ * crashes or loops on some inputs; where it fails TetrahedralizeExactly does not. What comes back
+ * is checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
+ * face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.
@@ -45,7 +57,7 @@ const char* RungName(int rung);
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
  *
- * The same input gives the same mesh, unless TetGen takes about as long as it may.
+ * The same input gives the same mesh, unless a rung takes about as long as it may.
  *
  * @param[in] surface a complex whose constraints do not cross, with no point in the interior of a
  *            constraint or of its edges; if they do cross facets are lost

@@ -31,7 +31,7 @@ class Attempt
 public:
   Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
     : Points(points)
-    , Mesh(points, this->Same)
+    , Mesh(points, this->Same, monitor)
     , Facets(this->Renamed(facets))
     , Segments(this->Facets)
     , Progress(monitor)

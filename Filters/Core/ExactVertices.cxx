@@ -5,6 +5,12 @@
 
 namespace insideout
 {
+namespace
+{
+/** What a predicate that intervals do not decide takes, in units of one that doubles do. */
+constexpr std::int64_t WorkOfExactPredicate = 100;
+} // namespace
+
 ExactVertices::ExactVertices(const std::vector<Point>& points)
 {
   this->Places.reserve(points.size() + 1);
@@ -128,6 +134,7 @@ int ExactVertices::OrientExactly(Id a, Id b, Id c, Id d) const
       return -1;
     }
   }
+  this->WorkDone += WorkOfExactPredicate;
   return this->Determinant(a, b, c, d).sign();
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace insideout
@@ -49,6 +50,13 @@ public:
    */
   int Orient(Id a, Id b, Id c, Id d) const;
 
+  /**
+   * A measure of the work done that is the same on every machine, unlike time: about one per
+   * predicate, and what callers add.
+   */
+  std::int64_t Work() const { return this->WorkDone; }
+  void AddWork(std::int64_t work) const { this->WorkDone += work; }
+
   /** A positive multiple of the volume: the product of the four weights w times it. */
   DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
 
@@ -81,10 +89,12 @@ private:
   std::vector<Kernel::Point_3> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
   std::vector<Homogeneous> ExactPoints;
+  mutable std::int64_t WorkDone = 0;
 };
 
 inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
 {
+  ++this->WorkDone;
   if ((this->ExactOf[a] & this->ExactOf[b] & this->ExactOf[c] & this->ExactOf[d]) == None)
   {
     return CGAL::orientation(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);

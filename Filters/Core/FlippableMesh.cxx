@@ -5,10 +5,15 @@
 #include "SortedTriangle.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace insideout
@@ -20,6 +25,12 @@ using DelaunayVertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
 using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
+
+/** How often the monitor is asked. */
+constexpr std::size_t InsertionsPerCheck = 256;
+
+/** So many cells are looked at in the time of one predicate. */
+constexpr std::int64_t CellsPerWork = 2;
 
 std::array<Id, 3> SortedFace(Id a, Id b, Id c)
 {
@@ -42,6 +53,34 @@ std::array<Id, 3> SortedFace(const Tetrahedron& t, int k)
 {
   return SortedFace(t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]);
 }
+/** Insert the points in an order that goes from each to one near by. */
+Delaunay DelaunayOf(const std::vector<Point>& points, Monitor& monitor)
+{
+  std::vector<Kernel::Point_3> places;
+  places.reserve(points.size());
+  for (const Point& point : points)
+  {
+    places.emplace_back(point[0], point[1], point[2]);
+  }
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto placeOf = CGAL::make_property_map(places);
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(placeOf)>(placeOf));
+  Delaunay delaunay;
+  Delaunay::Cell_handle near;
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    if (k % InsertionsPerCheck == 0)
+    {
+      monitor.Check("inserting points", static_cast<double>(k) / order.size());
+    }
+    const Delaunay::Vertex_handle vertex = delaunay.insert(places[order[k]], near);
+    vertex->info() = static_cast<Id>(order[k]);
+    near = vertex->cell();
+  }
+  return delaunay;
+}
 } // namespace
 
 const std::array<std::array<std::array<std::int8_t, 2>, 4>, 4> OtherCorners = { {
@@ -54,18 +93,12 @@ const std::array<std::array<std::array<std::int8_t, 2>, 4>, 4> OtherCorners = { 
 const std::array<std::array<std::int8_t, 3>, 4> FaceSeenFrom = { { { { 1, 3, 2 } }, { { 0, 2, 3 } },
   { { 0, 3, 1 } }, { { 0, 1, 2 } } } };
 
-FlippableMesh::FlippableMesh(const std::vector<Point>& points, std::vector<Id>& same)
+FlippableMesh::FlippableMesh(
+  const std::vector<Point>& points, std::vector<Id>& same, Monitor& monitor)
   : Vertices(points)
 {
   this->InfiniteVertex = this->Vertices.Add({ { 0, 0, 0 } });
-  std::vector<std::pair<Kernel::Point_3, Id>> input;
-  input.reserve(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    input.emplace_back(
-      Kernel::Point_3(points[p][0], points[p][1], points[p][2]), static_cast<Id>(p));
-  }
-  const Delaunay delaunay(input.begin(), input.end());
+  const Delaunay delaunay = DelaunayOf(points, monitor);
   if (delaunay.dimension() < 3)
   {
     throw Error(ErrorCode::Planar, "the points lie in one plane");
@@ -94,6 +127,7 @@ FlippableMesh::FlippableMesh(const std::vector<Point>& points, std::vector<Id>& 
   { return vertex == delaunay.infinite_vertex() ? this->InfiniteVertex : same[vertex->info()]; };
 
   this->CellOf.assign(points.size() + 1, None);
+  this->ChangeAround.assign(points.size() + 1, 0);
   Id count = 0;
   for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
   {
@@ -142,6 +176,7 @@ void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
       }
     }
   }
+  this->Vertices.AddWork(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
 }
 
 Id FlippableMesh::FindEdge(Id u, Id v) const
@@ -160,6 +195,7 @@ Id FlippableMesh::FindEdge(Id u, Id v) const
     const FlippableCell& cell = this->Cells[id];
     if (this->Has(id, v))
     {
+      this->Vertices.AddWork(static_cast<std::int64_t>(next) / CellsPerWork);
       return id;
     }
     for (int k = 0; k < 4; ++k)
@@ -171,6 +207,7 @@ Id FlippableMesh::FindEdge(Id u, Id v) const
       }
     }
   }
+  this->Vertices.AddWork(static_cast<std::int64_t>(this->StarScratch.size()) / CellsPerWork);
   return None;
 }
 
@@ -287,6 +324,7 @@ void FlippableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrah
     for (int k = 0; k < 4; ++k)
     {
       this->CellOf[corners[k]] = cell;
+      this->ChangeAround[corners[k]] = this->Changes;
       const std::array<Id, 3> face = SortedFace(corners, k);
       PendingFace& pending = this->Slot(face);
       if (pending.Cell == None)
@@ -353,12 +391,14 @@ Id FlippableMesh::VertexOffPlane(Id a, Id b, Id c) const
 Id FlippableMesh::AddVertex(const Point& point)
 {
   this->CellOf.push_back(None);
+  this->ChangeAround.push_back(this->Changes);
   return this->Vertices.Add(point);
 }
 
 void FlippableMesh::RemoveLastVertex()
 {
   this->CellOf.pop_back();
+  this->ChangeAround.pop_back();
   this->Vertices.RemoveLast();
 }
 
@@ -366,6 +406,7 @@ Id FlippableMesh::AddVertexBetween(
   Id first, Id second, const DyadicNumber& a, const DyadicNumber& b)
 {
   this->CellOf.push_back(None);
+  this->ChangeAround.push_back(this->Changes);
   return this->Vertices.AddBetween(first, second, a, b);
 }
 } // namespace insideout

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ExactVertices.h"
+#include "Monitor.h"
 
 #include <cstdint>
 #include <vector>
@@ -39,9 +40,9 @@ public:
   /**
    * The Delaunay tetrahedralization of points that span space.
    * @param[out] same for each point the first one at the same place: the vertex that stands for it
-   * @throws Error Planar
+   * @throws Error Planar, Stopped
    */
-  FlippableMesh(const std::vector<Point>& points, std::vector<Id>& same);
+  FlippableMesh(const std::vector<Point>& points, std::vector<Id>& same, Monitor& monitor);
 
   ExactVertices Vertices;
   std::vector<FlippableCell> Cells;
@@ -102,6 +103,9 @@ public:
   /** How many times Replace was called. */
   std::int64_t NumberOfChanges() const { return this->Changes; }
 
+  /** What NumberOfChanges was after the last change of the cells around a vertex. */
+  std::int64_t LastChangeAround(Id vertex) const { return this->ChangeAround[vertex]; }
+
 private:
   struct PendingFace
   {
@@ -115,7 +119,8 @@ private:
   PendingFace& Slot(const std::array<Id, 3>& corners);
 
   Id InfiniteVertex;
-  std::vector<Id> CellOf; ///< per vertex, None for none
+  std::vector<Id> CellOf;                 ///< per vertex, None for none
+  std::vector<std::int64_t> ChangeAround; ///< per vertex
   std::array<Id, 4> Spanning;
   std::vector<Id> FreeCells;
   std::int64_t Changes = 0;

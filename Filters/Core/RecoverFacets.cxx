@@ -12,11 +12,14 @@ namespace
 /** Flips for one facet. */
 constexpr int MostFlipsPerFacet = 200;
 
-/** Points on one facet; one that needs more is crossed by what may not be cut. */
-constexpr int MostSplitsPerFacet = 5000;
+/**
+ * Work (ExactVertices::Work) on flips, for each point and facet, after which points go on the
+ * facets that are left: some 0.02 ms.
+ */
+constexpr std::int64_t WorkPerElement = 1000;
 
 /** How often the monitor is asked. */
-constexpr std::size_t FacetsPerCheck = 256;
+constexpr std::size_t FacetsPerCheck = 16;
 } // namespace
 
 std::vector<FacetRecovery::MeshEdge> FacetRecovery::BoundaryOf(Id facet) const
@@ -238,6 +241,8 @@ std::vector<Id> FacetRecovery::RecoverByFlips(std::vector<Id> missing)
     int Depth;
     int Budget;
   };
+  const std::int64_t end = this->Mesh.Vertices.Work() +
+    WorkPerElement * (this->Mesh.Infinite() + static_cast<std::int64_t>(this->Facets.size()));
   const std::array<Effort, 4> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 12 }, 1, 40 },
     { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
   for (const Effort& effort : efforts)
@@ -253,7 +258,8 @@ std::vector<Id> FacetRecovery::RecoverByFlips(std::vector<Id> missing)
         {
           this->Progress.Check("recovering facets", static_cast<double>(k) / missing.size());
         }
-        if (!this->Recover(missing[k], effort.Limits, effort.Depth, effort.Budget))
+        if (this->Mesh.Vertices.Work() > end ||
+          !this->Recover(missing[k], effort.Limits, effort.Depth, effort.Budget))
         {
           still.push_back(missing[k]);
         }
@@ -264,12 +270,29 @@ std::vector<Id> FacetRecovery::RecoverByFlips(std::vector<Id> missing)
   return missing;
 }
 
+/** Put a point where the edge passes through the facet's plane, if it does. */
+bool FacetRecovery::SplitOnFacet(Id facet, const MeshEdge& edge)
+{
+  const Triangle& f = this->Facets[facet];
+  const DyadicNumber atU = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], edge.U);
+  const DyadicNumber atV = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], edge.V);
+  const Id cell = this->Mesh.FindEdge(edge.U, edge.V);
+  if (cell == None || atU.sign() * atV.sign() >= 0)
+  {
+    return false;
+  }
+  const Id point = this->Mesh.AddVertexBetween(edge.U, edge.V, DyadicNumber(0) - atV, atU);
+  EdgeRing ring;
+  this->Mesh.Ring(edge.U, edge.V, cell, ring);
+  this->Mesh.SplitEdge(ring, point);
+  return true;
+}
+
 std::vector<Id> FacetRecovery::RecoverBySplits(const std::vector<Id>& missing)
 {
   std::vector<Id> failed;
   std::vector<MeshFace> faces;
   MeshEdge crossing;
-  EdgeRing ring;
   for (std::size_t k = 0; k < missing.size(); ++k)
   {
     if (k % FacetsPerCheck == 0)
@@ -277,22 +300,24 @@ std::vector<Id> FacetRecovery::RecoverBySplits(const std::vector<Id>& missing)
       this->Progress.Check("splitting facets", static_cast<double>(k) / missing.size());
     }
     const Id facet = missing[k];
-    const Triangle& f = this->Facets[facet];
     Search search = this->FindFaces(facet, faces, crossing);
-    for (int splits = 0; search == Search::Crossed && splits < MostSplitsPerFacet; ++splits)
+    while (search == Search::Crossed)
     {
-      const DyadicNumber atU = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], crossing.U);
-      const DyadicNumber atV = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], crossing.V);
-      if (atU.sign() * atV.sign() >= 0)
+      // None of the edges that cross the facet goes because of the others' points, and none comes.
+      const std::vector<MeshEdge> crossings = this->AllCrossings(facet, crossing);
+      for (const MeshEdge& edge : crossings)
       {
-        search = Search::Impossible;
-        break;
+        if (!this->SplitOnFacet(facet, edge))
+        {
+          search = Search::Impossible;
+          break;
+        }
       }
-      const Id point =
-        this->Mesh.AddVertexBetween(crossing.U, crossing.V, DyadicNumber(0) - atV, atU);
-      this->Mesh.Ring(crossing.U, crossing.V, this->Mesh.FindEdge(crossing.U, crossing.V), ring);
-      this->Mesh.SplitEdge(ring, point);
-      search = this->FindFaces(facet, faces, crossing);
+      if (search == Search::Crossed)
+      {
+        this->Progress.Check("splitting facets", static_cast<double>(k) / missing.size());
+        search = this->FindFaces(facet, faces, crossing);
+      }
     }
     if (search == Search::Found)
     {

@@ -57,6 +57,7 @@ private:
   std::vector<MeshEdge> BoundaryOf(Id facet) const;
   std::vector<MeshEdge> AllCrossings(Id facet, const MeshEdge& first) const;
   void Mark(Id facet, const std::vector<MeshFace>& faces);
+  bool SplitOnFacet(Id facet, const MeshEdge& edge);
   bool Recover(Id facet, const FlipOperator::Limits& limits, int depth, int budget);
 
   FlippableMesh& Mesh;

@@ -80,6 +80,8 @@ bool SteinerPoints::Collapse(Id point)
 
 void SteinerPoints::Remove()
 {
+  // What failed once is tried again only when something around has changed.
+  std::vector<std::int64_t> triedAt(static_cast<std::size_t>(this->Mesh.Vertices.Size()), -1);
   bool changed = true;
   while (changed)
   {
@@ -87,7 +89,11 @@ void SteinerPoints::Remove()
     for (Id point = this->Mesh.Vertices.Size() - 1; point > this->Mesh.Infinite(); --point)
     {
       this->Progress.Check("removing points", 0);
-      changed = (this->Mesh.HasVertex(point) && this->RemoveOne(point)) || changed;
+      if (this->Mesh.HasVertex(point) && this->Mesh.LastChangeAround(point) > triedAt[point])
+      {
+        changed = this->RemoveOne(point) || changed;
+        triedAt[point] = this->Mesh.NumberOfChanges();
+      }
     }
   }
 }

@@ -22,7 +22,7 @@ from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output,
 from .pipeline import Error
 from .progress import StageBars
 from .summary import check_summary, defects, summary, tetrahedralizer
-from .tetrahedralization import STAGES, Tetrahedralization, make_filter, tetrahedralize
+from .tetrahedralization import ENGINES, STAGES, Tetrahedralization, make_filter, tetrahedralize
 from .version import __version__
 
 SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
@@ -41,7 +41,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "time_budget", "memory_budget"):
+    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget"):
         if getattr(options, name) is not None:
             words = "OUTPUT.vtu" if name == "output" else "--" + name.replace("_", "-")
             parser.error(f"--check meshes nothing: it goes without {words}")
@@ -80,8 +80,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0"
     )
+    parser.add_argument("--engine", choices=list(ENGINES), help="what makes the tetrahedra; automatic by default")
     parser.add_argument(
-        "--time-budget", metavar="S", type=float, help="seconds that TetGen may take in all; 0 goes by the surface's size"
+        "--time-budget", metavar="S", type=float, help="seconds that tetrahedralizing may take; 0 goes by size"
     )
     parser.add_argument(
         "--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size"
@@ -141,6 +142,7 @@ class Job:
             merge_tolerance=options.merge_tolerance,
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
+            engine=options.engine or "automatic",
         )
         self.parameters = {
             "gamma": solid.GetGamma(),
@@ -183,6 +185,7 @@ class Job:
             merge_tolerance=options.merge_tolerance,
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
+            engine=options.engine or "automatic",
             progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
         )
         self.bars.finish()

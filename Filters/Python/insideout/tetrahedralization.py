@@ -30,6 +30,12 @@ ORIENTATIONS = {
     "reverse": vtkRobustTetrahedralize.REVERSE,
 }
 
+ENGINES = {
+    "automatic": vtkRobustTetrahedralize.ENGINE_AUTOMATIC,
+    "exact": vtkRobustTetrahedralize.ENGINE_EXACT,
+    "tetgen": vtkRobustTetrahedralize.ENGINE_TETGEN,
+}
+
 
 @dataclass(frozen=True)
 class Tetrahedralization:
@@ -63,6 +69,7 @@ def tetrahedralize(
     count_duplicates: bool = False,
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
+    engine: str = "automatic",
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
@@ -75,7 +82,9 @@ def tetrahedralize(
                       never does, "reverse" always
     merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
     count_duplicates  count a facet as often as it is given
-    time_budget       seconds that TetGen may take, all tries together; 0 goes by the surface's size
+    engine            what makes the tetrahedra: "tetgen", "exact" flips and cuts, or "automatic",
+                      which is TetGen, and exact flips where it fails
+    time_budget       seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size
     memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
     progress          called with the stage and the fraction of all the work that is done; what it
                       raises stops the work and is raised
@@ -84,7 +93,7 @@ def tetrahedralize(
     line that names what is wrong.
     """
     tetrahedralizer = make_filter(
-        gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget
+        gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget, engine
     )
     warnings: list[str] = []
     if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
@@ -118,6 +127,7 @@ def make_filter(
     count_duplicates: bool = False,
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
+    engine: str = "automatic",
 ) -> vtkRobustTetrahedralize:
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
@@ -129,6 +139,9 @@ def make_filter(
         tetrahedralizer.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
     if orientation not in ORIENTATIONS:
         raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
+    if engine not in ENGINES:
+        raise Error(f"engine is {engine!r}; it can be {', '.join(map(repr, ENGINES))}")
+    tetrahedralizer.SetEngine(ENGINES[engine])
     tetrahedralizer.SetOrientation(ORIENTATIONS[orientation])
     tetrahedralizer.SetCountDuplicates(bool(count_duplicates))
     if time_budget is not None:

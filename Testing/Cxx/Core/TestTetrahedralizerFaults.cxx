@@ -27,6 +27,8 @@ constexpr double Seconds = 20;
 constexpr double FewSeconds = 0.8;
 constexpr double Mebibytes = 100;
 
+constexpr TetrahedralizationEngine TetGen = TetrahedralizationEngine::TetGen;
+
 int LastRung()
 {
   int rung = 1;
@@ -101,16 +103,19 @@ void ExpectAnswerWithoutTetgen(const std::string& reason, double seconds = Secon
   const FacetComplex box = UnitBox();
   Monitor monitor;
   const Clock::time_point start = Clock::now();
-  const Tetrahedralization result = ConstrainedDelaunay(box, { seconds, Mebibytes }, monitor);
+  const Tetrahedralization result =
+    ConstrainedDelaunay(box, { seconds, Mebibytes, TetGen }, monitor);
   EXPECT_LT(Clock::now() - start, std::chrono::duration<double>(seconds + 1));
   testmeshes::ExpectMeshLaws(box, result.Mesh);
   ASSERT_GE(result.Failures.size(), static_cast<std::size_t>(NumberOfTetgenRungs()));
+  std::size_t failures = 0;
   for (int rung = 1; RungName(rung); ++rung)
   {
     if (std::string(RungName(rung)).find("TetGen") == 0)
     {
       EXPECT_NE(result.Rung, rung);
-      const std::string& failure = result.Failures[static_cast<std::size_t>(rung - 1)];
+      const std::string& failure = result.Failures[failures];
+      ++failures;
       EXPECT_EQ(failure.find(std::string(RungName(rung)) + ": "), 0u) << failure;
       EXPECT_NE(failure.find(reason), std::string::npos) << failure;
     }
@@ -145,13 +150,14 @@ public:
   double Last = 0;
 };
 
-void ExpectStoppedWithinASecond(const FacetComplex& surface)
+void ExpectStoppedWithinASecond(
+  const FacetComplex& surface, TetrahedralizationEngine engine = TetGen)
 {
   const NothingIsLeft nothingIsLeft;
   Stopper stopper(std::chrono::milliseconds(50));
   try
   {
-    ConstrainedDelaunay(surface, stopper);
+    ConstrainedDelaunay(surface, { 0, 0, engine }, stopper);
     FAIL() << "not stopped";
   }
   catch (const Error& error)
@@ -327,11 +333,10 @@ TEST(TetrahedralizerFaults, EachRungOfTetgenHasItsTurn)
     const NothingIsLeft nothingIsLeft;
     const StandIn standIn(CrashFirst(crashes));
     Monitor monitor;
-    const Tetrahedralization result = ConstrainedDelaunay(box, {}, monitor);
+    const Tetrahedralization result = ConstrainedDelaunay(box, { 0, 0, TetGen }, monitor);
     testmeshes::ExpectMeshLaws(box, result.Mesh);
     EXPECT_EQ(std::string(RungName(result.Rung)).find("TetGen"), 0u);
-    EXPECT_GE(result.Rung, crashes + 1);
-    EXPECT_EQ(result.Failures.size(), static_cast<std::size_t>(result.Rung - 1));
+    EXPECT_EQ(result.Failures.size(), static_cast<std::size_t>(crashes));
     EXPECT_TRUE(result.Mesh.LostFacets.empty());
   }
 }
@@ -365,7 +370,7 @@ TEST(TetrahedralizerFaults, FacetsThatNobodyKeepsAreLost)
   soup.Triangles = { { { 0, 1, 2 } }, { { 0, 1, 3 } } };
   const FacetComplex surface = testmeshes::ToComplex(soup);
   Monitor monitor;
-  const Tetrahedralization result = ConstrainedDelaunay(surface, {}, monitor);
+  const Tetrahedralization result = ConstrainedDelaunay(surface, { 0, 0, TetGen }, monitor);
   testmeshes::ExpectMeshLaws(surface, result.Mesh);
   // The points alone have an edge through the first facet.
   EXPECT_EQ(
@@ -381,7 +386,8 @@ TEST(TetrahedralizerFaults, StopsWithinASecond)
   FacetComplex points = testmeshes::ToComplex(testmeshes::RandomSoup(8, 20000));
   points.NumberOfConstraints = 0;
   ExpectStoppedWithinASecond(points);
-  // In the last rung, too.
+  // In the exact rung and the last one, too.
+  ExpectStoppedWithinASecond(points, TetrahedralizationEngine::Exact);
   const StandIn standIn("exit 1");
   ExpectStoppedWithinASecond(points);
 }
@@ -469,13 +475,46 @@ TEST(TetrahedralizerFaults, AfterTwoCrashesPointsAreLeftOnFacets)
       ResolveSelfIntersections(CountFacets(DirtySoup(seed, 400), {}, monitor).Surface, monitor)
         .Surface;
     const StandIn standIn(CrashFirst(2));
-    const Tetrahedralization result = ConstrainedDelaunay(surface, {}, monitor);
-    EXPECT_EQ(result.Rung, 3);
+    const Tetrahedralization result = ConstrainedDelaunay(surface, { 0, 0, TetGen }, monitor);
+    EXPECT_EQ(result.Rung, 4);
     EXPECT_TRUE(result.Mesh.LostFacets.empty());
     testmeshes::ExpectMeshLaws(surface, result.Mesh);
     left += result.Mesh.NumberOfSurfaceSteinerPoints;
   }
   EXPECT_GT(left, 0);
+}
+
+TEST(TetrahedralizerFaults, AfterTwoCrashesExactFlipsKeepPointsOffFacets)
+{
+  Monitor monitor;
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    const FacetComplex surface =
+      ResolveSelfIntersections(CountFacets(DirtySoup(seed, 400), {}, monitor).Surface, monitor)
+        .Surface;
+    const StandIn standIn(CrashFirst(2));
+    const Tetrahedralization result = ConstrainedDelaunay(surface, {}, monitor);
+    EXPECT_STREQ(RungName(result.Rung), "exact flips and cuts");
+    EXPECT_EQ(result.Failures.size(), 2u);
+    EXPECT_TRUE(result.Mesh.LostFacets.empty());
+    testmeshes::ExpectMeshLaws(surface, result.Mesh);
+  }
+}
+
+TEST(TetrahedralizerFaults, TheExactEngineNeedsNoTetgenAndKeepsItsTime)
+{
+  const StandIn standIn("exit 1");
+  const FacetComplex surface = testmeshes::ToComplex(testmeshes::RandomSoup(5, 2000));
+  Monitor monitor;
+  constexpr TetrahedralizationEngine exact = TetrahedralizationEngine::Exact;
+  EXPECT_TRUE(ConstrainedDelaunay(UnitBox(), { 0, 0, exact }, monitor).Failures.empty());
+  const Clock::time_point start = Clock::now();
+  const Tetrahedralization result = ConstrainedDelaunay(surface, { 0.5, 0, exact }, monitor);
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(2));
+  EXPECT_EQ(result.Rung, LastRung());
+  ASSERT_FALSE(result.Failures.empty());
+  EXPECT_NE(result.Failures[0].find("more than the time"), std::string::npos);
+  testmeshes::ExpectMeshLaws(surface, result.Mesh);
 }
 
 TEST(TetrahedralizerFaults, NothingOfTetGenIsPrinted)
