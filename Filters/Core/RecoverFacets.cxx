@@ -19,7 +19,7 @@ constexpr int MostFlipsPerFacet = 200;
 constexpr std::int64_t WorkPerElement = 1000;
 
 /** How often the monitor is asked. */
-constexpr std::size_t FacetsPerCheck = 16;
+constexpr std::size_t FacetsPerCheck = 4;
 } // namespace
 
 std::vector<FacetRecovery::MeshEdge> FacetRecovery::BoundaryOf(Id facet) const

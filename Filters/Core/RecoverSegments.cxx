@@ -233,6 +233,7 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
     {
       return false;
     }
+    this->Progress.Check("splitting edges", 0);
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
     const Id start = this->Segments.EndsOf(segment)[0];
     const Id end = this->Segments.EndsOf(segment)[1];

@@ -108,6 +108,16 @@ class Success(CommandLine):
                 )
                 self.assertEqual(found["tetrahedralizer"], "TetGen, points kept off facets")
 
+    def test_engine(self):
+        source = self.file("box.ply", surfaces.box())
+        report = self.path("report.json")
+        done = run(source, self.output, "--engine", "exact", "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["tetrahedralizer"], "exact flips and cuts")
+        os.remove(self.output)
+        self.check_failure(run(source, self.output, "--engine", "steam"), "--engine")
+
     def test_empty_outliers_are_written_in_every_format(self):
         source = self.file("box.ply", surfaces.box())
         for ending in (".vtp", ".ply", ".stl", ".obj"):

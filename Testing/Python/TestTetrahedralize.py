@@ -312,6 +312,7 @@ class BadInput(unittest.TestCase):
             *({"time_budget": value} for value in (-1, float("nan"))),
             *({"memory_budget": value} for value in (-1, float("inf"))),
             {"orientation": "sideways"},
+            {"engine": "steam"},
         ):
             name = next(iter(parameters))
             with self.subTest(**parameters), self.assertRaisesRegex(insideout.Error, name):
@@ -426,7 +427,7 @@ class TetGenInTrouble(unittest.TestCase):
         points = [(2, 0, 0), (-1, 2, 0), (-1, -2, 0), (0, 0, 0.1), (0, 0, -0.1)]
         closed = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (1, 0, 4), (2, 1, 4), (0, 2, 4)]
         surface = surfaces.polydata(points, [*closed, (0, 1, 2)])
-        result = insideout.tetrahedralize(surface, gamma=0)
+        result = insideout.tetrahedralize(surface, gamma=0, engine="tetgen")
         name = insideout.vtkConstrainedDelaunay3D.GetRungName(result.statistics["Rung"])
         lost = result.statistics["LostFacets"]
         if name.startswith("Delaunay"):
@@ -440,18 +441,43 @@ class TetGenInTrouble(unittest.TestCase):
 
         hull = insideout.vtkConstrainedDelaunay3D()
         hull.SetInputData(surface)
+        hull.SetEngineToTetGen()
         warnings = insideout.pipeline.run(hull)
         statistics = insideout.pipeline.statistics_of(hull.GetOutput())
         self.assertEqual(statistics["Rung"], result.statistics["Rung"])
         self.assertEqual(statistics["LostFacets"], lost)
         self.assertTrue(any("exited with status 1" in warning for warning in warnings))
 
+    def test_exact_flips_need_no_helper_and_lose_nothing(self):
+        self.stand_in("exit 1")
+        points = [(2, 0, 0), (-1, 2, 0), (-1, -2, 0), (0, 0, 0.1), (0, 0, -0.1)]
+        closed = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (1, 0, 4), (2, 1, 4), (0, 2, 4)]
+        surface = surfaces.polydata(points, [*closed, (0, 1, 2)])
+        for engine, failures in (("exact", 0), ("automatic", 2)):
+            with self.subTest(engine):
+                result = insideout.tetrahedralize(surface, engine=engine)
+                name = insideout.vtkConstrainedDelaunay3D.GetRungName(result.statistics["Rung"])
+                self.assertEqual(name, "exact flips and cuts")
+                self.assertEqual(result.statistics["LostFacets"], 0)
+                self.assertEqual(sum("exited with status 1" in warning for warning in result.warnings), failures)
+
+    def test_every_filter_that_tetrahedralizes_has_an_engine(self):
+        self.stand_in("exit 1")
+        for name in ("vtkConstrainedDelaunay3D", "vtkGeneralizedWindingNumber", "vtkRobustTetrahedralize"):
+            with self.subTest(name):
+                filter = getattr(insideout, name)()
+                self.assertEqual(filter.GetEngine(), filter.ENGINE_AUTOMATIC)
+                filter.SetEngineToExact()
+                self.assertEqual(filter.GetEngine(), filter.ENGINE_EXACT)
+                filter.SetInputData(surfaces.box())
+                self.assertEqual(insideout.pipeline.run(filter), [])
+
     def test_a_budget_ends_what_hangs(self):
         self.stand_in("exec sleep 100")
         began = time.monotonic()
         result = insideout.tetrahedralize(surfaces.box(), time_budget=1)
         self.assertLess(time.monotonic() - began, 2)
-        self.assertTrue(any("took more than the 0.1667 s" in warning for warning in result.warnings))
+        self.assertTrue(any("took more than the 0.1429 s" in warning for warning in result.warnings))
         self.assertAlmostEqual(surfaces.enclosed_volume(result.boundary), 1, delta=1e-12)
         self.check_that_helper_has_ended()
 
