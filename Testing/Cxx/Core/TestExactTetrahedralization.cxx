@@ -24,8 +24,7 @@ TetrahedralMesh LawfulMesh(const FacetComplex& surface, bool isValid = true)
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
   const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, monitor);
   const TetrahedralMesh mesh =
-    AssembleMesh(
-    surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces }, monitor);
+    AssembleMesh(surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces }, monitor);
   testmeshes::ExpectMeshLaws(surface, mesh);
   if (isValid)
   {
