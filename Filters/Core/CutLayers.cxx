@@ -41,14 +41,13 @@ struct Slab
 {
   Slab(const FacetList& surface, Id facet)
   {
-    double longest = 0;
     for (int k = 0; k < 3; ++k)
     {
       this->Corners[k] = surface.Points[surface.Facets[facet][k]];
     }
     const Vector a = Difference(this->Corners[1], this->Corners[0]);
     const Vector b = Difference(this->Corners[2], this->Corners[0]);
-    longest =
+    const double longest =
       std::max({ Length(a), Length(b), Length(Difference(this->Corners[2], this->Corners[1])) });
     this->Normal = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
       a[0] * b[1] - a[1] * b[0] };
@@ -137,8 +136,8 @@ std::vector<Id> FacetsOfLayers(
  * The layers that these facets are in, to their ends: were only the facets that cross made one, the
  * next would cross after that.
  */
-std::vector<std::vector<Id>> SpreadOverLayers(
-  const FacetList& surface, std::vector<Id> front, double radius)
+std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vector<Id> front,
+  double radius, Monitor& monitor, const ProgressRange& progress)
 {
   const Id count = static_cast<Id>(surface.Facets.size());
   std::vector<Box> boxes;
@@ -155,6 +154,7 @@ std::vector<std::vector<Id>> SpreadOverLayers(
   }
   while (!front.empty())
   {
+    monitor.Check(progress.Stage, progress.Begin);
     const Id f = front.back();
     front.pop_back();
     tree.Visit(boxes[f],
@@ -200,7 +200,8 @@ std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
   {
     return {};
   }
-  const std::vector<std::vector<Id>> groups = SpreadOverLayers(surface, facets, radius);
+  const std::vector<std::vector<Id>> groups =
+    SpreadOverLayers(surface, facets, radius, monitor, progress);
   std::vector<PlanarSubdivision> subdivisions(groups.size());
   ParallelLoop(static_cast<Id>(groups.size()), monitor, progress,
     [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i], {}); });

@@ -3,6 +3,7 @@
 
 #include "Types.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 namespace insideout
@@ -138,7 +139,7 @@ Resolution Resolver::Resolve()
 /** Cuts until nothing crosses, or else goes back to where the fewest facets crossed. */
 void Resolver::CutRepeatedly()
 {
-  WorkingSurface best = this->Now;
+  std::optional<WorkingSurface> best;
   int bestRound = 0;
   while (!this->Now.Crossings.empty() && this->Round < MaximumRounds)
   {
@@ -159,17 +160,20 @@ void Resolver::CutRepeatedly()
     {
       return;
     }
-    if (bestRound == 0 || count < best.Crossings.size())
+    if (!best || count < best->Crossings.size())
     {
       best = this->Now;
       bestRound = this->Round;
     }
-    if (count > Divergence * best.Crossings.size() || this->Round - bestRound == Patience)
+    if (count > Divergence * best->Crossings.size() || this->Round - bestRound == Patience)
     {
       break;
     }
   }
-  this->Now = std::move(best);
+  if (best)
+  {
+    this->Now = std::move(*best);
+  }
 }
 
 /** Makes layers, which cross in nearly one plane, one. */
@@ -407,7 +411,6 @@ void Resolver::Collapse(const std::vector<Id>& candidates)
   this->Now.Apply(
     CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size)));
 }
-
 } // namespace
 
 Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor)

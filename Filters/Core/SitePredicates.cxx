@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SitePredicates.h"
 
-#include <CGAL/Exact_rational.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/determinant.h>
 #include <CGAL/number_utils.h>
 
@@ -12,7 +12,7 @@ namespace insideout
 {
 namespace
 {
-using Exact = CGAL::Exact_rational;
+using Exact = CGAL::Mpzf;
 using ExactVector = std::array<Exact, 3>;
 
 // With u = 2^-53, the forward error of normal . d is below 16 u |edge| |edge| |d| (3 from the

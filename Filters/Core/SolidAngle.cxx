@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolidAngle.h"
 
-#include <CGAL/Exact_rational.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/determinant.h>
 #include <CGAL/number_utils.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -63,7 +63,7 @@ double Dot(const Point& a, const Point& b)
 /** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
 int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
-  using Exact = CGAL::Exact_rational;
+  using Exact = CGAL::Mpzf;
   return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
     FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
 }

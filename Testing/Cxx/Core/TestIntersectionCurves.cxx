@@ -2,10 +2,10 @@
 #include "IntersectionCurves.h"
 
 #include "FindIntersections.h"
+#include "RationalVectors.h"
 #include "TestMeshes.h"
 #include "TrianglePredicates.h"
 
-#include <CGAL/Exact_rational.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,9 +16,6 @@ using namespace testmeshes;
 
 namespace
 {
-using Rational = CGAL::Exact_rational;
-using Vector = std::array<Rational, 3>;
-
 IntersectionCurves Trace(const TriangleSoup& soup)
 {
   Monitor monitor;
@@ -41,51 +38,6 @@ double Length(const IntersectionCurves& curves)
   return length;
 }
 
-Vector Minus(const Vector& a, const Vector& b)
-{
-  return { Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2]) };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-    Rational(a[0] * b[1] - a[1] * b[0]) };
-}
-
-Rational Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** The part of a polygon, maybe flat to a segment or point, on one side of a plane. */
-std::vector<Vector> Clip(
-  const std::vector<Vector>& polygon, const Vector& origin, const Vector& normal)
-{
-  std::vector<Vector> clipped;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Vector& p = polygon[i];
-    const Vector& q = polygon[(i + 1) % polygon.size()];
-    const Rational atP = Dot(Minus(p, origin), normal);
-    const Rational atQ = Dot(Minus(q, origin), normal);
-    if (atP >= 0)
-    {
-      clipped.push_back(p);
-    }
-    if ((atP < 0 && atQ > 0) || (atP > 0 && atQ < 0))
-    {
-      const Rational t = atP / (atP - atQ);
-      Vector x;
-      for (int k = 0; k < 3; ++k)
-      {
-        x[k] = p[k] + t * (q[k] - p[k]);
-      }
-      clipped.push_back(x);
-    }
-  }
-  return clipped;
-}
-
 /** The outline of what two triangles have in common, straight from the definition. */
 std::vector<Point> CommonOutline(const TriangleSoup& soup, Id a, Id b)
 {
@@ -94,8 +46,7 @@ std::vector<Point> CommonOutline(const TriangleSoup& soup, Id a, Id b)
     std::vector<Vector> result;
     for (const Id p : soup.Triangles[t])
     {
-      const Point& x = soup.Points[p];
-      result.push_back({ Rational(x[0]), Rational(x[1]), Rational(x[2]) });
+      result.push_back(Exact(soup.Points[p]));
     }
     return result;
   };
