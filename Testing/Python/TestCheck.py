@@ -94,7 +94,7 @@ class Check(unittest.TestCase):
             insideout.check(polydata([], []))
         with self.assertRaisesRegex(insideout.Error, "degenerate"):
             insideout.check(surfaces.box(facets=[(0, 0, 1)]))
-        with self.assertRaisesRegex(insideout.Error, "it can be a vtkPolyData or a file"):
+        with self.assertRaisesRegex(insideout.Error, "it can be a vtkPolyData, a file"):
             insideout.check(7)
         with self.assertRaisesRegex(insideout.Error, "merge_tolerance"):
             insideout.check(surfaces.box(), merge_tolerance=-1)

@@ -43,6 +43,7 @@ TIMES = (
     ("SecondsW", "winding numbers"),
     ("SecondsCut", "segmenting"),
     ("SecondsWrite", "writing"),
+    ("SecondsDraw", "drawing"),
 )
 
 
@@ -96,6 +97,38 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
         f"Verdict: {verdict}",
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
     ]
+
+
+def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
+    """The lines that `--winding` prints."""
+    lines = [f"Surface {name}", f"  {_count(statistics['InsidePlaces'])} of {_count(statistics['Places'])} places are inside"]
+    if "MinimumW" in statistics:
+        lines.append(f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}")
+    return [*lines, f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB"]
+
+
+COLUMNS = (
+    # statistic, heading
+    ("InputTriangles", "triangles"),
+    ("OpenEdges", "open edges"),
+    ("IntersectingPairs", "crossings"),
+    ("InsideCells", "tetrahedra"),
+    ("InsidePlaces", "inside"),
+    ("SecondsTotal", "seconds"),
+)
+
+
+def table(jobs: Sequence[tuple[str, Mapping[str, float], Optional[str]]]) -> list[str]:
+    """A line per surface, given its file, statistics and error: figures, and what went wrong."""
+    columns = [(key, words) for key, words in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
+    width = max(len(file) for file, _, _ in jobs)
+    lines = ["", " ".join([f"{'surface':{width}}", *(f"{words:>11}" for _, words in columns)])]
+    for file, statistics, error in jobs:
+        cells = [f"{statistics[key]:,.1f}" if key == "SecondsTotal" else _count(statistics[key]) for key, _ in columns if key in statistics]
+        cells = cells if len(cells) == len(columns) else ["-"] * len(columns)
+        lines.append(" ".join([f"{file:{width}}", *(f"{cell:>11}" for cell in cells)]) + (f"  {error}" if error else ""))
+    done = sum(error is None for _, _, error in jobs)
+    return [*lines, f"{done} of {len(jobs)} surfaces done"]
 
 
 def _listed(title: str, findings: Sequence[Finding]) -> list[str]:

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
-from typing import Optional, Union
+from typing import Optional
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
-from .files import read_surface
+from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
 from .pipeline import Error, Progress, at_least, cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
@@ -41,13 +40,13 @@ ENGINES = {
 class Tetrahedralization:
     """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays."""
 
-    solid: vtkUnstructuredGrid
+    solid: Tetrahedra
     """The tetrahedra inside, with `w` per cell. Empty, with a warning, when nothing is inside."""
-    boundary: vtkPolyData
+    boundary: TriangleSurface
     """The solid's boundary: watertight, oriented outward, with the input's attributes."""
-    outliers: vtkPolyData
+    outliers: TriangleSurface
     """The pieces of input facets that are no face of a cell inside."""
-    hull: vtkUnstructuredGrid
+    hull: Tetrahedra
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
     statistics: dict[str, float]
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
@@ -60,7 +59,7 @@ class Tetrahedralization:
 
 
 def tetrahedralize(
-    surface: Union[vtkPolyData, str, os.PathLike],
+    surface: AnySurface,
     *,
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
@@ -74,7 +73,7 @@ def tetrahedralize(
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
 
-    surface           a vtkPolyData of polygons or strips, or a .ply, .obj, .off, .stl or .vtp file
+    surface           a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
     gamma             weight of a smooth boundary against the winding number, at least 0; 0 takes
                       every cell with w above 1/2
     sigma             how large a step of w between neighbouring cells may be noise, at least 1e-6
@@ -89,18 +88,14 @@ def tetrahedralize(
     progress          called with the stage and the fraction of all the work that is done; what it
                       raises stops the work and is raised
 
-    What is not given has the default of the class vtkRobustTetrahedralize. Raises `Error` with one
-    line that names what is wrong.
+    What is not given has the default of the class vtkRobustTetrahedralize. Returns a
+    `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     tetrahedralizer = make_filter(
         gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget, engine
     )
-    warnings: list[str] = []
-    if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
-        raise Error(f"the surface is a {type(surface).__name__}; it can be a vtkPolyData or a file's name")
-    if not isinstance(surface, vtkPolyData):
-        surface, warnings = read_surface(surface)
-    tetrahedralizer.SetInputData(surface)
+    polygons, warnings = as_surface(surface)
+    tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
     warnings = warnings + run(tetrahedralizer, progress)
 
@@ -108,10 +103,10 @@ def tetrahedralize(
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
     return Tetrahedralization(
-        solid=_inside_cells(hull),
-        boundary=tetrahedralizer.GetBoundary(),
-        outliers=tetrahedralizer.GetOutliers(),
-        hull=hull,
+        solid=as_type(Tetrahedra, _inside_cells(hull)),
+        boundary=as_type(TriangleSurface, tetrahedralizer.GetBoundary()),
+        outliers=as_type(TriangleSurface, tetrahedralizer.GetOutliers()),
+        hull=as_type(Tetrahedra, hull),
         statistics=statistics_of(hull),
         left_out_cells=cells_of(hull, "LeftOutCellIds"),
         lost_cells=cells_of(hull, "LostCellIds"),
