@@ -40,6 +40,11 @@ vtkInsideOutMonitor::vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<st
 {
 }
 
+vtkInsideOutMonitor::~vtkInsideOutMonitor()
+{
+  this->Algorithm->SetProgressText(nullptr);
+}
+
 bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
 {
   const auto found = std::find(this->Stages.begin() + this->Stage, this->Stages.end(), stage);

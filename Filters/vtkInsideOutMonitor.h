@@ -28,6 +28,10 @@ public:
    */
   vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages);
 
+  /** The algorithm does nothing any more: the name of its last stage is not to stand at the next
+   * run's beginning. */
+  ~vtkInsideOutMonitor() override;
+
   bool Continue(const char* stage, double fraction) override;
 
 private:

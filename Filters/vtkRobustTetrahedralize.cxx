@@ -4,6 +4,7 @@
 #include "InsideBoundary.h"
 #include "InteriorFaces.h"
 #include "vtkInsideOutConversion.h"
+#include "vtkInsideOutMemory.h"
 #include "vtkInsideOutMonitor.h"
 
 #include <vtkCellData.h>
@@ -15,15 +16,66 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <tuple>
 
 using namespace insideout;
 
 vtkStandardNewMacro(vtkRobustTetrahedralize);
 
+namespace
+{
+/** What decides about the hull, to be compared. Does not compile once a parameter is added: it may
+ * not be missing here. */
+auto AsTuple(const HullMeshParameters& parameters)
+{
+  const auto& [chain, orientation, budgets, quadratureOrder] = parameters;
+  const auto& [mergeTolerance, countDuplicates] = chain;
+  const auto& [seconds, mebibytes, engine] = budgets;
+  return std::make_tuple(
+    mergeTolerance, countDuplicates, orientation, seconds, mebibytes, engine, quadratureOrder);
+}
+} // namespace
+
+/** The hull of an input, which the segmentation does not change. */
+struct vtkRobustTetrahedralize::HullOfInput
+{
+  HullOfInput(vtkPolyData* input, const HullMeshParameters& parameters, Monitor& monitor)
+    : Input(ShallowCopyOf(input))
+    , Conversion(this->Input)
+    , Hull(MeshHull(this->Conversion.Soup, parameters, monitor))
+    , Faces(InteriorFaces(this->Hull.Mesh))
+    , Grid(this->Conversion.MakeGrid(this->Hull))
+    , Warnings(this->Conversion.Warnings)
+  {
+  }
+
+  static vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->ShallowCopy(input);
+    return copy;
+  }
+
+  vtkSmartPointer<vtkPolyData> Input; ///< what the conversion reads from, however long it lives
+  vtkInsideOutConversion Conversion;
+  HullMesh Hull;
+  std::vector<InteriorFace> Faces;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::vector<std::string> Warnings; ///< the conversion's so far
+};
+
+class vtkRobustTetrahedralize::Memory
+  : public vtkInsideOutMemory<decltype(AsTuple(std::declval<HullMeshParameters>())), HullOfInput>
+{
+};
+
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
+  : Hulls(new Memory)
 {
   this->SetNumberOfOutputPorts(3);
 }
+
+vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
 
 void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -98,23 +150,30 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutMonitor monitor(this,
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
-      vtkInsideOutConversion conversion(input);
-      const HullMesh hull = MeshHull(conversion.Soup,
-        { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation),
-          { this->TimeBudget, this->MemoryBudget,
-            static_cast<TetrahedralizationEngine>(this->Engine) },
-          this->QuadratureOrder },
-        monitor);
+      const HullMeshParameters parameters = { { this->MergeTolerance, this->CountDuplicates },
+        static_cast<insideout::Orientation>(this->Orientation),
+        { this->TimeBudget, this->MemoryBudget,
+          static_cast<TetrahedralizationEngine>(this->Engine) },
+        this->QuadratureOrder };
+      const std::shared_ptr<HullOfInput> kept = this->Hulls->Get(input, AsTuple(parameters),
+        [&]() { return std::make_shared<HullOfInput>(input, parameters, monitor); });
+      if (this->GetReleaseDataFlag())
+      {
+        this->Hulls->Forget();
+      }
+      const HullMesh& hull = kept->Hull;
+      vtkInsideOutConversion& conversion = kept->Conversion;
+      conversion.Warnings = kept->Warnings;
 
       Stopwatch stopwatch;
-      const Segmentation segmentation = GraphCutSegmentation(
-        hull.W, InteriorFaces(hull.Mesh), { this->Gamma, this->Sigma }, monitor);
+      const Segmentation segmentation =
+        GraphCutSegmentation(hull.W, kept->Faces, { this->Gamma, this->Sigma }, monitor);
       const double cutSeconds = stopwatch.Lap();
       const std::vector<BoundaryFace> faces = BoundaryFaces(hull.Mesh, segmentation.Inside);
       const std::vector<Id> outliers = OutlierFacets(hull.Surface, hull.Mesh, segmentation.Inside);
 
-      vtkSmartPointer<vtkUnstructuredGrid> solid = conversion.MakeGrid(hull);
+      auto solid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      solid->ShallowCopy(kept->Grid);
       vtkInsideOutAddInside(segmentation.Inside, solid);
       if (this->ExtractInside)
       {

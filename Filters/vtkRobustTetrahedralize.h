@@ -18,6 +18,9 @@
  * that are no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
  * surfaces its cell data.
  *
+ * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
+ * Sigma, ExtractInside) does not mesh again. ReleaseDataFlagOn() saves that memory.
+ *
  * When no cell is inside there is a warning that gives the range of w. Errors, which name the
  * culprit, leave all outputs empty.
  *
@@ -29,6 +32,8 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory>
 
 class vtkPolyData;
 
@@ -166,7 +171,7 @@ public:
 
 protected:
   vtkRobustTetrahedralize();
-  ~vtkRobustTetrahedralize() override = default;
+  ~vtkRobustTetrahedralize() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -185,6 +190,10 @@ protected:
   double MemoryBudget = 0.0;
 
 private:
+  struct HullOfInput;
+  class Memory;
+  std::unique_ptr<Memory> Hulls;
+
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;
   void operator=(const vtkRobustTetrahedralize&) = delete;
 };
