@@ -6,6 +6,7 @@
 #include "HullMesh.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -58,12 +59,19 @@ void CheckThatNothingCrosses(
 }
 } // namespace
 
+int vtkConstrainedDelaunay3D::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
 int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(

@@ -3,6 +3,7 @@
 
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -36,12 +37,19 @@ int vtkGeneralizedWindingNumber::FillInputPortInformation(
   return 1;
 }
 
+int vtkGeneralizedWindingNumber::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
 int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this,

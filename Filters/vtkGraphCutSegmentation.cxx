@@ -4,6 +4,7 @@
 #include "GraphCutSegmentation.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -156,12 +157,19 @@ std::vector<double> WindingNumbers(vtkUnstructuredGrid* grid)
 }
 } // namespace
 
+int vtkGraphCutSegmentation::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
 int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this, { "segmenting" });

@@ -62,6 +62,8 @@ protected:
   vtkGraphCutSegmentation();
   ~vtkGraphCutSegmentation() override = default;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -4,6 +4,7 @@
 #include "ResolveSelfIntersections.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -27,12 +28,19 @@ void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
 }
 
+int vtkResolveSelfIntersections::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
 int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(

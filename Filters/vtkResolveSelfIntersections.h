@@ -59,6 +59,8 @@ protected:
   vtkResolveSelfIntersections();
   ~vtkResolveSelfIntersections() override = default;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

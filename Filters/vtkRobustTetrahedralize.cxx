@@ -6,6 +6,7 @@
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMemory.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -140,11 +141,18 @@ std::string NothingInside(const std::vector<double>& w)
 }
 } // namespace
 
+int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
