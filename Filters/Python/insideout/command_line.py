@@ -41,8 +41,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget"):
-        if getattr(options, name) is not None:
+    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget",
+                 "non_participating", "merge_coplanar_pieces", "split_seams"):
+        if getattr(options, name) not in (None, False):
             words = "OUTPUT.vtu" if name == "output" else "--" + name.replace("_", "-")
             parser.error(f"--check meshes nothing: it goes without {words}")
 
@@ -86,6 +87,19 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size"
+    )
+    parser.add_argument(
+        "--non-participating", metavar="ARRAY", help="cell array that is not 0 where a cell does not count in w"
+    )
+    parser.add_argument(
+        "--merge-coplanar-pieces",
+        action="store_true",
+        help="put the pieces of a triangle together again on the boundary where all of it lies there",
+    )
+    parser.add_argument(
+        "--split-seams",
+        action="store_true",
+        help="keep all texture coordinates and normals of a point on the boundary, by several points",
     )
     parser.add_argument("--quiet", action="store_true", help="print nothing but errors")
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
@@ -143,6 +157,9 @@ class Job:
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
             engine=options.engine or "automatic",
+            non_participating=options.non_participating,
+            merge_coplanar_pieces=options.merge_coplanar_pieces,
+            split_seams=options.split_seams,
         )
         self.parameters = {
             "gamma": solid.GetGamma(),
@@ -186,6 +203,9 @@ class Job:
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
             engine=options.engine or "automatic",
+            non_participating=options.non_participating,
+            merge_coplanar_pieces=options.merge_coplanar_pieces,
+            split_seams=options.split_seams,
             progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
         )
         self.bars.finish()
