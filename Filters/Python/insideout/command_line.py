@@ -41,9 +41,10 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget",
-                 "non_participating", "merge_coplanar_pieces", "split_seams"):
-        if getattr(options, name) not in (None, False):
+    names = ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget")
+    for name in (*names, "non_participating", "merge_coplanar_pieces", "split_seams"):
+        value = getattr(options, name)
+        if value is not None and value is not False:
             words = "OUTPUT.vtu" if name == "output" else "--" + name.replace("_", "-")
             parser.error(f"--check meshes nothing: it goes without {words}")
 
