@@ -25,6 +25,7 @@ void vtkConstrainedDelaunay3D::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
@@ -76,7 +77,7 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
     {
       vtkInsideOutMonitor monitor(
         this, { "validating", "finding self-intersections", "tetrahedralizing" });
-      vtkInsideOutConversion conversion(input);
+      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
       const CountedChain chain =
         CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
       CheckThatNothingCrosses(chain.Surface, conversion, monitor);

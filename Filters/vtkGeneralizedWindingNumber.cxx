@@ -24,6 +24,7 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
@@ -55,7 +56,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       vtkInsideOutMonitor monitor(this,
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers" });
-      vtkInsideOutConversion conversion(input);
+      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
       const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),

@@ -26,6 +26,7 @@ void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
 }
 
 int vtkResolveSelfIntersections::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
@@ -45,7 +46,7 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
     {
       vtkInsideOutMonitor monitor(
         this, { "validating", "finding self-intersections", "resolving self-intersections" });
-      vtkInsideOutConversion conversion(input);
+      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
       const CountedChain chain =
         CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
       const Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);

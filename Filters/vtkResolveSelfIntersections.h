@@ -29,6 +29,8 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
 class VTKFILTERSINSIDEOUT_EXPORT vtkResolveSelfIntersections : public vtkPolyDataAlgorithm
 {
 public:
@@ -55,6 +57,16 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
+   * count in w, but still shapes the mesh, as accessories that are no part of the body should. Such
+   * a cell cancels no other. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
+  ///@}
+
 protected:
   vtkResolveSelfIntersections();
   ~vtkResolveSelfIntersections() override = default;
@@ -66,6 +78,7 @@ protected:
 
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  std::string NonParticipatingArrayName;
 
 private:
   vtkResolveSelfIntersections(const vtkResolveSelfIntersections&) = delete;

@@ -145,6 +145,8 @@ class CheckCommand(CommandLine):
         source = self.file("box.ply", surfaces.box())
         self.check_failure_of_check(run("--check", source, self.output), "it goes without OUTPUT.vtu")
         self.check_failure_of_check(run("--check", source, "--gamma", "1"), "it goes without --gamma")
+        self.check_failure_of_check(run("--check", source, "--gamma", "0"), "it goes without --gamma")
+        self.check_failure_of_check(run("--check", source, "--split-seams"), "it goes without --split-seams")
         self.check_failure_of_check(run("--check", source, "--time-budget", "1"), "it goes without --time-budget")
         self.check_failure_of_check(run("--check", source, "--merge-tolerance", "-1"), "merge_tolerance is -1")
         self.check_failure_of_check(run("--check", self.path("missing.ply")), "no such file")

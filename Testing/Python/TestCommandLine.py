@@ -138,6 +138,28 @@ class Success(CommandLine):
         os.remove(self.output)
         self.check_failure(run(source, self.output, "--engine", "steam"), "--engine")
 
+    def test_options_of_the_surface(self):
+        surface = surfaces.two_boxes_and_a_stray_facet()
+        surfaces.add_array(surface.GetCellData(), "Second", np.repeat([0, 1, 0], [12, 12, 1]))
+        boundary = self.path("boundary.vtp")
+        source = self.file("boxes.vtp", surface)
+        done = run(source, self.output, "--boundary", boundary, "--non-participating", "Second")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(self.output)))), 1, delta=1e-12)
+        self.assertIn("12 facets that do not count, as asked", done.stdout)
+        self.assertRegex(done.stdout, r"[1-9]\d* outlier facets \([1-9]\d* segmented as outside\)")
+        pieces = read_surface(boundary)[0].GetNumberOfCells()
+        self.assertGreater(pieces, 12)
+
+        merged = run(
+            *(source, self.output, "--boundary", boundary, "--non-participating", "Second"),
+            *("--merge-coplanar-pieces", "--split-seams"),
+        )
+        self.assertEqual(merged.returncode, 0, merged.stderr)
+        self.assertEqual(read_surface(boundary)[0].GetNumberOfCells(), 12)
+        os.remove(self.output)
+        self.check_failure(run(source, self.output, "--non-participating", "Third"), "no cell array Third")
+
     def test_empty_outliers_are_written_in_every_format(self):
         source = self.file("box.ply", surfaces.box())
         for ending in (".vtp", ".ply", ".stl", ".obj"):

@@ -31,7 +31,10 @@ examples:
 Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C.
 """
 
-MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", "gamma", "sigma", "engine", "time_budget", "memory_budget")
+MESH_OPTIONS = (
+    *("hull", "boundary", "outliers", "plot", "gamma", "sigma", "engine", "time_budget", "memory_budget"),
+    *("non_participating", "merge_coplanar_pieces", "split_seams"),
+)
 
 
 @dataclass(frozen=True)
@@ -82,7 +85,7 @@ def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argpars
     if options.check and options.winding is not None:
         parser.error("--check meshes nothing: it goes without --winding")
     for name in MESH_OPTIONS:
-        if mode is not None and getattr(options, name) is not None:
+        if mode is not None and getattr(options, name) not in (None, False):
             parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
 
 
@@ -153,6 +156,17 @@ def _parser() -> argparse.ArgumentParser:
     how.add_argument("--engine", choices=list(ENGINES), help="what makes the tetrahedra; automatic by default")
     how.add_argument("--time-budget", metavar="S", type=float, help="seconds that tetrahedralizing may take before it makes do; 0 goes by size")
     how.add_argument("--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size")
+    how.add_argument("--non-participating", metavar="ARRAY", help="cell array that is not 0 where a cell does not count in w")
+    how.add_argument(
+        "--merge-coplanar-pieces",
+        action="store_true",
+        help="put the pieces of a triangle together again on the boundary where all of it lies there",
+    )
+    how.add_argument(
+        "--split-seams",
+        action="store_true",
+        help="keep all texture coordinates and normals of a point on the boundary, by several points",
+    )
     how.add_argument("--timeout", metavar="S", type=float, help="give a surface up after this many seconds; none by default")
     how.add_argument("--threads", metavar="N", type=int, help="how many threads work; by default one per processor")
     how.add_argument("--quiet", action="store_true", help="print nothing but errors")

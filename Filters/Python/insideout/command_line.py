@@ -195,6 +195,9 @@ class MeshJob(Job):
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
             engine=options.engine or "automatic",
+            non_participating=options.non_participating,
+            merge_coplanar_pieces=options.merge_coplanar_pieces,
+            split_seams=options.split_seams,
         )
         if self.files.plot is not None:
             display_command()
@@ -226,6 +229,9 @@ class MeshJob(Job):
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
             engine=options.engine or "automatic",
+            non_participating=options.non_participating,
+            merge_coplanar_pieces=options.merge_coplanar_pieces,
+            split_seams=options.split_seams,
             progress=self.show_progress,
         )
         self.bars.finish()

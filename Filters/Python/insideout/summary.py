@@ -20,8 +20,16 @@ DEFECTS = (
     ("DegenerateFacets", "degenerate facet, left out", "degenerate facets, left out"),
     ("TwoSidedSolids", "two-sided component, kept once", "two-sided components, kept once"),
     ("TwoSidedSheets", "two-sided sheet, which bounds nothing", "two-sided sheets, which bound nothing"),
+    ("NonParticipatingFacets", "facet that does not count, as asked", "facets that do not count, as asked"),
     ("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
     ("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
+)
+
+OUTLIERS = (
+    ("OutliersByEnergy", "segmented as outside"),
+    ("OutliersLost", "lost by the mesh"),
+    ("OutliersLeftOut", "left out by the resolver"),
+    ("OutliersDegenerate", "degenerate"),
 )
 
 TABLE = (
@@ -78,7 +86,7 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
         f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
-        f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets",
+        f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",
         f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
         f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
         *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
@@ -129,6 +137,12 @@ def table(jobs: Sequence[tuple[str, Mapping[str, float], Optional[str]]]) -> lis
         lines.append(" ".join([f"{file:{width}}", *(f"{cell:>11}" for cell in cells)]) + (f"  {error}" if error else ""))
     done = sum(error is None for _, _, error in jobs)
     return [*lines, f"{done} of {len(jobs)} surfaces done"]
+
+
+def _reasons(statistics: Mapping[str, float]) -> str:
+    """Why facets are outliers, with how many of each; empty when there are none."""
+    reasons = [f"{_count(statistics[key])} {words}" for key, words in OUTLIERS if statistics.get(key, 0) > 0]
+    return f" ({', '.join(reasons)})" if reasons else ""
 
 
 def _listed(title: str, findings: Sequence[Finding]) -> list[str]:

@@ -45,7 +45,7 @@ class Tetrahedralization:
     boundary: TriangleSurface
     """The solid's boundary: watertight, oriented outward, with the input's attributes."""
     outliers: TriangleSurface
-    """The pieces of input facets that are no face of a cell inside."""
+    """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
     hull: Tetrahedra
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
     statistics: dict[str, float]
@@ -69,6 +69,9 @@ def tetrahedralize(
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
     engine: str = "automatic",
+    non_participating: Optional[str] = None,
+    merge_coplanar_pieces: bool = False,
+    split_seams: bool = False,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
@@ -85,6 +88,12 @@ def tetrahedralize(
                       which is TetGen, and exact flips where it fails
     time_budget       seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size
     memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
+    non_participating the name of a cell array of the surface: cells where it is not 0 do not count in
+                      w, but shape the mesh
+    merge_coplanar_pieces  put the pieces of an input triangle together again on the boundary where all
+                      of it lies there
+    split_seams       give the boundary a point for each of the input's texture coordinates and normals
+                      in a place, instead of the lowest point's alone
     progress          called with the stage and the fraction of all the work that is done; what it
                       raises stops the work and is raised
 
@@ -92,7 +101,17 @@ def tetrahedralize(
     `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     tetrahedralizer = make_filter(
-        gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget, engine
+        gamma,
+        sigma,
+        orientation,
+        merge_tolerance,
+        count_duplicates,
+        time_budget,
+        memory_budget,
+        engine,
+        non_participating,
+        merge_coplanar_pieces,
+        split_seams,
     )
     polygons, warnings = as_surface(surface)
     tetrahedralizer.SetInputData(polygons)
@@ -123,6 +142,9 @@ def make_filter(
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
     engine: str = "automatic",
+    non_participating: Optional[str] = None,
+    merge_coplanar_pieces: bool = False,
+    split_seams: bool = False,
 ) -> vtkRobustTetrahedralize:
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
@@ -143,6 +165,10 @@ def make_filter(
         tetrahedralizer.SetTimeBudget(at_least(0, "time_budget", time_budget))
     if memory_budget is not None:
         tetrahedralizer.SetMemoryBudget(at_least(0, "memory_budget", memory_budget))
+    if non_participating is not None:
+        tetrahedralizer.SetNonParticipatingArrayName(non_participating)
+    tetrahedralizer.SetMergeCoplanarPieces(bool(merge_coplanar_pieces))
+    tetrahedralizer.SetSplitSeams(bool(split_seams))
     return tetrahedralizer
 
 

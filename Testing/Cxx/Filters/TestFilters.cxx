@@ -394,8 +394,10 @@ TEST(vtkRobustTetrahedralize, TurnsASurfaceThatIsInsideOut)
     filter->Update();
     const bool asGiven = orientation == vtkRobustTetrahedralize::AS_GIVEN;
     EXPECT_NEAR(Volume(filter->GetOutput()), asGiven ? 0 : 1, 1e-15);
-    EXPECT_EQ(warnings.Heard("inside out"), orientation == vtkRobustTetrahedralize::AUTOMATIC);
+    EXPECT_EQ(
+      warnings.Heard("it is turned over"), orientation == vtkRobustTetrahedralize::AUTOMATIC);
     EXPECT_EQ(warnings.Heard("nothing is inside: w ranges from -1"), asGiven);
+    EXPECT_EQ(warnings.Heard("set Orientation to Automatic"), asGiven);
   }
 }
 
