@@ -366,6 +366,24 @@ class NonParticipating(unittest.TestCase):
         run(w)
         self.assertEqual(set(np.unique(cell_array(w.GetOutput(), "w"))), {0.0, 1.0})
 
+    def test_winding_numbers_anywhere_count_the_same(self):
+        found = []
+        for surface, name in ((ski_mask.scene(), ski_mask.ARRAY), (ski_mask.snake(), "")):
+            probe = insideout.vtkProbeWindingNumber()
+            probe.SetInputData(self.tagged.hull)
+            probe.SetSurfaceData(surface)
+            probe.SetAssociation(probe.CELLS)
+            probe.SetNonParticipatingArrayName(name)
+            run(probe)
+            found.append(cell_array(probe.GetOutput(), "w"))
+            implicit = insideout.vtkImplicitWindingNumber()
+            implicit.SetInput(surface)
+            implicit.SetNonParticipatingArrayName(name)
+            self.assertEqual(implicit.EvaluateFunction(5.7, 0, 0), 0.5, "in the mouth")
+            self.assertEqual(implicit.EvaluateFunction(4.5, 0, 0), -0.5, "in the neck")
+        np.testing.assert_allclose(found[0], found[1], atol=1e-12)
+        self.assertEqual(set(np.round(found[0], 12)), {0.0, 1.0})
+
     def test_an_array_that_is_not_there_is_an_error_that_names_it(self):
         for name in ("Nobody", "Three"):
             surface = surfaces.box()
