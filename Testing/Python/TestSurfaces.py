@@ -229,6 +229,10 @@ class Seams(unittest.TestCase):
         self.assertEqual(result.statistics["SeamPoints"], 0)
         self.assertEqual(result.boundary.GetNumberOfPoints(), 8)
 
+    def test_without_point_data_there_is_no_seam_where_surfaces_cross(self):
+        result = insideout.tetrahedralize(surfaces.two_boxes(), split_seams=True)
+        self.assertTrue(is_watertight(result.boundary))
+
     def test_new_points_interpolate_the_triangle_that_they_lie_in(self):
         """Where a box's side is cut by another box, each keeps its own texture."""
         boxes = [bare(self.box), bare(self.box)]
