@@ -357,6 +357,10 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeBoundary(
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSeamedBoundary(
   const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
 {
+  if (this->Input->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    return this->MakeBoundary(hull, boundary); // nothing differs anywhere
+  }
   const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Soup,
     TrianglesInMesh(this->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull), hull.Mesh);
   std::vector<insideout::Point> points;

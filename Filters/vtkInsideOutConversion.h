@@ -74,8 +74,8 @@ public:
   vtkSmartPointer<vtkPolyData> MakeBoundary(
     const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
 
-  /** The same with several points in a place where the input has texture coordinates or normals
-   * for each triangle. */
+  /** The same with several points in a place where the input's triangles differ in texture
+   * coordinates or normals, or where triangles cross that have point data at all. */
   vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(
     const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
 

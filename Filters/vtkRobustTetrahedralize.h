@@ -155,8 +155,8 @@ public:
    * What becomes of input points in one place with different texture coordinates or normals. Off:
    * they are one point of the boundary (output 1), which has the lowest id's data; a warning counts
    * them. On: the boundary has a point for each, so that every triangle has the data of the input
-   * triangle that it lies on; it is watertight by the points' places then, not by their ids.
-   * Default off.
+   * triangle that it lies on, also where triangles were cut along each other; it is watertight by
+   * the points' places then, not by their ids. Default off.
    */
   vtkSetMacro(SplitSeams, bool);
   vtkGetMacro(SplitSeams, bool);

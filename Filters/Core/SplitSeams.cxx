@@ -126,23 +126,6 @@ PointOrigin Splitter::OriginIn(Id source, Id place) const
   {
     return PointOrigin::Input(own[corner]);
   }
-  // The weights in the mesh, where they are this triangle's, are the same for its neighbours.
-  PointOrigin origin = this->Mesh.Origins[place];
-  bool isOwn = origin.Points[0] != None && !origin.IsInput();
-  for (int k = 0; k < 3 && isOwn; ++k)
-  {
-    int index = 0;
-    while (index < 3 && this->Mesh.Origins[corners[index]].Points[0] != origin.Points[k])
-    {
-      ++index;
-    }
-    isOwn = index < 3 || origin.Weights[k] == 0;
-    origin.Points[k] = own[index % 3];
-  }
-  if (isOwn)
-  {
-    return origin;
-  }
   std::array<Point, 3> triangle;
   for (int k = 0; k < 3; ++k)
   {

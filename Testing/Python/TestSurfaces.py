@@ -229,6 +229,10 @@ class Seams(unittest.TestCase):
         self.assertEqual(result.statistics["SeamPoints"], 0)
         self.assertEqual(result.boundary.GetNumberOfPoints(), 8)
 
+    def test_without_point_data_there_is_no_seam_where_surfaces_cross(self):
+        result = insideout.tetrahedralize(surfaces.two_boxes(), split_seams=True)
+        self.assertTrue(is_watertight(result.boundary))
+
     def test_new_points_interpolate_the_triangle_that_they_lie_in(self):
         """Where a box's side is cut by another box, each keeps its own texture."""
         boxes = [bare(self.box), bare(self.box)]
@@ -365,6 +369,24 @@ class NonParticipating(unittest.TestCase):
         w.SetInputData(resolved)
         run(w)
         self.assertEqual(set(np.unique(cell_array(w.GetOutput(), "w"))), {0.0, 1.0})
+
+    def test_winding_numbers_anywhere_count_the_same(self):
+        found = []
+        for surface, name in ((ski_mask.scene(), ski_mask.ARRAY), (ski_mask.snake(), "")):
+            probe = insideout.vtkProbeWindingNumber()
+            probe.SetInputData(self.tagged.hull)
+            probe.SetSurfaceData(surface)
+            probe.SetAssociation(probe.CELLS)
+            probe.SetNonParticipatingArrayName(name)
+            run(probe)
+            found.append(cell_array(probe.GetOutput(), "w"))
+            implicit = insideout.vtkImplicitWindingNumber()
+            implicit.SetInput(surface)
+            implicit.SetNonParticipatingArrayName(name)
+            self.assertEqual(implicit.EvaluateFunction(5.7, 0, 0), 0.5, "in the mouth")
+            self.assertEqual(implicit.EvaluateFunction(4.5, 0, 0), -0.5, "in the neck")
+        np.testing.assert_allclose(found[0], found[1], atol=1e-12)
+        self.assertEqual(set(np.round(found[0], 12)), {0.0, 1.0})
 
     def test_an_array_that_is_not_there_is_an_error_that_names_it(self):
         for name in ("Nobody", "Three"):

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -124,10 +125,9 @@ TEST(SplitSeams, GivesEachTriangleTheDataOfItsOwnInputTriangle)
   CheckValues(soup, 1, alike);
 }
 
-TEST(SplitSeams, SharesPointsWhereTheDataAreAlike)
+/** Of a torn surface with two triangles a side: points of a side that stand together are alike. */
+std::vector<Id> AlikeBySides(const TriangleSoup& soup)
 {
-  // The two triangles of a side have equal points at their diagonal, which have equal data.
-  const TriangleSoup soup = Torn(CrossingBoxes());
   std::vector<Id> alike(soup.Points.size());
   for (Id p = 0; p < static_cast<Id>(alike.size()); ++p)
   {
@@ -137,7 +137,53 @@ TEST(SplitSeams, SharesPointsWhereTheDataAreAlike)
       alike[p] = alike[p] == p && soup.Points[q] == soup.Points[p] ? q : alike[p];
     }
   }
-  CheckValues(soup, 2, alike);
+  return alike;
+}
+
+TEST(SplitSeams, SharesPointsWhereTheDataAreAlike)
+{
+  const TriangleSoup soup = Torn(CrossingBoxes());
+  CheckValues(soup, 2, AlikeBySides(soup));
+}
+
+TEST(SplitSeams, SplitsAnEdgeWhoseDataAreAlikeAtOneEndOnly)
+{
+  const TriangleSoup soup = Torn(CrossingBoxes());
+  std::vector<Id> alike = AlikeBySides(soup);
+  for (std::size_t side = 0; side < alike.size(); side += 6)
+  {
+    for (std::size_t p = side, ends = 0; p < side + 6; ++p)
+    {
+      const bool isSecondEnd = alike[p] != static_cast<Id>(p) && ends++ == 1;
+      alike[p] = isSecondEnd ? static_cast<Id>(p) : alike[p];
+    }
+  }
+  const Solid solid = MakeSolid(soup);
+  const SeamedSurface seamed =
+    SplitSeams(solid.Boundary, soup, solid.Given, alike, solid.Hull.Mesh);
+  std::map<std::pair<Id, Id>, Id> points; // by place and input triangle
+  for (std::size_t t = 0; t < solid.Boundary.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      points[{ solid.Boundary[t].Corners[k], solid.Boundary[t].Source }] = seamed.Triangles[t][k];
+    }
+  }
+  int onDiagonals = 0;
+  int shared = 0;
+  for (const auto& [key, point] : points)
+  {
+    const auto other = points.find({ key.first, key.second ^ 1 }); // of the same side
+    if (other != points.end())
+    {
+      const bool isNew = !solid.Hull.Mesh.Origins[key.first].IsInput();
+      onDiagonals += isNew;
+      shared += other->second == point;
+      EXPECT_FALSE(isNew && other->second == point);
+    }
+  }
+  EXPECT_GT(onDiagonals, 0);
+  EXPECT_GT(shared, 0);
 }
 
 TEST(SplitSeams, ChangesNothingWhereAllIsAlike)
