@@ -2,14 +2,16 @@
 #include "vtkRobustTetrahedralize.h"
 
 #include "InsideBoundary.h"
-#include "InteriorFaces.h"
+#include "SegmentMesh.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutSegmentation.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -22,7 +24,13 @@ vtkStandardNewMacro(vtkRobustTetrahedralize);
 
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+}
+
+vtkRobustTetrahedralize::~vtkRobustTetrahedralize()
+{
+  this->SetConstrainedFacetsArrayName(nullptr);
 }
 
 void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
@@ -30,6 +38,11 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
+  os << indent << "DataTerm: " << this->DataTerm << "\n";
+  os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
+  os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
+  os << indent << "ConstrainedFacetsArrayName: "
+     << (this->ConstrainedFacetsArrayName ? this->ConstrainedFacetsArrayName : "") << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
@@ -40,10 +53,21 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
-int vtkRobustTetrahedralize::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
+}
+
+void vtkRobustTetrahedralize::SetSeedsData(vtkPointSet* seeds)
+{
+  this->SetInputData(1, seeds);
+}
+
+void vtkRobustTetrahedralize::SetSeedsConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
 }
 
 int vtkRobustTetrahedralize::FillOutputPortInformation(int port, vtkInformation* info)
@@ -99,6 +123,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
       vtkInsideOutConversion conversion(input);
+      const std::vector<Seed> seeds = vtkInsideOutReadSeeds(vtkPointSet::GetData(inputVector[1]));
       const HullMesh hull = MeshHull(conversion.Soup,
         { { this->MergeTolerance, this->CountDuplicates },
           static_cast<insideout::Orientation>(this->Orientation),
@@ -108,8 +133,14 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         monitor);
 
       Stopwatch stopwatch;
-      const Segmentation segmentation = GraphCutSegmentation(
-        hull.W, InteriorFaces(hull.Mesh), { this->Gamma, this->Sigma }, monitor);
+      const std::vector<unsigned char> chosen = vtkInsideOutChosenFacets(input,
+        this->ConstrainedFacetsArrayName ? this->ConstrainedFacetsArrayName : "", hull.Surface,
+        conversion.GetCellOfTriangle());
+      const MeshSegmentation segmentation =
+        SegmentMesh(hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), seeds,
+          { { this->Gamma, this->Sigma, static_cast<insideout::DataTerm>(this->DataTerm) },
+            this->ConstrainFacets, this->ConstrainManifold },
+          monitor);
       const double cutSeconds = stopwatch.Lap();
       const std::vector<BoundaryFace> faces = BoundaryFaces(hull.Mesh, segmentation.Inside);
       const std::vector<Id> outliers = OutlierFacets(hull.Surface, hull.Mesh, segmentation.Inside);
@@ -124,7 +155,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
-      statistics.emplace_back("Energy", segmentation.Energy);
+      statistics.insert(
+        statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
       statistics.emplace_back("InsideCells", insideCells);
       statistics.emplace_back("BoundaryFaces", faces.size());
       statistics.emplace_back("OutlierFacets", outliers.size());
@@ -137,6 +169,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
       conversion.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
+      vtkInsideOutWarn(this, segmentation.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
       if (insideCells == 0)
       {

@@ -22,7 +22,7 @@ from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output,
 from .pipeline import Error
 from .progress import StageBars
 from .summary import check_summary, defects, summary, tetrahedralizer
-from .tetrahedralization import ENGINES, STAGES, Tetrahedralization, make_filter, tetrahedralize
+from .tetrahedralization import DATA_TERMS, ENGINES, STAGES, Tetrahedralization, make_filter, tetrahedralize
 from .version import __version__
 
 SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
@@ -41,8 +41,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    for name in ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget"):
-        if getattr(options, name) is not None:
+    names = ("output", "hull", "boundary", "outliers", "gamma", "sigma", "engine", "time_budget", "memory_budget")
+    for name in names + ("data_term", "constrain_facets", "constrain_manifold"):
+        if getattr(options, name) not in (None, False):
             words = "OUTPUT.vtu" if name == "output" else "--" + name.replace("_", "-")
             parser.error(f"--check meshes nothing: it goes without {words}")
 
@@ -77,6 +78,11 @@ def _parser() -> argparse.ArgumentParser:
         "--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2"
     )
     parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6")
+    parser.add_argument("--data-term", choices=list(DATA_TERMS), help="how much a cell's own w counts; uniform by default")
+    parser.add_argument(
+        "--constrain-facets", action="store_true", help="keep every facet as faces of the solid, thin sheets too"
+    )
+    parser.add_argument("--constrain-manifold", action="store_true", help="make the solid's boundary a 2-manifold")
     parser.add_argument(
         "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0"
     )
@@ -143,10 +149,16 @@ class Job:
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
             engine=options.engine or "automatic",
+            data_term=options.data_term or "uniform",
+            constrain_facets=options.constrain_facets,
+            constrain_manifold=options.constrain_manifold,
         )
         self.parameters = {
             "gamma": solid.GetGamma(),
             "sigma": solid.GetSigma(),
+            "data_term": solid.GetDataTerm(),
+            "constrain_facets": solid.GetConstrainFacets(),
+            "constrain_manifold": solid.GetConstrainManifold(),
             "merge_tolerance": solid.GetMergeTolerance(),
             "time_budget": solid.GetTimeBudget(),
             "memory_budget": solid.GetMemoryBudget(),
@@ -186,6 +198,9 @@ class Job:
             time_budget=options.time_budget,
             memory_budget=options.memory_budget,
             engine=options.engine or "automatic",
+            data_term=options.data_term or "uniform",
+            constrain_facets=options.constrain_facets,
+            constrain_manifold=options.constrain_manifold,
             progress=lambda stage, fraction: self.bars.show_part(STAGES, stage, fraction),
         )
         self.bars.finish()
