@@ -24,6 +24,7 @@ vtkStandardNewMacro(vtkRobustTetrahedralize);
 
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
 {
+  this->SetConstrainedFacetsArrayName("");
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
@@ -42,7 +43,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
   os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
   os << indent << "ConstrainedFacetsArrayName: "
-     << (this->ConstrainedFacetsArrayName ? this->ConstrainedFacetsArrayName : "") << "\n";
+     << (this->ConstrainedFacetsArrayName ? this->ConstrainedFacetsArrayName : "(none)") << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";

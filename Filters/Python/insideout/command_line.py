@@ -13,7 +13,7 @@ import os
 import resource
 import sys
 import time
-from typing import Iterator, Optional, Sequence
+from typing import Iterator, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -105,7 +105,7 @@ class Job:
         self.options = options
         self.bars = StageBars(None if options.quiet else sys.stderr)
         self.report_is_writable = False
-        self.parameters: dict[str, float] = {}
+        self.parameters: dict[str, Union[float, str]] = {}
         self.outputs: dict[str, str] = {}
         self.statistics: dict[str, float] = {}
         self.left_out_cells: list[int] = []
@@ -156,9 +156,9 @@ class Job:
         self.parameters = {
             "gamma": solid.GetGamma(),
             "sigma": solid.GetSigma(),
-            "data_term": solid.GetDataTerm(),
-            "constrain_facets": solid.GetConstrainFacets(),
-            "constrain_manifold": solid.GetConstrainManifold(),
+            "data_term": options.data_term or "uniform",
+            "constrain_facets": options.constrain_facets,
+            "constrain_manifold": options.constrain_manifold,
             "merge_tolerance": solid.GetMergeTolerance(),
             "time_budget": solid.GetTimeBudget(),
             "memory_budget": solid.GetMemoryBudget(),
