@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkGraphCutSegmentation.h"
 
-#include "GraphCutSegmentation.h"
+#include "ConnectCells.h"
+#include "SegmentMesh.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutSegmentation.h"
 #include "vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
@@ -13,7 +15,10 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkTetra.h>
+#include <vtkTriangle.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -24,14 +29,38 @@ using namespace insideout;
 
 vtkStandardNewMacro(vtkGraphCutSegmentation);
 
-vtkGraphCutSegmentation::vtkGraphCutSegmentation() = default;
+vtkGraphCutSegmentation::vtkGraphCutSegmentation()
+{
+  this->SetNumberOfInputPorts(2);
+}
 
 void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
+  os << indent << "DataTerm: " << this->DataTerm << "\n";
+  os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
+  os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
+}
+
+int vtkGraphCutSegmentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
+  return 1;
+}
+
+void vtkGraphCutSegmentation::SetSeedsData(vtkPointSet* seeds)
+{
+  this->SetInputData(1, seeds);
+}
+
+void vtkGraphCutSegmentation::SetSeedsConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
 }
 
 namespace
@@ -155,12 +184,130 @@ std::vector<double> WindingNumbers(vtkUnstructuredGrid* grid)
   }
   return w;
 }
+/** Volumes, or areas of polygons. */
+std::vector<double> SizesOf(vtkUnstructuredGrid* grid)
+{
+  std::vector<double> sizes(grid->GetNumberOfCells(), 0.0);
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> corners;
+  for (std::size_t c = 0; c < sizes.size(); ++c)
+  {
+    grid->GetCell(static_cast<vtkIdType>(c), cell);
+    cell->Triangulate(0, ids, corners);
+    const int step = cell->GetCellDimension() + 1;
+    for (vtkIdType k = 0; k + step <= corners->GetNumberOfPoints(); k += step)
+    {
+      double x[4][3];
+      for (int i = 0; i < step; ++i)
+      {
+        corners->GetPoint(k + i, x[i]);
+      }
+      sizes[c] += step == 4 ? std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]))
+                            : vtkTriangle::TriangleArea(x[0], x[1], x[2]);
+    }
+  }
+  return sizes;
+}
+
+/** The first cell that is no tetrahedron, -1 if all are. */
+vtkIdType FindOtherCell(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    if (grid->GetCellType(c) != VTK_TETRA)
+    {
+      return c;
+    }
+  }
+  return -1;
+}
+
+/** The array FacetIds, nullptr where there is none of four values per cell. */
+vtkDataArray* FindFacetIds(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* facetIds = grid->GetCellData()->GetArray("FacetIds");
+  const bool fits = facetIds && facetIds->GetNumberOfComponents() == 4 &&
+    facetIds->GetNumberOfTuples() == grid->GetNumberOfCells();
+  return fits ? facetIds : nullptr;
+}
+
+/** A face is on a facet where FacetIds is not negative; without the array, none is. */
+TetrahedralMesh ReadTetrahedra(vtkUnstructuredGrid* grid)
+{
+  std::vector<Point> points(grid->GetNumberOfPoints());
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    grid->GetPoint(static_cast<vtkIdType>(p), points[p].data());
+  }
+  std::vector<Tetrahedron> cells(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    grid->GetCellPoints(static_cast<vtkIdType>(c), ids);
+    std::copy(ids->begin(), ids->end(), cells[c].begin());
+  }
+  const std::vector<Tetrahedron> given = cells;
+  TetrahedralMesh mesh = ConnectCells(std::move(points), std::move(cells));
+  if (vtkDataArray* facetIds = FindFacetIds(grid))
+  {
+    for (std::size_t c = 0; c < given.size(); ++c)
+    {
+      const bool turned = mesh.Cells[c] != given[c];
+      for (int k = 0; k < 4; ++k)
+      {
+        const int face = turned && (k == 0 || k == 3) ? 3 - k : k;
+        mesh.Facets[c][face] = facetIds->GetComponent(static_cast<vtkIdType>(c), k) < 0 ? None : 0;
+      }
+    }
+  }
+  return mesh;
+}
+
+/** Cells of any type, without constraints. */
+MeshSegmentation SegmentCells(
+  vtkUnstructuredGrid* grid, const GraphCutParameters& parameters, Monitor& monitor)
+{
+  const bool weighted = parameters.DataTerm == DataTerm::VolumeWeighted;
+  Segmentation segmentation =
+    GraphCutSegmentation({ WindingNumbers(grid), FacesBetweenCells(grid),
+                           weighted ? SizesOf(grid) : std::vector<double>(), {} },
+      parameters, monitor);
+  return { std::move(segmentation.Inside), { { "Energy", segmentation.Energy } }, {} };
+}
+
+MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& seeds,
+  const SegmentMeshParameters& parameters, Monitor& monitor)
+{
+  const bool isPlain =
+    seeds.empty() && !parameters.ConstrainFacets && !parameters.ConstrainManifold;
+  const vtkIdType other = FindOtherCell(grid);
+  if (other >= 0 && !isPlain)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "cell " + std::to_string(other) +
+        " is no tetrahedron; seeds and constraints need tetrahedra alone");
+  }
+  if (other >= 0)
+  {
+    return SegmentCells(grid, parameters.Cut, monitor);
+  }
+  if (parameters.ConstrainFacets && !FindFacetIds(grid))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the grid has no cell array FacetIds of four values per cell, which tells the facets to "
+      "keep");
+  }
+  const std::vector<double> w = WindingNumbers(grid);
+  const TetrahedralMesh mesh = ReadTetrahedra(grid);
+  return SegmentMesh(mesh, w, PiecesOfFacets(mesh), seeds, parameters, monitor);
+}
 } // namespace
 
 int vtkGraphCutSegmentation::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -184,19 +331,22 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
             std::to_string(std::numeric_limits<Id>::max()) + " can be handled");
       }
       Stopwatch stopwatch;
-      const Segmentation segmentation = GraphCutSegmentation(
-        WindingNumbers(input), FacesBetweenCells(input), { this->Gamma, this->Sigma }, monitor);
+      const MeshSegmentation segmentation =
+        Segment(input, vtkInsideOutReadSeeds(vtkPointSet::GetData(inputVector[1])),
+          { { this->Gamma, this->Sigma, static_cast<insideout::DataTerm>(this->DataTerm) },
+            this->ConstrainFacets, this->ConstrainManifold },
+          monitor);
 
       vtkNew<vtkUnstructuredGrid> labelled;
       labelled->ShallowCopy(input);
       vtkInsideOutAddInside(segmentation.Inside, labelled);
       output->ShallowCopy(
         this->ExtractInside ? vtkInsideOutExtractInside(labelled).Get() : labelled.Get());
-      vtkInsideOutAddStatistics(
-        { { "InsideCells",
-            static_cast<double>(
-              std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1)) },
-          { "Energy", segmentation.Energy }, { "SecondsCut", stopwatch.Lap() } },
-        output);
+      Statistics statistics = segmentation.Statistics;
+      statistics.emplace_back(
+        "InsideCells", std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1));
+      statistics.emplace_back("SecondsCut", stopwatch.Lap());
+      vtkInsideOutAddStatistics(statistics, output);
+      vtkInsideOutWarn(this, segmentation.Warnings);
     });
 }

@@ -10,8 +10,11 @@
  * result is a global minimum, of several the one with the fewest cells inside.
  *
  * Output: the input's cells with their data and the cell array Inside (unsigned char, 1 or 0),
- * or with ExtractInside, the default, only the cells inside. Field data: Statistics_InsideCells,
- * Statistics_Energy, Statistics_SecondsCut.
+ * or with ExtractInside, the default, only the cells inside. Field data:
+ * Statistics_NAME of InsideCells, Energy, SecondsCut, and on tetrahedra those that
+ * vtkRobustTetrahedralize describes.
+ *
+ * Seeds, ConstrainFacets and ConstrainManifold take grids of tetrahedra.
  *
  * @sa vtkGeneralizedWindingNumber
  *
@@ -21,6 +24,8 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkPointSet;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkGraphCutSegmentation : public vtkUnstructuredGridAlgorithm
 {
@@ -32,7 +37,7 @@ public:
   ///@{
   /**
    * Weight of a smooth boundary against the winding number, without unit. 0 is thresholding: inside
-   * where w > 1/2. Larger values cut off and fill up thin parts where w is unsure. Default 1, range
+   * where w > 1/2. Larger values cut off and fill up thin parts where w is unsure. Default 2, range
    * 0 to infinity.
    */
   vtkSetClampMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
@@ -42,10 +47,59 @@ public:
   ///@{
   /**
    * How large a step in w may be noise. Steps between two cells that are several times larger cost
-   * nothing to cut along, smaller ones cost up to Gamma. Default 0.1, range 1e-6 to infinity.
+   * nothing to cut along, smaller ones cost up to Gamma. Default 0.15, range 1e-6 to infinity.
    */
   vtkSetClampMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
+  ///@}
+
+  /** How much a cell's own winding number counts against the others'. */
+  enum DataTermType
+  {
+    UNIFORM = 0,        ///< every cell the same
+    VOLUME_WEIGHTED = 1 ///< by the cell's volume over the mean volume
+  };
+
+  ///@{
+  /**
+   * How much a cell's own winding number counts: UNIFORM (0) as much as any other's, so that small
+   * cells, of which there are many around details, keep what is thin; VOLUME_WEIGHTED (1) by
+   * volume, so that slivers do not outvote large cells. Default UNIFORM.
+   */
+  vtkSetClampMacro(DataTerm, int, UNIFORM, VOLUME_WEIGHTED);
+  vtkGetMacro(DataTerm, int);
+  ///@}
+
+  ///@{
+  /**
+   * Every piece of every facet has to be a face of a cell inside, also where it costs energy: for
+   * thin sheets that are to be part of the solid. What is inside is then a local minimum. Takes
+   * tetrahedra with the cell array FacetIds: faces where it is not negative are kept. Default off.
+   */
+  vtkSetMacro(ConstrainFacets, bool);
+  vtkGetMacro(ConstrainFacets, bool);
+  vtkBooleanMacro(ConstrainFacets, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The solid's boundary has to be a 2-manifold: two faces at each edge, one fan of faces at each
+   * point. Cells are added where it is not. What is inside is then a local minimum. Takes
+   * tetrahedra. Default off.
+   */
+  vtkSetMacro(ConstrainManifold, bool);
+  vtkGetMacro(ConstrainManifold, bool);
+  vtkBooleanMacro(ConstrainManifold, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Optional second input: points that have to be inside or outside, by their array Inside (1 or
+   * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
+   * Seeds win over ConstrainFacets and ConstrainManifold; conflicts are warned about.
+   */
+  void SetSeedsData(vtkPointSet* seeds);
+  void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 
   ///@{
@@ -62,13 +116,17 @@ protected:
   vtkGraphCutSegmentation();
   ~vtkGraphCutSegmentation() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double Gamma = 1.0;
-  double Sigma = 0.1;
+  double Gamma = 2.0;
+  double Sigma = 0.15;
+  int DataTerm = UNIFORM;
+  bool ConstrainFacets = false;
+  bool ConstrainManifold = false;
   bool ExtractInside = true;
 
 private:

@@ -15,11 +15,15 @@ bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector)
 }
 
 void vtkInsideOutRequestWhole(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, int numberOfPorts)
 {
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  if (input)
+  for (int port = 0; port < numberOfPorts; ++port)
   {
+    vtkInformation* input = inputVector[port]->GetInformationObject(0);
+    if (!input)
+    {
+      continue;
+    }
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
     input->Set(
       Pipeline::UPDATE_NUMBER_OF_PIECES(), vtkInsideOutIsFurtherPiece(outputVector) ? 0 : 1);

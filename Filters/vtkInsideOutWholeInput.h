@@ -15,7 +15,7 @@ class vtkInformationVector;
 
 /** Ask the input for the whole where the first piece of the output is wanted, else for nothing. */
 void vtkInsideOutRequestWhole(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, int numberOfPorts = 1);
 
 /** Whether a piece other than the first is wanted of an output. */
 bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector);

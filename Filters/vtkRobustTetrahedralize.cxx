@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRobustTetrahedralize.h"
 
-#include "InteriorFaces.h"
 #include "MergePieces.h"
 #include "NothingInside.h"
+#include "SegmentMesh.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMemory.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutSegmentation.h"
 #include "vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -46,7 +48,6 @@ struct vtkRobustTetrahedralize::HullOfInput
     : Input(ShallowCopyOf(input))
     , Conversion(this->Input, nonParticipating)
     , Hull(MeshHull(this->Conversion.Soup, parameters, monitor))
-    , Faces(InteriorFaces(this->Hull.Mesh))
     , Grid(this->Conversion.MakeGrid(this->Hull))
     , Warnings(this->Conversion.Warnings)
   {
@@ -62,7 +63,6 @@ struct vtkRobustTetrahedralize::HullOfInput
   vtkSmartPointer<vtkPolyData> Input; ///< what the conversion reads from, however long it lives
   vtkInsideOutConversion Conversion;
   HullMesh Hull;
-  std::vector<InteriorFace> Faces;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   std::vector<std::string> Warnings; ///< the conversion's so far
 };
@@ -76,6 +76,7 @@ class vtkRobustTetrahedralize::Memory
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   : Hulls(new Memory)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -86,6 +87,10 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
+  os << indent << "DataTerm: " << this->DataTerm << "\n";
+  os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
+  os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
+  os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
@@ -99,10 +104,21 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
-int vtkRobustTetrahedralize::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
+}
+
+void vtkRobustTetrahedralize::SetSeedsData(vtkPointSet* seeds)
+{
+  this->SetInputData(1, seeds);
+}
+
+void vtkRobustTetrahedralize::SetSeedsConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
 }
 
 int vtkRobustTetrahedralize::FillOutputPortInformation(int port, vtkInformation* info)
@@ -178,7 +194,7 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -192,6 +208,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutMonitor monitor(this,
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
+      const std::vector<Seed> seeds = vtkInsideOutReadSeeds(vtkPointSet::GetData(inputVector[1]));
       const HullMeshParameters parameters = { { this->MergeTolerance, this->CountDuplicates },
         static_cast<insideout::Orientation>(this->Orientation),
         { this->TimeBudget, this->MemoryBudget,
@@ -211,8 +228,13 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       conversion.Warnings = kept->Warnings;
 
       Stopwatch stopwatch;
-      const Segmentation segmentation =
-        GraphCutSegmentation(hull.W, kept->Faces, { this->Gamma, this->Sigma }, monitor);
+      const std::vector<unsigned char> chosen = vtkInsideOutChosenFacets(
+        input, this->ConstrainedFacetsArrayName, hull.Surface, conversion.GetCellOfTriangle());
+      const MeshSegmentation segmentation =
+        SegmentMesh(hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), seeds,
+          { { this->Gamma, this->Sigma, static_cast<insideout::DataTerm>(this->DataTerm) },
+            this->ConstrainFacets, this->ConstrainManifold },
+          monitor);
       const double cutSeconds = stopwatch.Lap();
       const Surfaces surfaces = MakeSurfaces(
         hull, segmentation.Inside, this->MergeCoplanarPieces, this->SplitSeams, conversion);
@@ -228,7 +250,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
-      statistics.emplace_back("Energy", segmentation.Energy);
+      statistics.insert(
+        statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
       statistics.emplace_back("InsideCells", insideCells);
       statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
       statistics.emplace_back("PeakMemory", PeakMemory());
@@ -239,6 +262,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
       conversion.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
+      vtkInsideOutWarn(this, segmentation.Warnings);
       vtkInsideOutWarn(this, conversion.Warnings);
       if (insideCells == 0)
       {

@@ -21,7 +21,12 @@
  * stay active.
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
- * Sigma, ExtractInside) does not mesh again. ReleaseDataFlagOn() saves that memory.
+ * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
+ *
+ * Statistics of the segmentation: Energy of the solid, EnergyOfCut before the constraints,
+ * ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells (labelled inside
+ * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
+ * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts.
  *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.
@@ -38,6 +43,7 @@
 #include <memory>
 #include <string>
 
+class vtkPointSet;
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkRobustTetrahedralize : public vtkUnstructuredGridAlgorithm
@@ -65,7 +71,7 @@ public:
   ///@{
   /**
    * Weight of a smooth boundary against the winding number, without unit. 0 is thresholding: inside
-   * where w > 1/2. Larger values cut off and fill up thin parts where w is unsure. Default 1, range
+   * where w > 1/2. Larger values cut off and fill up thin parts where w is unsure. Default 2, range
    * 0 to infinity.
    */
   vtkSetClampMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
@@ -75,10 +81,67 @@ public:
   ///@{
   /**
    * How large a step in w may be noise. Steps between two cells that are several times larger cost
-   * nothing to cut along, smaller ones cost up to Gamma. Default 0.1, range 1e-6 to infinity.
+   * nothing to cut along, smaller ones cost up to Gamma. Default 0.15, range 1e-6 to infinity.
    */
   vtkSetClampMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
+  ///@}
+
+  /** How much a cell's own winding number counts against the others'. */
+  enum DataTermType
+  {
+    UNIFORM = 0,        ///< every cell the same
+    VOLUME_WEIGHTED = 1 ///< by the cell's volume over the mean volume
+  };
+
+  ///@{
+  /**
+   * How much a cell's own winding number counts: UNIFORM (0) as much as any other's, so that small
+   * cells, of which there are many around details, keep what is thin; VOLUME_WEIGHTED (1) by
+   * volume, so that slivers do not outvote large cells. Default UNIFORM.
+   */
+  vtkSetClampMacro(DataTerm, int, UNIFORM, VOLUME_WEIGHTED);
+  vtkGetMacro(DataTerm, int);
+  ///@}
+
+  ///@{
+  /**
+   * Every piece of every facet has to be a face of a cell inside, also where it costs energy: for
+   * thin sheets that are to be part of the solid. What is inside is then a local minimum. Default
+   * off.
+   */
+  vtkSetMacro(ConstrainFacets, bool);
+  vtkGetMacro(ConstrainFacets, bool);
+  vtkBooleanMacro(ConstrainFacets, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A cell array of the surface that chooses what ConstrainFacets keeps: polygons whose value is
+   * not 0. Default empty: all.
+   */
+  vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
+  vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * The solid's boundary has to be a 2-manifold: two faces at each edge, one fan of faces at each
+   * point. Cells are added where it is not. What is inside is then a local minimum. Default off.
+   */
+  vtkSetMacro(ConstrainManifold, bool);
+  vtkGetMacro(ConstrainManifold, bool);
+  vtkBooleanMacro(ConstrainManifold, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Optional second input: points that have to be inside or outside, by their array Inside (1 or
+   * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
+   * Seeds win over ConstrainFacets and ConstrainManifold; conflicts are warned about.
+   */
+  void SetSeedsData(vtkPointSet* seeds);
+  void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 
   ///@{
@@ -227,8 +290,12 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double Gamma = 1.0;
-  double Sigma = 0.1;
+  double Gamma = 2.0;
+  double Sigma = 0.15;
+  int DataTerm = UNIFORM;
+  bool ConstrainFacets = false;
+  bool ConstrainManifold = false;
+  std::string ConstrainedFacetsArrayName;
   bool ExtractInside = true;
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "GraphCutSegmentation.h"
+#include "CutEnergy.h"
 #include "TetrahedralMesh.h"
 
 namespace insideout
@@ -11,4 +11,7 @@ namespace insideout
  * are in units of the square of a power of two near the largest coordinate.
  */
 std::vector<InteriorFace> InteriorFaces(const TetrahedralMesh& mesh);
+
+/** The volume of each cell, in units of the cube of that power of two. */
+std::vector<double> CellVolumes(const TetrahedralMesh& mesh);
 } // namespace insideout

@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs="BenchmarkResolve BenchmarkConstrainedDelaunay"
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkGraphCut"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -68,6 +68,7 @@ for surface; do
   "$bin/BenchmarkConstrainedDelaunay" "$surface"
   "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
 done
+"$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*
 "$bin/BenchmarkResolve" "$@"
 for surface; do

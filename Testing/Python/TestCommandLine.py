@@ -110,7 +110,10 @@ class Success(CommandLine):
                 self.assertGreater(found["statistics"]["OutlierFacets"], 0)
                 self.assertEqual(
                     found["parameters"],
-                    {"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
+                    {
+                        **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
+                        **{"data_term": "uniform", "constrain_facets": False, "constrain_manifold": False},
+                    },
                 )
                 self.assertEqual(found["tetrahedralizer"], "TetGen, points kept off facets")
 
@@ -127,6 +130,18 @@ class Success(CommandLine):
 
     def test_help_has_examples(self):
         self.assertIn("--boundary solid.stl", run("--help").stdout)
+
+    def test_constraints(self):
+        source = self.file("figure.ply", surfaces.two_boxes_and_a_stray_facet())
+        report = self.path("report.json")
+        for options in ((), ("--constrain-facets",), ("--constrain-facets", "--constrain-manifold")):
+            done = run(source, self.output, "--report", report, "--data-term", "uniform", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(report, encoding="utf-8") as file:
+                found = json.load(file)
+            self.assertEqual(found["parameters"]["constrain_manifold"], "--constrain-manifold" in options)
+            self.assertEqual(found["statistics"]["ForcedFacets"] > 0, bool(options))
+            self.assertEqual(found["statistics"]["OutlierFacets"] == 0, bool(options))
 
     def test_engine(self):
         source = self.file("box.ply", surfaces.box())

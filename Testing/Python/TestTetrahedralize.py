@@ -70,6 +70,55 @@ class Laws(unittest.TestCase):
         self.assertAlmostEqual(volumes[w == 2].sum(), 1 / 8, delta=1e-12)
         self.assertGreater(result.statistics["IntersectingPairs"], 0)
 
+    def test_a_stray_facet_is_kept_when_it_has_to_be(self):
+        surface = surfaces.two_boxes_and_a_stray_facet()
+        stray = surface.GetNumberOfCells() - 1
+        plain = insideout.tetrahedralize(surface)
+        self.assertGreater(plain.outliers.GetNumberOfCells(), 0)
+        self.assertEqual(plain.statistics["Energy"], plain.statistics["EnergyOfCut"])
+        for manifold in (False, True):
+            kept = insideout.tetrahedralize(surface, constrain_facets=True, constrain_manifold=manifold)
+            self.assertEqual(kept.outliers.GetNumberOfCells(), 0)
+            self.assertIn(stray, cell_array(kept.boundary, "vtkOriginalCellIds"))
+            self.assertGreater(kept.statistics["ForcedFacets"], 0)
+            self.assertGreater(kept.statistics["Energy"], kept.statistics["EnergyOfCut"])
+            self.assertTrue(surfaces.is_watertight(kept.boundary))
+
+    def test_an_array_chooses_the_facets_that_are_kept(self):
+        surface = surfaces.two_boxes_and_a_stray_facet()
+        chosen = np.ones(surface.GetNumberOfCells(), np.uint8)
+        surfaces.add_array(surface.GetCellData(), "Keep", chosen)
+        self.assertEqual(insideout.tetrahedralize(surface, constrain_facets="Keep").outliers.GetNumberOfCells(), 0)
+        chosen[-1] = 0
+        surfaces.add_array(surface.GetCellData(), "Keep", chosen)
+        some = insideout.tetrahedralize(surface, constrain_facets="Keep")
+        self.assertEqual(set(cell_array(some.outliers, "vtkOriginalCellIds")), {len(chosen) - 1})
+        with self.assertRaisesRegex(insideout.Error, "no cell array Kept"):
+            insideout.tetrahedralize(surface, constrain_facets="Kept")
+
+    def test_seeds_have_their_way(self):
+        surface = surfaces.two_boxes()
+        plain = insideout.tetrahedralize(surface)
+        out = insideout.tetrahedralize(surface, seeds=[((0.2, 0.2, 0.2), False), ((1.1, 1.1, 0.4), True)])
+        self.assertEqual(out.warnings, plain.warnings)
+        self.assertGreater(out.statistics["Energy"], plain.statistics["Energy"])
+        self.assertNotEqual(
+            float(sum(surfaces.exact_volumes(out.solid))), float(sum(surfaces.exact_volumes(plain.solid)))
+        )
+        twice = insideout.tetrahedralize(surface, seeds=[((0.2, 0.2, 0.2), True), ((0.2, 0.2, 0.2), False)])
+        self.assertTrue(any("seed 1 is to be outside" in line for line in twice.warnings), twice.warnings)
+        self.assertEqual(twice.statistics["SeedConflicts"], 1)
+        with self.assertRaisesRegex(insideout.Error, "no point array Inside"):
+            insideout.tetrahedralize(surface, seeds=surface)
+        with self.assertRaisesRegex(insideout.Error, "seed 1 is no pair"):
+            insideout.tetrahedralize(surface, seeds=[((0, 0, 0), True), (1, 2, 3)])
+
+    def test_a_data_term_is_one_of_two(self):
+        weighted = insideout.tetrahedralize(surfaces.two_boxes(), data_term="volume weighted")
+        self.check(weighted, 15 / 8)
+        with self.assertRaisesRegex(insideout.Error, "data_term is 'heavy'"):
+            insideout.tetrahedralize(surfaces.two_boxes(), data_term="heavy")
+
     def test_an_open_box_is_closed(self):
         result = insideout.tetrahedralize(surfaces.open_box())
         self.check(result, 1)

@@ -10,7 +10,7 @@ from typing import NoReturn, Optional, Sequence
 
 from .files import READABLE_SURFACES, WRITABLE_SURFACES
 from .places import QUERIES
-from .tetrahedralization import ENGINES
+from .tetrahedralization import DATA_TERMS, ENGINES
 from .version import __version__
 
 USAGE_ERROR = 1
@@ -33,6 +33,7 @@ Exit status 0 when all was done, 1 when it was not for some surface (one line sa
 
 MESH_OPTIONS = (
     *("hull", "boundary", "outliers", "plot", "gamma", "sigma", "engine", "time_budget", "memory_budget"),
+    *("data_term", "constrain_facets", "constrain_manifold"),
     *("non_participating", "merge_coplanar_pieces", "split_seams"),
 )
 
@@ -148,8 +149,11 @@ def _parser() -> argparse.ArgumentParser:
     files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; needs no window")
     files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
     how = parser.add_argument_group("how")
-    how.add_argument("--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2; default 1")
-    how.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6; default 0.1")
+    how.add_argument("--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2; default 2")
+    how.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6; default 0.15")
+    how.add_argument("--data-term", choices=list(DATA_TERMS), help="how much a cell's own w counts; uniform by default")
+    how.add_argument("--constrain-facets", action="store_true", help="keep every facet as faces of the solid, thin sheets too")
+    how.add_argument("--constrain-manifold", action="store_true", help="make the solid's boundary a 2-manifold")
     how.add_argument(
         "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0; default 0"
     )

@@ -14,7 +14,7 @@ import os
 import resource
 import sys
 import time
-from typing import Iterator, Optional, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -59,7 +59,7 @@ class Job:
         self.files = files
         self.bars = StageBars(None if options.quiet else sys.stderr)
         self.report_is_writable = False
-        self.parameters: dict[str, float] = {}
+        self.parameters: dict[str, Any] = {}
         self.outputs: dict[str, str] = {}
         self.statistics: dict[str, float] = {}
         self.warnings: list[str] = []
@@ -108,7 +108,7 @@ class Job:
                 raise Error(f"{path} is named twice: a file cannot be two things")
             seen.add(real)
 
-    def check_parameters(self) -> dict[str, float]:
+    def check_parameters(self) -> dict[str, Any]:
         """The parameters that the work will use. Raises `Error` for one out of range."""
         raise NotImplementedError
 
@@ -186,22 +186,31 @@ class MeshJob(Job):
     left_out_cells: list[int] = []
     lost_cells: list[int] = []
 
-    def check_parameters(self) -> dict[str, float]:
+    def keywords(self) -> dict[str, Any]:
+        """What `tetrahedralize` is called with."""
         options = self.options
-        solid = make_filter(
-            options.gamma,
-            options.sigma,
-            merge_tolerance=options.merge_tolerance,
-            time_budget=options.time_budget,
-            memory_budget=options.memory_budget,
-            engine=options.engine or "automatic",
-            non_participating=options.non_participating,
-            merge_coplanar_pieces=options.merge_coplanar_pieces,
-            split_seams=options.split_seams,
-        )
+        return {
+            "gamma": options.gamma,
+            "sigma": options.sigma,
+            "merge_tolerance": options.merge_tolerance,
+            "time_budget": options.time_budget,
+            "memory_budget": options.memory_budget,
+            "engine": options.engine or "automatic",
+            "data_term": options.data_term or "uniform",
+            "constrain_facets": options.constrain_facets,
+            "constrain_manifold": options.constrain_manifold,
+            "non_participating": options.non_participating,
+            "merge_coplanar_pieces": options.merge_coplanar_pieces,
+            "split_seams": options.split_seams,
+        }
+
+    def check_parameters(self) -> dict[str, Any]:
+        keywords = self.keywords()
+        solid = make_filter(**keywords)
         if self.files.plot is not None:
             display_command()
         return {
+            **keywords,
             "gamma": solid.GetGamma(),
             "sigma": solid.GetSigma(),
             "merge_tolerance": solid.GetMergeTolerance(),
@@ -219,21 +228,8 @@ class MeshJob(Job):
         }
 
     def work(self) -> None:
-        options = self.options
         surface = self.read()
-        result = tetrahedralize(
-            surface,
-            gamma=options.gamma,
-            sigma=options.sigma,
-            merge_tolerance=options.merge_tolerance,
-            time_budget=options.time_budget,
-            memory_budget=options.memory_budget,
-            engine=options.engine or "automatic",
-            non_participating=options.non_participating,
-            merge_coplanar_pieces=options.merge_coplanar_pieces,
-            split_seams=options.split_seams,
-            progress=self.show_progress,
-        )
+        result = tetrahedralize(surface, progress=self.show_progress, **self.keywords())
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.statistics = dict(result.statistics)
@@ -293,7 +289,7 @@ class CheckJob(Job):
     findings: list[Finding] = []
     verdict: Optional[str] = None
 
-    def check_parameters(self) -> dict[str, float]:
+    def check_parameters(self) -> dict[str, Any]:
         return {"merge_tolerance": make_marker(self.options.merge_tolerance).GetMergeTolerance()}
 
     def work(self) -> None:
@@ -317,7 +313,7 @@ class WindingJob(Job):
 
     stages = ("validating", "winding numbers")
 
-    def check_parameters(self) -> dict[str, float]:
+    def check_parameters(self) -> dict[str, Any]:
         check_input(self.options.winding, QUERIES)
         return {"merge_tolerance": make_marker(self.options.merge_tolerance).GetMergeTolerance()}
 

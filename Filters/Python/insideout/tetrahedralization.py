@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional
+from typing import Iterable, Optional, Union
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
@@ -34,6 +35,13 @@ ENGINES = {
     "exact": vtkRobustTetrahedralize.ENGINE_EXACT,
     "tetgen": vtkRobustTetrahedralize.ENGINE_TETGEN,
 }
+
+DATA_TERMS = {
+    "uniform": vtkRobustTetrahedralize.UNIFORM,
+    "volume weighted": vtkRobustTetrahedralize.VOLUME_WEIGHTED,
+}
+
+Seeds = Union[vtkPointSet, Iterable[tuple[tuple[float, float, float], bool]]]
 
 
 @dataclass(frozen=True)
@@ -72,6 +80,10 @@ def tetrahedralize(
     non_participating: Optional[str] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
+    data_term: str = "uniform",
+    constrain_facets: Union[bool, str] = False,
+    constrain_manifold: bool = False,
+    seeds: Optional[Seeds] = None,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
@@ -94,6 +106,13 @@ def tetrahedralize(
                       of it lies there
     split_seams       give the boundary a point for each of the input's texture coordinates and normals
                       in a place, instead of the lowest point's alone
+    data_term         how much a cell's own w counts: "uniform", or "volume weighted", so that slivers
+                      do not outvote large cells
+    constrain_facets  keep every facet as faces of cells inside, thin sheets too; or, by the name of
+                      a cell array, those where it is not 0
+    constrain_manifold  make the solid's boundary a 2-manifold by adding cells where it is none
+    seeds             what has to be inside or outside: pairs of a point and a bool, or a vtkPointSet
+                      with the point array Inside (1 or 0)
     progress          called with the stage and the fraction of all the work that is done; what it
                       raises stops the work and is raised
 
@@ -112,7 +131,12 @@ def tetrahedralize(
         non_participating,
         merge_coplanar_pieces,
         split_seams,
+        data_term,
+        constrain_facets,
+        constrain_manifold,
     )
+    if seeds is not None:
+        tetrahedralizer.SetSeedsData(seeds if isinstance(seeds, vtkPointSet) else _seed_points(seeds))
     polygons, warnings = as_surface(surface)
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
@@ -145,6 +169,9 @@ def make_filter(
     non_participating: Optional[str] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
+    data_term: str = "uniform",
+    constrain_facets: Union[bool, str] = False,
+    constrain_manifold: bool = False,
 ) -> vtkRobustTetrahedralize:
     """The filter with these parameters. VTK would clamp a bad one without a word: here it is an `Error`."""
     tetrahedralizer = vtkRobustTetrahedralize()
@@ -158,6 +185,13 @@ def make_filter(
         raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
     if engine not in ENGINES:
         raise Error(f"engine is {engine!r}; it can be {', '.join(map(repr, ENGINES))}")
+    if data_term not in DATA_TERMS:
+        raise Error(f"data_term is {data_term!r}; it can be {', '.join(map(repr, DATA_TERMS))}")
+    tetrahedralizer.SetDataTerm(DATA_TERMS[data_term])
+    tetrahedralizer.SetConstrainFacets(bool(constrain_facets))
+    if isinstance(constrain_facets, str):
+        tetrahedralizer.SetConstrainedFacetsArrayName(constrain_facets)
+    tetrahedralizer.SetConstrainManifold(bool(constrain_manifold))
     tetrahedralizer.SetEngine(ENGINES[engine])
     tetrahedralizer.SetOrientation(ORIENTATIONS[orientation])
     tetrahedralizer.SetCountDuplicates(bool(count_duplicates))
@@ -170,6 +204,23 @@ def make_filter(
     tetrahedralizer.SetMergeCoplanarPieces(bool(merge_coplanar_pieces))
     tetrahedralizer.SetSplitSeams(bool(split_seams))
     return tetrahedralizer
+
+
+def _seed_points(seeds: Iterable[tuple[tuple[float, float, float], bool]]) -> vtkPolyData:
+    points, inside = vtkPoints(), vtkUnsignedCharArray()
+    points.SetDataType(VTK_DOUBLE)
+    inside.SetName("Inside")
+    try:
+        for place, is_inside in seeds:
+            x, y, z = map(float, place)
+            points.InsertNextPoint(x, y, z)
+            inside.InsertNextValue(bool(is_inside))
+    except (TypeError, ValueError):
+        raise Error(f"seed {inside.GetNumberOfValues()} is no pair of a point and a bool") from None
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.GetPointData().AddArray(inside)
+    return data
 
 
 def _inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCutSegmentation.h"
 
-// In optimized builds gcc 12 suspects uninitialized values all over Boost's algorithm.
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include "CertainCells.h"
+#include "CutReference.h"
+#include "HullMesh.h"
+#include "InteriorFaces.h"
+#include "TestMeshes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <omp.h>
 #include <random>
 #include <string>
 
@@ -18,17 +21,15 @@ namespace
 {
 using namespace insideout;
 
-struct Problem
+struct Problem : CellGraph
 {
-  std::vector<double> W;
-  std::vector<InteriorFace> Faces;
   GraphCutParameters Parameters;
 };
 
 Segmentation Solve(const Problem& problem)
 {
   Monitor monitor;
-  return GraphCutSegmentation(problem.W, problem.Faces, problem.Parameters, monitor);
+  return GraphCutSegmentation(problem, problem.Parameters, monitor);
 }
 
 double Uniform(std::mt19937& random, double low, double high)
@@ -61,47 +62,27 @@ Problem RandomProblem(unsigned seed, int cells, int faces)
   return problem;
 }
 
-/** v_ij, as in the header. */
-std::vector<double> Smoothness(const Problem& problem)
+double EnergyOf(const Problem& problem, const std::vector<unsigned char>& inside)
 {
-  double sum = 0;
-  for (const InteriorFace& face : problem.Faces)
-  {
-    sum += face.Area;
-  }
-  std::vector<double> terms;
-  for (const InteriorFace& face : problem.Faces)
-  {
-    const double step = problem.W[face.First] - problem.W[face.Second];
-    const double sigma = problem.Parameters.Sigma;
-    terms.push_back(face.Area / (sum / static_cast<double>(problem.Faces.size())) *
-      std::exp(-step * step / (2 * sigma * sigma)));
-  }
-  return terms;
+  return testcut::EnergyOf(problem, problem.Parameters, inside);
 }
 
-double Energy(const Problem& problem, const std::vector<double>& smoothness,
-  const std::vector<unsigned char>& inside)
+bool MeetsDemands(const Problem& problem, const std::vector<unsigned char>& inside)
 {
-  double energy = 0;
-  for (std::size_t i = 0; i < problem.W.size(); ++i)
+  for (std::size_t i = 0; i < problem.Demands.size(); ++i)
   {
-    energy += inside[i] ? std::max(1 - problem.W[i], 0.0) : std::max(problem.W[i], 0.0);
-  }
-  for (std::size_t f = 0; f < problem.Faces.size(); ++f)
-  {
-    if (inside[problem.Faces[f].First] != inside[problem.Faces[f].Second])
+    if (problem.Demands[i] != 0 && (problem.Demands[i] > 0) != (inside[i] != 0))
     {
-      energy += problem.Parameters.Gamma * smoothness[f];
+      return false;
     }
   }
-  return energy;
+  return true;
 }
 
-/** The least energy, and the fewest inside cells among the labellings that have it. */
+/** Of all labellings that meet the demands: the least energy, and the fewest inside cells with it.
+ */
 std::pair<double, long> BruteForce(const Problem& problem)
 {
-  const std::vector<double> smoothness = Smoothness(problem);
   const std::size_t cells = problem.W.size();
   std::pair<double, long> best(std::numeric_limits<double>::infinity(), 0);
   std::vector<unsigned char> inside(cells);
@@ -111,22 +92,120 @@ std::pair<double, long> BruteForce(const Problem& problem)
     {
       inside[i] = labels >> i & 1;
     }
-    best = std::min(
-      best, { Energy(problem, smoothness, inside), std::count(inside.begin(), inside.end(), 1) });
+    if (MeetsDemands(problem, inside))
+    {
+      best =
+        std::min(best, { EnergyOf(problem, inside), std::count(inside.begin(), inside.end(), 1) });
+    }
   }
   return best;
+}
+
+void ExpectTheBestOfAll(const Problem& problem)
+{
+  const Segmentation result = Solve(problem);
+  const double least = BruteForce(problem).first;
+  EXPECT_TRUE(MeetsDemands(problem, result.Inside));
+  EXPECT_NEAR(EnergyOf(problem, result.Inside), least, 1e-12 * least);
+  EXPECT_NEAR(result.Energy, least, 1e-12 * least);
 }
 
 TEST(GraphCutSegmentation, EqualsTheBestOfAllLabellings)
 {
   for (unsigned seed = 0; seed < 60; ++seed)
   {
-    const Problem problem = RandomProblem(seed, 2 + seed % 13, 3 * (2 + seed % 13));
-    const Segmentation result = Solve(problem);
-    const double least = BruteForce(problem).first;
-    EXPECT_NEAR(Energy(problem, Smoothness(problem), result.Inside), least, 1e-12 * least);
-    EXPECT_NEAR(result.Energy, least, 1e-12 * least);
+    ExpectTheBestOfAll(RandomProblem(seed, 2 + seed % 12, 3 * (2 + seed % 12)));
   }
+}
+
+TEST(GraphCutSegmentation, EqualsTheBestOfAllLabellingsWithWeightsAndDemands)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    std::mt19937 random(seed);
+    Problem problem = RandomProblem(seed, 2 + seed % 11, 3 * (2 + seed % 11));
+    if (seed % 3 != 0)
+    {
+      problem.Parameters.DataTerm = DataTerm::VolumeWeighted;
+      for (std::size_t i = 0; i < problem.W.size(); ++i)
+      {
+        problem.Volumes.push_back(std::exp(Uniform(random, -3, 3)));
+      }
+    }
+    for (std::size_t i = 0; seed % 3 != 1 && i < problem.W.size(); ++i)
+    {
+      problem.Demands.push_back(static_cast<std::int8_t>(static_cast<int>(random() % 3) - 1));
+    }
+    ExpectTheBestOfAll(problem);
+  }
+}
+
+/** Faces that are tiny beside others have to be weighed rightly, too. */
+TEST(GraphCutSegmentation, EqualsTheBestOfAllLabellingsOverManyOrdersOfSize)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    std::mt19937 random(seed);
+    Problem problem = RandomProblem(seed, 11, 30);
+    for (InteriorFace& face : problem.Faces)
+    {
+      face.Area = std::pow(10, Uniform(random, -20, 0));
+    }
+    ExpectTheBestOfAll(problem);
+  }
+}
+
+TEST(GraphCutSegmentation, MeetsDemandsHoweverMuchTheyCost)
+{
+  Problem problem;
+  problem.W = { 1e6, 1e6, -1e6, -1e6 };
+  problem.Faces = { { 0, 1, 1 }, { 1, 2, 1 }, { 2, 3, 1 } };
+  problem.Parameters.Gamma = 1024;
+  problem.Demands = { -1, 0, 1, 0 };
+  EXPECT_EQ(Solve(problem).Inside, std::vector<unsigned char>({ 0, 1, 1, 0 }));
+  EXPECT_EQ(Solve(problem).Energy, 1e6 + (1e6 + 1) + 1024 + 1024);
+}
+
+TEST(CertainCells, HaveTheirLabelInTheSmallestOfAllMinima)
+{
+  int certain = 0;
+  int open = 0;
+  for (unsigned seed = 0; seed < 100; ++seed)
+  {
+    // Halves and faces of weight 1: energies are exact, and many labellings tie.
+    std::mt19937 random(seed);
+    Problem problem = RandomProblem(seed, 10, 16);
+    problem.Parameters.Gamma = seed % 3 == 0 ? 0.25 : 0.5;
+    problem.Parameters.Sigma = 1e10;
+    for (double& w : problem.W)
+    {
+      w = static_cast<double>(random() % 3) / 2;
+    }
+    for (InteriorFace& face : problem.Faces)
+    {
+      face.Area = 1;
+    }
+    const double least = BruteForce(problem).first;
+    unsigned everywhere = ~0u; // the smallest minimum is what all of them share
+    std::vector<unsigned char> inside(problem.W.size());
+    for (unsigned labels = 0; labels < 1u << problem.W.size(); ++labels)
+    {
+      for (std::size_t i = 0; i < problem.W.size(); ++i)
+      {
+        inside[i] = labels >> i & 1;
+      }
+      everywhere &= EnergyOf(problem, inside) == least ? labels : ~0u;
+    }
+    const CutEnergy energy(problem, problem.Parameters);
+    const CertainCells cells(energy);
+    for (Id i = 0; i < energy.NumberOfCells(); ++i)
+    {
+      (cells.IsOpen(i) ? open : certain) += 1;
+      EXPECT_TRUE(cells.IsOpen(i) || cells.IsInside(i) == ((everywhere >> i & 1) != 0)) << seed;
+    }
+  }
+  EXPECT_GT(certain, 300);
+  EXPECT_GT(open, 100);
 }
 
 TEST(GraphCutSegmentation, HasFewestInsideCellsAmongTies)
@@ -164,9 +243,8 @@ TEST(GraphCutSegmentation, HasFewestInsideCellsAmongTies)
   EXPECT_GT(tied, 50);
 }
 
-TEST(GraphCutSegmentation, ThresholdsExactlyWithoutSmoothness)
+void ExpectTheThreshold(Problem problem)
 {
-  Problem problem = RandomProblem(1, 1000, 5000);
   problem.Parameters.Gamma = 0;
   problem.W[0] = 0.5;
   problem.W[1] = std::nextafter(0.5, 1);
@@ -183,6 +261,17 @@ TEST(GraphCutSegmentation, ThresholdsExactlyWithoutSmoothness)
   }
 }
 
+TEST(GraphCutSegmentation, ThresholdsExactlyWithoutSmoothness)
+{
+  ExpectTheThreshold(RandomProblem(1, 1000, 5000));
+  Problem weighted = RandomProblem(2, 1000, 5000);
+  weighted.Parameters.DataTerm = DataTerm::VolumeWeighted;
+  weighted.Volumes.assign(1000, 1e-300);
+  weighted.Volumes[1] = 0;
+  weighted.Volumes[10] = 1e300;
+  ExpectTheThreshold(weighted);
+}
+
 TEST(GraphCutSegmentation, KeepsAPreferenceHoweverSmallNextToHugeWeights)
 {
   Problem problem;
@@ -192,59 +281,128 @@ TEST(GraphCutSegmentation, KeepsAPreferenceHoweverSmallNextToHugeWeights)
   EXPECT_EQ(Solve(problem).Inside, std::vector<unsigned char>({ 1, 0, 0, 0 }));
 }
 
+/** @return whether thresholding would have been as good */
+bool ExpectWhatBoostFinds(const Problem& problem)
+{
+  const double least = testcut::LeastEnergy(problem, problem.Parameters);
+  const Segmentation result = Solve(problem);
+  EXPECT_NEAR(result.Energy, least, 1e-11 * least);
+  EXPECT_NEAR(EnergyOf(problem, result.Inside), least, 1e-11 * least);
+  std::vector<unsigned char> threshold;
+  for (const double w : problem.W)
+  {
+    threshold.push_back(w > 0.5);
+  }
+  return EnergyOf(problem, threshold) < 1.0001 * least;
+}
+
 TEST(GraphCutSegmentation, AgreesWithBoost)
 {
-  using Capacity = std::int64_t;
-  using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
-  using Edge = Traits::edge_descriptor;
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS,
-    boost::property<boost::vertex_index_t, long,
-      boost::property<boost::vertex_color_t, boost::default_color_type,
-        boost::property<boost::vertex_distance_t, long,
-          boost::property<boost::vertex_predecessor_t, Edge>>>>,
-    boost::property<boost::edge_capacity_t, Capacity,
-      boost::property<boost::edge_residual_capacity_t, Capacity,
-        boost::property<boost::edge_reverse_t, Edge>>>>;
-  const double unit = 0x1p-50; // the flow fits in 63 bits
   for (unsigned seed = 0; seed < 6; ++seed)
   {
-    const int cells = 3000;
-    Problem problem = RandomProblem(seed, cells, 2 * cells);
+    Problem problem = RandomProblem(seed, 3000, 6000);
     problem.Parameters.Gamma = 0.3 + 0.2 * seed;
-    const std::vector<double> smoothness = Smoothness(problem);
-    Graph graph(cells + 2);
-    const auto add = [&](int a, int b, double forth, double back)
-    {
-      const Edge ab = boost::add_edge(a, b, graph).first;
-      const Edge ba = boost::add_edge(b, a, graph).first;
-      boost::put(boost::edge_capacity, graph, ab, std::llround(forth / unit));
-      boost::put(boost::edge_capacity, graph, ba, std::llround(back / unit));
-      boost::put(boost::edge_reverse, graph, ab, ba);
-      boost::put(boost::edge_reverse, graph, ba, ab);
-    };
-    for (int i = 0; i < cells; ++i)
-    {
-      add(cells, i, std::max(problem.W[i], 0.0), 0);
-      add(i, cells + 1, std::max(1 - problem.W[i], 0.0), 0);
-    }
-    for (std::size_t f = 0; f < problem.Faces.size(); ++f)
-    {
-      const double capacity = problem.Parameters.Gamma * smoothness[f];
-      add(problem.Faces[f].First, problem.Faces[f].Second, capacity, capacity);
-    }
-    const double flow =
-      unit * static_cast<double>(boost::boykov_kolmogorov_max_flow(graph, cells, cells + 1));
-    const Segmentation result = Solve(problem);
-    EXPECT_NEAR(result.Energy, flow, 1e-12 * flow);
-    EXPECT_NEAR(Energy(problem, smoothness, result.Inside), flow, 1e-12 * flow);
-    // Not the threshold, or the smoothness would do nothing here.
-    std::vector<unsigned char> threshold;
-    for (double w : problem.W)
-    {
-      threshold.push_back(w > 0.5);
-    }
-    EXPECT_GT(Energy(problem, smoothness, threshold), 1.0001 * flow);
+    EXPECT_FALSE(ExpectWhatBoostFinds(problem));
   }
+}
+
+/** The hull of a random surface; with few triangles w is unsure nearly everywhere. */
+Problem HullProblem(const TriangleSoup& soup)
+{
+  Monitor monitor;
+  const HullMesh hull = MeshHull(soup, {}, monitor);
+  Problem problem;
+  problem.W = hull.W;
+  problem.Faces = InteriorFaces(hull.Mesh);
+  problem.Volumes = CellVolumes(hull.Mesh);
+  return problem;
+}
+
+/** A ball of small triangles without every fifth. */
+TriangleSoup TornBall(int rings)
+{
+  TriangleSoup ball;
+  const int sides = 2 * rings;
+  const double pi = 3.14159265358979323846;
+  for (int i = 0; i <= rings; ++i)
+  {
+    for (int j = 0; j < sides; ++j)
+    {
+      const double polar = pi * i / rings;
+      const double azimuth = 2 * pi * j / sides;
+      ball.Points.push_back({ std::sin(polar) * std::cos(azimuth),
+        std::sin(polar) * std::sin(azimuth), std::cos(polar) });
+    }
+  }
+  for (int i = 0; i < rings; ++i)
+  {
+    for (int j = 0; j < sides; ++j)
+    {
+      const Id a = i * sides + j;
+      const Id b = i * sides + (j + 1) % sides;
+      if ((7 * i + 3 * j) % 5 != 0)
+      {
+        ball.Triangles.push_back({ a, a + sides, b });
+        ball.Triangles.push_back({ b, a + sides, b + sides });
+      }
+    }
+  }
+  return ball;
+}
+
+TEST(GraphCutSegmentation, AgreesWithBoostOnHulls)
+{
+  int unlikeThresholds = 0;
+  for (const TriangleSoup& soup : { TornBall(20), testmeshes::RandomSoup(1, 60),
+         testmeshes::GridSoup(2, 40, 5), testmeshes::GridSoup(3, 60, 4) })
+  {
+    Problem problem = HullProblem(soup);
+    for (const DataTerm term : { DataTerm::Uniform, DataTerm::VolumeWeighted })
+    {
+      problem.Parameters.DataTerm = term;
+      unlikeThresholds += !ExpectWhatBoostFinds(problem);
+    }
+  }
+  EXPECT_GE(unlikeThresholds, 4);
+}
+
+TEST(GraphCutSegmentation, DoesNotDependOnTheSizeOfTheSurface)
+{
+  const TriangleSoup soup = TornBall(12);
+  const Problem problem = HullProblem(soup);
+  for (const double factor : { 0x1p20, 0x1p-20 })
+  {
+    TriangleSoup scaled = soup;
+    for (Point& p : scaled.Points)
+    {
+      p = { factor * p[0], factor * p[1], factor * p[2] };
+    }
+    Problem other = HullProblem(scaled);
+    EXPECT_EQ(other.W, problem.W);
+    for (const DataTerm term : { DataTerm::Uniform, DataTerm::VolumeWeighted })
+    {
+      Problem asGiven = problem;
+      asGiven.Parameters.DataTerm = other.Parameters.DataTerm = term;
+      EXPECT_EQ(Solve(other).Inside, Solve(asGiven).Inside);
+      EXPECT_EQ(Solve(other).Energy, Solve(asGiven).Energy);
+    }
+  }
+}
+
+TEST(GraphCutSegmentation, IsTheSameForAnyNumberOfThreads)
+{
+  const Problem problem = HullProblem(TornBall(16));
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Segmentation alone = Solve(problem);
+  for (const int threads : { 2, 3, 8 })
+  {
+    omp_set_num_threads(threads);
+    const Segmentation together = Solve(problem);
+    EXPECT_EQ(together.Inside, alone.Inside);
+    EXPECT_EQ(together.Energy, alone.Energy);
+  }
+  omp_set_num_threads(before);
 }
 
 TEST(GraphCutSegmentation, ReturnsTheSolidOfAClosedSurfaceWithDefaults)
@@ -267,7 +425,10 @@ TEST(GraphCutSegmentation, ReturnsTheSolidOfAClosedSurfaceWithDefaults)
     {
       EXPECT_EQ(result.Inside[i], problem.W[i] == 1);
     }
-    EXPECT_LT(result.Energy, 1e-15);
+    // Each face between them costs gamma exp(-1 / (2 sigma^2)) times its relative area.
+    const double sigma = problem.Parameters.Sigma;
+    const double areas = static_cast<double>(problem.Faces.size());
+    EXPECT_LT(result.Energy, problem.Parameters.Gamma * std::exp(-0.5 / (sigma * sigma)) * areas);
   }
 }
 
@@ -311,7 +472,7 @@ TEST(GraphCutSegmentation, IsNotPutOffByHugeWindingNumbers)
     EXPECT_EQ(inside[13], 0);
     inside.resize(12);
     const double least = BruteForce(alone).first;
-    EXPECT_NEAR(Energy(alone, Smoothness(alone), inside), least, 1e-12 * least) << seed;
+    EXPECT_NEAR(EnergyOf(alone, inside), least, 1e-12 * least) << seed;
   }
 }
 
@@ -381,6 +542,17 @@ TEST(GraphCutSegmentation, NamesWhatIsInvalid)
       "face 1 refers to cell " + std::to_string(bad), [&](Problem& p) { p.Faces[1].Second = bad; });
   }
   names("face 1", [&](Problem& p) { p.Faces[1].Second = 1; });
+  names("2 demands for 3", [&](Problem& p) { p.Demands = { 0, 1 }; });
+  names("0 volumes for 3", [&](Problem& p) { p.Parameters.DataTerm = DataTerm::VolumeWeighted; });
+  for (double bad : { -1.0, nan, infinity })
+  {
+    names("cell 1 has a volume",
+      [&](Problem& p)
+      {
+        p.Parameters.DataTerm = DataTerm::VolumeWeighted;
+        p.Volumes = { 1, bad, 1 };
+      });
+  }
 }
 
 TEST(GraphCutSegmentation, StopsAtEveryCheck)
@@ -399,7 +571,7 @@ TEST(GraphCutSegmentation, StopsAtEveryCheck)
   };
   const Problem problem = RandomProblem(1, 20, 40);
   Stopping all;
-  GraphCutSegmentation(problem.W, problem.Faces, problem.Parameters, all);
+  GraphCutSegmentation(problem, problem.Parameters, all);
   EXPECT_EQ(all.Last, 1);
   const int checks = 1000 - all.Allowed;
   EXPECT_GE(checks, 2);
@@ -409,7 +581,7 @@ TEST(GraphCutSegmentation, StopsAtEveryCheck)
     monitor.Allowed = allowed;
     try
     {
-      GraphCutSegmentation(problem.W, problem.Faces, problem.Parameters, monitor);
+      GraphCutSegmentation(problem, problem.Parameters, monitor);
       ADD_FAILURE() << "did not stop at check " << allowed;
     }
     catch (const Error& error)
