@@ -20,7 +20,7 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libgl2ps-dev"
 
 # Real meshes, a display for pictures, and the checks of style and types.
-packages="$packages libcgal-demo openfoam-examples xvfb xauth clang-format mypy python3-meshio"
+packages="$packages libcgal-demo openfoam-examples xvfb xauth imagemagick clang-format mypy python3-meshio"
 
 missing=
 for package in $packages; do
