@@ -30,7 +30,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-PANEL, HEIGHT = 520, 820
+PANEL, HEIGHT = 560, 900
 INK = (0.15, 0.15, 0.18)
 BODY, HAT, CAPE, CLOSED = (222, 196, 168), (70, 96, 140), (176, 132, 60), (205, 205, 200)
 LEFT_OUT = (0.85, 0.15, 0.12)
@@ -69,16 +69,17 @@ def ball(centre, radii, polar_end=1.0, columns=40, rows=24):
     return points, triangles
 
 
-def cape(columns=22, rows=26):
-    """From the shoulders down the back, wider below, with folds."""
+def cape(columns=36, rows=26):
+    """Around the back from the shoulders down, farther from the body below, with folds."""
 
     def place(u, v):
-        across = 2 * u - 1
-        half_width = 0.30 + 0.36 * v
-        folds = 0.05 * v * np.cos(5 * np.pi * u)
-        return half_width * across, -0.16 - 0.40 * v + 0.25 * across**2 * (1 - 0.4 * v) + folds, 0.62 - 1.35 * v
+        angle, z = 1.35 * (2 * u - 1), 0.52 - 1.16 * v
+        width = np.maximum(np.sqrt(1 - (z / 0.75) ** 2), np.where(z < 0, 0.86, 0))
+        away = 0.035 + 0.14 * v**2 + 0.03 * v * np.cos(10 * np.pi * u)
+        return (0.42 * width + away) * np.sin(angle), -(0.30 * width + away) * np.cos(angle), z
 
-    return grid_surface(place, columns, rows)
+    points, triangles = grid_surface(place, columns, rows)
+    return points, triangles[:, [0, 2, 1]]  # facing away from the body: between the two w is larger
 
 
 def figure():
@@ -185,10 +186,10 @@ def panel(surface, title, options):
         24,
     )
     camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0, -0.05, 0.36)
-    camera.SetPosition(-3.6, -4.6, 2.0)
+    camera.SetFocalPoint(0, -0.05, 0.40)
+    camera.SetPosition(-4.2, -3.9, 1.7)
     camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(25)
+    camera.SetViewAngle(27.5)
     renderer.ResetCameraClippingRange()
     return renderer, figures, edges.GetNumberOfCells()
 

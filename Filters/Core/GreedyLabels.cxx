@@ -2,6 +2,7 @@
 #include "GreedyLabels.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace insideout
 {
@@ -50,6 +51,14 @@ bool GreedyLabels::MayFlip(Id cell) const
   return this->Energy.Demand(cell) == 0 && !(this->IsInside(cell) && this->Kept[cell]) &&
     std::all_of(this->Constraints.begin(), this->Constraints.end(),
       [&](LabelConstraint* constraint) { return constraint->Allows(*this, cell); });
+}
+
+void GreedyLabels::ReleaseAndImprove()
+{
+  std::fill(this->Kept.begin(), this->Kept.end(), char(0));
+  std::vector<Id> cells(this->Inside.size());
+  std::iota(cells.begin(), cells.end(), 0);
+  this->ImproveAround(cells);
 }
 
 void GreedyLabels::ImproveAround(const std::vector<Id>& cells)

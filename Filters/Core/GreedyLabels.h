@@ -48,8 +48,11 @@ public:
   /** Label a cell outside that was just forced. */
   void TakeBack(Id cell);
 
-  /** Never label the cell outside again. */
+  /** Do not label the cell outside until it is released. */
   void Keep(Id cell) { this->Kept[cell] = 1; }
+
+  /** Release all cells that are kept, and improve around each cell of the mesh. */
+  void ReleaseAndImprove();
 
   /**
    * Change the label of every cell where this makes the energy less, no constraint objects, and the

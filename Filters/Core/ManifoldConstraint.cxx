@@ -176,7 +176,8 @@ void ManifoldConstraint::Changed(Id cell)
   }
 }
 
-/** Take back the last forced cells first where the point, or its edge to another, can do without. */
+/** Take back the last forced cells first where the point, or its edge to another, can do without.
+ */
 void ManifoldConstraint::TakeBack(
   GreedyLabels& labels, std::vector<Id>& forced, Id point, Id other) const
 {
@@ -280,6 +281,7 @@ ManifoldConstraint::Outcome ManifoldConstraint::Satisfy(
       this->VisitPoint(labels, this->Alone.Pop(), outcome);
     }
   }
+  labels.ReleaseAndImprove();
   std::sort(this->Failed.begin(), this->Failed.end());
   this->Failed.erase(std::unique(this->Failed.begin(), this->Failed.end()), this->Failed.end());
   outcome.LeftPoints = static_cast<Id>(std::count_if(this->Failed.begin(), this->Failed.end(),
