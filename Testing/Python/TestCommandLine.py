@@ -112,7 +112,9 @@ class Success(CommandLine):
                     found["parameters"],
                     {
                         **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
-                        **{"data_term": "uniform", "constrain_facets": False, "constrain_manifold": False},
+                        **{"engine": "automatic", "data_term": "uniform"},
+                        **{"constrain_facets": False, "constrain_manifold": False},
+                        **{"non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                     },
                 )
                 self.assertEqual(found["tetrahedralizer"], "TetGen, points kept off facets")

@@ -86,7 +86,8 @@ def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argpars
     if options.check and options.winding is not None:
         parser.error("--check meshes nothing: it goes without --winding")
     for name in MESH_OPTIONS:
-        if mode is not None and getattr(options, name) not in (None, False):
+        value = getattr(options, name)
+        if mode is not None and value is not None and value is not False:
             parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
 
 

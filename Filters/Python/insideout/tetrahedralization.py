@@ -100,7 +100,7 @@ def tetrahedralize(
                       which is TetGen, and exact flips where it fails
     time_budget       seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size
     memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
-    non_participating the name of a cell array of the surface: cells where it is not 0 do not count in
+    non_participating  the name of a cell array of the surface: cells where it is not 0 do not count in
                       w, but shape the mesh
     merge_coplanar_pieces  put the pieces of an input triangle together again on the boundary where all
                       of it lies there
