@@ -113,9 +113,8 @@ void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point
     SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
 }
 
-void SetSite(SiteBlock& block, int lane, const Site& site)
+void SetSite(SiteBlock& block, int lane, const RoundedSite& rounded)
 {
-  const RoundedSite rounded(site);
   for (int axis = 0; axis < 3; ++axis)
   {
     block.High[axis][lane] = rounded.High[axis];
