@@ -193,6 +193,17 @@ void ClosedChainTree::BuildOneTree(
     }
     all.Facets.push_back(f);
   }
+  // A little larger, so that the box of a flat chain has an inside.
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max(largest, all.Bounds.High[axis] - all.Bounds.Low[axis]);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all.Bounds.Low[axis] -= 0x1p-4 * largest;
+    all.Bounds.High[axis] += 0x1p-4 * largest;
+  }
   const Point below = { 0.3143, 0.4717, 0.5919 };
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -152,7 +152,7 @@ ReferenceGrid::Range ReferenceGrid::RangeOf(Id facet) const
  * Call visit(cube, side of the reference) for every cube that is wanted and that the facet may
  * meet.
  *
- * @return false where doubles do not decide a side
+ * @return false where a reference lies in the facet's plane
  */
 template <typename Visit>
 bool ReferenceGrid::ForCubesOf(
@@ -186,7 +186,9 @@ bool ReferenceGrid::ForCubesOf(
         {
           continue;
         }
-        const int side = QuickSide(plane, { x, y, z });
+        const int quickSide = QuickSide(plane, { x, y, z });
+        const int side =
+          quickSide != 0 ? quickSide : this->Facets.SideOf(facet, this->ReferenceOf(cube));
         if (side == 0)
         {
           return false;
@@ -228,11 +230,8 @@ bool ReferenceGrid::AddRises(Id f)
         return false;
       }
       const PlaneOfTriangle& plane = facet.Plane;
-      const auto sideOfReference = [&](int k)
-      {
-        return least *
-          QuickSide(plane,
-            { plane.Origin[0] - x, plane.Origin[1] - y, plane.Origin[2] - this->Coordinate(2, k) });
+      const auto sideOfReference = [&](int k) {
+        return least * this->Facets.SideOf(f, { x, y, this->Coordinate(2, k) });
       };
       const double height = plane.Origin[2] +
         ((plane.Origin[0] - x) * plane.Normal[0] + (plane.Origin[1] - y) * plane.Normal[1]) /

@@ -10,8 +10,9 @@ namespace insideout
  * each cube, and the facets that may meet it.
  *
  * References stand in columns. Along a column the winding number is carried from 0 outside through
- * one facet after the other. Doubles decide everything; where they do not, the references are moved
- * all together, and decide then, but for chains that are made to prevent it.
+ * one facet after the other. Where a reference lies in a facet's plane, or doubles do not tell
+ * which column meets a facet, the references are moved all together; that helps, but for chains
+ * that are made to prevent it.
  *
  * There are as many cubes as facets, about, so that time and memory grow with the number of facets.
  */
@@ -25,7 +26,7 @@ public:
    * Carry winding numbers, and hand out facets, to cubes that are wanted.
    *
    * @param[in] isWanted one per cube, or empty for all
-   * @return false where doubles do not decide: this object is of no use then
+   * @return false where no references would do: this object is of no use then
    */
   bool Fill(const std::vector<char>& isWanted);
 
