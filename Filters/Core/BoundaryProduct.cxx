@@ -12,6 +12,13 @@ namespace
 // Factors are from 2^-97 to 48, so that this many of them neither overflow nor underflow.
 constexpr std::size_t EdgesToNormalize = 8;
 
+struct ForwardSpinors
+{
+  double A[Lanes];
+  double C[Lanes];
+  double D[Lanes];
+};
+
 /** From each site to one point: the spinor (A + i B, C + i D), not normalized. */
 struct Spinors
 {
@@ -36,6 +43,45 @@ INSIDEOUT_ALWAYS_INLINE void SetSpinors(
     spinors.B[lane] = z >= 0 ? 0 : -y;
     spinors.C[lane] = z >= 0 ? x : sum;
     spinors.D[lane] = z >= 0 ? y : 0;
+  }
+}
+
+/**
+ * The same from sites that see the point with a positive third coordinate, when the coordinates are
+ * taken in another order: (A, C + i D).
+ */
+INSIDEOUT_ALWAYS_INLINE void SetForwardSpinors(
+  const Point& point, const Frame& frame, const SiteBlock& sites, ForwardSpinors& spinors)
+{
+  const double px = point[frame.X], py = point[frame.Y], pz = frame.Sign * point[frame.Z];
+  const double* const sx = sites.High[frame.X];
+  const double* const sy = sites.High[frame.Y];
+  const double* const sz = sites.High[frame.Z];
+#pragma omp simd
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const double x = px - sx[lane];
+    const double y = py - sy[lane];
+    const double z = pz - frame.Sign * sz[lane];
+    spinors.A[lane] = std::sqrt(x * x + y * y + z * z) + z;
+    spinors.C[lane] = x;
+    spinors.D[lane] = y;
+  }
+}
+
+/** Multiply by <u | v>. */
+INSIDEOUT_ALWAYS_INLINE void MultiplyByEdge(
+  const ForwardSpinors& u, const ForwardSpinors& v, PhaseProducts& products)
+{
+#pragma omp simd
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const double real = u.A[lane] * v.A[lane] + (u.C[lane] * v.C[lane] + u.D[lane] * v.D[lane]);
+    const double imaginary = u.C[lane] * v.D[lane] - u.D[lane] * v.C[lane];
+    const double pReal = products.Real[lane];
+    const double pImaginary = products.Imaginary[lane];
+    products.Real[lane] = pReal * real - pImaginary * imaginary;
+    products.Imaginary[lane] = pReal * imaginary + pImaginary * real;
   }
 }
 
@@ -80,6 +126,29 @@ void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const T
     SetSpinors(points[p], sites, spinors[p]);
   }
   // Kept apart from the argument, so that nothing else can refer to it.
+  PhaseProducts local = products;
+  for (std::size_t first = 0; first < numberOfEdges; first += EdgesToNormalize)
+  {
+    const std::size_t last =
+      first + EdgesToNormalize < numberOfEdges ? first + EdgesToNormalize : numberOfEdges;
+    for (std::size_t e = first; e < last; ++e)
+    {
+      MultiplyByEdge(spinors[edges[e].From], spinors[edges[e].To], local);
+    }
+    Normalize(local);
+  }
+  products = local;
+}
+
+INSIDEOUT_VECTOR_CLONES
+void MultiplyByBoundaryAhead(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
+  std::size_t numberOfEdges, const Frame& frame, const SiteBlock& sites, PhaseProducts& products)
+{
+  ForwardSpinors spinors[MostTilePoints];
+  for (std::size_t p = 0; p < numberOfPoints; ++p)
+  {
+    SetForwardSpinors(points[p], frame, sites, spinors[p]);
+  }
   PhaseProducts local = products;
   for (std::size_t first = 0; first < numberOfEdges; first += EdgesToNormalize)
   {

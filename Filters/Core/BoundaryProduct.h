@@ -48,5 +48,23 @@ struct PhaseProducts
 void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
   std::size_t numberOfEdges, const SiteBlock& sites, PhaseProducts& products);
 
+/** The axes in another order, the third one perhaps reversed: a right-handed frame. */
+struct Frame
+{
+  int X;
+  int Y;
+  int Z;
+  double Sign; ///< of Z
+};
+
+/**
+ * The same for sites that see all points in the direction of the frame's third axis, which is
+ * quicker: one of the two spinors serves everywhere.
+ *
+ * @param[in] sites at least 2^-6 away from all points, so that their High is enough
+ */
+void MultiplyByBoundaryAhead(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
+  std::size_t numberOfEdges, const Frame& frame, const SiteBlock& sites, PhaseProducts& products);
+
 constexpr std::size_t MostTilePoints = 64; ///< their spinors for a block fit in the first cache
 } // namespace insideout

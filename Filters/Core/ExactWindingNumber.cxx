@@ -2,28 +2,37 @@
 #include "ExactWindingNumber.h"
 
 #include "HoleCaps.h"
+#include "SpatialOrder.h"
 
 namespace insideout
 {
 ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
-  const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress)
-  : Caps(CapHoles(points, CountedBoundary(triangles, static_cast<Id>(points.size()))))
+  const std::vector<CountedTriangle>& triangles, const std::vector<CountedEdge>& boundary,
+  Monitor& monitor, const ProgressRange& progress)
+  : Caps(CapHoles(points, boundary))
   , Tree(points, CloseChain(triangles, this->Caps), monitor, progress)
   , SumOfCaps(points, this->Caps)
 {
 }
 
-void ExactWindingNumber::Evaluate(const Sites& sites, const std::vector<Id>& order,
-  std::vector<double>& w, Monitor& monitor, const ProgressRange& progress) const
+std::vector<double> ExactWindingNumber::Evaluate(
+  const std::vector<Point>& at, Monitor& monitor, const ProgressRange& progress) const
 {
+  std::vector<double> w(at.size());
   const double middle =
     this->SumOfCaps.IsEmpty() ? progress.End : progress.Begin + (progress.End - progress.Begin) / 8;
-  this->Tree.Evaluate(sites, order, w, monitor, { progress.Stage, progress.Begin, middle });
-  this->SumOfCaps.Add(sites, order, w, monitor, { progress.Stage, middle, progress.End });
+  this->Tree.Evaluate(at, w, monitor, { progress.Stage, progress.Begin, middle });
+  if (!this->SumOfCaps.IsEmpty())
+  {
+    const std::vector<Tetrahedron> cells = CellsOfPoints(at.size());
+    this->SumOfCaps.Add(
+      { at, cells }, SpatialOrder(at), w, monitor, { progress.Stage, middle, progress.End });
+  }
+  return w;
 }
 
 double ExactWindingNumber::At(const Point& point) const
 {
-  return this->Tree.At(SiteAt(point)) + this->SumOfCaps.At(point);
+  return this->Tree.At(point) + this->SumOfCaps.At(point);
 }
 } // namespace insideout

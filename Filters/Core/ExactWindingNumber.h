@@ -26,23 +26,23 @@ public:
   /**
    * @param[in] points below 1 in each coordinate; has to live as long as this object
    * @param[in] triangles not degenerate
+   * @param[in] boundary theirs
    * @throws Error (Stopped)
    */
   ExactWindingNumber(const std::vector<Point>& points,
-    const std::vector<CountedTriangle>& triangles, Monitor& monitor, const ProgressRange& progress);
+    const std::vector<CountedTriangle>& triangles, const std::vector<CountedEdge>& boundary,
+    Monitor& monitor, const ProgressRange& progress);
   ExactWindingNumber(const ExactWindingNumber&) = delete;
   void operator=(const ExactWindingNumber&) = delete;
 
   /**
-   * Set w[order[i]] to the winding number at site order[i], for all i, on all threads. Fastest
-   * where neighbours in `order` are neighbours in space. The values do not depend on the number of
-   * threads, and on the order only by rounding.
+   * The winding number at each point, on all threads; the values do not depend on their number.
    *
-   * @param[in] sites below 2^100 in each coordinate
+   * @param[in] at below 2^100 in each coordinate
    * @throws Error (Stopped)
    */
-  void Evaluate(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
-    Monitor& monitor, const ProgressRange& progress) const;
+  std::vector<double> Evaluate(
+    const std::vector<Point>& at, Monitor& monitor, const ProgressRange& progress) const;
 
   /** The winding number at one point. Safe to call from several threads. */
   double At(const Point& point) const;

@@ -118,14 +118,35 @@ std::vector<CountedTriangle> CloseChain(const std::vector<CountedTriangle>& tria
   {
     return triangles;
   }
-  std::vector<CountedTriangle> closed = triangles;
+  // Only triangles between corners of caps can be the same as one of a cap.
+  std::vector<CountedTriangle> between;
+  Id last = -1;
   for (const std::vector<CountedTriangle>& cap : caps)
   {
     for (const CountedTriangle& triangle : cap)
     {
-      closed.push_back({ triangle.Corners, -triangle.Count });
+      between.push_back({ triangle.Corners, -triangle.Count });
+      last = std::max({ last, triangle.Corners[0], triangle.Corners[1], triangle.Corners[2] });
     }
   }
-  return AddChains(closed);
+  std::vector<char> isCorner(static_cast<std::size_t>(last) + 1, 0);
+  for (const CountedTriangle& triangle : between)
+  {
+    for (const Id p : triangle.Corners)
+    {
+      isCorner[p] = 1;
+    }
+  }
+  std::vector<CountedTriangle> closed;
+  closed.reserve(triangles.size() + between.size());
+  for (const CountedTriangle& triangle : triangles)
+  {
+    const bool isBetween = std::all_of(triangle.Corners.begin(), triangle.Corners.end(),
+      [&](Id p) { return p <= last && isCorner[p]; });
+    (isBetween ? between : closed).push_back(triangle);
+  }
+  const std::vector<CountedTriangle> sum = AddChains(between);
+  closed.insert(closed.end(), sum.begin(), sum.end());
+  return closed;
 }
 } // namespace insideout

@@ -63,6 +63,12 @@ int ExactSign(const Site& site, const Point& a, const Point& b, const Point& c)
     CGAL::sign(CGAL::determinant<Exact>(u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2])));
 }
 
+/** At least its length. */
+double SumOfComponents(const Point& d)
+{
+  return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
+}
+
 double LargestComponent(const Point& d)
 {
   return std::max(std::max(std::abs(d[0]), std::abs(d[1])), std::abs(d[2]));
@@ -77,13 +83,13 @@ PlaneOfTriangle::PlaneOfTriangle(const std::array<Point, 3>& corners)
   const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
   this->Normal = { e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
     e[0] * f[1] - e[1] * f[0] };
-  this->UndecidedSide = RelativeError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]);
+  this->UndecidedSide = RelativeError * SumOfComponents(e) * SumOfComponents(f);
 }
 
 int QuickSide(const PlaneOfTriangle& plane, const Point& d)
 {
   const double side = d[0] * plane.Normal[0] + d[1] * plane.Normal[1] + d[2] * plane.Normal[2];
-  const double length = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
+  const double length = SumOfComponents(d);
   const bool decided =
     std::abs(side) > plane.UndecidedSide * length + LeastDecided && length > LeastDifference;
   return !decided ? 0 : side < 0 ? 1 : -1;

@@ -20,6 +20,7 @@ struct PreparedSite : RoundedSite
 /** A triangle with what decides its side quickly. */
 struct PlaneOfTriangle
 {
+  PlaneOfTriangle() = default;
   explicit PlaneOfTriangle(const std::array<Point, 3>& corners);
 
   Point Origin;         ///< corner 0

@@ -8,6 +8,8 @@ namespace insideout
 {
 namespace
 {
+constexpr std::size_t SmallSize = 4096; // not worth a second thread
+
 /** a + b = sum + the value returned, exactly (Knuth). */
 double TwoSum(double a, double b, double& sum)
 {
@@ -54,6 +56,7 @@ std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent)
   const double first = std::ldexp(1.0, -(exponent / 2));
   const double second = std::ldexp(1.0, -(exponent - exponent / 2));
   std::vector<Point> scaled(points.size());
+#pragma omp parallel for if (points.size() > SmallSize)
   for (std::size_t p = 0; p < points.size(); ++p)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -62,5 +65,16 @@ std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent)
     }
   }
   return scaled;
+}
+
+std::vector<Tetrahedron> CellsOfPoints(std::size_t count)
+{
+  std::vector<Tetrahedron> cells(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Id p = static_cast<Id>(i);
+    cells[i] = { { p, p, p, p } };
+  }
+  return cells;
 }
 } // namespace insideout

@@ -33,6 +33,11 @@ inline Site SiteAt(const Point& point)
 struct RoundedSite
 {
   explicit RoundedSite(const Site& site);
+  explicit RoundedSite(const Point& point)
+    : High(point)
+    , Low{ 0, 0, 0 }
+  {
+  }
 
   Point High;
   Point Low;
@@ -43,6 +48,9 @@ int LargestExponent(const std::vector<Point>& points);
 
 /** The points times 2^-exponent. */
 std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent);
+
+/** The cells {p, p, p, p} of so many points. */
+std::vector<Tetrahedron> CellsOfPoints(std::size_t count);
 
 /** The same place in each of many cells. A cell {p, p, p, p} makes point p a site. */
 struct Sites
@@ -57,6 +65,13 @@ struct Sites
     return { { { this->Points[cell[0]], this->Points[cell[1]], this->Points[cell[2]],
                this->Points[cell[3]] } },
       this->Weights };
+  }
+
+  RoundedSite Rounded(std::size_t i) const
+  {
+    const Tetrahedron& cell = this->Cells[i];
+    const bool isPoint = cell[1] == cell[0] && cell[2] == cell[0] && cell[3] == cell[0];
+    return isPoint ? RoundedSite(this->Points[cell[0]]) : RoundedSite((*this)[i]);
   }
 };
 } // namespace insideout

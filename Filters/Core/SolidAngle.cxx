@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insideout
 {
@@ -19,6 +20,12 @@ using Precise = boost::multiprecision::cpp_bin_float_50;
 // Relative to the product of the three distances; see SolidAngleProduct.cxx.
 constexpr double LeastSquaredModulus = 0x1p-12;
 constexpr double UndecidedDeterminant = 0x1p-47;
+
+// The same for long doubles of 64 bits, and the squared distance from which on the two doubles of a
+// rounded site have all of these bits. Coordinates are below 1.
+constexpr double LeastLongModulus = 0x1p-14;
+constexpr double UndecidedLongDeterminant = 0x1p-56;
+constexpr double LeastSquaredDistance = 0x1p-70;
 
 template <typename Number>
 using Vector = std::array<Number, 3>;
@@ -60,6 +67,52 @@ double Dot(const Point& a, const Point& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+
+/** From a site to a point as a unit vector; false where too near for long doubles. */
+bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>& unit)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    unit[axis] = (static_cast<long double>(point[axis]) - site.High[axis]) - site.Low[axis];
+  }
+  const long double squared = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
+  for (long double& x : unit)
+  {
+    x /= std::sqrt(squared);
+  }
+  return squared > LeastSquaredDistance && std::numeric_limits<long double>::digits >= 64;
+}
+
+/**
+ * In long doubles, of 64 bits: they decide most of what doubles do not. Their error in z is below
+ * 40 * 2^-64.
+ *
+ * @return whether they decide, and know z to 1e-13 of its modulus
+ */
+bool QuickHalfSolidAngle(
+  const std::array<Point, 3>& triangle, const Site& site, std::complex<double>& z)
+{
+  const RoundedSite rounded(site);
+  Vector<long double> a, b, c;
+  if (!UnitVector(rounded, triangle[0], a) || !UnitVector(rounded, triangle[1], b) ||
+    !UnitVector(rounded, triangle[2], c))
+  {
+    return false;
+  }
+  const auto dot = [](const Vector<long double>& u, const Vector<long double>& v)
+  { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+  const long double real = 1 + ((dot(a, b) + dot(c, a)) + dot(b, c));
+  const long double imaginary = a[0] * (b[1] * c[2] - b[2] * c[1]) +
+    a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const long double modulus = std::sqrt(real * real + imaginary * imaginary);
+  if (!(modulus > LeastLongModulus) || !(std::abs(imaginary) > UndecidedLongDeterminant))
+  {
+    return false;
+  }
+  z = { static_cast<double>(real / modulus), static_cast<double>(imaginary / modulus) };
+  return true;
+}
+
 /** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
 int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
@@ -71,6 +124,11 @@ int Side(const std::array<Point, 3>& triangle, const Site& site)
 
 std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site)
 {
+  std::complex<double> quick;
+  if (QuickHalfSolidAngle(triangle, site, quick))
+  {
+    return quick;
+  }
   const int side = Side(triangle, site);
   if (side == 0)
   {

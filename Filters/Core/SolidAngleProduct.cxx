@@ -23,6 +23,11 @@ constexpr double LeastSquaredModulus = 0x1p-12;
 // vector's components, 6 from the normal and 3 from the product, with room to spare.
 constexpr double SideError = 0x1p-48;
 
+// The imaginary part is u . normal over the product of the other two distances, and wrong by its
+// error over that: where a site is much nearer to two corners than the edges are long, as at the
+// short side of a needle, by digits that count. This bound allows it some 1e-14.
+constexpr double MostImaginaryError = 0x1p-42;
+
 // Imaginary parts below are zero: far less than rounding, and far from underflow in products. Where
 // the real part is negative this is out of reach, for there u . normal is above LeastSide.
 constexpr double LeastImaginary = 1e-200;
@@ -75,11 +80,13 @@ INSIDEOUT_ALWAYS_INLINE bool MultiplyByFacet(const SummedFacet& facet, const Uni
     const double side =
       a.X[lane] * facet.Normal[0] + a.Y[lane] * facet.Normal[1] + a.Z[lane] * facet.Normal[2];
     const double real = 1 + ((ab + ca) + bc); // the same when b and c change places
-    const double unflushed = side * (b.InverseDistance[lane] * c.InverseDistance[lane]);
+    const double inverse = b.InverseDistance[lane] * c.InverseDistance[lane];
+    const double unflushed = side * inverse;
     const double imaginary = std::abs(unflushed) > LeastImaginary ? unflushed : 0;
 
     // In this form, NaN is undecided.
-    const double clear = real * real + imaginary * imaginary >= LeastSquaredModulus ? 1 : 0;
+    const double exact = facet.UndecidedSide * inverse <= MostImaginaryError ? 1 : 0;
+    const double clear = real * real + imaginary * imaginary >= LeastSquaredModulus ? exact : 0;
     const double sided = std::abs(side) > facet.UndecidedSide ? 1 : 0;
     const double decided = real > 0 ? clear : clear * sided;
     Multiply(products, lane, decided > 0 ? real : 1, decided > 0 ? imaginary : 0);
@@ -113,9 +120,8 @@ void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point
     SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
 }
 
-void SetSite(SiteBlock& block, int lane, const Site& site)
+void SetSite(SiteBlock& block, int lane, const RoundedSite& rounded)
 {
-  const RoundedSite rounded(site);
   for (int axis = 0; axis < 3; ++axis)
   {
     block.High[axis][lane] = rounded.High[axis];

@@ -66,7 +66,7 @@ struct Products
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c);
 
 /** Site `lane` of the block is this one. */
-void SetSite(SiteBlock& block, int lane, const Site& site);
+void SetSite(SiteBlock& block, int lane, const RoundedSite& site);
 
 /** The unit vectors to `count` points. */
 void ComputeUnitVectors(

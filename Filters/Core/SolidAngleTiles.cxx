@@ -18,8 +18,9 @@ SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::si
   SiteProducts block;
   for (int lane = 0; lane < Lanes; ++lane)
   {
-    block.Exact[lane] = sites[order[std::min(first + lane, order.size() - 1)]];
-    SetSite(block.Rounded, lane, block.Exact[lane]);
+    const std::size_t i = static_cast<std::size_t>(order[std::min(first + lane, order.size() - 1)]);
+    block.Index[lane] = i;
+    SetSite(block.Rounded, lane, sites.Rounded(i));
     block.Product.Real[lane] = 1;
     block.Product.Imaginary[lane] = 0;
     block.Product.Turns[lane] = 0;
@@ -91,8 +92,8 @@ TileRange SolidAngleTiles::Add(const std::vector<CountedTriangle>& triangles)
   return range;
 }
 
-void SolidAngleTiles::MultiplyByUndecided(
-  const SummedFacet& facet, const double (&undecided)[Lanes], SiteProducts& block) const
+void SolidAngleTiles::MultiplyByUndecided(const SummedFacet& facet, const Sites& sites,
+  const double (&undecided)[Lanes], SiteProducts& block) const
 {
   const std::array<Point, 3> triangle = { this->Points[facet.Corners[0]],
     this->Points[facet.Corners[1]], this->Points[facet.Corners[2]] };
@@ -100,13 +101,13 @@ void SolidAngleTiles::MultiplyByUndecided(
   {
     if (undecided[lane] > 0)
     {
-      const std::complex<double> z = HalfSolidAngle(triangle, block.Exact[lane]);
+      const std::complex<double> z = HalfSolidAngle(triangle, sites[block.Index[lane]]);
       MultiplyBy(block.Product, lane, z.real(), z.imag());
     }
   }
 }
 
-void SolidAngleTiles::Multiply(TileRange tiles, SiteProducts& block) const
+void SolidAngleTiles::Multiply(TileRange tiles, const Sites& sites, SiteProducts& block) const
 {
   UnitVectors vectors[3 * FacetsPerTile];
   for (std::size_t t = tiles.First; t < tiles.Last; ++t)
@@ -120,7 +121,7 @@ void SolidAngleTiles::Multiply(TileRange tiles, SiteProducts& block) const
     {
       double undecided[Lanes] = {};
       facet = MultiplyByFacets(facet, last, vectors, block.Product, undecided);
-      this->MultiplyByUndecided(facet[-1], undecided, block);
+      this->MultiplyByUndecided(facet[-1], sites, undecided, block);
     }
   }
 }

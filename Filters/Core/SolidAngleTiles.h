@@ -11,7 +11,7 @@ namespace insideout
 /** A block of sites, and the product of what was multiplied to it so far. */
 struct SiteProducts
 {
-  std::array<Site, Lanes> Exact;
+  std::array<std::size_t, Lanes> Index; ///< of the sites, in the list that they come from
   SiteBlock Rounded;
   Products Product;
 };
@@ -44,8 +44,8 @@ public:
    * where it is above 1. Triangles next to each other in space should be next to each other. */
   TileRange Add(const std::vector<CountedTriangle>& triangles);
 
-  /** Multiply each site's product by the triangles of some tiles. */
-  void Multiply(TileRange tiles, SiteProducts& block) const;
+  /** Multiply each site's product by the triangles of some tiles. The block is made of `sites`. */
+  void Multiply(TileRange tiles, const Sites& sites, SiteProducts& block) const;
 
   std::size_t NumberOfTriangles() const { return this->Facets.size(); }
 
@@ -57,8 +57,8 @@ private:
   };
 
   void CloseTile(std::size_t firstFacet);
-  void MultiplyByUndecided(
-    const SummedFacet& facet, const double (&undecided)[Lanes], SiteProducts& block) const;
+  void MultiplyByUndecided(const SummedFacet& facet, const Sites& sites,
+    const double (&undecided)[Lanes], SiteProducts& block) const;
 
   const std::vector<Point>& Points;
   std::vector<Tile> Tiles;

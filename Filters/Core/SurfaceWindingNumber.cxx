@@ -8,6 +8,7 @@
 #include "SpatialOrder.h"
 #include "WindingNumberSum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -36,9 +37,15 @@ FacetComplex ComplexOf(
   return surface;
 }
 
-bool IsAfar(const Point& scaled)
+bool IsFinite(const Point& p)
 {
-  return std::abs(scaled[0]) > Afar || std::abs(scaled[1]) > Afar || std::abs(scaled[2]) > Afar;
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/** False where a coordinate is not finite, too. */
+bool IsNear(const Point& scaled)
+{
+  return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
 }
 
 /** What a line current along the edge from a to b gives at p, without its constant. */
@@ -88,8 +95,8 @@ public:
     switch (this->Method)
     {
       case WindingNumberMethod::Exact:
-        this->Exact.emplace(
-          this->Points, this->Triangles, monitor, ProgressRange{ StageName, 0, 0 });
+        this->Exact.emplace(this->Points, this->Triangles, this->OpenEdges, monitor,
+          ProgressRange{ StageName, 0, 0 });
         break;
       case WindingNumberMethod::Naive:
         this->Surface = ComplexOf(this->Points, this->Triangles);
@@ -109,37 +116,29 @@ public:
   /** At points that are finite and not afar, `scaled`. */
   std::vector<double> At(const std::vector<Point>& scaled, Monitor& monitor) const
   {
-    std::vector<Id> order = SpatialOrder(scaled);
-    std::vector<double> w(scaled.size(), 0.0);
-    if (this->Method == WindingNumberMethod::Hierarchical ||
-      this->Method == WindingNumberMethod::Approximate)
+    if (this->Method == WindingNumberMethod::Exact)
     {
-      const Id pointsPerCall = 64;
-      const Id points = static_cast<Id>(scaled.size());
-      ChunkedLoop((points + pointsPerCall - 1) / pointsPerCall, 1e6, monitor, { StageName, 0, 1 },
-        [&](Id call)
-        {
-          for (Id i = call * pointsPerCall; i < std::min(points, (call + 1) * pointsPerCall); ++i)
-          {
-            w[order[i]] = this->Method == WindingNumberMethod::Hierarchical
-              ? this->Hierarchical->At(scaled[order[i]])
-              : this->Approximate->At(scaled[order[i]]);
-          }
-        });
-      return w;
+      return this->Exact->Evaluate(scaled, monitor, { StageName, 0, 1 });
     }
-    std::vector<Tetrahedron> cells(scaled.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-    {
-      const Id p = static_cast<Id>(i);
-      cells[i] = { { p, p, p, p } };
-    }
-    const Sites sites = { scaled, cells };
     if (this->Method == WindingNumberMethod::Naive)
     {
-      return WindingNumberSum(this->Surface, sites, monitor);
+      const std::vector<Tetrahedron> cells = CellsOfPoints(scaled.size());
+      return WindingNumberSum(this->Surface, { scaled, cells }, monitor);
     }
-    this->Exact->Evaluate(sites, order, w, monitor, { StageName, 0, 1 });
+    const std::vector<Id> order = SpatialOrder(scaled);
+    std::vector<double> w(scaled.size());
+    const Id pointsPerCall = 64;
+    const Id points = static_cast<Id>(scaled.size());
+    ChunkedLoop((points + pointsPerCall - 1) / pointsPerCall, 1e6, monitor, { StageName, 0, 1 },
+      [&](Id call)
+      {
+        for (Id i = call * pointsPerCall; i < std::min(points, (call + 1) * pointsPerCall); ++i)
+        {
+          w[order[i]] = this->Method == WindingNumberMethod::Hierarchical
+            ? this->Hierarchical->At(scaled[order[i]])
+            : this->Approximate->At(scaled[order[i]]);
+        }
+      });
     return w;
   }
 
@@ -166,24 +165,27 @@ std::vector<double> SurfaceWindingNumber::At(
   const std::vector<Point>& points, Monitor& monitor) const
 {
   monitor.Check(StageName, 0);
+  const std::vector<Point> scaled = ScaledPoints(points, this->Internals->Exponent);
+  if (std::all_of(scaled.begin(), scaled.end(), IsNear))
+  {
+    std::vector<double> w = this->Internals->At(scaled, monitor);
+    monitor.Check(StageName, 1);
+    return w;
+  }
   std::vector<double> w(points.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<Point> near;
   std::vector<std::size_t> which;
-  const std::vector<Point> scaled = ScaledPoints(points, this->Internals->Exponent);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Point& p = points[i];
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if (IsNear(scaled[i]))
     {
-      continue;
+      near.push_back(scaled[i]);
+      which.push_back(i);
     }
-    if (IsAfar(scaled[i]))
+    else if (IsFinite(points[i]))
     {
       w[i] = 0;
-      continue;
     }
-    near.push_back(scaled[i]);
-    which.push_back(i);
   }
   const std::vector<double> values = this->Internals->At(near, monitor);
   for (std::size_t i = 0; i < which.size(); ++i)
@@ -196,12 +198,12 @@ std::vector<double> SurfaceWindingNumber::At(
 
 double SurfaceWindingNumber::At(const Point& point) const
 {
-  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+  if (!IsFinite(point))
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
   const Point scaled = this->Internals->Scale(point);
-  if (IsAfar(scaled))
+  if (!IsNear(scaled))
   {
     return 0;
   }
@@ -224,8 +226,7 @@ Point SurfaceWindingNumber::Gradient(const Point& point) const
 {
   const Point scaled = this->Internals->Scale(point);
   Point gradient = { 0, 0, 0 };
-  if (!(std::isfinite(scaled[0]) && std::isfinite(scaled[1]) && std::isfinite(scaled[2])) ||
-    IsAfar(scaled))
+  if (!IsNear(scaled))
   {
     return gradient;
   }

@@ -2,71 +2,114 @@
 #include "WalkedWindingNumber.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace insideout
 {
 namespace
 {
-/** Carry the winding number from the hull into every cell that can be reached. */
-std::vector<double> Walk(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, std::vector<Id>& reached)
+constexpr int Unknown = std::numeric_limits<int>::min();
+
+[[noreturn]] void ThrowDifferent(Id from, Id to)
 {
-  std::vector<double> w(mesh.Cells.size(), 0.0);
-  std::vector<char> known(mesh.Cells.size(), 0);
-  const auto reach = [&](Id cell, double value)
-  {
-    if (!known[cell])
-    {
-      known[cell] = 1;
-      w[cell] = value;
-      reached.push_back(cell);
-    }
-  };
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[cell][k] == None)
-      {
-        reach(cell, MultiplicityOnEntering(surface, mesh, cell, k));
-      }
-    }
-  }
-  for (std::size_t next = 0; next < reached.size(); ++next)
-  {
-    const Id cell = reached[next];
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[cell][k] != None)
-      {
-        reach(mesh.Neighbors[cell][k], w[cell] - MultiplicityOnEntering(surface, mesh, cell, k));
-      }
-    }
-  }
-  return w;
+  throw Error(ErrorCode::Inconsistent,
+    "the winding number does not rise by the facets' count between cell " +
+      (from == None ? std::string("(outside)") : std::to_string(from)) + " and cell " +
+      std::to_string(to));
 }
 
-/** Throw unless w jumps by the facets' multiplicity, seen from both sides of every face. */
-void VerifyJumps(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, const std::vector<double>& w)
+// Cells are scattered over memory. Those that come so many steps later are fetched ahead.
+constexpr std::size_t StepsAhead = 8;
+
+void Prefetch(const void* address)
 {
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#else
+  static_cast<void>(address);
+#endif
+}
+
+void PrefetchFaces(const TetrahedralMesh& mesh, Id cell)
+{
+  Prefetch(&mesh.Neighbors[cell]);
+  Prefetch(&mesh.Facets[cell]);
+  Prefetch(&mesh.FacetSides[cell]);
+}
+
+/**
+ * Carry the winding number from the hull into every cell that can be reached, and compare it
+ * wherever a cell is met again. Cells that cannot be reached stay Unknown.
+ */
+class Walk
+{
+public:
+  Walk(const FacetComplex& surface, const TetrahedralMesh& mesh)
+    : Mesh(mesh)
+    , W(mesh.Cells.size(), Unknown)
   {
-    for (int k = 0; k < 4; ++k)
+    this->Reached.reserve(mesh.Cells.size());
+    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
     {
-      const Id neighbor = mesh.Neighbors[cell][k];
-      const double beyond = neighbor == None ? 0.0 : w[neighbor];
-      if (w[cell] - beyond != MultiplicityOnEntering(surface, mesh, cell, k))
+      for (int k = 0; k < 4; ++k)
       {
-        throw Error(ErrorCode::Inconsistent,
-          "the winding number does not rise by the facets' count between cell " +
-            (neighbor == None ? std::string("(outside)") : std::to_string(neighbor)) +
-            " and cell " + std::to_string(cell));
+        if (mesh.Neighbors[cell][k] == None)
+        {
+          this->Reach(None, cell, MultiplicityOnEntering(surface, mesh, cell, k));
+        }
+      }
+    }
+    for (std::size_t next = 0; next < this->Reached.size(); ++next)
+    {
+      if (next + StepsAhead < this->Reached.size())
+      {
+        this->PrefetchNeighbors(this->Reached[next + StepsAhead]);
+      }
+      const Id cell = this->Reached[next];
+      for (int k = 0; k < 4; ++k)
+      {
+        if (mesh.Neighbors[cell][k] != None)
+        {
+          this->Reach(cell, mesh.Neighbors[cell][k],
+            this->W[cell] - MultiplicityOnEntering(surface, mesh, cell, k));
+        }
       }
     }
   }
-}
+
+  const std::vector<int>& Values() const { return this->W; }
+
+private:
+  void Reach(Id from, Id to, int value)
+  {
+    if (this->W[to] == Unknown)
+    {
+      this->W[to] = value;
+      this->Reached.push_back(to);
+      PrefetchFaces(this->Mesh, to);
+    }
+    else if (this->W[to] != value)
+    {
+      ThrowDifferent(from, to);
+    }
+  }
+
+  void PrefetchNeighbors(Id cell) const
+  {
+    for (const Id neighbor : this->Mesh.Neighbors[cell])
+    {
+      if (neighbor != None)
+      {
+        Prefetch(&this->W[neighbor]);
+      }
+    }
+  }
+
+  const TetrahedralMesh& Mesh;
+  std::vector<int> W;
+  std::vector<Id> Reached;
+};
 
 /** Walk from a part's first cell to all others. */
 void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
@@ -75,11 +118,20 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
   const Id part = static_cast<Id>(parts.FirstCell.size());
   parts.FirstCell.push_back(first);
   parts.Part[first] = part;
-  std::vector<Id> stack = { first };
-  while (!stack.empty())
+  std::vector<Id> reached = { first };
+  for (std::size_t next = 0; next < reached.size(); ++next)
   {
-    const Id cell = stack.back();
-    stack.pop_back();
+    for (int k = 0; next + StepsAhead < reached.size() && k < 4; ++k)
+    {
+      const Id ahead = mesh.Neighbors[reached[next + StepsAhead]][k];
+      if (ahead != None)
+      {
+        Prefetch(&touched[ahead]);
+        Prefetch(&parts.Part[ahead]);
+        Prefetch(&parts.Rise[ahead]);
+      }
+    }
+    const Id cell = reached[next];
     for (int k = 0; k < 4; ++k)
     {
       const Id neighbor = mesh.Neighbors[cell][k];
@@ -92,13 +144,12 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
       {
         parts.Part[neighbor] = part;
         parts.Rise[neighbor] = rise;
-        stack.push_back(neighbor);
+        reached.push_back(neighbor);
+        PrefetchFaces(mesh, neighbor);
       }
       else if (parts.Rise[neighbor] != rise)
       {
-        throw Error(ErrorCode::Inconsistent,
-          "the winding number does not rise by the facets' count between cell " +
-            std::to_string(cell) + " and cell " + std::to_string(neighbor));
+        ThrowDifferent(cell, neighbor);
       }
     }
   }
@@ -109,23 +160,17 @@ std::vector<double> WalkedWindingNumbers(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, const char* stage)
 {
   monitor.Check(stage, 0);
-  std::vector<Id> reached;
-  const std::vector<double> w = Walk(surface, mesh, reached);
-  if (reached.size() != mesh.Cells.size())
-  {
-    std::sort(reached.begin(), reached.end());
-    Id missing = 0;
-    while (missing < static_cast<Id>(reached.size()) && reached[missing] == missing)
-    {
-      ++missing;
-    }
-    throw Error(ErrorCode::Inconsistent,
-      "cell " + std::to_string(missing) + " cannot be reached from the hull");
-  }
+  const Walk walk(surface, mesh);
+  const std::vector<int>& walked = walk.Values();
   monitor.Check(stage, 0.5);
-  VerifyJumps(surface, mesh, w);
+  const auto missing = std::find(walked.begin(), walked.end(), Unknown);
+  if (missing != walked.end())
+  {
+    throw Error(ErrorCode::Inconsistent,
+      "cell " + std::to_string(missing - walked.begin()) + " cannot be reached from the hull");
+  }
   monitor.Check(stage, 1);
-  return w;
+  return std::vector<double>(walked.begin(), walked.end());
 }
 
 FaceCounts::FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh)

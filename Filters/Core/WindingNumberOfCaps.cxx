@@ -22,17 +22,12 @@ constexpr double LeastRelativeDistance = 0x1p-4;
 
 // What BoundaryProduct.h asks for, with room to spare.
 constexpr double LeastDistance = 0x1p-40;
+constexpr double LeastAhead = 0x1p-6;
 
-/** The place in the block's box that is in its middle, and how far away a site can be from it. */
-struct Ball
+/** About the middle of the sites' box. */
+WindingNumberOfCaps::Ball BallAround(const SiteBlock& sites)
 {
-  Point Centre;
-  double Radius;
-};
-
-Ball BallAround(const SiteBlock& sites)
-{
-  Ball ball;
+  WindingNumberOfCaps::Ball ball;
   double squared = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -50,6 +45,30 @@ double Distance(const Point& a, const Point& b)
 {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return std::sqrt(x * x + y * y + z * z);
+}
+
+/**
+ * Find a frame in which all sites in a ball see all places in another ahead, not too near.
+ *
+ * @return whether there is one
+ */
+bool FindFrame(
+  const WindingNumberOfCaps::Ball& from, const WindingNumberOfCaps::Ball& to, Frame& frame)
+{
+  frame.Z = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    if (std::abs(to.Centre[axis] - from.Centre[axis]) >
+      std::abs(to.Centre[frame.Z] - from.Centre[frame.Z]))
+    {
+      frame.Z = axis;
+    }
+  }
+  const double ahead = to.Centre[frame.Z] - from.Centre[frame.Z];
+  frame.Sign = ahead > 0 ? 1 : -1;
+  frame.X = (frame.Z + (ahead > 0 ? 1 : 2)) % 3;
+  frame.Y = (frame.Z + (ahead > 0 ? 2 : 1)) % 3;
+  return std::abs(ahead) > from.Radius + to.Radius + LeastAhead;
 }
 
 /** The principal value of the phase, in turns. */
@@ -103,18 +122,18 @@ void WindingNumberOfCaps::SetBall(const std::vector<CountedTriangle>& triangles,
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    cap.Centre[axis] = low[axis] / 2 + high[axis] / 2;
+    cap.Around.Centre[axis] = low[axis] / 2 + high[axis] / 2;
   }
-  cap.Radius = 0;
+  cap.Around.Radius = 0;
   for (const CountedTriangle& triangle : triangles)
   {
     for (const Id p : triangle.Corners)
     {
-      cap.Radius = std::max(cap.Radius, Distance(cap.Centre, this->Points[p]));
+      cap.Around.Radius = std::max(cap.Around.Radius, Distance(cap.Around.Centre, this->Points[p]));
     }
   }
   const double roundedUp = 1 + 0x1p-40;
-  cap.Radius *= roundedUp;
+  cap.Around.Radius *= roundedUp;
   cap.Area *= roundedUp;
 }
 
@@ -179,18 +198,18 @@ void WindingNumberOfCaps::CloseTile(EdgeTile& tile)
 }
 
 /** A bound of |w| for each cap; those up to the value returned are together below 1/2. */
-double WindingNumberOfCaps::FindLargestFar(
-  const SiteBlock& sites, std::vector<double>& bounds) const
+double WindingNumberOfCaps::FindLargestFar(const Ball& ball, std::vector<double>& bounds) const
 {
-  const Ball ball = BallAround(sites);
   bounds.resize(this->Caps.size());
   double sum = 0;
   for (std::size_t i = 0; i < bounds.size(); ++i)
   {
     // |w| is at most the area over that of the sphere around the site which touches the cap.
     const Cap& cap = this->Caps[i];
-    const double distance = Distance(cap.Centre, ball.Centre) - ball.Radius - cap.Radius;
-    const bool clear = distance > LeastDistance && distance > LeastRelativeDistance * cap.Radius;
+    const double distance =
+      Distance(cap.Around.Centre, ball.Centre) - ball.Radius - cap.Around.Radius;
+    const bool clear =
+      distance > LeastDistance && distance > LeastRelativeDistance * cap.Around.Radius;
     bounds[i] = clear ? cap.Area / (4 * Pi * distance * distance) : 1;
     sum += bounds[i];
   }
@@ -211,7 +230,8 @@ void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& or
   std::size_t first, std::vector<double>& bounds, std::vector<double>& w) const
 {
   SiteProducts block = MakeBlock(sites, order, first);
-  const double largestFar = this->FindLargestFar(block.Rounded, bounds);
+  const Ball ball = BallAround(block.Rounded);
+  const double largestFar = this->FindLargestFar(ball, bounds);
 
   PhaseProducts far;
   std::fill(far.Real, far.Real + Lanes, 1.0);
@@ -221,14 +241,27 @@ void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& or
     const Cap& cap = this->Caps[i];
     if (!(bounds[i] <= largestFar))
     {
-      this->Triangles.Multiply(cap.Triangles, block);
+      this->Triangles.Multiply(cap.Triangles, sites, block);
       continue;
     }
+    Frame frame;
+    const bool isAhead = FindFrame(ball, cap.Around, frame);
     for (std::size_t t = cap.Edges.First; t < cap.Edges.Last; ++t)
     {
       const EdgeTile& tile = this->EdgeTiles[t];
-      MultiplyByBoundary(&this->EdgePoints[tile.FirstPoint], tile.LastPoint - tile.FirstPoint,
-        &this->Edges[tile.FirstEdge], tile.LastEdge - tile.FirstEdge, block.Rounded, far);
+      const Point* const points = &this->EdgePoints[tile.FirstPoint];
+      const std::size_t numberOfPoints = tile.LastPoint - tile.FirstPoint;
+      const TileEdge* const edges = &this->Edges[tile.FirstEdge];
+      const std::size_t numberOfEdges = tile.LastEdge - tile.FirstEdge;
+      if (isAhead)
+      {
+        MultiplyByBoundaryAhead(
+          points, numberOfPoints, edges, numberOfEdges, frame, block.Rounded, far);
+      }
+      else
+      {
+        MultiplyByBoundary(points, numberOfPoints, edges, numberOfEdges, block.Rounded, far);
+      }
     }
   }
   const std::size_t last = std::min(order.size(), first + Lanes);

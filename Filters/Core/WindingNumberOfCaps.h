@@ -43,11 +43,16 @@ public:
 
   bool IsEmpty() const { return this->Caps.empty(); }
 
+  struct Ball
+  {
+    Point Centre;
+    double Radius;
+  };
+
 private:
   struct Cap
   {
-    Point Centre; ///< of a ball that holds it
-    double Radius;
+    Ball Around;
     double Area; ///< counted as often as the triangles
     TileRange Triangles;
     TileRange Edges;
@@ -62,7 +67,7 @@ private:
   TileRange AddEdges(const std::vector<CountedTriangle>& triangles);
   void AddLoop(const Loop& loop, EdgeTile& tile);
   void CloseTile(EdgeTile& tile);
-  double FindLargestFar(const SiteBlock& sites, std::vector<double>& bounds) const;
+  double FindLargestFar(const Ball& sites, std::vector<double>& bounds) const;
   void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first,
     std::vector<double>& bounds, std::vector<double>& w) const;
 

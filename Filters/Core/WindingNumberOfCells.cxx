@@ -66,7 +66,7 @@ std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
     const Sites sites = { points, cells, weights };
     for (const Id cell : which)
     {
-      places.push_back(RoundedSite(sites[cell]).High);
+      places.push_back(sites.Rounded(cell).High);
     }
   }
   return places;

@@ -57,7 +57,7 @@ void SumBatch(const SolidAngleTiles& tiles, TileRange all, const Sites& sites,
   {
     for (SiteProducts& block : blocks)
     {
-      tiles.Multiply({ tile, tile + 1 }, block);
+      tiles.Multiply({ tile, tile + 1 }, sites, block);
     }
   }
   for (std::size_t i = first; i < last; ++i)

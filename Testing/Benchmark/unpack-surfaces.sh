@@ -4,6 +4,7 @@
 # openfoam-examples into the folder; says which it cannot find.
 set -eu
 folder=$1
+mkdir -p "$folder"
 shift
 
 find_archive() {

@@ -2,6 +2,7 @@
 #include "HullMesh.h"
 #include "ReadTriangles.h"
 #include "SurfaceWindingNumber.h"
+#include "WalkedWindingNumber.h"
 #include "WindingNumberInQuads.h"
 #include "WindingNumberOfCells.h"
 #include "WindingNumberSum.h"
@@ -154,15 +155,45 @@ bool Verdict(double toQuads, double toSum)
   return toQuads <= MostErrorToQuads && toSum <= MostErrorToSum;
 }
 
+/**
+ * What w of the cells is of: the mesh's faces in facets, for a Steiner point on a facet is rounded
+ * and a sliver beside it may lie between the facet and its faces, and the facets that are no faces.
+ */
+FacetComplex FacesAndFacetsBeyond(const FacetComplex& surface, const TetrahedralMesh& mesh)
+{
+  FacetComplex result;
+  result.Points = mesh.Points;
+  const auto add = [&](const Triangle& facet, int count)
+  {
+    result.Facets.push_back(facet);
+    result.Multiplicity.push_back(static_cast<std::int16_t>(count));
+  };
+  for (const CountedTriangle& face : FaceCounts(surface, mesh).Chain())
+  {
+    add(face.Corners, face.Count);
+  }
+  for (const Id f : mesh.LostFacets)
+  {
+    add(surface.Facets[f], surface.Multiplicity[f]);
+  }
+  for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
+  {
+    add(surface.Facets[f], surface.Multiplicity[f]);
+  }
+  result.NumberOfConstraints = result.NumberOfFacets();
+  return result;
+}
+
 bool JudgeCells(const std::string& name, const TriangleSoup& soup, std::size_t sample)
 {
   Monitor monitor;
   const HullMesh hull = MeshHull(soup, {}, monitor);
   const Sites sites = { hull.Mesh.Points, hull.Mesh.Cells };
-  const double toSum = LargestError(hull.W, WindingNumberSum(hull.Surface, sites, monitor));
+  const FacetComplex faces = FacesAndFacetsBeyond(hull.Surface, hull.Mesh);
+  const double toSum = LargestError(hull.W, WindingNumberSum(faces, sites, monitor));
   std::size_t slivers = 0;
   const std::vector<Id> which = SliversAndOthers(hull.Mesh, sample, slivers);
-  const double toQuads = LargestErrorToQuads(hull.Surface, sites, which, hull.W);
+  const double toQuads = LargestErrorToQuads(faces, sites, which, hull.W);
   std::printf("%-28s cells  %s %9d of which %6zu slivers: error to sum %.1e; to quads on %5zu "
               "%.1e  %s\n",
     name.c_str(), IsClosed(hull.Surface) ? "closed" : "open  ", hull.Mesh.NumberOfCells(), slivers,

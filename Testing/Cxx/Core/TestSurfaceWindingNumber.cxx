@@ -403,3 +403,32 @@ TEST(SurfaceWindingNumber, StopsWhenAskedTo)
   }
 }
 } // namespace
+
+TEST(SurfaceWindingNumber, IsDefinedOnAFlatFanWithAGapOfRounding)
+{
+  // A disk in a plane, of which the first and the last point should be one.
+  const int corners = 36;
+  FacetComplex fan;
+  fan.Points = { { 0, 0, 0 } };
+  for (int i = 0; i <= corners; ++i)
+  {
+    const double angle = 2 * 3.14159265358979323846 * i / corners;
+    fan.Points.push_back({ 0.1 * std::cos(angle), 0.1 * std::sin(angle), 0 });
+  }
+  for (int i = 1; i <= corners; ++i)
+  {
+    fan.Facets.push_back({ { 0, i, i + 1 } });
+    fan.Multiplicity.push_back(1);
+  }
+  fan.NumberOfConstraints = fan.NumberOfFacets();
+  Monitor monitor;
+  const SurfaceWindingNumber w(fan, {}, monitor);
+  EXPECT_NE(fan.Points[1], fan.Points.back());
+  for (int i = 1; i <= corners; ++i)
+  {
+    const Point& p = fan.Points[static_cast<std::size_t>(i)];
+    EXPECT_EQ(w.At(Point{ p[0] / 2, p[1] / 2, 0 }), 0) << i;
+    const Point below = { p[0] / 2, p[1] / 2, -1e-9 };
+    EXPECT_NEAR(w.At(below), 0.5, 1e-7) << i;
+  }
+}

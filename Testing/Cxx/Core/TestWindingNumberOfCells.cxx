@@ -411,6 +411,31 @@ TEST(WindingNumberSum, DoesNotDependOnScale)
   }
 }
 
+TEST(WindingNumberSum, KeepsItsDigitsAtTheShortSidesOfNeedles)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(-1, 1);
+  const double small = 0x1p-20;
+  for (int i = 0; i < 200; ++i)
+  {
+    FacetComplex needle;
+    needle.Points = { { part(random), part(random), 1 + part(random) },
+      { small * part(random), small * part(random), small * part(random) },
+      { small * part(random), small * part(random), small * part(random) } };
+    needle.Facets = { { { i % 3, (i + 1) % 3, (i + 2) % 3 } } };
+    needle.Multiplicity = { 1 };
+    needle.NumberOfConstraints = 1;
+    const std::vector<Point> near = { { small * part(random), small * part(random),
+      small * part(random) } };
+    const std::vector<Tetrahedron> cells = { { { 0, 0, 0, 0 } } };
+    const Sites sites = { near, cells };
+    Monitor monitor;
+    EXPECT_NEAR(
+      WindingNumberSum(needle, sites, monitor)[0], WindingNumberInQuads(needle, sites[0]), 1e-14)
+      << i;
+  }
+}
+
 TEST(WindingNumberSum, KeepsItsDigitsFarFromTheOrigin)
 {
   TetrahedralMesh mesh = MakeMesh(Plain, 5);

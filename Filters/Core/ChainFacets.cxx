@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ChainFacets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+constexpr std::size_t SmallSize = 1024; // not worth a second thread
+
+using LongVector = std::array<long double, 3>;
+
+LongVector Normalized(const LongVector& d)
+{
+  const long double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  return { d[0] / length, d[1] / length, d[2] / length };
+}
+
+/** From a site to a point, as a unit vector. */
+LongVector Direction(const RoundedSite& site, const Point& point)
+{
+  LongVector d;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    d[axis] = (static_cast<long double>(point[axis]) - site.High[axis]) - site.Low[axis];
+  }
+  return Normalized(d);
+}
+
+long double Dot(const LongVector& a, const LongVector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** Solid angle of the spherical triangle between three directions, over 4 pi. */
+double TurnsBetween(const LongVector& a, const LongVector& b, const LongVector& c)
+{
+  const long double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const long double div = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
+  const long double pi = 3.14159265358979323846264338L;
+  return static_cast<double>(std::atan2(det, div) / (2 * pi));
+}
+
+Box BoxAround(const std::array<Point, 3>& corners)
+{
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double a = corners[0][axis], b = corners[1][axis], c = corners[2][axis];
+    box.Low[axis] = std::min(std::min(a, b), c);
+    box.High[axis] = std::max(std::max(a, b), c);
+  }
+  return box;
+}
+} // namespace
+
+ChainFacets::ChainFacets(
+  const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+  : Facets(triangles.size())
+  , Boxes(triangles.size())
+{
+#pragma omp parallel for schedule(static) if (triangles.size() > SmallSize)
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    const Triangle& t = triangles[f].Corners;
+    const std::array<Point, 3> corners = { points[t[0]], points[t[1]], points[t[2]] };
+    this->Facets[f] = { PlaneOfTriangle(corners), corners, triangles[f].Count };
+    this->Boxes[f] = BoxAround(corners);
+  }
+}
+
+int ChainFacets::SideOf(Id facet, const Point& place) const
+{
+  return SideOfPlane(this->Facets[facet].Plane, this->Facets[facet].Corners, place);
+}
+
+bool ChainFacets::MayMeet(Id facet, const Box& box) const
+{
+  const Box& around = this->Boxes[facet];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (around.High[axis] < box.Low[axis] || around.Low[axis] > box.High[axis])
+    {
+      return false;
+    }
+  }
+  const PlaneOfTriangle& plane = this->Facets[facet].Plane;
+  double side = 0;
+  double reach = 0;
+  double size = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double centre = box.Low[axis] / 2 + box.High[axis] / 2;
+    const double half = box.High[axis] / 2 - box.Low[axis] / 2;
+    side += plane.Normal[axis] * (centre - plane.Origin[axis]);
+    reach += std::abs(plane.Normal[axis]) * half;
+    size += std::abs(centre - plane.Origin[axis]) + half;
+  }
+  // Coordinates are below 1, so that an absolute error of 2^-50 covers the rounding of the box's.
+  return std::abs(side) <= reach + 4 * plane.UndecidedSide * (size + 0x1p-2);
+}
+
+bool ChainFacets::CountCrossings(const SidedFacet* first, const SidedFacet* last,
+  const PreparedSite& from, const Point& to, std::vector<Id>* touched, double& sum) const
+{
+  for (const SidedFacet* f = first; f != last; ++f)
+  {
+    const Facet& facet = this->Facets[f->Facet()];
+    const int toSide = f->Side();
+    const int fromSide = SideOfPlane(facet.Plane, facet.Corners, from);
+    if (fromSide * toSide > 0)
+    {
+      continue;
+    }
+    if (fromSide == 0)
+    {
+      const bool touches = IsInTriangle(facet.Corners, from.Exact);
+      if (toSide == 0 || (touches && !touched))
+      {
+        return false;
+      }
+      if (touches)
+      {
+        touched->push_back(f->Facet());
+      }
+      continue;
+    }
+    if (toSide == 0)
+    {
+      if (IsInTriangle(facet.Corners, SiteAt(to)))
+      {
+        return false;
+      }
+      continue;
+    }
+    int least = 2;
+    int most = -2;
+    for (int k = 0; k < 3 && !(least < 0 && most > 0); ++k)
+    {
+      const int sign = SignOfDeterminant(from, to, facet.Corners[k], facet.Corners[(k + 1) % 3]);
+      least = std::min(least, sign);
+      most = std::max(most, sign);
+    }
+    if (least * most < 0)
+    {
+      continue;
+    }
+    if (least * most == 0)
+    {
+      return false;
+    }
+    sum += toSide > 0 ? facet.Count : -facet.Count;
+  }
+  return true;
+}
+
+double ChainFacets::AngleOfTouched(
+  std::vector<Id> touched, const PreparedSite& site, const Point& towards) const
+{
+  // A sum of doubles, always in the same order.
+  std::sort(touched.begin(), touched.end());
+  LongVector back = Direction(site, towards);
+  for (long double& x : back)
+  {
+    x = -x;
+  }
+  double sum = 0;
+  for (const Id f : touched)
+  {
+    const Facet& facet = this->Facets[f];
+    int edges = 0;
+    double turns = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point& a = facet.Corners[k];
+      const Point& b = facet.Corners[(k + 1) % 3];
+      if (!IsOnLine(a, b, site.Exact))
+      {
+        ++edges;
+        turns += TurnsBetween(back, Direction(site, a), Direction(site, b));
+      }
+    }
+    if (edges == 3)
+    {
+      // Within the triangle: half a sphere, whatever rounding says.
+      turns = this->SideOf(f, towards) < 0 ? 0.5 : -0.5;
+    }
+    sum += facet.Count * turns;
+  }
+  return sum;
+}
+} // namespace insideout
