@@ -235,17 +235,17 @@ struct Rung
 };
 
 /**
- * From the best mesh to the surest. TetGen most often crashes where it takes Steiner points out of
- * facets again, which only its first two rungs try: else some tens of them are left. The exact rung
- * leaves fewer, mostly none, and takes longer the more TetGen has to do. Where
- * else it crashes depends on the tetrahedra that it begins with, so that another way to these
- * helps. With points wherever it likes there are ten times as many as the facets have corners.
+ * Exact flips and cuts come first by what was measured (ConstrainedDelaunay.h). TetGen most often
+ * crashes where it takes Steiner points out of facets again, which only its first two rungs try:
+ * else some tens of them are left. Where else it crashes depends on the tetrahedra that it begins
+ * with, so that another way to these helps. With points wherever it likes there are ten times as
+ * many as the facets have corners.
  */
 const Rung Ladder[] = {
+  { "exact flips and cuts", FlipAndCutExactly, TetrahedralizationEngine::Exact },
   { "TetGen, points kept off facets", KeepPointsOffFacets, TetrahedralizationEngine::TetGen },
   { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
     TetrahedralizationEngine::TetGen },
-  { "exact flips and cuts", FlipAndCutExactly, TetrahedralizationEngine::Exact },
   { "TetGen, points left on facets", LeavePointsOnFacets, TetrahedralizationEngine::TetGen },
   { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
     TetrahedralizationEngine::TetGen },

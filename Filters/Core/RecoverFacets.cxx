@@ -288,7 +288,8 @@ bool FacetRecovery::SplitOnFacet(Id facet, const MeshEdge& edge)
   return true;
 }
 
-std::vector<Id> FacetRecovery::RecoverBySplits(const std::vector<Id>& missing)
+std::vector<Id> FacetRecovery::RecoverBySplits(
+  const std::vector<Id>& missing, SteinerPoints& steiner)
 {
   std::vector<Id> failed;
   std::vector<MeshFace> faces;
@@ -299,6 +300,7 @@ std::vector<Id> FacetRecovery::RecoverBySplits(const std::vector<Id>& missing)
     {
       this->Progress.Check("splitting facets", static_cast<double>(k) / missing.size());
     }
+    const Id first = this->Mesh.Vertices.Size();
     const Id facet = missing[k];
     Search search = this->FindFaces(facet, faces, crossing);
     while (search == Search::Crossed)
@@ -327,6 +329,7 @@ std::vector<Id> FacetRecovery::RecoverBySplits(const std::vector<Id>& missing)
     {
       failed.push_back(facet);
     }
+    steiner.Tidy(first);
   }
   return failed;
 }

@@ -3,6 +3,7 @@
 
 #include "EdgeRemoval.h"
 #include "Monitor.h"
+#include "SteinerPoints.h"
 
 namespace insideout
 {
@@ -31,7 +32,7 @@ public:
    * beyond the facet by that, so it is done once per edge.
    * @return facets of which an edge is missing
    */
-  std::vector<Id> RecoverBySplits(const std::vector<Id>& missing);
+  std::vector<Id> RecoverBySplits(const std::vector<Id>& missing, SteinerPoints& steiner);
 
 private:
   struct MeshFace

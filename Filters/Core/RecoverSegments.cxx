@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RecoverSegments.h"
 
+#include "PointSupport.h"
+
 #include <algorithm>
 
 namespace insideout
@@ -25,6 +27,9 @@ constexpr int MostDigits = 500;
  * segments that are left: some 0.02 ms. Surfaces of which flips recover nearly all take a tenth.
  */
 constexpr std::int64_t WorkPerElement = 1000;
+
+/** Deep flips take long, and recover few of many segments. */
+constexpr std::size_t MostForDeepFlips = 200;
 
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 16;
@@ -153,11 +158,16 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
 {
   const std::int64_t end = this->Mesh.Vertices.Work() +
     WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size());
-  const std::array<Effort, 2> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 } } };
+  const std::array<Effort, 4> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 },
+    { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
   for (const Effort& effort : efforts)
   {
     // While a round gets many, another of the same kind gets more.
     std::size_t before = 2 * missing.size() + 2;
+    if (effort.Depth > 1 && missing.size() > MostForDeepFlips)
+    {
+      break;
+    }
     while (!missing.empty() && missing.size() < before - before / 10)
     {
       before = missing.size();
@@ -224,8 +234,21 @@ Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
   return None;
 }
 
-bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
+/** Whether a vertex is a Steiner point in the volume, which may lie on the segment by rounding. */
+bool SegmentRecovery::IsFree(Id vertex) const
 {
+  if (vertex <= this->Mesh.Infinite())
+  {
+    return false;
+  }
+  const PointSupport support = FindPointSupport(this->Mesh, this->Segments, vertex);
+  return support.Segment == None && support.Facets.empty();
+}
+
+bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
+{
+  Id a = start;
+  const Id b = end;
   const Effort little = { { -1, 10 }, 0, 0 };
   for (int splits = 0; !this->Recover(a, b, little); ++splits)
   {
@@ -235,8 +258,6 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
     }
     this->Progress.Check("splitting edges", 0);
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
-    const Id start = this->Segments.EndsOf(segment)[0];
-    const Id end = this->Segments.EndsOf(segment)[1];
     Id point = None;
     if (FirstCrossing(this->Mesh, a, b).Kind == Crossing::ThroughEdge &&
       this->FlatFlips.MakeEdge(a, b))
@@ -257,6 +278,10 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
       EdgeRing ring;
       this->Mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
       this->Mesh.SplitEdge(ring, point);
+    }
+    else if (crossing.Kind == Crossing::AtVertex && this->IsFree(crossing.U))
+    {
+      point = crossing.U;
     }
     else if (crossing.Kind == Crossing::ThroughFace)
     {
@@ -287,7 +312,8 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id a, Id b)
   return true;
 }
 
-std::vector<Id> SegmentRecovery::RecoverBySplits(const std::vector<Id>& missing)
+std::vector<Id> SegmentRecovery::RecoverBySplits(
+  const std::vector<Id>& missing, From from, SteinerPoints& steiner)
 {
   std::vector<Id> failed;
   for (std::size_t k = 0; k < missing.size(); ++k)
@@ -296,12 +322,17 @@ std::vector<Id> SegmentRecovery::RecoverBySplits(const std::vector<Id>& missing)
     {
       this->Progress.Check("splitting edges", static_cast<double>(k) / missing.size());
     }
+    const Id first = this->Mesh.Vertices.Size();
     const std::array<Id, 2> ends = this->Segments.EndsOf(missing[k]);
-    if (!this->SplitAndRecover(missing[k], ends[0], ends[1]))
+    const bool isRecovered = from == From::LowerEnd
+      ? this->SplitAndRecover(missing[k], ends[0], ends[1])
+      : this->SplitAndRecover(missing[k], ends[1], ends[0]);
+    if (!isRecovered)
     {
       this->Segments.Release(missing[k]);
       failed.push_back(missing[k]);
     }
+    steiner.Tidy(first);
   }
   return failed;
 }

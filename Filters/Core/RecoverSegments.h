@@ -5,6 +5,7 @@
 #include "FlipFlat.h"
 #include "Monitor.h"
 #include "SegmentWalk.h"
+#include "SteinerPoints.h"
 
 namespace insideout
 {
@@ -30,13 +31,21 @@ public:
    */
   std::vector<Id> RecoverByFlips(std::vector<Id> missing);
 
+  /** The end at which Steiner points begin. */
+  enum class From
+  {
+    LowerEnd,
+    HigherEnd
+  };
+
   /**
    * Recover segments with Steiner points that lie exactly on them. Each is put where the segment
    * passes through a cell or over an edge, so nothing that is there goes, and what is left to do
    * gets less: this fails on no segment that passes through no vertex.
    * @return the segments that do
    */
-  std::vector<Id> RecoverBySplits(const std::vector<Id>& missing);
+  std::vector<Id> RecoverBySplits(
+    const std::vector<Id>& missing, From from, SteinerPoints& steiner);
 
 private:
   struct Effort
@@ -49,7 +58,8 @@ private:
   bool Recover(Id a, Id b, const Effort& effort);
   bool ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort);
   bool Clear(const Crossing& crossing, const FlipTarget& target, const Effort& effort);
-  bool SplitAndRecover(Id segment, Id a, Id b);
+  bool SplitAndRecover(Id segment, Id start, Id end);
+  bool IsFree(Id vertex) const;
   Id SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace);
 
   FlippableMesh& Mesh;

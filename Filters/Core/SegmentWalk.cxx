@@ -166,7 +166,8 @@ Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b)
     }
     if (zeros > 1)
     {
-      return Vertex(cell);
+      const int between = sides[0] != 0 ? 2 : sides[1] != 0 ? 0 : 1;
+      return { Crossing::AtVertex, cell, -1, link[between], None };
     }
     const auto k = std::find(sides.begin(), sides.end(), 0) - sides.begin();
     return Edge(cell, link[k], link[(k + 1) % 3]);

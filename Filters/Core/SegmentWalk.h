@@ -13,7 +13,7 @@ struct Crossing
     ThroughFace, ///< out of Cell through its face across from corner Face
     ThroughEdge, ///< over the edge from U to V of Cell
     AtEnd,       ///< Cell has the end: nothing more is crossed
-    AtVertex     ///< the segment passes through a vertex, or runs along an edge to it
+    AtVertex     ///< the segment passes through vertex U, where U is not None, or along an edge
   } Kind;
   Id Cell;
   int Face;

@@ -9,6 +9,13 @@ namespace insideout
 {
 namespace
 {
+/** Removing points one by one is over when fewer than one in so many goes. */
+constexpr std::size_t LeastYield = 50;
+
+/** Most points that go at all do so at once; others do from the volume. */
+constexpr int PassesBeforeMoving = 2;
+constexpr int MostPasses = 1000;
+
 template <typename Container>
 void SortUnique(Container& ids)
 {
@@ -78,29 +85,41 @@ bool SteinerPoints::Collapse(Id point)
     [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
 }
 
-void SteinerPoints::Remove()
+void SteinerPoints::Remove(Id first, int mostPasses)
 {
   // What failed once is tried again only when something around has changed.
-  std::vector<std::int64_t> triedAt(static_cast<std::size_t>(this->Mesh.Vertices.Size()), -1);
-  bool changed = true;
-  while (changed)
+  std::vector<std::int64_t> triedAt(
+    static_cast<std::size_t>(this->Mesh.Vertices.Size() - first), -1);
+  std::size_t tried = 0;
+  std::size_t removed = 1;
+  for (int pass = 0; pass < mostPasses && removed > tried / LeastYield; ++pass)
   {
-    changed = false;
-    for (Id point = this->Mesh.Vertices.Size() - 1; point > this->Mesh.Infinite(); --point)
+    tried = 0;
+    removed = 0;
+    for (Id point = this->Mesh.Vertices.Size() - 1; point >= first; --point)
     {
       this->Progress.Check("removing points", 0);
-      if (this->Mesh.HasVertex(point) && this->Mesh.LastChangeAround(point) > triedAt[point])
+      if (this->Mesh.HasVertex(point) &&
+        this->Mesh.LastChangeAround(point) > triedAt[point - first])
       {
-        changed = this->RemoveOne(point) || changed;
-        triedAt[point] = this->Mesh.NumberOfChanges();
+        ++tried;
+        removed += this->RemoveOne(point) ? 1 : 0;
+        triedAt[point - first] = this->Mesh.NumberOfChanges();
       }
     }
   }
 }
 
-void SteinerPoints::MoveIntoVolume()
+void SteinerPoints::Tidy(Id first)
 {
-  for (Id point = this->Mesh.Vertices.Size() - 1; point > this->Mesh.Infinite(); --point)
+  this->Remove(first, PassesBeforeMoving);
+  this->MoveIntoVolume(first);
+  this->Remove(first, MostPasses);
+}
+
+void SteinerPoints::MoveIntoVolume(Id first)
+{
+  for (Id point = this->Mesh.Vertices.Size() - 1; point >= first; --point)
   {
     this->Progress.Check("moving points", 0);
     if (this->Mesh.HasVertex(point))

@@ -22,11 +22,14 @@ public:
   {
   }
 
-  /** Take Steiner points away that the mesh can do without. */
-  void Remove();
+  /** Take Steiner points away that the mesh can do without, of those from `first` on. */
+  void Remove(Id first, int mostPasses);
 
-  /** Replace Steiner points on facets by points beside them. */
-  void MoveIntoVolume();
+  /** Replace Steiner points on facets, of those from `first` on, by points beside them. */
+  void MoveIntoVolume(Id first);
+
+  /** Remove what can be; move what is left into the volume, from where more can be removed. */
+  void Tidy(Id first);
 
 private:
   bool RemoveOne(Id point);

@@ -103,17 +103,18 @@ void RunTetgenDirectly(const FacetComplex& surface)
   tetrahedralize(&behavior, &input, &output);
 }
 
-/** @return the rung that answered */
-int RunStage(const FacetComplex& surface)
+/** With TetGen. @return whether the first rung answered */
+bool RunStage(const FacetComplex& surface)
 {
   Monitor monitor;
-  return ConstrainedDelaunay(surface, {}, monitor).Rung;
+  return ConstrainedDelaunay(surface, { 0, 0, TetrahedralizationEngine::TetGen }, monitor)
+    .Failures.empty();
 }
 
 /** TetGen harms this process, too, where it cannot do what it is asked. */
 bool TetgenManages(const std::string& name, const FacetComplex& surface)
 {
-  const bool manages = RunStage(surface) == 1;
+  const bool manages = RunStage(surface);
   if (!manages)
   {
     std::printf("cdt/%s: TetGen fails with the switches of the first rung\n", name.c_str());

@@ -7,6 +7,7 @@
 #include "Statistics.h"
 #include "SurfaceFamilies.h"
 #include "TestMeshes.h"
+#include "TetrahedralizationFamilies.h"
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
@@ -118,10 +119,13 @@ int main(int argc, char** argv)
   for (; isTime(); ++seed)
   {
     const std::string name = std::to_string(seed);
-    const int triangles = 10 << seed % 5;
-    TetrahedralizeOne("random-" + name, testmeshes::RandomSoup(seed, triangles), tally);
-    TetrahedralizeOne(
-      "grid-" + name, testmeshes::GridSoup(seed, triangles, 2 + static_cast<int>(seed % 7)), tally);
+    for (const testmeshes::SurfaceFamily& family : testmeshes::TetrahedralizationFamilies(seed))
+    {
+      for (std::size_t i = 0; i < family.Members.size() && isTime(); ++i)
+      {
+        TetrahedralizeOne(family.Name + "-" + name, family.Members[i], tally);
+      }
+    }
   }
   std::printf("%d surfaces, %ld facets, %ld lost on %d surfaces, %ld Steiner points on %ld points, "
               "%d went wrong\n",

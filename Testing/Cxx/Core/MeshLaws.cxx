@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
@@ -205,41 +206,150 @@ void ExpectSides(const FacetComplex& surface, const TetrahedralMesh& mesh, Id fa
   }
 }
 
-/** Sums (corner - origin) x (corner - origin) of a triangle: twice its area vector. */
-std::array<double, 3> AreaVector(const TetrahedralMesh& mesh, const Triangle& t)
+/** How far points that lie on a facet or its edges may be beside it, of the largest coordinate. */
+constexpr double RoundingTolerance = 1e-12;
+
+double LargestCoordinate(const std::vector<Point>& points)
 {
-  const Kernel::Vector_3 n =
-    CGAL::cross_product(At(mesh, t[1]) - At(mesh, t[0]), At(mesh, t[2]) - At(mesh, t[0]));
-  return { { n.x(), n.y(), n.z() } };
+  double largest = 0;
+  for (const Point& point : points)
+  {
+    for (const double x : point)
+    {
+      largest = std::max(largest, std::abs(x));
+    }
+  }
+  return largest;
 }
 
-void ExpectUnion(const FacetComplex& surface, const TetrahedralMesh& mesh, Id facet,
-  const std::vector<PlacedFace>& faces)
+/** The pieces of a facet, each once, turned as the facet is. */
+std::vector<Triangle> PiecesOf(const TetrahedralMesh& mesh, const std::vector<PlacedFace>& faces)
 {
-  std::set<Triangle> pieces;
-  std::array<double, 3> sum = { { 0, 0, 0 } };
+  std::vector<Triangle> pieces;
+  std::set<Triangle> known;
   for (const PlacedFace& face : faces)
   {
-    const Triangle piece = FaceOf(mesh, face.Cell, face.Face);
-    if (pieces.insert(Sorted(piece)).second)
+    Triangle piece = FaceOf(mesh, face.Cell, face.Face);
+    if (known.insert(Sorted(piece)).second)
     {
-      const std::array<double, 3> area = AreaVector(mesh, piece);
-      for (int k = 0; k < 3; ++k)
+      if (mesh.FacetSides[face.Cell][face.Face] < 0)
       {
-        sum[k] += mesh.FacetSides[face.Cell][face.Face] * area[k];
+        std::swap(piece[0], piece[1]);
+      }
+      pieces.push_back(piece);
+    }
+  }
+  return pieces;
+}
+
+/** What is left of the pieces' edges when those that two have in opposite directions go. */
+std::map<Id, Id> BoundaryOf(const std::vector<Triangle>& pieces)
+{
+  std::set<Edge> edges;
+  for (const Triangle& piece : pieces)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Edge edge(piece[k], piece[(k + 1) % 3]);
+      if (edges.erase({ edge.second, edge.first }) == 0)
+      {
+        EXPECT_TRUE(edges.insert(edge).second) << "two pieces overlap or are turned differently";
       }
     }
   }
+  std::map<Id, Id> next;
+  for (const Edge& edge : edges)
+  {
+    EXPECT_TRUE(next.insert(edge).second) << "the boundary passes a point twice";
+  }
+  return next;
+}
+
+using Vector = std::array<Number, 3>;
+
+Vector Difference(const Point& a, const Point& b)
+{
+  return { { Number(a[0]) - Number(b[0]), Number(a[1]) - Number(b[1]),
+    Number(a[2]) - Number(b[2]) } };
+}
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+Number SquaredLength(const Vector& a)
+{
+  return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+/** Whether a point is at most so far from the line through two others, without error. */
+bool IsNearLine(const TetrahedralMesh& mesh, Id a, Id b, Id p, double distance)
+{
+  const Vector along = Difference(mesh.Points[b], mesh.Points[a]);
+  const Vector to = Difference(mesh.Points[p], mesh.Points[a]);
+  return SquaredLength(Cross(along, to)) <=
+    Number(distance) * Number(distance) * SquaredLength(along);
+}
+
+/** Whether a point is at most so far from the plane of a facet, without error. */
+bool IsNearPlane(const TetrahedralMesh& mesh, const Triangle& facet, Id p, double distance)
+{
+  const std::vector<Point>& points = mesh.Points;
+  const Number volume =
+    Determinant(points[facet[0]], points[facet[1]], points[facet[2]], points[p]);
+  const Vector normal = Cross(
+    Difference(points[facet[1]], points[facet[0]]), Difference(points[facet[2]], points[facet[0]]));
+  return volume * volume <= Number(distance) * Number(distance) * SquaredLength(normal);
+}
+
+/**
+ * The pieces are one disk, by counting: their boundary is one closed line that passes the facet's
+ * corners in order, and between them Steiner points, which are beside the facet by rounding errors.
+ */
+void ExpectUnion(const FacetComplex& surface, const TetrahedralMesh& mesh, Id facet,
+  const std::vector<PlacedFace>& faces)
+{
+  const Triangle& corners = surface.Facets[facet];
+  const std::vector<Triangle> pieces = PiecesOf(mesh, faces);
   if (pieces.size() == 1)
   {
-    EXPECT_EQ(*pieces.begin(), Sorted(surface.Facets[facet]));
+    EXPECT_EQ(Sorted(pieces[0]), Sorted(corners));
     return;
   }
-  const std::array<double, 3> whole = AreaVector(mesh, surface.Facets[facet]);
+  const std::map<Id, Id> next = BoundaryOf(pieces);
+  const double tolerance = RoundingTolerance * LargestCoordinate(surface.Points);
+  std::size_t numberOfEdges = 0;
   for (int k = 0; k < 3; ++k)
   {
-    EXPECT_NEAR(sum[k], whole[k], 1e-12 * (1 + std::abs(whole[k])));
+    Id p = corners[k];
+    while (p != corners[(k + 1) % 3] && numberOfEdges < next.size())
+    {
+      ASSERT_TRUE(next.count(p) > 0) << "facet " << facet << " is open";
+      p = next.at(p);
+      ++numberOfEdges;
+      if (p != corners[(k + 1) % 3])
+      {
+        ASSERT_GE(p, static_cast<Id>(surface.Points.size())) << "facet " << facet;
+        EXPECT_TRUE(IsNearLine(mesh, corners[k], corners[(k + 1) % 3], p, tolerance))
+          << "facet " << facet;
+      }
+    }
+    ASSERT_EQ(p, corners[(k + 1) % 3]) << "facet " << facet;
   }
+  EXPECT_EQ(numberOfEdges, next.size()) << "facet " << facet << " has a hole";
+
+  std::set<Id> points;
+  for (const Triangle& piece : pieces)
+  {
+    points.insert(piece.begin(), piece.end());
+  }
+  for (const Id p : points)
+  {
+    EXPECT_TRUE(IsNearPlane(mesh, corners, p, tolerance)) << "facet " << facet;
+  }
+  // Euler's formula for a disk of F triangles with B boundary edges: V = (F + B) / 2 + 1.
+  EXPECT_EQ(2 * points.size(), pieces.size() + next.size() + 2) << "facet " << facet;
 }
 
 void ExpectFacets(const FacetComplex& surface, const TetrahedralMesh& mesh)

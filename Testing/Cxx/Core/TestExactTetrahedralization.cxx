@@ -6,11 +6,12 @@
 #include "MeshLaws.h"
 #include "ResolveSelfIntersections.h"
 #include "TestMeshes.h"
+#include "TetrahedralizationFamilies.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <thread>
 
 using namespace insideout;
 
@@ -52,139 +53,6 @@ FacetComplex Resolved(const TriangleSoup& soup)
   Monitor monitor;
   return ResolveSelfIntersections(CountFacets(soup, {}, monitor).Surface, monitor).Surface;
 }
-
-/** A prism whose top is turned against its bottom, with the sides bent inward. */
-TriangleSoup TwistedPrism(int sides, double turn)
-{
-  TriangleSoup soup;
-  const Id n = sides;
-  for (Id k = 0; k < 2 * n; ++k)
-  {
-    const double angle = 2 * M_PI * (k % n) / n + (k < n ? 0 : turn);
-    soup.Points.push_back({ { std::cos(angle), std::sin(angle), k < n ? 0.0 : 1.0 } });
-  }
-  for (Id k = 0; k < n; ++k)
-  {
-    const Id next = (k + 1) % n;
-    soup.Triangles.push_back({ { k, next, k + n } });
-    soup.Triangles.push_back({ { next, next + n, k + n } });
-    if (k > 0 && k + 1 < n)
-    {
-      soup.Triangles.push_back({ { 0, next, k } });
-      soup.Triangles.push_back({ { n, k + n, next + n } });
-    }
-  }
-  return soup;
-}
-
-/**
- * Chazelle's polyhedron: a box into which notches are cut from below and from above, down to a
- * hyperbolic paraboloid from its two sides. Only the notches' ridges and their sides are here.
- */
-TriangleSoup Chazelle(int notches)
-{
-  TriangleSoup soup;
-  const double gap = 1.0 / 64;
-  for (int k = 0; k < 2 * notches; ++k)
-  {
-    const bool below = k < notches;
-    const double at = k % notches + 0.5;
-    const double end = notches;
-    const double surface = (below ? -gap : gap);
-    const double far = below ? -1.0 - end * end : 1.0 + end * end;
-    const Id first = static_cast<Id>(soup.Points.size());
-    // The ridge lies on z = x y: along x below, along y above.
-    for (const double along : { 0.0, end })
-    {
-      const double z = at * along + surface;
-      const auto place = [&](double aside, double height) -> Point {
-        return below ? Point{ { along, at + aside, height } }
-                     : Point{ { at + aside, along, height } };
-      };
-      soup.Points.push_back(place(0, z));
-      soup.Points.push_back(place(-0.25, far));
-      soup.Points.push_back(place(0.25, far));
-    }
-    for (const Id side : { 1, 2 })
-    {
-      soup.Triangles.push_back({ { first, first + 3, first + 3 + side } });
-      soup.Triangles.push_back({ { first, first + 3 + side, first + side } });
-    }
-  }
-  return soup;
-}
-
-/** Sheets one above the other, one unit in the last place apart, each triangulated another way. */
-TriangleSoup NearSheets(unsigned seed, int sheets, int size)
-{
-  std::mt19937 random(seed);
-  TriangleSoup soup;
-  double z = 1;
-  for (int sheet = 0; sheet < sheets; ++sheet)
-  {
-    const Id first = static_cast<Id>(soup.Points.size());
-    for (int k = 0; k < (size + 1) * (size + 1); ++k)
-    {
-      soup.Points.push_back(
-        { { static_cast<double>(k % (size + 1)), static_cast<double>(k / (size + 1)), z } });
-    }
-    for (int k = 0; k < size * size; ++k)
-    {
-      const Id a = first + k % size + (size + 1) * (k / size);
-      const Id b = a + 1;
-      const Id c = a + size + 1;
-      const Id d = c + 1;
-      if (random() % 2 == 0)
-      {
-        soup.Triangles.insert(soup.Triangles.end(), { { { a, b, d } }, { { a, d, c } } });
-      }
-      else
-      {
-        soup.Triangles.insert(soup.Triangles.end(), { { { a, b, c } }, { { b, d, c } } });
-      }
-    }
-    z = std::nextafter(z, 2);
-  }
-  soup.Points.push_back({ { 0.5, 0.5, 2 } });
-  return soup;
-}
-
-/** A sphere's points in rings on which many lie on one circle, joined to facets at random. */
-TriangleSoup RingedSphere(unsigned seed, int rings)
-{
-  std::mt19937 random(seed);
-  TriangleSoup soup;
-  const int around = 12;
-  for (int r = 0; r < rings; ++r)
-  {
-    const double height = -0.9 + 1.8 * r / (rings - 1);
-    for (int k = 0; k < around; ++k)
-    {
-      const double angle = 2 * M_PI * k / around;
-      const double radius = std::sqrt(1 - height * height);
-      soup.Points.push_back({ { radius * std::cos(angle), radius * std::sin(angle), height } });
-    }
-  }
-  for (int r = 0; r + 1 < rings; ++r)
-  {
-    for (int k = 0; k < around; ++k)
-    {
-      const Id a = r * around + k;
-      const Id b = r * around + (k + 1) % around;
-      const Id c = a + around;
-      const Id d = b + around;
-      if (random() % 2 == 0)
-      {
-        soup.Triangles.insert(soup.Triangles.end(), { { { a, b, d } }, { { a, d, c } } });
-      }
-      else
-      {
-        soup.Triangles.insert(soup.Triangles.end(), { { { a, b, c } }, { { b, d, c } } });
-      }
-    }
-  }
-  return soup;
-}
 } // namespace
 
 TEST(ExactTetrahedralization, FillsABox)
@@ -216,9 +84,9 @@ TEST(ExactTetrahedralization, FillsSchoenhardtsPolyhedron)
 {
   for (const double turn : { 0.1, M_PI / 6, 1.0, -0.1, -M_PI / 6 })
   {
-    CompleteMesh(Resolved(TwistedPrism(3, turn)));
+    CompleteMesh(Resolved(testmeshes::TwistedPrism(3, turn)));
   }
-  const TetrahedralMesh mesh = CompleteMesh(TwistedPrism(3, -M_PI / 6));
+  const TetrahedralMesh mesh = CompleteMesh(testmeshes::TwistedPrism(3, -M_PI / 6));
   EXPECT_GE(mesh.NumberOfSteinerPoints, 1);
   EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, 0);
 }
@@ -227,29 +95,29 @@ TEST(ExactTetrahedralization, FillsTwistedPrisms)
 {
   for (int sides = 4; sides < 24; sides += 3)
   {
-    CompleteMesh(Resolved(TwistedPrism(sides, M_PI / sides)));
+    CompleteMesh(Resolved(testmeshes::TwistedPrism(sides, M_PI / sides)));
   }
 }
 
 TEST(ExactTetrahedralization, FillsChazellesPolyhedron)
 {
-  CompleteMesh(Resolved(Chazelle(2)));
-  CompleteMesh(Resolved(Chazelle(5)));
+  CompleteMesh(Resolved(testmeshes::Chazelle(2)));
+  CompleteMesh(Resolved(testmeshes::Chazelle(5)));
 }
 
 TEST(ExactTetrahedralization, FillsCosphericalPoints)
 {
   for (unsigned seed = 0; seed < 10; ++seed)
   {
-    CompleteMesh(Resolved(RingedSphere(seed, 6)));
+    CompleteMesh(Resolved(testmeshes::RingedSphere(seed, 6)));
   }
 }
 
-TEST(ExactTetrahedralization, KeepsTheLawsOnNearlyCoincidentSheets)
+TEST(ExactTetrahedralization, FillsNearlyCoincidentSheets)
 {
   for (unsigned seed = 0; seed < 10; ++seed)
   {
-    LawfulMesh(testmeshes::ToComplex(NearSheets(seed, 3, 3)));
+    CompleteMesh(testmeshes::NearSheets(seed, 3, 3));
   }
 }
 
@@ -299,6 +167,36 @@ TEST(ExactTetrahedralization, GivesTheSameEachTime)
   EXPECT_EQ(first.Points, second.Points);
   EXPECT_EQ(first.Cells, second.Cells);
   EXPECT_EQ(first.Faces, second.Faces);
+}
+
+TEST(ExactTetrahedralization, GivesTheSameInThreadsSideBySide)
+{
+  const std::array<FacetComplex, 2> surfaces = { { Resolved(testmeshes::RandomSoup(4, 20)),
+    Resolved(testmeshes::GridSoup(5, 30, 5)) } };
+  std::array<ExactTetrahedralization, 4> found;
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    threads.emplace_back(
+      [&, k]
+      {
+        Monitor monitor;
+        found[k] = TetrahedralizeExactly(surfaces[k % 2].Points, surfaces[k % 2].Facets, monitor);
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    Monitor monitor;
+    const ExactTetrahedralization alone =
+      TetrahedralizeExactly(surfaces[k % 2].Points, surfaces[k % 2].Facets, monitor);
+    EXPECT_EQ(found[k].Points, alone.Points);
+    EXPECT_EQ(found[k].Cells, alone.Cells);
+    EXPECT_EQ(found[k].Faces, alone.Faces);
+  }
 }
 
 TEST(ExactTetrahedralization, StopsWhenAsked)
