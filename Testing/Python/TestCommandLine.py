@@ -106,7 +106,7 @@ class Success(CommandLine):
                     found["parameters"],
                     {"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
                 )
-                self.assertEqual(found["tetrahedralizer"], "TetGen, points kept off facets")
+                self.assertEqual(found["tetrahedralizer"], "exact flips and cuts")
 
     def test_engine(self):
         source = self.file("box.ply", surfaces.box())
