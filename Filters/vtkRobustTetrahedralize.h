@@ -247,8 +247,8 @@ public:
 
   ///@{
   /**
-   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries TetGen, and exact flips and cuts where
-   * TetGen fails unless it may put points on facets; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only
+   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips and cuts, and
+   * TetGen where these lose facets or take too long; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only
    * the one. Where neither keeps every facet the mesh that loses fewest is taken. Default
    * ENGINE_AUTOMATIC.
    */

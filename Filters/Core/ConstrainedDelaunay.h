@@ -46,12 +46,13 @@ const char* RungName(int rung);
 
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
- * faces (thesis, chapter 8). TetrahedralizeExactly has the first turn, for on 93 real surfaces it
- * kept all facets of 92, in half of TetGen's time at the median, with as few Steiner points (none
- * at the median of both); TetGen lost facets of 7, and failed on one of these altogether. TetGen
- * works in a program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs.
- * What comes back is checked before it is believed (AssembleMesh.h): points in place, exact
- * positive volumes, every face shared by at most two cells, the hull convex, facets present.
+ * faces (thesis, chapter 8). TetrahedralizeExactly has the first turn: of 115 real surfaces it kept
+ * all facets of 114 (the last, of 600,000 facets, took longer than was waited for), with no Steiner
+ * point at the median and below 2.3 % of the points on nine in ten. On 99 of these it took 0.42
+ * times as long as TetGen at the median, whose first way failed on 6. TetGen works in a program of
+ * its own (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes back is
+ * checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
+ * face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.

@@ -382,7 +382,7 @@ class BadInput(unittest.TestCase):
 INTERRUPTED = """
 import insideout, os, surfaces
 try:
-    insideout.tetrahedralize(surfaces.box(), progress=lambda stage, _: print(stage, flush=True))
+    insideout.tetrahedralize(surfaces.box(), engine="tetgen", progress=lambda stage, _: print(stage, flush=True))
 except KeyboardInterrupt:
     print("interrupted", flush=True)
 os.environ["INSIDEOUT_TETGEN"] = "/bin/false"
@@ -426,7 +426,7 @@ class TetGenInTrouble(unittest.TestCase):
                     raise ArithmeticError("mine")
 
         with self.assertRaisesRegex(ArithmeticError, "mine"):
-            insideout.tetrahedralize(surfaces.box(), progress=progress)
+            insideout.tetrahedralize(surfaces.box(), progress=progress, engine="tetgen")
         self.assertLess(time.monotonic() - raised[1], 1)
         self.check_that_helper_has_ended()
 
@@ -434,6 +434,7 @@ class TetGenInTrouble(unittest.TestCase):
         self.stand_in("exec sleep 100")
         tetrahedralizer = insideout.vtkRobustTetrahedralize()
         tetrahedralizer.SetInputData(surfaces.box())
+        tetrahedralizer.SetEngineToTetGen()
         began = time.monotonic()
         times = []
 
@@ -524,9 +525,9 @@ class TetGenInTrouble(unittest.TestCase):
     def test_a_budget_ends_what_hangs(self):
         self.stand_in("exec sleep 100")
         began = time.monotonic()
-        result = insideout.tetrahedralize(surfaces.box(), time_budget=1)
+        result = insideout.tetrahedralize(surfaces.box(), time_budget=1, engine="tetgen")
         self.assertLess(time.monotonic() - began, 2)
-        self.assertTrue(any("took more than the 0.1429 s" in warning for warning in result.warnings))
+        self.assertTrue(any("took more than the 0.1667 s" in warning for warning in result.warnings))
         self.assertAlmostEqual(surfaces.enclosed_volume(result.boundary), 1, delta=1e-12)
         self.check_that_helper_has_ended()
 

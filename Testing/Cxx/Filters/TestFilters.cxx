@@ -314,6 +314,7 @@ TEST(vtkRobustTetrahedralize, IsStoppedWithinASecondWhileTetGenHangs)
   setenv("INSIDEOUT_TETGEN", helper.c_str(), 1);
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputData(TwoBoxes());
+  filter->SetEngineToTetGen();
   filter->AddObserver(vtkCommand::ProgressEvent, observer);
   filter->Update();
   EXPECT_GT(patience.Stopped, patience.End);
