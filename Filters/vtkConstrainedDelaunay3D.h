@@ -5,15 +5,16 @@
  *
  * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills
  * its convex hull with tetrahedra so that every facet is a union of their faces and every vertex
- * one of their points. Steiner points are added only where there is no other way. TetGen does
- * the work in a program of its own, insideout-tetgen, so that nothing it does can take the host
- * down; the environment variable INSIDEOUT_TETGEN names another place for that program. Where it
- * fails, or as Engine says, exact flips and cuts do the work in this process.
+ * one of their points. Steiner points are added only where there is no other way. Flips decided by
+ * exact predicates do the work in this process. Where they leave much to be cut, or as Engine says,
+ * TetGen does it in a program of its own, insideout-tetgen, so that nothing it does can take the
+ * host down; the environment variable INSIDEOUT_TETGEN names another place for that program.
  *
  * What comes back is checked with exact predicates. Where TetGen crashes, uses up its budget or
- * gives a mesh that fails the check, other ways are tried, and in the end the points alone are
- * tetrahedralized: then some facets are lost, that is no union of faces. Warnings say which way
- * gave the mesh and why the others did not; GetRungName(Statistics_Rung) names the way.
+ * gives a mesh that fails the check, other ways are tried, exact cuts first, and in the end the
+ * points alone are tetrahedralized: then some facets are lost, that is no union of faces. Warnings
+ * say which way gave the mesh and why the others did not; GetRungName(Statistics_Rung) names the
+ * way.
  *
  * Output: positively oriented vtkTetra with two cell arrays of four components, one for each
  * face in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none;
@@ -80,17 +81,17 @@ public:
   /** What makes the tetrahedra. */
   enum EngineType
   {
-    ENGINE_AUTOMATIC = 0, ///< TetGen; where it would put points on facets or fails, exact flips
+    ENGINE_AUTOMATIC = 0, ///< exact flips, and TetGen where these leave much to be cut
     ENGINE_EXACT = 1,     ///< flips and cuts with exact predicates, in this process
     ENGINE_TETGEN = 2     ///< TetGen alone
   };
 
   ///@{
   /**
-   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips and cuts, and
-   * TetGen where these lose facets or take too long; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only
-   * the one. Where neither keeps every facet the mesh that loses fewest is taken. Default
-   * ENGINE_AUTOMATIC.
+   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips, TetGen
+   * where these leave much to be cut, and exact cuts where TetGen fails; ENGINE_EXACT (1) and
+   * ENGINE_TETGEN (2) only the one. Where neither keeps every facet the mesh that loses fewest is
+   * taken. Default ENGINE_AUTOMATIC.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
   vtkGetMacro(Engine, int);
@@ -103,7 +104,7 @@ public:
   /**
    * Seconds that tetrahedralizing may take, an equal part of it in each of the ways that are tried
    * in turn. Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet, or five
-   * times that for exact flips. Range 0 to infinity.
+   * times that for exact cuts. Range 0 to infinity.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);

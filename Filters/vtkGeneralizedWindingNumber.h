@@ -93,17 +93,17 @@ public:
   /** What makes the tetrahedra. */
   enum EngineType
   {
-    ENGINE_AUTOMATIC = 0, ///< TetGen; where it would put points on facets or fails, exact flips
+    ENGINE_AUTOMATIC = 0, ///< exact flips, and TetGen where these leave much to be cut
     ENGINE_EXACT = 1,     ///< flips and cuts with exact predicates, in this process
     ENGINE_TETGEN = 2     ///< TetGen alone
   };
 
   ///@{
   /**
-   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips and cuts, and
-   * TetGen where these lose facets or take too long; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only
-   * the one. Where neither keeps every facet the mesh that loses fewest is taken. Default
-   * ENGINE_AUTOMATIC.
+   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips, TetGen
+   * where these leave much to be cut, and exact cuts where TetGen fails; ENGINE_EXACT (1) and
+   * ENGINE_TETGEN (2) only the one. Where neither keeps every facet the mesh that loses fewest is
+   * taken. Default ENGINE_AUTOMATIC.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
   vtkGetMacro(Engine, int);
@@ -116,7 +116,7 @@ public:
   /**
    * Seconds that tetrahedralizing may take, an equal part of it in each of the ways that are tried
    * in turn. Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet, or five
-   * times that for exact flips. Range 0 to infinity.
+   * times that for exact cuts. Range 0 to infinity.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -204,20 +205,34 @@ private:
   const double ProcessorStart;
 };
 
+TetrahedralMesh TetrahedralizeWithin(
+  const TetgenBudget& budget, const Attempt& attempt, std::size_t mostCuts)
+{
+  DeadlineMonitor deadline(budget, attempt.Caller);
+  const FacetComplex& surface = attempt.Surface;
+  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
+    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline,
+    mostCuts);
+  return AssembleMesh(surface,
+    { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
+      std::move(exact.FacetOfFaces) },
+    attempt.Caller);
+}
+
+TetrahedralMesh FlipExactly(const Attempt& attempt)
+{
+  /** Of real surfaces most leave none to be cut, some up to twenty, and the others hundreds. */
+  constexpr std::size_t FewCuts = 200;
+  return TetrahedralizeWithin(attempt.Budget, attempt, FewCuts);
+}
+
 TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
 {
   /** Nearly all surfaces need much less, and those for which the other rungs are worse need it. */
   constexpr double Patience = 5;
   TetgenBudget budget = attempt.Budget;
   budget.ProcessorSeconds *= Patience;
-  DeadlineMonitor deadline(budget, attempt.Caller);
-  const FacetComplex& surface = attempt.Surface;
-  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
-    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline);
-  return AssembleMesh(surface,
-    { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
-      std::move(exact.FacetOfFaces) },
-    attempt.Caller);
+  return TetrahedralizeWithin(budget, attempt, std::numeric_limits<std::size_t>::max());
 }
 
 TetrahedralMesh IgnoreFacets(const Attempt& attempt)
@@ -227,42 +242,46 @@ TetrahedralMesh IgnoreFacets(const Attempt& attempt)
     attempt.Caller);
 }
 
+using Engine = TetrahedralizationEngine;
+
 struct Rung
 {
   const char* Name;
   TetrahedralMesh (*Try)(const Attempt&);
-  TetrahedralizationEngine Engine; ///< Automatic for a rung that every engine ends with
+  std::vector<Engine> Engines; ///< that have it
 };
 
 /**
- * Exact flips and cuts come first by what was measured (ConstrainedDelaunay.h). TetGen most often
- * crashes where it takes Steiner points out of facets again, which only its first two rungs try:
- * else some tens of them are left. Where else it crashes depends on the tetrahedra that it begins
- * with, so that another way to these helps. With points wherever it likes there are ten times as
- * many as the facets have corners.
+ * Exact flips come first by what was measured (ConstrainedDelaunay.h). Where they leave much to be
+ * cut TetGen is quicker, as long as it does not crash, which it does most often where it takes
+ * Steiner points out of facets again. Only its first two rungs try that: else some tens of them are
+ * left. Where else it crashes depends on the tetrahedra that it begins with, so that another way to
+ * these helps. With points wherever it likes there are ten times as many as the facets have
+ * corners.
  */
 const Rung Ladder[] = {
-  { "exact flips and cuts", FlipAndCutExactly, TetrahedralizationEngine::Exact },
-  { "TetGen, points kept off facets", KeepPointsOffFacets, TetrahedralizationEngine::TetGen },
+  { "exact flips, few cuts", FlipExactly, { Engine::Automatic } },
+  { "TetGen, points kept off facets", KeepPointsOffFacets, { Engine::Automatic, Engine::TetGen } },
   { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
-    TetrahedralizationEngine::TetGen },
-  { "TetGen, points left on facets", LeavePointsOnFacets, TetrahedralizationEngine::TetGen },
+    { Engine::Automatic, Engine::TetGen } },
+  { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },
+  { "TetGen, points left on facets", LeavePointsOnFacets, { Engine::Automatic, Engine::TetGen } },
   { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
-    TetrahedralizationEngine::TetGen },
-  { "TetGen, points put on facets", PutPointsOnFacets, TetrahedralizationEngine::TetGen },
-  { "Delaunay tetrahedra of the points alone", IgnoreFacets, TetrahedralizationEngine::Automatic },
+    { Engine::Automatic, Engine::TetGen } },
+  { "TetGen, points put on facets", PutPointsOnFacets, { Engine::Automatic, Engine::TetGen } },
+  { "Delaunay tetrahedra of the points alone", IgnoreFacets,
+    { Engine::Automatic, Engine::Exact, Engine::TetGen } },
 };
 constexpr int NumberOfRungs = sizeof(Ladder) / sizeof(Ladder[0]);
 
 /** The rungs that an engine has, counted from 1. */
-std::vector<int> RungsOf(TetrahedralizationEngine engine)
+std::vector<int> RungsOf(Engine engine)
 {
   std::vector<int> rungs;
   for (int rung = 1; rung <= NumberOfRungs; ++rung)
   {
-    const TetrahedralizationEngine its = Ladder[rung - 1].Engine;
-    if (engine == TetrahedralizationEngine::Automatic || its == engine ||
-      its == TetrahedralizationEngine::Automatic)
+    const std::vector<Engine>& engines = Ladder[rung - 1].Engines;
+    if (std::find(engines.begin(), engines.end(), engine) != engines.end())
     {
       rungs.push_back(rung);
     }

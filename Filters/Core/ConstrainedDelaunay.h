@@ -11,7 +11,7 @@ namespace insideout
 /** What makes the tetrahedra. */
 enum class TetrahedralizationEngine
 {
-  Automatic, ///< Exact; where it loses facets or takes too long, TetGen; then whatever loses least
+  Automatic, ///< exact flips; where they leave much to be cut TetGen; then whatever loses least
   Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
   TetGen     ///< TetGen alone
 };
@@ -21,13 +21,13 @@ struct ConstrainedDelaunayParameters
 {
   /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
    * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
-   * however busy the machine is; and ten times as much by the clock. The exact rung has five times
-   * as much as one of TetGen's. */
+   * however busy the machine is; and ten times as much by the clock. Exact flips and cuts
+   * have five times as much as each of the others. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
    * but at most three quarters of the machine's memory. TetGen's process is watched for it, the
-   * exact rung is not. */
+   * exact rungs are not. */
   double MemoryBudget = 0;
 
   TetrahedralizationEngine Engine = TetrahedralizationEngine::Automatic;
@@ -46,13 +46,15 @@ const char* RungName(int rung);
 
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
- * faces (thesis, chapter 8). TetrahedralizeExactly has the first turn: of 115 real surfaces it kept
- * all facets of 114 (the last, of 600,000 facets, took longer than was waited for), with no Steiner
- * point at the median and below 2.3 % of the points on nine in ten. On 99 of these it took 0.42
- * times as long as TetGen at the median, whose first way failed on 6. TetGen works in a program of
- * its own (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes back is
- * checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
- * face shared by at most two cells, the hull convex, facets present.
+ * faces (thesis, chapter 8). TetrahedralizeExactly alone kept all facets of 114 of 115 real
+ * surfaces (the last, of 600,000 facets, took longer than was waited for), with no Steiner point at
+ * the median and below 2.3 % of the points on nine in ten. On 99 of these it took 0.42 times as
+ * long as TetGen at the median, whose first way failed on 6. It is the slower one, up to eight
+ * times, where flips leave hundreds of edges to be cut: it leaves these to TetGen, and has another
+ * turn, with all cuts that it takes, where TetGen fails. TetGen works in a program of its own
+ * (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes back is checked
+ * before it is believed (AssembleMesh.h): points in place, exact positive volumes, every face
+ * shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.

@@ -33,11 +33,13 @@ constexpr int MostRings = 5;
 class Attempt
 {
 public:
-  Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
+  Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+    std::size_t mostCuts, Monitor& monitor)
     : Points(points)
     , Mesh(points, this->Same, monitor)
     , Facets(this->Renamed(facets))
     , Segments(this->Facets)
+    , MostCuts(mostCuts)
     , Progress(monitor)
   {
   }
@@ -216,8 +218,14 @@ private:
     SegmentRecovery edges(this->Mesh, this->Segments, this->Progress);
     SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
     missing = facets.MarkWholeFacets(missing);
-    edges.RecoverBySplits(
-      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing))), from, steiner);
+    const std::vector<Id> toCut =
+      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)));
+    if (toCut.size() > this->MostCuts)
+    {
+      throw Error(ErrorCode::TetrahedralizerFailed,
+        "flips leave " + std::to_string(toCut.size()) + " edges of facets to be cut");
+    }
+    edges.RecoverBySplits(toCut, from, steiner);
     missing = facets.MarkWholeFacets(missing);
     facets.RecoverBySplits(facets.RecoverByFlips(missing), steiner);
     this->TidyUp();
@@ -429,6 +437,7 @@ private:
   FlippableMesh Mesh;
   std::vector<Triangle> Facets;
   SegmentTable Segments;
+  const std::size_t MostCuts;
   Monitor& Progress;
   std::set<Id> GivenUp;
 };
@@ -452,7 +461,8 @@ std::vector<Id> FacetsWithArea(
 /** One attempt, and more without the facets that it has to give up, of which there are fewer each
  * time. */
 ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, SegmentRecovery::From from, Monitor& monitor)
+  const std::vector<Triangle>& facets, SegmentRecovery::From from, std::size_t mostCuts,
+  Monitor& monitor)
 {
   std::vector<Id> names = FacetsWithArea(points, facets);
   for (;;)
@@ -462,7 +472,7 @@ ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& p
     {
       chosen.push_back(facets[name]);
     }
-    Attempt attempt(points, chosen, monitor);
+    Attempt attempt(points, chosen, mostCuts, monitor);
     if (attempt.Run(from))
     {
       return attempt.Result(names);
@@ -498,13 +508,14 @@ std::vector<Id> LostFacets(std::size_t numberOfFacets, const std::vector<Id>& fa
 }
 } // namespace
 
-ExactTetrahedralization TetrahedralizeExactly(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
+ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, Monitor& monitor, std::size_t mostCuts)
 {
   ExactTetrahedralization best;
   for (const auto from : { SegmentRecovery::From::LowerEnd, SegmentRecovery::From::HigherEnd })
   {
-    ExactTetrahedralization result = AttemptUntilPointsHavePlaces(points, facets, from, monitor);
+    ExactTetrahedralization result =
+      AttemptUntilPointsHavePlaces(points, facets, from, mostCuts, monitor);
     result.LostFacets = LostFacets(facets.size(), result.FacetOfFaces);
     if (best.Cells.empty() || result.LostFacets.size() < best.LostFacets.size())
     {

@@ -4,6 +4,8 @@
 #include "Monitor.h"
 #include "Types.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace insideout
@@ -45,8 +47,11 @@ struct ExactTetrahedralization
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
  *            lie within a facet or one of its edges. What breaks this is lost
- * @throws Error Planar, Inconsistent, Stopped
+ * @param[in] mostCuts where flips leave more edges of facets than these to be cut, give up: cuts
+ *            are what takes long
+ * @throws Error Planar, Inconsistent, Stopped; TetrahedralizerFailed when there are more cuts
  */
-ExactTetrahedralization TetrahedralizeExactly(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
+ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, Monitor& monitor,
+  std::size_t mostCuts = std::numeric_limits<std::size_t>::max());
 } // namespace insideout
