@@ -2,6 +2,7 @@
 #include "HullMesh.h"
 #include "ReadTriangles.h"
 #include "SurfaceWindingNumber.h"
+#include "TestMeshes.h"
 #include "WalkedWindingNumber.h"
 #include "WindingNumberInQuads.h"
 #include "WindingNumberOfCells.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <random>
 
 using namespace insideout;
@@ -211,8 +211,7 @@ bool JudgePoints(const std::string& name, const TriangleSoup& soup, int sample)
   for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
   {
     cells.push_back({ { p, p, p, p } });
-    // Quadruple precision does not know what lies in a plane, so it has the points in the box only.
-    if (p < sample)
+    if (p < sample || p >= RandomPoints)
     {
       which.push_back(p);
     }
@@ -226,14 +225,56 @@ bool JudgePoints(const std::string& name, const TriangleSoup& soup, int sample)
     Verdict(toQuads, toSum) ? "ok" : "VIOLATED");
   return Verdict(toQuads, toSum);
 }
+
+template <typename MakeSoup>
+bool Judge(const std::string& name, const MakeSoup& makeSoup, int sample)
+{
+  bool good = false;
+  try
+  {
+    const TriangleSoup soup = makeSoup();
+    const bool pointsAreGood = JudgePoints(name, soup, sample);
+    good = JudgeCells(name, soup, static_cast<std::size_t>(sample)) && pointsAreGood;
+  }
+  catch (const Error& error)
+  {
+    std::printf("%-28s %s\n", name.c_str(), error.what());
+  }
+  std::fflush(stdout);
+  return good;
+}
+
+bool JudgeFile(const std::string& path, int sample)
+{
+  return Judge(
+    path.substr(path.find_last_of('/') + 1), [&] { return ReadTriangles(path); }, sample);
+}
+
+/** In turn of triangles on a small grid, where everything degenerate happens, and anywhere. */
+bool JudgeSoups(int soups, int sample)
+{
+  bool good = true;
+  for (int i = 0; i < soups; ++i)
+  {
+    const unsigned seed = static_cast<unsigned>(i / 2 + 1);
+    const std::string number = std::to_string(seed);
+    good = (i % 2 == 0
+               ? Judge(
+                   "grid soup " + number, [&] { return GridSoup(seed, 100, 2 + seed % 7); }, sample)
+               : Judge(
+                   "random soup " + number, [&] { return RandomSoup(seed, 40); }, sample)) &&
+      good;
+  }
+  return good;
+}
 } // namespace
 
 /**
- * JudgeWindingNumber [--sample N] SURFACE...: compares w in the cells of each surface's hull mesh,
- * and at 100,000 points of its box and some on the surface itself, with brute force: everywhere
- * with the sum over all facets, and in quadruple precision on N slivers (all, if there are fewer),
- * N other cells and N points (1000). Exit status 1 where w is not right to 1e-12, or a surface
- * cannot be meshed.
+ * JudgeWindingNumber [--sample N] [--soups M] SURFACE...: compares w in the cells of each surface's
+ * hull mesh, and at 100,000 points of its box and some on the surface itself, with brute force:
+ * everywhere with the sum over all facets, and in quadruple precision and more on N slivers (all,
+ * if there are fewer), N other cells, N points of the box and those on the surface (1000); likewise
+ * M random soups. Exit status 1 where w is not right to 1e-12, or a surface cannot be meshed.
  */
 int main(int argc, char** argv)
 {
@@ -241,25 +282,19 @@ int main(int argc, char** argv)
   bool allGood = true;
   for (int i = 1; i < argc; ++i)
   {
-    if (std::strcmp(argv[i], "--sample") == 0 && i + 1 < argc)
+    const std::string argument = argv[i];
+    if (argument == "--sample" && i + 1 < argc)
     {
       sample = std::max(1, std::atoi(argv[++i]));
-      continue;
     }
-    const std::string path = argv[i];
-    const std::string name = path.substr(path.find_last_of('/') + 1);
-    try
+    else if (argument == "--soups" && i + 1 < argc)
     {
-      const TriangleSoup soup = ReadTriangles(path);
-      allGood = JudgePoints(name, soup, sample) && allGood;
-      allGood = JudgeCells(name, soup, static_cast<std::size_t>(sample)) && allGood;
+      allGood = JudgeSoups(std::atoi(argv[++i]), sample) && allGood;
     }
-    catch (const Error& error)
+    else
     {
-      std::printf("%-28s %s\n", name.c_str(), error.what());
-      allGood = false;
+      allGood = JudgeFile(argument, sample) && allGood;
     }
-    std::fflush(stdout);
   }
   return allGood ? 0 : 1;
 }
