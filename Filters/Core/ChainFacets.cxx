@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChainFacets.h"
 
+#include "SolidAngle.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,40 +10,25 @@ namespace insideout
 {
 namespace
 {
+constexpr double Pi = 3.14159265358979323846;
+
 constexpr std::size_t SmallSize = 1024; // not worth a second thread
 
-using LongVector = std::array<long double, 3>;
-
-LongVector Normalized(const LongVector& d)
+/** A place about 1 away from a site, opposite to another place. */
+Point Opposite(const RoundedSite& site, const Point& place)
 {
-  const long double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  return { d[0] / length, d[1] / length, d[2] / length };
-}
-
-/** From a site to a point, as a unit vector. */
-LongVector Direction(const RoundedSite& site, const Point& point)
-{
-  LongVector d;
+  std::array<long double, 3> d;
   for (int axis = 0; axis < 3; ++axis)
   {
-    d[axis] = (static_cast<long double>(point[axis]) - site.High[axis]) - site.Low[axis];
+    d[axis] = (static_cast<long double>(place[axis]) - site.High[axis]) - site.Low[axis];
   }
-  return Normalized(d);
-}
-
-long double Dot(const LongVector& a, const LongVector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** Solid angle of the spherical triangle between three directions, over 4 pi. */
-double TurnsBetween(const LongVector& a, const LongVector& b, const LongVector& c)
-{
-  const long double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-  const long double div = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
-  const long double pi = 3.14159265358979323846264338L;
-  return static_cast<double>(std::atan2(det, div) / (2 * pi));
+  const long double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  Point result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = static_cast<double>(site.High[axis] - d[axis] / length);
+  }
+  return result;
 }
 
 Box BoxAround(const std::array<Point, 3>& corners)
@@ -162,15 +149,12 @@ double ChainFacets::AngleOfTouched(
 {
   // A sum of doubles, always in the same order.
   std::sort(touched.begin(), touched.end());
-  LongVector back = Direction(site, towards);
-  for (long double& x : back)
-  {
-    x = -x;
-  }
+  const Point back = Opposite(site, towards);
   double sum = 0;
   for (const Id f : touched)
   {
     const Facet& facet = this->Facets[f];
+    const double sign = this->SideOf(f, towards) < 0 ? 1 : -1;
     int edges = 0;
     double turns = 0;
     for (int k = 0; k < 3; ++k)
@@ -180,13 +164,14 @@ double ChainFacets::AngleOfTouched(
       if (!IsOnLine(a, b, site.Exact))
       {
         ++edges;
-        turns += TurnsBetween(back, Direction(site, a), Direction(site, b));
+        const std::complex<double> z = HalfSolidAngle({ back, a, b }, site.Exact);
+        turns += sign * std::atan2(std::abs(z.imag()), z.real()) / (2 * Pi);
       }
     }
     if (edges == 3)
     {
       // Within the triangle: half a sphere, whatever rounding says.
-      turns = this->SideOf(f, towards) < 0 ? 0.5 : -0.5;
+      turns = sign / 2;
     }
     sum += facet.Count * turns;
   }

@@ -25,19 +25,20 @@ def read_table(path):
 
 def draw(folder, name, title, line):
     rows = read_table(folder / f"{name}.csv")
-    figure, axes = pyplot.subplots(figsize=(6, 4.5), constrained_layout=True)
+    figure, axes = pyplot.subplots(figsize=(6, 5), constrained_layout=True)
     for method, color in METHODS.items():
         for closed, filled in (("1", color), ("0", "none")):
             chosen = [row for row in rows if row["closed"] == closed]
             if chosen:
                 axes.loglog([int(row["facets"]) for row in chosen], [float(row[method]) for row in chosen],
                             linestyle=line, marker="o", markersize=5, color=color, markerfacecolor=filled,
-                            label=method + ("" if closed == "1" else ", open surface"))
+                            label=method + ("" if closed == "1" else ", open"))
     axes.set_xlabel("facets")
     axes.set_ylabel("seconds per evaluation")
     axes.set_title(title)
     axes.grid(True, which="major", alpha=0.3)
-    axes.legend()
+    # Below, for the points of figure 8.11 leave no room: a column for each method.
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), fontsize="small", ncol=len(METHODS))
     figure.savefig(folder / f"{name}.png", dpi=150)
 
 

@@ -2,6 +2,7 @@
 #include "HullMesh.h"
 #include "ReadTriangles.h"
 #include "SurfaceWindingNumber.h"
+#include "TestMeshes.h"
 #include "WalkedWindingNumber.h"
 #include "WindingNumberInQuads.h"
 #include "WindingNumberOfCells.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <random>
 
 using namespace insideout;
@@ -25,7 +25,13 @@ constexpr double MostErrorToQuads = 1e-12;
 constexpr double MostErrorToSum = 1e-10;
 
 constexpr double SliverThickness = 1e-6;
-constexpr int RandomPoints = 100000;
+
+/** How many sites to look at. */
+struct Numbers
+{
+  int Points = 100000; ///< random ones in the surface's box
+  int Sample = 1000;   ///< of each kind, in quadruple precision
+};
 
 /** Largest difference between values and a reference, and whether one is not a number. */
 double LargestError(const std::vector<double>& values, const std::vector<double>& reference)
@@ -201,18 +207,17 @@ bool JudgeCells(const std::string& name, const TriangleSoup& soup, std::size_t s
   return Verdict(toQuads, toSum);
 }
 
-bool JudgePoints(const std::string& name, const TriangleSoup& soup, int sample)
+bool JudgePoints(const std::string& name, const TriangleSoup& soup, const Numbers& numbers)
 {
   Monitor monitor;
   const FacetComplex surface = CountFacets(soup, {}, monitor).Surface;
-  const std::vector<Point> points = PointsAround(surface, RandomPoints, sample);
+  const std::vector<Point> points = PointsAround(surface, numbers.Points, numbers.Sample);
   std::vector<Tetrahedron> cells;
   std::vector<Id> which;
   for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
   {
     cells.push_back({ { p, p, p, p } });
-    // Quadruple precision does not know what lies in a plane, so it has the points in the box only.
-    if (p < sample)
+    if (p < numbers.Sample || p >= numbers.Points)
     {
       which.push_back(p);
     }
@@ -226,40 +231,82 @@ bool JudgePoints(const std::string& name, const TriangleSoup& soup, int sample)
     Verdict(toQuads, toSum) ? "ok" : "VIOLATED");
   return Verdict(toQuads, toSum);
 }
+
+template <typename MakeSoup>
+bool Judge(const std::string& name, const MakeSoup& makeSoup, const Numbers& numbers)
+{
+  bool good = false;
+  try
+  {
+    const TriangleSoup soup = makeSoup();
+    const bool pointsAreGood = JudgePoints(name, soup, numbers);
+    good = JudgeCells(name, soup, static_cast<std::size_t>(numbers.Sample)) && pointsAreGood;
+  }
+  catch (const Error& error)
+  {
+    std::printf("%-28s %s\n", name.c_str(), error.what());
+  }
+  std::fflush(stdout);
+  return good;
+}
+
+bool JudgeFile(const std::string& path, const Numbers& numbers)
+{
+  return Judge(
+    path.substr(path.find_last_of('/') + 1), [&] { return ReadTriangles(path); }, numbers);
+}
+
+/** In turn of triangles on a small grid, where everything degenerate happens, and anywhere. */
+bool JudgeSoups(int soups, const Numbers& numbers)
+{
+  bool good = true;
+  for (int i = 0; i < soups; ++i)
+  {
+    const unsigned seed = static_cast<unsigned>(i / 2 + 1);
+    const std::string seedName = std::to_string(seed);
+    good =
+      (i % 2 == 0
+          ? Judge(
+              "grid soup " + seedName, [&] { return GridSoup(seed, 100, 2 + seed % 7); }, numbers)
+          : Judge(
+              "random soup " + seedName, [&] { return RandomSoup(seed, 40); }, numbers)) &&
+      good;
+  }
+  return good;
+}
 } // namespace
 
 /**
- * JudgeWindingNumber [--sample N] SURFACE...: compares w in the cells of each surface's hull mesh,
- * and at 100,000 points of its box and some on the surface itself, with brute force: everywhere
- * with the sum over all facets, and in quadruple precision on N slivers (all, if there are fewer),
- * N other cells and N points (1000). Exit status 1 where w is not right to 1e-12, or a surface
- * cannot be meshed.
+ * JudgeWindingNumber [--points P] [--sample N] [--soups M] SURFACE...: compares w in the cells of
+ * each surface's hull mesh, and at P points of its box (100,000) and some on the surface itself,
+ * with brute force: everywhere with the sum over all facets, and in quadruple precision and more on
+ * N slivers (all, if there are fewer), N other cells, N of the points and all on the surface
+ * (1000); likewise M random soups. Exit status 1 where w is not right to 1e-12, or a surface cannot
+ * be meshed.
  */
 int main(int argc, char** argv)
 {
-  int sample = 1000;
+  Numbers numbers;
   bool allGood = true;
   for (int i = 1; i < argc; ++i)
   {
-    if (std::strcmp(argv[i], "--sample") == 0 && i + 1 < argc)
+    const std::string argument = argv[i];
+    if (argument == "--sample" && i + 1 < argc)
     {
-      sample = std::max(1, std::atoi(argv[++i]));
-      continue;
+      numbers.Sample = std::max(1, std::atoi(argv[++i]));
     }
-    const std::string path = argv[i];
-    const std::string name = path.substr(path.find_last_of('/') + 1);
-    try
+    else if (argument == "--points" && i + 1 < argc)
     {
-      const TriangleSoup soup = ReadTriangles(path);
-      allGood = JudgePoints(name, soup, sample) && allGood;
-      allGood = JudgeCells(name, soup, static_cast<std::size_t>(sample)) && allGood;
+      numbers.Points = std::max(1, std::atoi(argv[++i]));
     }
-    catch (const Error& error)
+    else if (argument == "--soups" && i + 1 < argc)
     {
-      std::printf("%-28s %s\n", name.c_str(), error.what());
-      allGood = false;
+      allGood = JudgeSoups(std::atoi(argv[++i]), numbers) && allGood;
     }
-    std::fflush(stdout);
+    else
+    {
+      allGood = JudgeFile(argument, numbers) && allGood;
+    }
   }
   return allGood ? 0 : 1;
 }

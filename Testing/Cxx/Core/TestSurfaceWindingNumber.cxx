@@ -177,6 +177,21 @@ TEST(SurfaceWindingNumber, EqualsQuadruplePrecisionOnAndOffTheSurface)
   }
 }
 
+/** A vertex 5e-18 beside an edge: its facet there is a needle, and rounded unit vectors to the
+ * needle's ends are opposite. */
+TEST(SurfaceWindingNumber, KeepsItsDigitsAtTheBluntCornerOfANeedle)
+{
+  TriangleSoup soup;
+  soup.Points = { { 0.25, 0, 0 }, { 0.25, 0, 1 }, { 0.25, 5e-18, 0.375 }, { 0.5, 0.3, 0.5 } };
+  soup.Triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  const FacetComplex surface = Counted(soup);
+  const std::vector<double> w = Evaluate(surface, soup.Points, WindingNumberMethod::Exact);
+  for (std::size_t p = 0; p < soup.Points.size(); ++p)
+  {
+    EXPECT_NEAR(w[p], SumInQuads(surface, soup.Points[p]), 1e-12) << "at point " << p;
+  }
+}
+
 TEST(SurfaceWindingNumber, IsTheSameForOnePointAndForMany)
 {
   Monitor monitor;
