@@ -78,7 +78,9 @@ def _parser() -> argparse.ArgumentParser:
         "--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2"
     )
     parser.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6")
-    parser.add_argument("--data-term", choices=list(DATA_TERMS), help="how much a cell's own w counts; uniform by default")
+    parser.add_argument(
+        "--data-term", choices=list(DATA_TERMS), help="how much a cell's own w counts; uniform by default"
+    )
     parser.add_argument(
         "--constrain-facets", action="store_true", help="keep every facet as faces of the solid, thin sheets too"
     )
