@@ -29,8 +29,7 @@ case $surface in
   build/quickstart/*) surface=${surface#build/quickstart/} ;;
 esac
 python3 -m insideout "$surface" solid.vtu --hull hull.vtu --boundary boundary.vtp \
-  --outliers outliers.vtp --report report.json
-xvfb-run -a python3 ../../Examples/picture.py "$surface" hull.vtu picture.png
+  --outliers outliers.vtp --report report.json --plot picture.png
 cat <<EOF
 
 Written to build/quickstart: solid.vtu, hull.vtu, boundary.vtp, outliers.vtp, report.json, picture.png

@@ -23,6 +23,8 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <string>
+
 class VTKFILTERSINSIDEOUT_EXPORT vtkGeneralizedWindingNumber : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -65,6 +67,16 @@ public:
   vtkSetMacro(CountDuplicates, bool);
   vtkGetMacro(CountDuplicates, bool);
   vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
+   * count in w, but still shapes the mesh, as accessories that are no part of the body should. Such
+   * a cell cancels no other. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
   ///@}
 
   ///@{
@@ -125,12 +137,15 @@ protected:
   ~vtkGeneralizedWindingNumber() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  std::string NonParticipatingArrayName;
   int QuadratureOrder = 1;
   int Engine = ENGINE_AUTOMATIC;
   double TimeBudget = 0.0;

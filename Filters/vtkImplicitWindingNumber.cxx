@@ -41,6 +41,7 @@ void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
 }
 
 vtkCxxSetObjectMacro(vtkImplicitWindingNumber, Input, vtkPolyData);
@@ -63,8 +64,9 @@ void vtkImplicitWindingNumber::Build()
     Monitor silent;
     std::vector<std::string> warnings;
     this->Built->WindingNumber = vtkInsideOutMakeWindingNumber(this->Input,
-      { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE, {} }, silent,
-      warnings);
+      { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE, {},
+        this->NonParticipatingArrayName },
+      silent, warnings);
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);

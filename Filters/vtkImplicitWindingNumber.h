@@ -26,6 +26,8 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkImplicitFunction.h"
 
+#include <string>
+
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkImplicitWindingNumber : public vtkImplicitFunction
@@ -91,6 +93,15 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Name of a cell array of the surface, of one number per cell: where it is not 0 the cell does
+   * not count. Such a cell cancels no other. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
+  ///@}
+
 protected:
   vtkImplicitWindingNumber();
   ~vtkImplicitWindingNumber() override;
@@ -99,6 +110,7 @@ protected:
   int Orientation = AS_GIVEN;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  std::string NonParticipatingArrayName;
 
 private:
   vtkImplicitWindingNumber(const vtkImplicitWindingNumber&) = delete;

@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <map>
 
 namespace
 {
@@ -152,11 +155,13 @@ void vtkInsideOutAttributes::PassPointData(vtkPointData* input, vtkIdType inputS
 }
 
 void vtkInsideOutAttributes::PassCellData(vtkCellData* input, vtkIdType inputSize,
-  const std::vector<vtkIdType>& cells, vtkCellData* output, Warnings& warnings)
+  const std::vector<vtkIdType>& cells, std::initializer_list<const char*> added,
+  vtkCellData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
   const vtkSmartPointer<vtkCellData> source =
     UsableArrays(input, inputSize, { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
+  RenameArrays(source, added, warnings);
   output->CopyAllocate(source, size);
   SetNumberOfTuples(output, size);
   for (vtkIdType c = 0; c < size; ++c)
@@ -177,4 +182,50 @@ void vtkInsideOutAttributes::PassAll(vtkDataSetAttributes* input, vtkIdType inpu
   std::initializer_list<const char*> added, vtkDataSetAttributes* output, Warnings& warnings)
 {
   output->ShallowCopy(UsableArrays(input, inputSize, added, warnings));
+}
+
+std::vector<insideout::Id> vtkInsideOutAttributes::AlikePoints(
+  vtkPointData* input, vtkIdType inputSize, const std::vector<insideout::Id>& mergedInto)
+{
+  std::vector<insideout::Id> alike = mergedInto;
+  std::vector<vtkDataArray*> arrays;
+  for (vtkDataArray* array : { input->GetTCoords(), input->GetNormals() })
+  {
+    if (array && array->GetNumberOfTuples() == inputSize)
+    {
+      arrays.push_back(array);
+    }
+  }
+  if (arrays.empty())
+  {
+    return alike;
+  }
+  const auto values = [&](insideout::Id p)
+  {
+    std::vector<std::uint64_t> bits; // which compare NaNs as well
+    for (vtkDataArray* array : arrays)
+    {
+      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      {
+        const double value = array->GetComponent(p, k) + 0.0; // -0 becomes 0
+        bits.emplace_back();
+        std::memcpy(&bits.back(), &value, sizeof(value));
+      }
+    }
+    return bits;
+  };
+  std::map<std::pair<insideout::Id, std::vector<std::uint64_t>>, insideout::Id> lowest;
+  std::vector<char> isShared(alike.size(), 0);
+  for (const insideout::Id p : mergedInto)
+  {
+    isShared[p] += isShared[p] < 2;
+  }
+  for (insideout::Id p = 0; p < static_cast<insideout::Id>(alike.size()); ++p)
+  {
+    if (isShared[mergedInto[p]] > 1)
+    {
+      alike[p] = lowest.insert({ { mergedInto[p], values(p) }, p }).first->second;
+    }
+  }
+  return alike;
 }

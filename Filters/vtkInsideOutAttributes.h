@@ -43,9 +43,12 @@ void PassPointData(vtkPointData* input, vtkIdType inputSize,
 
 /**
  * Cell data by input cell, NaN (0 in integer arrays) where it is -1. Adds vtkOriginalCellIds.
+ *
+ * @param[in] added names of further arrays that the output adds: the input's are renamed
  */
 void PassCellData(vtkCellData* input, vtkIdType inputSize, const std::vector<vtkIdType>& cells,
-  vtkCellData* output, std::vector<std::string>& warnings);
+  std::initializer_list<const char*> added, vtkCellData* output,
+  std::vector<std::string>& warnings);
 
 /**
  * Point or cell data as they are, for an output that has the input's points or cells.
@@ -55,6 +58,15 @@ void PassCellData(vtkCellData* input, vtkIdType inputSize, const std::vector<vtk
 void PassAll(vtkDataSetAttributes* input, vtkIdType inputSize,
   std::initializer_list<const char*> added, vtkDataSetAttributes* output,
   std::vector<std::string>& warnings);
+
+/**
+ * Per input point the lowest one that was merged into the same and has the same texture
+ * coordinates and normals (the active ones, to the bit but for the sign of 0).
+ *
+ * @param[in] mergedInto per point the one that it became, or itself
+ */
+std::vector<insideout::Id> AlikePoints(
+  vtkPointData* input, vtkIdType inputSize, const std::vector<insideout::Id>& mergedInto);
 } // namespace vtkInsideOutAttributes
 
 #endif

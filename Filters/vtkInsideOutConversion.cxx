@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutConversion.h"
 
+#include "SplitSeams.h"
+#include "vtkInsideOutArrays.h"
 #include "vtkInsideOutAttributes.h"
 
-#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -17,6 +18,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
 #include <vtkShortArray.h>
+#include <vtkStringArray.h>
 #include <vtkThreshold.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -33,81 +35,8 @@ using insideout::FacetComplex;
 using insideout::Id;
 using insideout::TetrahedralMesh;
 
-namespace
-{
-vtkSmartPointer<vtkPoints> MakePoints(const std::vector<insideout::Point>& values)
-{
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(values.size()));
-  if (!values.empty())
-  {
-    std::copy_n(
-      values.front().data(), 3 * values.size(), static_cast<double*>(points->GetVoidPointer(0)));
-  }
-  return points;
-}
-
-/** Cells of `Size` points each. */
-template <std::size_t Size>
-vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::array<Id, Size>>& values)
-{
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(Size * values.size()));
-  if (!values.empty())
-  {
-    std::copy_n(values.front().data(), Size * values.size(), connectivity->GetPointer(0));
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(static_cast<vtkIdType>(Size), connectivity);
-  return cells;
-}
-
-template <typename Value>
-vtkSmartPointer<vtkDataArray> MakeArray(
-  const insideout::Attribute& attribute, const std::vector<Value>& values)
-{
-  auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<Value>>::New();
-  array->SetName(attribute.Name.c_str());
-  array->SetNumberOfComponents(attribute.Components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / attribute.Components));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
-/** Add the attribute as an array, and as VTK's normals, texture coordinates or colours if it is
- * these. */
-void AddAttribute(const insideout::Attribute& attribute, vtkDataSetAttributes* data)
-{
-  const vtkSmartPointer<vtkDataArray> array =
-    std::visit([&](const auto& values) { return MakeArray(attribute, values); }, attribute.Values);
-  if (attribute.Name == "Normals")
-  {
-    data->SetNormals(array);
-  }
-  else if (attribute.Name == "TCoords")
-  {
-    data->SetTCoords(array);
-  }
-  else if (attribute.Name == "Colors")
-  {
-    data->SetScalars(array);
-  }
-  else
-  {
-    data->AddArray(array);
-  }
-}
-
-insideout::Point GetPoint(vtkPolyData* input, vtkIdType id)
-{
-  insideout::Point point;
-  input->GetPoint(id, point.data());
-  return point;
-}
-} // namespace
-
-vtkInsideOutConversion::vtkInsideOutConversion(vtkPolyData* input)
+vtkInsideOutConversion::vtkInsideOutConversion(
+  vtkPolyData* input, const std::string& nonParticipating)
   : Input(input)
 {
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
@@ -133,11 +62,15 @@ vtkInsideOutConversion::vtkInsideOutConversion(vtkPolyData* input)
   this->Soup.Points.resize(numberOfPoints);
   for (vtkIdType p = 0; p < numberOfPoints; ++p)
   {
-    this->Soup.Points[p] = GetPoint(input, p);
+    input->GetPoint(p, this->Soup.Points[p].data());
   }
   this->ReadPolygons(input);
   this->ReadStrips(input);
   this->ReadMultiplicity(input);
+  if (!nonParticipating.empty())
+  {
+    this->ReadParticipation(input, nonParticipating);
+  }
 }
 
 void vtkInsideOutConversion::CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners)
@@ -289,26 +222,24 @@ void vtkInsideOutConversion::ReadMultiplicity(vtkPolyData* input)
   }
 }
 
+void vtkInsideOutConversion::ReadParticipation(vtkPolyData* input, const std::string& name)
+{
+  vtkDataArray* array = input->GetCellData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != input->GetNumberOfCells())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the surface has no cell array " + name + " of one number per cell");
+  }
+  for (const vtkIdType cell : this->CellOfTriangle)
+  {
+    this->Soup.NonParticipating.push_back(array->GetComponent(cell, 0) != 0);
+  }
+}
+
 vtkIdType vtkInsideOutConversion::CellOfFacet(const FacetComplex& surface, Id facet, int side) const
 {
-  vtkIdType lowest = -1;
-  for (const bool alongSideOnly : { true, false })
-  {
-    for (Id s = surface.SourceOffsets[facet]; s < surface.SourceOffsets[facet + 1]; ++s)
-    {
-      const insideout::FacetSource& source = surface.Sources[s];
-      const vtkIdType cell = this->CellOfTriangle[source.Triangle];
-      if ((!alongSideOnly || (side > 0) != source.Reversed) && (lowest < 0 || cell < lowest))
-      {
-        lowest = cell;
-      }
-    }
-    if (lowest >= 0)
-    {
-      break;
-    }
-  }
-  return lowest;
+  return this->CellOfTriangle[SourceOfFacet(surface, facet, side)]; // triangles are in cell order
 }
 
 void vtkInsideOutConversion::AddCellsOfFacets(const char* name, const FacetComplex& surface,
@@ -352,7 +283,8 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::CopySurface(
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
   const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
-  const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells)
+  const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells,
+  std::initializer_list<const char*> added)
 {
   std::vector<Id> index(points.size(), insideout::None);
   std::vector<insideout::Point> usedPoints;
@@ -383,12 +315,12 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
   }
 
   auto output = vtkSmartPointer<vtkPolyData>::New();
-  output->SetPoints(MakePoints(usedPoints));
-  output->SetPolys(MakeCells(renumbered));
+  output->SetPoints(vtkInsideOutMakePoints(usedPoints));
+  output->SetPolys(vtkInsideOutMakeCells(renumbered));
   vtkInsideOutAttributes::PassPointData(this->Input->GetPointData(),
     this->Input->GetNumberOfPoints(), usedOrigins, output->GetPointData(), this->Warnings);
   vtkInsideOutAttributes::PassCellData(this->Input->GetCellData(), this->Input->GetNumberOfCells(),
-    cells, output->GetCellData(), this->Warnings);
+    cells, added, output->GetCellData(), this->Warnings);
   return output;
 }
 
@@ -405,15 +337,118 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(
     cells.push_back(this->CellOfFacet(surface, f, +1));
     multiplicity->InsertNextValue(surface.Multiplicity[f]);
   }
-  auto output = this->MakeSurface(surface.Points, surface.Origins, triangles, cells);
+  auto output = this->MakeSurface(surface.Points, surface.Origins, triangles, cells, {});
   output->GetCellData()->AddArray(multiplicity);
   return output;
 }
 
-vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSurface(const TetrahedralMesh& mesh,
-  const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells)
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeBoundary(
+  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
 {
-  return this->MakeSurface(mesh.Points, mesh.Origins, triangles, cells);
+  std::vector<insideout::Triangle> triangles;
+  for (const insideout::BoundaryTriangle& triangle : boundary)
+  {
+    triangles.push_back(triangle.Corners);
+  }
+  return this->MakeSurface(
+    hull.Mesh.Points, hull.Mesh.Origins, triangles, this->CellsOfBoundary(boundary), {});
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSeamedBoundary(
+  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
+{
+  if (this->Input->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    return this->MakeBoundary(hull, boundary); // nothing differs anywhere
+  }
+  const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Soup,
+    TrianglesInMesh(this->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull), hull.Mesh);
+  std::vector<insideout::Point> points;
+  for (const Id place : seamed.Places)
+  {
+    points.push_back(hull.Mesh.Points[place]);
+  }
+  return this->MakeSurface(
+    points, seamed.Origins, seamed.Triangles, this->CellsOfBoundary(boundary), {});
+}
+
+std::vector<vtkIdType> vtkInsideOutConversion::CellsOfBoundary(
+  const std::vector<insideout::BoundaryTriangle>& boundary) const
+{
+  std::vector<vtkIdType> cells;
+  for (const insideout::BoundaryTriangle& triangle : boundary)
+  {
+    cells.push_back(
+      triangle.Source == insideout::None ? -1 : this->CellOfTriangle[triangle.Source]);
+  }
+  return cells;
+}
+
+std::vector<Id> vtkInsideOutConversion::AlikePoints(const insideout::HullMesh& hull) const
+{
+  return vtkInsideOutAttributes::AlikePoints(
+    this->Input->GetPointData(), this->Input->GetNumberOfPoints(), hull.MergedInto);
+}
+
+Id vtkInsideOutConversion::CountSeamPoints(const insideout::HullMesh& hull) const
+{
+  const std::vector<Id> alike = this->AlikePoints(hull);
+  Id count = 0;
+  for (std::size_t p = 0; p < alike.size(); ++p)
+  {
+    count += alike[p] != hull.MergedInto[p];
+  }
+  return count;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeOutliers(
+  const insideout::HullMesh& hull, const std::vector<insideout::OutlierPiece>& pieces)
+{
+  // The corners of degenerate triangles may be no points of the mesh: they come behind.
+  std::vector<insideout::Point> points = hull.Mesh.Points;
+  std::vector<insideout::PointOrigin> origins = hull.Mesh.Origins;
+  std::vector<insideout::Triangle> triangles;
+  std::vector<vtkIdType> cells;
+  vtkNew<vtkShortArray> multiplicity;
+  multiplicity->SetName("FacetMultiplicity");
+  vtkNew<vtkUnsignedCharArray> reasons;
+  reasons->SetName("OutlierReason");
+  const auto add = [&](const insideout::Triangle& triangle, vtkIdType cell, short count,
+                     insideout::OutlierReason reason)
+  {
+    triangles.push_back(triangle);
+    cells.push_back(cell);
+    multiplicity->InsertNextValue(count);
+    reasons->InsertNextValue(static_cast<unsigned char>(reason));
+  };
+  for (const insideout::OutlierPiece& piece : pieces)
+  {
+    add(piece.Corners, this->CellOfFacet(hull.Surface, piece.Facet, +1),
+      hull.Surface.Multiplicity[piece.Facet], piece.Reason);
+  }
+  for (const Id t : hull.DegenerateTriangles)
+  {
+    const Id first = static_cast<Id>(points.size());
+    for (const Id p : this->Soup.Triangles[t])
+    {
+      points.push_back(this->Soup.Points[p]);
+      origins.push_back(insideout::PointOrigin::Input(p));
+    }
+    add({ { first, first + 1, first + 2 } }, this->CellOfTriangle[t], 0,
+      insideout::OutlierReason::Degenerate);
+  }
+
+  vtkNew<vtkStringArray> names;
+  names->SetName("OutlierReasonNames");
+  for (const char* name : insideout::OutlierReasonNames)
+  {
+    names->InsertNextValue(name);
+  }
+  auto output = this->MakeSurface(points, origins, triangles, cells, { "OutlierReason" });
+  output->GetCellData()->AddArray(multiplicity);
+  output->GetCellData()->AddArray(reasons);
+  output->GetFieldData()->AddArray(names);
+  return output;
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
@@ -441,8 +476,8 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutConversion::MakeGrid(
   }
 
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(MakePoints(mesh.Points));
-  grid->SetCells(VTK_TETRA, MakeCells(mesh.Cells));
+  grid->SetPoints(vtkInsideOutMakePoints(mesh.Points));
+  grid->SetCells(VTK_TETRA, vtkInsideOutMakeCells(mesh.Cells));
   grid->GetCellData()->AddArray(facetIds);
   grid->GetCellData()->AddArray(multiplicity);
   vtkInsideOutAttributes::PassPointData(this->Input->GetPointData(),
@@ -472,218 +507,6 @@ void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstruct
   grid->GetCellData()->AddArray(array);
 }
 
-vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolyData(const insideout::PolygonSurface& surface)
-{
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> corners;
-  for (const Id offset : surface.Offsets)
-  {
-    offsets->InsertNextValue(offset);
-  }
-  for (const Id corner : surface.Corners)
-  {
-    corners->InsertNextValue(corner);
-  }
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(offsets, corners);
-  output->SetPoints(MakePoints(surface.Points));
-  output->SetPolys(polygons);
-  for (const insideout::Attribute& attribute : surface.PointAttributes)
-  {
-    AddAttribute(attribute, output->GetPointData());
-  }
-  for (const insideout::Attribute& attribute : surface.PolygonAttributes)
-  {
-    AddAttribute(attribute, output->GetCellData());
-  }
-  return output;
-}
-
-namespace
-{
-/** Polygon by polygon, checked, with the input cell that each comes from. */
-class PolygonCollector
-{
-public:
-  explicit PolygonCollector(vtkIdType numberOfPoints)
-    : NumberOfPoints(numberOfPoints)
-  {
-  }
-
-  void Add(vtkIdType cell, std::initializer_list<vtkIdType> corners)
-  {
-    this->Add(cell, static_cast<vtkIdType>(corners.size()), corners.begin());
-  }
-
-  void Add(vtkIdType cell, vtkIdType size, const vtkIdType* corners)
-  {
-    for (vtkIdType k = 0; k < size; ++k)
-    {
-      if (corners[k] < 0 || corners[k] >= this->NumberOfPoints)
-      {
-        throw Error(ErrorCode::PointOutOfRange,
-          "cell " + std::to_string(cell) + " refers to point " + std::to_string(corners[k]) +
-            " of " + std::to_string(this->NumberOfPoints));
-      }
-      this->Surface.Corners.push_back(static_cast<Id>(corners[k]));
-    }
-    this->Surface.Offsets.push_back(static_cast<Id>(this->Surface.Corners.size()));
-    this->Cells.push_back(cell);
-  }
-
-  insideout::PolygonSurface Surface;
-  std::vector<vtkIdType> Cells;
-
-private:
-  vtkIdType NumberOfPoints;
-};
-
-/** The values of the tuples of these ids. */
-template <typename Value>
-std::vector<Value> GetValues(vtkDataArray* array, const std::vector<vtkIdType>& ids)
-{
-  std::vector<Value> values;
-  values.reserve(ids.size() * array->GetNumberOfComponents());
-  for (const vtkIdType id : ids)
-  {
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-    {
-      values.push_back(static_cast<Value>(array->GetComponent(id, k)));
-    }
-  }
-  return values;
-}
-
-bool HoldsInts(vtkDataArray* array)
-{
-  double range[2] = { 0, 0 };
-  for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-  {
-    array->GetRange(range, k);
-    if (range[0] < std::numeric_limits<std::int32_t>::min() ||
-      range[1] > std::numeric_limits<std::int32_t>::max())
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-insideout::Attribute MakeAttribute(
-  const std::string& name, vtkDataArray* array, const std::vector<vtkIdType>& ids)
-{
-  insideout::Attribute attribute;
-  attribute.Name = name;
-  attribute.Components = array->GetNumberOfComponents();
-  const int type = array->GetDataType();
-  if (type == VTK_FLOAT)
-  {
-    attribute.Values = GetValues<float>(array, ids);
-  }
-  else if (type == VTK_UNSIGNED_CHAR)
-  {
-    attribute.Values = GetValues<unsigned char>(array, ids);
-  }
-  else if (type != VTK_DOUBLE && HoldsInts(array))
-  {
-    attribute.Values = GetValues<std::int32_t>(array, ids);
-  }
-  else
-  {
-    attribute.Values = GetValues<double>(array, ids);
-  }
-  return attribute;
-}
-
-bool IsColor(vtkDataArray* array)
-{
-  const int components = array->GetNumberOfComponents();
-  return array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
-}
-
-std::vector<insideout::Attribute> MakeAttributes(
-  vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids)
-{
-  std::vector<insideout::Attribute> attributes;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i); // null where it is not numeric
-    if (!array || array->GetNumberOfComponents() == 0)
-    {
-      continue;
-    }
-    std::string name = array->GetName() ? array->GetName() : "";
-    if (array == data->GetNormals())
-    {
-      name = "Normals";
-    }
-    else if (array == data->GetTCoords())
-    {
-      name = "TCoords";
-    }
-    else if (array == data->GetScalars() && IsColor(array))
-    {
-      name = "Colors";
-    }
-    if (!name.empty())
-    {
-      attributes.push_back(MakeAttribute(name, array, ids));
-    }
-  }
-  return attributes;
-}
-} // namespace
-
-insideout::PolygonSurface vtkInsideOutReadPolyData(vtkPolyData* input)
-{
-  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  if (numberOfPoints > std::numeric_limits<Id>::max() ||
-    input->GetPolys()->GetNumberOfConnectivityIds() +
-        3 * input->GetStrips()->GetNumberOfConnectivityIds() >
-      std::numeric_limits<Id>::max())
-  {
-    throw Error(ErrorCode::TooLarge,
-      "the surface has more than " + std::to_string(std::numeric_limits<Id>::max()) +
-        " points or corners");
-  }
-  PolygonCollector polygons(numberOfPoints);
-  std::vector<vtkIdType> points(numberOfPoints);
-  std::iota(points.begin(), points.end(), 0);
-  for (const vtkIdType p : points)
-  {
-    polygons.Surface.Points.push_back(GetPoint(input, p));
-  }
-
-  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  vtkIdType size;
-  const vtkIdType* corners;
-  const auto polys = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
-  for (polys->GoToFirstCell(); !polys->IsDoneWithTraversal(); polys->GoToNextCell(), ++cell)
-  {
-    polys->GetCurrentCell(size, corners);
-    if (size >= 3)
-    {
-      polygons.Add(cell, size, corners);
-    }
-  }
-  const auto strips = vtk::TakeSmartPointer(input->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell(), ++cell)
-  {
-    strips->GetCurrentCell(size, corners);
-    for (vtkIdType k = 0; k + 2 < size; ++k)
-    {
-      const int odd = k % 2; // every other triangle of a strip runs the other way
-      polygons.Add(cell, { corners[k], corners[k + 1 + odd], corners[k + 2 - odd] });
-    }
-  }
-
-  insideout::PolygonSurface surface = std::move(polygons.Surface);
-  surface.PointAttributes = MakeAttributes(input->GetPointData(), points);
-  surface.PolygonAttributes = MakeAttributes(input->GetCellData(), polygons.Cells);
-  return surface;
-}
-
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefects& defects)
 {
   vtkNew<vtkCellArray> vertices;
@@ -702,7 +525,7 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefec
   inputPoints->SetNumberOfValues(static_cast<vtkIdType>(defects.InputPoints.size()));
   std::copy(defects.InputPoints.begin(), defects.InputPoints.end(), inputPoints->GetPointer(0));
   auto output = vtkSmartPointer<vtkPolyData>::New();
-  output->SetPoints(MakePoints(defects.Points));
+  output->SetPoints(vtkInsideOutMakePoints(defects.Points));
   output->SetVerts(vertices);
   output->SetLines(lines);
   output->GetPointData()->AddArray(inputPoints);

@@ -10,9 +10,10 @@
 #ifndef vtkInsideOutConversion_h
 #define vtkInsideOutConversion_h
 
+#include "BoundaryTriangles.h"
 #include "HullMesh.h"
+#include "Outliers.h"
 #include "SurfaceDefects.h"
-#include "SurfaceFile.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -34,9 +35,12 @@ public:
    * array FacetMultiplicity (short, as vtkResolveSelfIntersections makes it) says how often a cell
    * counts.
    *
-   * @throws insideout::Error that names the cell or point at fault
+   * @param nonParticipating a cell array of one number per cell, which is not 0 for cells that do
+   * not count in w; none where the name is empty
+   * @throws insideout::Error that names the cell, point or array at fault
    */
-  explicit vtkInsideOutConversion(vtkPolyData* input);
+  explicit vtkInsideOutConversion(
+    vtkPolyData* input, const std::string& nonParticipating = std::string());
 
   /** The input's triangles. Their points have the input's ids. */
   insideout::TriangleSoup Soup;
@@ -65,10 +69,24 @@ public:
   vtkSmartPointer<vtkPolyData> MakeSurface(
     const insideout::FacetComplex& surface, const std::vector<insideout::Id>& facets);
 
-  /** Triangles between points of the mesh, each with the input cell it lies on or -1, and the
-   * input's data. */
-  vtkSmartPointer<vtkPolyData> MakeSurface(const insideout::TetrahedralMesh& mesh,
-    const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells);
+  /** Triangles of the boundary with vtkOriginalCellIds (-1 where a hole was closed),
+   * vtkOriginalPointIds and the input's data; merged points have the lowest id's. */
+  vtkSmartPointer<vtkPolyData> MakeBoundary(
+    const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
+
+  /** The same with several points in a place where the input's triangles differ in texture
+   * coordinates or normals, or where triangles cross that have point data at all. */
+  vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(
+    const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
+
+  /** How many input points were merged with one that has other texture coordinates or normals. */
+  insideout::Id CountSeamPoints(const insideout::HullMesh& hull) const;
+
+  /** Pieces of facets and the input's degenerate triangles, with OutlierReason, FacetMultiplicity,
+   * vtkOriginalCellIds, vtkOriginalPointIds, the input's data, and the reasons' names in the field
+   * array OutlierReasonNames. */
+  vtkSmartPointer<vtkPolyData> MakeOutliers(
+    const insideout::HullMesh& hull, const std::vector<insideout::OutlierPiece>& pieces);
 
   /** The mesh with FacetIds, FacetMultiplicity, vtkOriginalPointIds and the input's point data, and
    * the input cells of facets that it lost in the field array LostCellIds. */
@@ -82,6 +100,10 @@ private:
   void ReadPolygons(vtkPolyData* input);
   void ReadStrips(vtkPolyData* input);
   void ReadMultiplicity(vtkPolyData* input);
+  void ReadParticipation(vtkPolyData* input, const std::string& name);
+  std::vector<insideout::Id> AlikePoints(const insideout::HullMesh& hull) const;
+  std::vector<vtkIdType> CellsOfBoundary(
+    const std::vector<insideout::BoundaryTriangle>& boundary) const;
   /** A field array of the input cells that facets are pieces of, each once, ascending. */
   void AddCellsOfFacets(const char* name, const insideout::FacetComplex& surface,
     const std::vector<insideout::Id>& facets, vtkDataSet* output) const;
@@ -91,24 +113,12 @@ private:
   void AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c);
   vtkSmartPointer<vtkPolyData> MakeSurface(const std::vector<insideout::Point>& points,
     const std::vector<insideout::PointOrigin>& origins,
-    const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells);
+    const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells,
+    std::initializer_list<const char*> added);
 
   vtkPolyData* Input;
   std::vector<vtkIdType> CellOfTriangle;
 };
-
-/** The polygons of a file, with their attributes. */
-vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolyData(const insideout::PolygonSurface& surface);
-
-/**
- * The polygons and strips of a surface, for a file: strips become triangles, lines and vertices
- * stay behind. VTK's normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are
- * called Normals, TCoords and Colors, whatever their name; other numeric arrays keep theirs.
- * Integers of other types become int, or double where they do not fit.
- *
- * @throws insideout::Error that names the cell whose point is out of range
- */
-insideout::PolygonSurface vtkInsideOutReadPolyData(vtkPolyData* input);
 
 /** The lines of a surface's defects with vtkOriginalPointIds: those of one point become vertices,
  * which VTK numbers before the polylines. */

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutMonitor.h"
 
+#include "vtkInsideOutWholeInput.h"
+
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
-#include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -38,6 +38,11 @@ vtkInsideOutMonitor::vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<st
   : Algorithm(algorithm)
   , Stages(std::move(stages))
 {
+}
+
+vtkInsideOutMonitor::~vtkInsideOutMonitor()
+{
+  this->Algorithm->SetProgressText(nullptr);
 }
 
 bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
@@ -113,14 +118,6 @@ void MakeEmpty(vtkInformationVector* outputs)
     }
   }
 }
-
-/** Of several MPI ranks all but the first get nothing of a surface that one reader reads whole. */
-bool IsFurtherPiece(vtkInformationVector* outputs)
-{
-  vtkInformation* output = outputs ? outputs->GetInformationObject(0) : nullptr;
-  return output && output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
-    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
-}
 } // namespace
 
 int vtkInsideOutRun(
@@ -136,10 +133,8 @@ int vtkInsideOutRun(
   }
   catch (const insideout::Error& error)
   {
-    const bool isEmptyPiece =
-      error.Code == insideout::ErrorCode::EmptySurface && IsFurtherPiece(outputs);
     MakeEmpty(outputs);
-    if (error.Code == insideout::ErrorCode::Stopped || isEmptyPiece)
+    if (error.Code == insideout::ErrorCode::Stopped)
     {
       return 1;
     }
@@ -156,6 +151,13 @@ int vtkInsideOutRun(
     vtkErrorWithObjectMacro(algorithm, << "internal error: " << error.what());
   }
   return 0;
+}
+
+int vtkInsideOutRunOnWhole(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work)
+{
+  const bool isFurtherPiece = vtkInsideOutIsFurtherPiece(outputs);
+  return vtkInsideOutRun(algorithm, outputs, isFurtherPiece ? std::function<void()>([] {}) : work);
 }
 
 void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings)

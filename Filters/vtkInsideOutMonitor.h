@@ -28,6 +28,10 @@ public:
    */
   vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages);
 
+  /** The algorithm does nothing any more: the name of its last stage is not to stand at the next
+   * run's beginning. */
+  ~vtkInsideOutMonitor() override;
+
   bool Continue(const char* stage, double fraction) override;
 
 private:
@@ -40,13 +44,16 @@ private:
 
 /**
  * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
- * is no error, nor is an empty surface where it is a further piece of one. Either way the outputs
- * are then empty, but complete, so that every writer copes.
+ * is no error. Either way the outputs are then empty, but complete, so that every writer copes.
  *
  * @param outputs RequestData's, or nullptr for a writer, which has none
  * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed
  */
 int vtkInsideOutRun(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
+
+/** The same for a filter that needs all of its input: further pieces of its output are empty. */
+int vtkInsideOutRunOnWhole(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
 
 /** A warning event of the algorithm for each line. */

@@ -7,7 +7,7 @@ std::unique_ptr<const insideout::SurfaceWindingNumber> vtkInsideOutMakeWindingNu
   vtkPolyData* surface, const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
   std::vector<std::string>& warnings)
 {
-  const vtkInsideOutConversion conversion(surface);
+  const vtkInsideOutConversion conversion(surface, options.NonParticipating);
   insideout::CountedChain chain = CountFacets(conversion.Soup, options.Chain, monitor);
   warnings.insert(warnings.end(), chain.Warnings.begin(), chain.Warnings.end());
   warnings.insert(warnings.end(), conversion.Warnings.begin(), conversion.Warnings.end());

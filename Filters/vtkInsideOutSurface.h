@@ -20,6 +20,7 @@ struct vtkInsideOutSurfaceOptions
   insideout::CountedChainParameters Chain;
   bool Reverse = false; ///< count every facet the other way round
   insideout::WindingNumberParameters WindingNumber;
+  std::string NonParticipating; ///< cell array, not 0 where a cell does not count
 };
 
 /**

@@ -56,6 +56,7 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
 }
 
 void vtkProbeWindingNumber::SetSurfaceData(vtkPolyData* surface)
@@ -154,7 +155,8 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       this->Last->WindingNumber = vtkInsideOutMakeWindingNumber(surface,
         { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE,
           { static_cast<WindingNumberMethod>(this->Method), this->ApproximationOrder,
-            this->Accuracy } },
+            this->Accuracy },
+          this->NonParticipatingArrayName },
         monitor, warnings);
       const std::vector<double> values =
         this->Last->WindingNumber->At(atPoints ? PointsOf(input) : CentresOf(input), monitor);

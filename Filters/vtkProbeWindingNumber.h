@@ -30,6 +30,8 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersInsideOutModule.h" // for export macro
 
+#include <string>
+
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkProbeWindingNumber : public vtkDataSetAlgorithm
@@ -152,6 +154,15 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Name of a cell array of the surface, of one number per cell: where it is not 0 the cell does
+   * not count. Such a cell cancels no other. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
+  ///@}
+
   /**
    * After the filter was updated: whether the input's point (with Association CELLS, its cell) is
    * marked in the array Inside; 0 or 1, 0 for an id out of range.
@@ -186,6 +197,7 @@ protected:
   int Orientation = AS_GIVEN;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  std::string NonParticipatingArrayName;
 
 private:
   vtkProbeWindingNumber(const vtkProbeWindingNumber&) = delete;

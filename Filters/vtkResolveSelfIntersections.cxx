@@ -4,6 +4,7 @@
 #include "ResolveSelfIntersections.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -25,6 +26,14 @@ void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+}
+
+int vtkResolveSelfIntersections::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
 }
 
 int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request),
@@ -32,12 +41,12 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(
         this, { "validating", "finding self-intersections", "resolving self-intersections" });
-      vtkInsideOutConversion conversion(input);
+      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
       const CountedChain chain =
         CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
       const Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);

@@ -29,6 +29,8 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
 class VTKFILTERSINSIDEOUT_EXPORT vtkResolveSelfIntersections : public vtkPolyDataAlgorithm
 {
 public:
@@ -55,15 +57,28 @@ public:
   vtkBooleanMacro(CountDuplicates, bool);
   ///@}
 
+  ///@{
+  /**
+   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
+   * count in w, but still shapes the mesh, as accessories that are no part of the body should. Such
+   * a cell cancels no other. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
+  ///@}
+
 protected:
   vtkResolveSelfIntersections();
   ~vtkResolveSelfIntersections() override = default;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  std::string NonParticipatingArrayName;
 
 private:
   vtkResolveSelfIntersections(const vtkResolveSelfIntersections&) = delete;

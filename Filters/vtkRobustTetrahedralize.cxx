@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRobustTetrahedralize.h"
 
-#include "InsideBoundary.h"
+#include "MergePieces.h"
+#include "NothingInside.h"
 #include "SegmentMesh.h"
 #include "vtkInsideOutConversion.h"
+#include "vtkInsideOutMemory.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutSegmentation.h"
+#include "vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -17,22 +20,67 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <tuple>
 
 using namespace insideout;
 
 vtkStandardNewMacro(vtkRobustTetrahedralize);
 
-vtkRobustTetrahedralize::vtkRobustTetrahedralize()
+namespace
 {
-  this->SetConstrainedFacetsArrayName("");
+/** What decides about the hull, to be compared. Does not compile once a parameter is added: it may
+ * not be missing here. */
+auto AsTuple(const HullMeshParameters& parameters, const std::string& nonParticipating)
+{
+  const auto& [chain, orientation, budgets, quadratureOrder] = parameters;
+  const auto& [mergeTolerance, countDuplicates] = chain;
+  const auto& [seconds, mebibytes, engine] = budgets;
+  return std::make_tuple(mergeTolerance, countDuplicates, orientation, seconds, mebibytes, engine,
+    quadratureOrder, nonParticipating);
+}
+} // namespace
+
+/** The hull of an input, which the segmentation does not change. */
+struct vtkRobustTetrahedralize::HullOfInput
+{
+  HullOfInput(vtkPolyData* input, const HullMeshParameters& parameters,
+    const std::string& nonParticipating, Monitor& monitor)
+    : Input(ShallowCopyOf(input))
+    , Conversion(this->Input, nonParticipating)
+    , Hull(MeshHull(this->Conversion.Soup, parameters, monitor))
+    , Grid(this->Conversion.MakeGrid(this->Hull))
+    , Warnings(this->Conversion.Warnings)
+  {
+  }
+
+  static vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->ShallowCopy(input);
+    return copy;
+  }
+
+  vtkSmartPointer<vtkPolyData> Input; ///< what the conversion reads from, however long it lives
+  vtkInsideOutConversion Conversion;
+  HullMesh Hull;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::vector<std::string> Warnings; ///< the conversion's so far
+};
+
+class vtkRobustTetrahedralize::Memory
+  : public vtkInsideOutMemory<decltype(AsTuple(std::declval<HullMeshParameters>(), std::string())),
+      HullOfInput>
+{
+};
+
+vtkRobustTetrahedralize::vtkRobustTetrahedralize()
+  : Hulls(new Memory)
+{
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
 
-vtkRobustTetrahedralize::~vtkRobustTetrahedralize()
-{
-  this->SetConstrainedFacetsArrayName(nullptr);
-}
+vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
 
 void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -42,12 +90,14 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DataTerm: " << this->DataTerm << "\n";
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
   os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
-  os << indent << "ConstrainedFacetsArrayName: "
-     << (this->ConstrainedFacetsArrayName ? this->ConstrainedFacetsArrayName : "(none)") << "\n";
+  os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+  os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
+  os << indent << "SplitSeams: " << this->SplitSeams << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
@@ -89,64 +139,108 @@ vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeBoundary(
-  vtkInsideOutConversion& conversion, const HullMesh& hull, const std::vector<BoundaryFace>& faces)
+/** Outputs 1 and 2, and their counts. */
+struct Surfaces
 {
-  std::vector<Triangle> triangles;
-  std::vector<vtkIdType> cells;
-  for (const BoundaryFace& face : faces)
+  vtkSmartPointer<vtkPolyData> Boundary;
+  vtkSmartPointer<vtkPolyData> Outliers;
+  Statistics Counts;
+};
+
+void CountOutliers(
+  const HullMesh& hull, const std::vector<OutlierPiece>& pieces, Statistics& statistics)
+{
+  const auto count = [&](OutlierReason reason)
   {
-    triangles.push_back(face.Corners);
-    cells.push_back(face.Facet == None ? -1
-                                       : conversion.CellOfFacet(hull.Surface, face.Facet,
-                                           hull.Mesh.FacetSides[face.Cell][face.Face]));
-  }
-  return conversion.MakeSurface(hull.Mesh, triangles, cells);
+    return std::count_if(pieces.begin(), pieces.end(),
+      [&](const OutlierPiece& piece) { return piece.Reason == reason; });
+  };
+  statistics.emplace_back("OutlierFacets", pieces.size() + hull.DegenerateTriangles.size());
+  statistics.emplace_back("OutliersByEnergy", count(OutlierReason::Energy));
+  statistics.emplace_back("OutliersLost", count(OutlierReason::Lost));
+  statistics.emplace_back("OutliersLeftOut", count(OutlierReason::LeftOut));
+  statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
 }
 
-std::string NothingInside(const std::vector<double>& w)
+Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& inside,
+  bool mergePieces, bool splitSeams, vtkInsideOutConversion& conversion)
 {
-  const auto [least, most] = std::minmax_element(w.begin(), w.end());
-  return "nothing is inside: w ranges from " + std::to_string(*least) + " to " +
-    std::to_string(*most) +
-    ". The surface may be two-sided, too open, or face both ways; look at w in the whole hull";
+  Surfaces surfaces;
+  std::vector<BoundaryTriangle> boundary =
+    BoundaryTriangles(hull.Surface, hull.Mesh, BoundaryFaces(hull.Mesh, inside));
+  if (mergePieces)
+  {
+    boundary = MergePieces(boundary, TrianglesInMesh(conversion.Soup, hull.MergedInto, hull.Mesh));
+  }
+  surfaces.Boundary = splitSeams ? conversion.MakeSeamedBoundary(hull, boundary)
+                                 : conversion.MakeBoundary(hull, boundary);
+  const Id seamPoints = conversion.CountSeamPoints(hull);
+  if (seamPoints > 0 && !splitSeams)
+  {
+    conversion.Warnings.push_back(std::to_string(seamPoints) +
+      " points were merged with ones that have other texture coordinates or normals: the boundary "
+      "has the lowest id's; SplitSeams keeps them all");
+  }
+  surfaces.Counts.emplace_back("BoundaryFaces", boundary.size());
+  surfaces.Counts.emplace_back("SeamPoints", seamPoints);
+
+  const std::vector<OutlierPiece> outliers = OutlierPieces(hull.Surface, hull.Mesh, inside);
+  surfaces.Outliers = conversion.MakeOutliers(hull, outliers);
+  CountOutliers(hull, outliers, surfaces.Counts);
+  return surfaces;
 }
 } // namespace
+
+int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
 
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
         { "validating", "finding self-intersections", "resolving self-intersections",
           "tetrahedralizing", "winding numbers", "segmenting" });
-      vtkInsideOutConversion conversion(input);
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(vtkPointSet::GetData(inputVector[1]));
-      const HullMesh hull = MeshHull(conversion.Soup,
-        { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation),
-          { this->TimeBudget, this->MemoryBudget,
-            static_cast<TetrahedralizationEngine>(this->Engine) },
-          this->QuadratureOrder },
-        monitor);
+      const HullMeshParameters parameters = { { this->MergeTolerance, this->CountDuplicates },
+        static_cast<insideout::Orientation>(this->Orientation),
+        { this->TimeBudget, this->MemoryBudget,
+          static_cast<TetrahedralizationEngine>(this->Engine) },
+        this->QuadratureOrder };
+      const std::string& nonParticipating = this->NonParticipatingArrayName;
+      const std::shared_ptr<HullOfInput> kept =
+        this->Hulls->Get(input, AsTuple(parameters, nonParticipating),
+          [&]()
+          { return std::make_shared<HullOfInput>(input, parameters, nonParticipating, monitor); });
+      if (this->GetReleaseDataFlag())
+      {
+        this->Hulls->Forget();
+      }
+      const HullMesh& hull = kept->Hull;
+      vtkInsideOutConversion& conversion = kept->Conversion;
+      conversion.Warnings = kept->Warnings;
 
       Stopwatch stopwatch;
-      const std::vector<unsigned char> chosen = vtkInsideOutChosenFacets(input,
-        this->ConstrainedFacetsArrayName ? this->ConstrainedFacetsArrayName : "", hull.Surface,
-        conversion.GetCellOfTriangle());
+      const std::vector<unsigned char> chosen = vtkInsideOutChosenFacets(
+        input, this->ConstrainedFacetsArrayName, hull.Surface, conversion.GetCellOfTriangle());
       const MeshSegmentation segmentation =
         SegmentMesh(hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), seeds,
           { { this->Gamma, this->Sigma, static_cast<insideout::DataTerm>(this->DataTerm) },
             this->ConstrainFacets, this->ConstrainManifold },
           monitor);
       const double cutSeconds = stopwatch.Lap();
-      const std::vector<BoundaryFace> faces = BoundaryFaces(hull.Mesh, segmentation.Inside);
-      const std::vector<Id> outliers = OutlierFacets(hull.Surface, hull.Mesh, segmentation.Inside);
+      const Surfaces surfaces = MakeSurfaces(
+        hull, segmentation.Inside, this->MergeCoplanarPieces, this->SplitSeams, conversion);
 
-      vtkSmartPointer<vtkUnstructuredGrid> solid = conversion.MakeGrid(hull);
+      auto solid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      solid->ShallowCopy(kept->Grid);
       vtkInsideOutAddInside(segmentation.Inside, solid);
       if (this->ExtractInside)
       {
@@ -159,14 +253,12 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       statistics.insert(
         statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
       statistics.emplace_back("InsideCells", insideCells);
-      statistics.emplace_back("BoundaryFaces", faces.size());
-      statistics.emplace_back("OutlierFacets", outliers.size());
+      statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
       statistics.emplace_back("PeakMemory", PeakMemory());
 
       vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(solid);
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(MakeBoundary(conversion, hull, faces));
-      vtkPolyData::GetData(outputVector, 2)
-        ->ShallowCopy(conversion.MakeSurface(hull.Surface, outliers));
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(surfaces.Boundary);
+      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(surfaces.Outliers);
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
       conversion.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
@@ -174,7 +266,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutWarn(this, conversion.Warnings);
       if (insideCells == 0)
       {
-        vtkWarningMacro(<< NothingInside(hull.W));
+        vtkWarningMacro(<< NothingInside(hull));
       }
     });
 }

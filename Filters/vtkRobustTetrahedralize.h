@@ -15,16 +15,21 @@
  * vtkResolveSelfIntersections) and LostCellIds (see vtkConstrainedDelaunay3D). Output 1, its
  * boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell
  * each lies on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets
- * that are no face of a cell inside. All carry the input's point data and vtkOriginalPointIds, the
- * surfaces its cell data.
+ * that are no face of a cell inside, with the cell array OutlierReason (unsigned char, see
+ * OutlierReasonType; their names are the field array OutlierReasonNames). All carry the input's
+ * point data and vtkOriginalPointIds, the surfaces its cell data. Normals and texture coordinates
+ * stay active.
+ *
+ * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
+ * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
  *
  * Statistics of the segmentation: Energy of the solid, EnergyOfCut before the constraints,
  * ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells (labelled inside
  * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
  * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts.
  *
- * When no cell is inside there is a warning that gives the range of w. Errors, which name the
- * culprit, leave all outputs empty.
+ * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
+ * set. Errors, which name the culprit, leave all outputs empty.
  *
  * @sa vtkGeneralizedWindingNumber vtkGraphCutSegmentation
  *
@@ -35,6 +40,9 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory>
+#include <string>
+
 class vtkPointSet;
 class vtkPolyData;
 
@@ -44,6 +52,15 @@ public:
   static vtkRobustTetrahedralize* New();
   vtkTypeMacro(vtkRobustTetrahedralize, vtkUnstructuredGridAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Why a facet is an outlier: the cell array OutlierReason of output 2. */
+  enum OutlierReasonType
+  {
+    OUTLIER_BY_ENERGY = 0, ///< the segmentation put the cells on both sides outside
+    OUTLIER_LOST = 1,      ///< the tetrahedra do not follow the facet
+    OUTLIER_LEFT_OUT = 2,  ///< it still crossed others when resolving gave up
+    OUTLIER_DEGENERATE = 3 ///< it has no area
+  };
 
   ///@{
   /** The boundary of the solid (output 1) and the facets that are not part of it (output 2). */
@@ -103,8 +120,8 @@ public:
    * A cell array of the surface that chooses what ConstrainFacets keeps: polygons whose value is
    * not 0. Default empty: all.
    */
-  vtkSetStringMacro(ConstrainedFacetsArrayName);
-  vtkGetStringMacro(ConstrainedFacetsArrayName);
+  vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
+  vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
   ///@}
 
   ///@{
@@ -176,6 +193,41 @@ public:
 
   ///@{
   /**
+   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
+   * count in w, but still shapes the mesh, as accessories that are no part of the body should. Such
+   * a cell cancels no other. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * On: the pieces into which an input triangle was cut become one triangle again on the boundary
+   * (output 1), where all of it lies there and no other triangle needs the points between. The
+   * boundary stays watertight, but its triangles are not all faces of the solid's cells any more.
+   * Default off.
+   */
+  vtkSetMacro(MergeCoplanarPieces, bool);
+  vtkGetMacro(MergeCoplanarPieces, bool);
+  vtkBooleanMacro(MergeCoplanarPieces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What becomes of input points in one place with different texture coordinates or normals. Off:
+   * they are one point of the boundary (output 1), which has the lowest id's data; a warning counts
+   * them. On: the boundary has a point for each, so that every triangle has the data of the input
+   * triangle that it lies on, also where triangles were cut along each other; it is watertight by
+   * the points' places then, not by their ids. Default off.
+   */
+  vtkSetMacro(SplitSeams, bool);
+  vtkGetMacro(SplitSeams, bool);
+  vtkBooleanMacro(SplitSeams, bool);
+  ///@}
+
+  ///@{
+  /**
    * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
    * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
    * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
@@ -233,6 +285,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -241,17 +295,24 @@ protected:
   int DataTerm = UNIFORM;
   bool ConstrainFacets = false;
   bool ConstrainManifold = false;
-  char* ConstrainedFacetsArrayName = nullptr;
+  std::string ConstrainedFacetsArrayName;
   bool ExtractInside = true;
   int Orientation = AUTOMATIC;
   double MergeTolerance = 0.0;
   bool CountDuplicates = false;
+  std::string NonParticipatingArrayName;
+  bool MergeCoplanarPieces = false;
+  bool SplitSeams = false;
   int QuadratureOrder = 1;
   int Engine = ENGINE_AUTOMATIC;
   double TimeBudget = 0.0;
   double MemoryBudget = 0.0;
 
 private:
+  struct HullOfInput;
+  class Memory;
+  std::unique_ptr<Memory> Hulls;
+
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;
   void operator=(const vtkRobustTetrahedralize&) = delete;
 };

@@ -77,6 +77,8 @@ protected:
   vtkSurfaceDefects();
   ~vtkSurfaceDefects() override = default;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -2,8 +2,8 @@
 #include "vtkSurfaceReader.h"
 
 #include "SurfaceFile.h"
-#include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutPolygons.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>

@@ -2,8 +2,8 @@
 #include "vtkSurfaceWriter.h"
 
 #include "SurfaceFile.h"
-#include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutPolygons.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>

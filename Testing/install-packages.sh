@@ -19,8 +19,8 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libpugixml-dev zlib1g-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libgl2ps-dev"
 
-# Real meshes, a display for pictures, and the style check.
-packages="$packages libcgal-demo openfoam-examples xvfb xauth clang-format"
+# Real meshes, a display for pictures, and the checks of style and types.
+packages="$packages libcgal-demo openfoam-examples xvfb xauth imagemagick clang-format mypy python3-meshio"
 
 missing=
 for package in $packages; do

@@ -66,7 +66,9 @@ def ball(centre, radii, polar_end=1.0, columns=40, rows=24):
     points[: columns + 1] = points[0]  # exactly one point at the pole
     if polar_end == 1.0:
         points[-columns - 1 :] = points[-1]
-    return points, triangles
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    proper = np.any(a != b, axis=1) & np.any(b != c, axis=1) & np.any(c != a, axis=1)
+    return points, triangles[proper]
 
 
 def cape(columns=36, rows=26):

@@ -32,6 +32,12 @@ void CheckTriangles(const TriangleSoup& soup)
       std::to_string(soup.Multiplicity.size()) + " multiplicities are given for " +
         std::to_string(soup.Triangles.size()) + " triangles");
   }
+  if (!soup.NonParticipating.empty() && soup.NonParticipating.size() != soup.Triangles.size())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "whether they participate is given for " + std::to_string(soup.NonParticipating.size()) +
+        " of " + std::to_string(soup.Triangles.size()) + " triangles");
+  }
   const Id numberOfPoints = static_cast<Id>(soup.Points.size());
   for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
   {
@@ -137,6 +143,11 @@ bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
     CGAL::collinear(corner(0), corner(1), corner(2));
 }
 
+bool Participates(const TriangleSoup& soup, Id triangle)
+{
+  return soup.NonParticipating.empty() || soup.NonParticipating[triangle] == 0;
+}
+
 /** A triangle of the soup, by its merged corners. */
 struct GivenTriangle
 {
@@ -146,8 +157,10 @@ struct GivenTriangle
 
 /** One facet per set of three corners, in the order of their first triangles. */
 void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool countDuplicates,
-  FacetComplex& surface, SurfaceCounts& counts)
+  CountedChain& chain)
 {
+  FacetComplex& surface = chain.Surface;
+  SurfaceCounts& counts = chain.Counts;
   std::vector<GivenTriangle> triangles;
   triangles.reserve(soup.Triangles.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
@@ -156,13 +169,15 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     const Triangle corners{ { merged[given[0]], merged[given[1]], merged[given[2]] } };
     if (IsDegenerate(soup.Points, corners))
     {
-      ++counts.DegenerateFacets;
+      chain.DegenerateTriangles.push_back(t);
     }
     else
     {
       triangles.push_back({ SortedTriangle(corners), t });
     }
   }
+
+  counts.DegenerateFacets = static_cast<Id>(chain.DegenerateTriangles.size());
 
   const auto byCorners = [](const GivenTriangle& a, const GivenTriangle& b)
   { return std::tie(a.Sorted.Points, a.Index) < std::tie(b.Sorted.Points, b.Index); };
@@ -186,10 +201,15 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     const Triangle& given = soup.Triangles[leader.Index];
     surface.Facets.push_back({ { merged[given[0]], merged[given[1]], merged[given[2]] } });
     std::array<long, 2> count{ { 0, 0 } }; // along the facet's orientation, and against it
+    Id participants = 0;
     for (std::size_t i = first; i < last; ++i)
     {
       const bool reversed = triangles[i].Sorted.Turned != leader.Sorted.Turned;
-      count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangles[i].Index];
+      if (Participates(soup, triangles[i].Index))
+      {
+        count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangles[i].Index];
+        ++participants;
+      }
       surface.Sources.push_back({ triangles[i].Index, reversed });
     }
     surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
@@ -204,7 +224,8 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     }
     surface.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
     counts.DuplicateFacets += static_cast<Id>(last - first - 1);
-    counts.CancelledFacets += last - first > 1 && multiplicity == 0;
+    counts.CancelledFacets += participants > 1 && multiplicity == 0;
+    counts.NonParticipatingFacets += participants == 0;
   }
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
@@ -238,6 +259,42 @@ void CompactPoints(const std::vector<Point>& points, const std::vector<Id>& merg
       p = index[p];
     }
   }
+}
+
+/** The facets that an input triangle which participates is a part of. */
+std::vector<Id> ParticipatingFacets(const TriangleSoup& soup, const FacetComplex& surface)
+{
+  std::vector<Id> facets;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    const auto begin = surface.Sources.begin();
+    if (std::any_of(begin + surface.SourceOffsets[f], begin + surface.SourceOffsets[f + 1],
+          [&](const FacetSource& source) { return Participates(soup, source.Triangle); }))
+    {
+      facets.push_back(f);
+    }
+  }
+  return facets;
+}
+
+/** Apply the rule of two-sided components to some facets, as if there were no others. */
+TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetComplex& surface)
+{
+  FacetComplex part;
+  part.Points = surface.Points;
+  for (const Id f : facets)
+  {
+    part.Facets.push_back(surface.Facets[f]);
+    part.Multiplicity.push_back(surface.Multiplicity[f]);
+  }
+  const std::vector<FacetEdge> edges = SortedFacetEdges(part.Facets);
+  const TwoSidedComponents twoSided =
+    KeepTwoSidedSolids(part, edges, ComponentsOfFacets(part.NumberOfFacets(), edges));
+  for (std::size_t i = 0; i < facets.size(); ++i)
+  {
+    surface.Multiplicity[facets[i]] = part.Multiplicity[i];
+  }
+  return twoSided;
 }
 
 void CountEdges(const std::vector<FacetEdge>& edges, SurfaceCounts& counts)
@@ -285,14 +342,15 @@ CountedChain CountFacets(
   chain.Counts.InputTriangles = static_cast<Id>(soup.Triangles.size());
 
   monitor.Check(StageName, 0.1);
-  std::vector<Id> merged = MergeEqualPoints(soup.Points);
+  std::vector<Id>& merged = chain.MergedInto;
+  merged = MergeEqualPoints(soup.Points);
   if (parameters.MergeTolerance > 0)
   {
     MergeNearPoints(soup.Points, parameters.MergeTolerance, merged);
   }
 
   monitor.Check(StageName, 0.4);
-  CollectFacets(soup, merged, parameters.CountDuplicates, chain.Surface, chain.Counts);
+  CollectFacets(soup, merged, parameters.CountDuplicates, chain);
   if (chain.Surface.Facets.empty())
   {
     throw Error(ErrorCode::AllDegenerate,
@@ -309,7 +367,9 @@ CountedChain CountFacets(
   CountEdges(edges, chain.Counts);
   if (soup.Multiplicity.empty())
   {
-    const TwoSidedComponents twoSided = KeepTwoSidedSolids(chain.Surface, edges, components);
+    const TwoSidedComponents twoSided = chain.Counts.NonParticipatingFacets == 0
+      ? KeepTwoSidedSolids(chain.Surface, edges, components)
+      : KeepTwoSidedSolidsAmong(ParticipatingFacets(soup, chain.Surface), chain.Surface);
     chain.Counts.TwoSidedSolids = twoSided.Solids;
     chain.Counts.TwoSidedSheets = twoSided.Sheets;
   }

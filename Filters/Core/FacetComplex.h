@@ -15,6 +15,9 @@ struct TriangleSoup
 
   /** How often each triangle counts, where that is known (a resolved surface); else empty. */
   std::vector<std::int16_t> Multiplicity = {};
+
+  /** Not 0 for triangles that shape the mesh but do not count; empty where every triangle does. */
+  std::vector<unsigned char> NonParticipating = {};
 };
 
 /**
@@ -64,4 +67,21 @@ struct FacetComplex
 
   Id NumberOfFacets() const { return static_cast<Id>(this->Facets.size()); }
 };
+
+/**
+ * The lowest input triangle that a facet is a piece of: of those whose normal is on `side` (+1 the
+ * facet's own, -1 the other) if there is one.
+ */
+inline Id SourceOfFacet(const FacetComplex& surface, Id facet, int side)
+{
+  const Id first = surface.SourceOffsets[facet];
+  for (Id s = first; s < surface.SourceOffsets[facet + 1]; ++s)
+  {
+    if (surface.Sources[s].Reversed == (side < 0))
+    {
+      return surface.Sources[s].Triangle;
+    }
+  }
+  return surface.Sources[first].Triangle;
+}
 } // namespace insideout

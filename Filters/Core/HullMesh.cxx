@@ -90,6 +90,7 @@ void AddCounts(const SurfaceCounts& counts, Statistics& statistics)
   statistics.emplace_back("CancelledFacets", counts.CancelledFacets);
   statistics.emplace_back("TwoSidedSolids", counts.TwoSidedSolids);
   statistics.emplace_back("TwoSidedSheets", counts.TwoSidedSheets);
+  statistics.emplace_back("NonParticipatingFacets", counts.NonParticipatingFacets);
 }
 
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
@@ -98,9 +99,12 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   Statistics& statistics = hull.Statistics;
   Stopwatch stopwatch;
 
-  const CountedChain chain = CountFacets(soup, parameters.Chain, monitor);
-  hull.Warnings = chain.Warnings;
-  AddCounts(chain.Counts, statistics);
+  CountedChain chain = CountFacets(soup, parameters.Chain, monitor);
+  hull.Counts = chain.Counts;
+  hull.MergedInto = std::move(chain.MergedInto);
+  hull.DegenerateTriangles = std::move(chain.DegenerateTriangles);
+  hull.Warnings = std::move(chain.Warnings);
+  AddCounts(hull.Counts, statistics);
   const double validateSeconds = stopwatch.Lap();
 
   Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);

@@ -30,6 +30,9 @@ struct HullMesh
   FacetComplex Surface; ///< resolved; turned over where the orientation asked for it
   TetrahedralMesh Mesh;
   std::vector<double> W; ///< one per cell
+  SurfaceCounts Counts;
+  std::vector<Id> MergedInto;          ///< as CountedChain's
+  std::vector<Id> DegenerateTriangles; ///< as CountedChain's
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };

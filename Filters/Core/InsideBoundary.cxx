@@ -43,40 +43,4 @@ std::vector<BoundaryFace> BoundaryFaces(
   }
   return faces;
 }
-
-std::vector<Id> OutlierFacets(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  const std::vector<unsigned char>& inside)
-{
-  CheckLabels(mesh, inside);
-  std::vector<char> hasPiece(surface.Facets.size(), 0);
-  std::vector<char> leftOut(surface.Facets.size(), 0);
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id facet = mesh.Facets[cell][k];
-      if (facet != None)
-      {
-        hasPiece[facet] = 1;
-        if (!IsInside(inside, cell) && !IsInside(inside, mesh.Neighbors[cell][k]))
-        {
-          leftOut[facet] = 1;
-        }
-      }
-    }
-  }
-  for (Id facet : mesh.LostFacets)
-  {
-    leftOut[facet] = 1;
-  }
-  std::vector<Id> outliers;
-  for (Id facet = 0; facet < surface.NumberOfFacets(); ++facet)
-  {
-    if (leftOut[facet] || !hasPiece[facet] || facet >= surface.NumberOfConstraints)
-    {
-      outliers.push_back(facet);
-    }
-  }
-  return outliers;
-}
 } // namespace insideout

@@ -26,18 +26,4 @@ struct BoundaryFace
  */
 std::vector<BoundaryFace> BoundaryFaces(
   const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
-
-/**
- * The facets that the solid leaves out (thesis, section 8.5). A facet is satisfied when each of its
- * pieces, the faces of the mesh that lie on it, has an inside cell on at least one side. All others
- * are outliers; so are facets without a piece: those that the mesh lost and those behind
- * NumberOfConstraints. Facets of multiplicity 0 are treated like the others.
- *
- * @param[in] surface the complex that `mesh` was made of
- * @param[in] inside one value per cell, 0 for outside
- * @return ids of facets of the complex, ascending
- * @throws Error InvalidParameter when there is not one label per cell
- */
-std::vector<Id> OutlierFacets(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  const std::vector<unsigned char>& inside);
 } // namespace insideout

@@ -53,6 +53,17 @@ if [ -x "$bin/BenchmarkWindingNumber" ]; then
   "$bin/BenchmarkWindingNumber" --figures "$figures" "$figures/surfaces"/*
   /usr/bin/python3 "$here/plot-figures.py" "$figures" || echo "missing: python3-matplotlib; nothing is drawn"
 fi
+
+# Running again after a change is the filters' own: they need VTK, and a build of their own.
+filters=$build/filters
+if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DPython3_EXECUTABLE=/usr/bin/python3 >"$build/filters.log" 2>&1 &&
+  cmake --build "$filters" >>"$build/filters.log" 2>&1; then
+  (. "$filters/env.sh" && /usr/bin/python3 "$here/measure-rerun.py" "$@")
+else
+  echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"
+fi
+
 for surface; do
   "$bin/BenchmarkConstrainedDelaunay" "$surface"
   "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"

@@ -3,10 +3,12 @@
 
     pvbatch TestPlugin.py PLUGIN.so SURFACE.off
 """
+import os
 import sys
 import unittest
+import xml.dom.minidom
 
-from paraview import servermanager, simple
+from paraview import servermanager, simple, smtrace
 
 import insideout
 
@@ -24,6 +26,16 @@ def volume(proxy, port=0):
     data = servermanager.Fetch(sizes)
     array = data.GetCellData().GetArray("Volume")
     return sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
+
+
+def volumes_of_blocks(proxy):
+    """The same for each block."""
+    data = servermanager.Fetch(simple.CellSize(Input=proxy))
+    iterator = data.NewIterator()
+    while not iterator.IsDoneWithTraversal():
+        array = iterator.GetCurrentDataObject().GetCellData().GetArray("Volume")
+        yield sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
+        iterator.GoToNextItem()
 
 
 class TestPlugin(unittest.TestCase):
@@ -90,6 +102,60 @@ class TestPlugin(unittest.TestCase):
         whole = volume(solid)
         solid.ExtractInside = 1
         self.assertLess(volume(solid), whole)
+
+    def test_a_trace_can_be_replayed(self):
+        smtrace.start_trace()
+        simple.RobustTetrahedralize(Input=self.surface, registrationName="traced", Gamma=0.25)
+        simple.SliceWindingNumber(Input=simple.FindSource("traced"), registrationName="slice of it")
+        text = smtrace.stop_trace()
+        for name in ("slice of it", "traced"):
+            simple.Delete(simple.FindSource(name))
+        exec(compile(text, "trace", "exec"), {})
+        self.assertEqual(simple.FindSource("traced").Gamma, 0.25)
+        simple.FindSource("slice of it").SliceType.Origin = [0.7, 0.7, 0.4]
+        simple.FindSource("slice of it").UpdatePipeline()
+        self.assertIn("w", simple.FindSource("slice of it").CellData.keys())
+
+    def test_each_block_has_its_solid_and_keeps_its_name(self):
+        blocks = simple.GroupDatasets(Input=[self.surface, simple.Box()], BlockNames=["boxes", "box"])
+        solid = simple.RobustTetrahedralize(Input=blocks)
+        for port in range(3):
+            data = servermanager.Fetch(solid, idx=port)
+            self.assertEqual(data.GetNumberOfPartitionedDataSets() if data.IsA("vtkPartitionedDataSetCollection") else data.GetNumberOfBlocks(), 2)
+            names = [data.GetMetaData(k).Get(data.NAME()) for k in range(2)]
+            self.assertEqual(names, ["boxes", "box"])
+        self.assertAlmostEqual(sum(volumes_of_blocks(solid)), 2.75, 6)
+
+    def test_time_steps_pass_through(self):
+        surface = simple.ExtractSurface(Input=simple.TimeSource(Growing=1))
+        solid = simple.RobustTetrahedralize(Input=surface)
+        sizes = []
+        for time in (0, 0.5):
+            solid.UpdatePipeline(time)
+            sizes.append(solid.GetDataInformation().GetBounds())
+        self.assertNotEqual(*sizes)
+
+    def test_the_icons_and_the_menu_name_the_filters_there_are(self):
+        folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin")
+        menu = xml.dom.minidom.parse(os.path.join(folder, "InsideOutMenu.xml"))
+        named = {proxy.getAttribute("name") for proxy in menu.getElementsByTagName("Proxy")}
+        self.assertEqual(named, {*FILTERS, "SliceWindingNumber"})
+        icons = {proxy.getAttribute("icon") for proxy in menu.getElementsByTagName("Proxy")} - {""}
+        self.assertEqual(len(icons), len(named))
+        for icon in icons:
+            self.assertTrue(os.path.exists(icon.replace(":/InsideOut", folder)), icon)
+
+    def test_every_property_tells_its_default(self):
+        for name in FILTERS:
+            proxy = servermanager.ProxyManager().NewProxy("filters", name)
+            properties = proxy.NewPropertyIterator()
+            properties.Begin()
+            while not properties.IsAtEnd():
+                key, prop = properties.GetKey(), properties.GetProperty()
+                properties.Next()
+                if not isinstance(prop, servermanager.vtkSMInputProperty):
+                    with self.subTest(filter=name, property=key):
+                        self.assertIn("default", prop.GetDocumentation().GetDescription().lower())
 
     def test_defaults_and_documentation_match_the_classes(self):
         for name in FILTERS:

@@ -94,7 +94,7 @@ class Check(unittest.TestCase):
             insideout.check(polydata([], []))
         with self.assertRaisesRegex(insideout.Error, "degenerate"):
             insideout.check(surfaces.box(facets=[(0, 0, 1)]))
-        with self.assertRaisesRegex(insideout.Error, "it can be a vtkPolyData or a file"):
+        with self.assertRaisesRegex(insideout.Error, "it can be a vtkPolyData, a file"):
             insideout.check(7)
         with self.assertRaisesRegex(insideout.Error, "merge_tolerance"):
             insideout.check(surfaces.box(), merge_tolerance=-1)
@@ -145,6 +145,8 @@ class CheckCommand(CommandLine):
         source = self.file("box.ply", surfaces.box())
         self.check_failure_of_check(run("--check", source, self.output), "it goes without OUTPUT.vtu")
         self.check_failure_of_check(run("--check", source, "--gamma", "1"), "it goes without --gamma")
+        self.check_failure_of_check(run("--check", source, "--gamma", "0"), "it goes without --gamma")
+        self.check_failure_of_check(run("--check", source, "--split-seams"), "it goes without --split-seams")
         self.check_failure_of_check(run("--check", source, "--time-budget", "1"), "it goes without --time-budget")
         self.check_failure_of_check(run("--check", source, "--merge-tolerance", "-1"), "merge_tolerance is -1")
         self.check_failure_of_check(run("--check", self.path("missing.ply")), "no such file")

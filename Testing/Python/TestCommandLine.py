@@ -3,15 +3,21 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import insideout
+import numpy as np
 import surfaces
 from insideout.files import read_surface, write_surface
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
 
 
 def run(*arguments: str, **options) -> subprocess.CompletedProcess:
@@ -106,10 +112,26 @@ class Success(CommandLine):
                     found["parameters"],
                     {
                         **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
-                        **{"data_term": "uniform", "constrain_facets": False, "constrain_manifold": False},
+                        **{"engine": "automatic", "data_term": "uniform"},
+                        **{"constrain_facets": False, "constrain_manifold": False},
+                        **{"non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                     },
                 )
                 self.assertEqual(found["tetrahedralizer"], "TetGen, points kept off facets")
+
+    def test_a_picture_of_it(self):
+        picture = self.path("picture.png")
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        done = run(self.file("boxes.ply", surfaces.two_boxes()), self.output, "--plot", picture, env=environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        reader = vtkPNGReader()
+        reader.SetFileName(picture)
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetDimensions(), (2400, 900, 1))
+        self.assertGreater(len(np.unique(vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()), axis=0)), 100)
+
+    def test_help_has_examples(self):
+        self.assertIn("--boundary solid.stl", run("--help").stdout)
 
     def test_constraints(self):
         source = self.file("figure.ply", surfaces.two_boxes_and_a_stray_facet())
@@ -132,6 +154,28 @@ class Success(CommandLine):
             self.assertEqual(json.load(file)["tetrahedralizer"], "exact flips and cuts")
         os.remove(self.output)
         self.check_failure(run(source, self.output, "--engine", "steam"), "--engine")
+
+    def test_options_of_the_surface(self):
+        surface = surfaces.two_boxes_and_a_stray_facet()
+        surfaces.add_array(surface.GetCellData(), "Second", np.repeat([0, 1, 0], [12, 12, 1]))
+        boundary = self.path("boundary.vtp")
+        source = self.file("boxes.vtp", surface)
+        done = run(source, self.output, "--boundary", boundary, "--non-participating", "Second")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(self.output)))), 1, delta=1e-12)
+        self.assertIn("12 facets that do not count, as asked", done.stdout)
+        self.assertRegex(done.stdout, r"[1-9]\d* outlier facets \([1-9]\d* segmented as outside\)")
+        pieces = read_surface(boundary)[0].GetNumberOfCells()
+        self.assertGreater(pieces, 12)
+
+        merged = run(
+            *(source, self.output, "--boundary", boundary, "--non-participating", "Second"),
+            *("--merge-coplanar-pieces", "--split-seams"),
+        )
+        self.assertEqual(merged.returncode, 0, merged.stderr)
+        self.assertEqual(read_surface(boundary)[0].GetNumberOfCells(), 12)
+        os.remove(self.output)
+        self.check_failure(run(source, self.output, "--non-participating", "Third"), "no cell array Third")
 
     def test_empty_outliers_are_written_in_every_format(self):
         source = self.file("box.ply", surfaces.box())
@@ -205,6 +249,126 @@ class Success(CommandLine):
         self.assertNotIn("Traceback", errors)
         self.assertNotIn("Exception", errors)
         self.assertGreater(read_grid(self.output).GetNumberOfCells(), 0)
+
+
+class Several(CommandLine):
+    def test_one_that_fails_does_not_keep_the_others_and_a_table_tells_all(self):
+        first, last = self.file("first.ply", surfaces.box()), self.file("last.ply", surfaces.open_box())
+        missing = self.path("missing.ply")
+        done = run(
+            *(first, missing, last, self.path("{}.vtu"), "--boundary", self.path("{}-boundary.stl")),
+            *("--report", self.path("{}.json"), "--threads", "1"),
+        )
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("insideout: "), 1)
+        for stem in ("first", "last"):
+            self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(self.path(stem + ".vtu"))))), 1, delta=1e-12)
+            self.assertTrue(os.path.exists(self.path(stem + "-boundary.stl")))
+        with open(self.path("missing.json"), encoding="utf-8") as file:
+            self.assertIn("no such file", json.load(file)["error"])
+        heading, *table, end = done.stdout.splitlines()[-5:]
+        self.assertEqual(heading.split()[0], "surface")
+        self.assertEqual([line.split()[0] for line in table], [first, missing, last])
+        self.assertEqual(table[2].split()[1:3], ["10", "4"])
+        self.assertIn("no such file", table[1])
+        self.assertEqual(end, "2 of 3 surfaces done")
+
+    def test_several_are_checked(self):
+        names = [self.file("a.ply", surfaces.box()), self.file("b.ply", surfaces.open_box())]
+        done = run("--check", *names)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.splitlines()[-1], "2 of 2 surfaces done")
+
+    def test_no_file_is_written_twice(self):
+        names = [self.file("a.ply", surfaces.box()), self.file("a.stl", surfaces.box())]
+        for output in (self.output, self.path("{}.vtu")):
+            done = run(*names, output)
+            self.check_failure(done, "would both be written to")
+
+
+class Winding(CommandLine):
+    def test_a_table_keeps_its_columns_and_gains_w(self):
+        query = self.file("query.csv", "x,y,z,name\n0.5,0.5,0.5,in\n2,2,2,out\n")
+        result = self.path("w.csv")
+        done = run("--winding", query, self.file("box.ply", surfaces.box()), result)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(result, encoding="utf-8") as file:
+            self.assertEqual(file.read().splitlines(), ["x,y,z,name,w,inside", "0.5,0.5,0.5,in,1.0,1", "2,2,2,out,0.0,0"])
+        self.assertIn("1 of 2 places are inside", done.stdout)
+
+    def test_a_table_may_lack_a_heading_and_may_be_empty(self):
+        for text, lines in (("0.5,0.5,0.5\n", 2), ("x,y,z\n", 1), ("", 1)):
+            with self.subTest(text):
+                done = run("--winding", self.file("q.csv", text), self.file("box.ply", surfaces.box()), self.path("w.csv"))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(self.path("w.csv"), encoding="utf-8") as file:
+                    self.assertEqual(len(file.readlines()), lines)
+
+    def test_an_image_gains_w(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        image.SetOrigin(-0.5, -0.5, -0.5)
+        writer = vtkXMLImageDataWriter()
+        writer.SetDataModeToBinary()
+        writer.SetFileName(self.path("query.vti"))
+        writer.SetInputData(image)
+        insideout.pipeline.run(writer)
+        done = run("--winding", self.path("query.vti"), self.file("box.ply", surfaces.box()), self.path("w.vti"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        reader = vtkXMLImageDataReader()
+        reader.SetFileName(self.path("w.vti"))
+        insideout.pipeline.run(reader)
+        w = surfaces.point_array(reader.GetOutput(), "w")
+        self.assertEqual([round(value) for value in w], [int(k == 13) for k in range(27)])
+
+    def test_bad_queries(self):
+        box = self.file("box.ply", surfaces.box())
+        for name, content, result, expected in (
+            ("words.csv", "x,y,z\n0,0,0\n1,two,3\n", "w.csv", "words.csv, line 3"),
+            ("columns.csv", "a,b,c\n", "w.csv", "they must be x, y, z"),
+            ("no.vti", "<VTKFile", "w.vti", "no.vti"),
+            ("no.txt", "", "w.txt", "unknown ending"),
+            ("other.csv", "0,0,0\n", "w.vti", "w.vti: unknown ending"),
+            ("missing.csv", None, "w.csv", "no such file"),
+        ):
+            with self.subTest(name):
+                query = self.path(name) if content is None else self.file(name, content)
+                self.check_failure(run("--winding", query, box, self.path(result)), expected)
+
+
+class Stopping(CommandLine):
+    """What stops the command while TetGen hangs."""
+
+    def setUp(self):
+        super().setUp()
+        helper = self.file("helper", "#!/bin/sh\nexec sleep 100\n")
+        os.chmod(helper, 0o700)
+        self.environment = dict(os.environ, INSIDEOUT_TETGEN=helper)
+
+    def test_a_timeout_ends_a_surface(self):
+        began = time.monotonic()
+        done = run(self.file("box.ply", surfaces.box()), self.output, "--timeout", "1", env=self.environment)
+        self.check_failure(done, "stopped while tetrahedralizing", "--timeout")
+        self.assertLess(time.monotonic() - began, 4)
+
+    def test_ctrl_c_ends_the_command_within_a_second_with_status_130(self):
+        report = self.path("report.json")
+        with subprocess.Popen(
+            [sys.executable, "-m", "insideout", self.file("box.ply", surfaces.box()), self.output, "--report", report],
+            stderr=subprocess.PIPE,
+            env=self.environment,
+            text=True,
+        ) as process:
+            while "resolving" not in process.stderr.readline():
+                pass
+            time.sleep(0.5)
+            began = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.stderr.read(), "insideout: interrupted\n")
+            self.assertEqual(process.wait(10), 130)
+        self.assertLess(time.monotonic() - began, 1)
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["exit_status"], 130)
 
 
 class Failure(CommandLine):
@@ -293,7 +457,17 @@ class Failure(CommandLine):
                 self.check_failure(run(source, self.output, f"--{option}", value), option)
 
     def test_arguments_that_make_no_sense(self):
-        for arguments in ((), ("surface.ply",), ("surface.ply", self.output, "--gamma", "much"), ("a", "b", "--nonsense")):
+        for arguments in (
+            (),
+            ("surface.ply",),
+            ("surface.ply", self.output, "--gamma", "much"),
+            ("a", "b", "--nonsense"),
+            ("a", "b", "--threads", "0"),
+            ("a", "b", "--timeout", "0"),
+            ("--check", "a.ply", self.output),
+            ("--check", "a.ply", "--plot", "a.png"),
+            ("--winding", "q.csv", "a.ply", "w.csv", "--gamma", "1"),
+        ):
             with self.subTest(arguments):
                 done = run(*arguments)
                 self.check_failure(done, "--help")

@@ -1,24 +1,60 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tetrahedra of the solid that a broken triangle surface means.
 
-One function for those who do not think in pipelines::
+What is wrong with a surface, and whether it matters::
 
     import insideout
-    result = insideout.tetrahedralize("broken.ply")
-    print(result.solid.GetNumberOfCells(), "tetrahedra,", result.statistics["OpenEdges"], "open edges closed")
-
-Another that says what is wrong with a surface, and whether it matters::
-
     print(insideout.check("broken.ply").verdict)
 
-The VTK filters for those who do::
+The solid, its boundary and the whole hull, as VTK data sets with numpy views::
 
-    from insideout import vtkSurfaceReader, vtkRobustTetrahedralize
+    result = insideout.tetrahedralize("broken.ply")
+    print(len(result.solid.cells), "tetrahedra,", result.statistics["OpenEdges"], "open edges closed")
+    result.hull.points, result.hull.cells, result.hull.w
+    insideout.write(result.solid, "solid.vtu")
+    insideout.draw("broken.ply", result.hull, "picture.png")
 
-And a command: ``python3 -m insideout broken.ply solid.vtu``.
+Without a mesh: the surface cut where it crosses itself, its winding number at any points, and which of
+them are inside::
 
-Modules: `tetrahedralization` and `checking` have the functions, `pipeline` runs any VTK algorithm with its errors as
-exceptions, `files` reads and writes, `command_line` is the command.
+    insideout.resolve("broken.ply").surface
+    insideout.winding_number("broken.ply", points)
+    insideout.inside("broken.ply", points)
+
+SURFACES
+    Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
+    .stl or .vtp file, as a pair (points, triangles) of arrays with three columns each, or as a
+    meshio.Mesh. What it returns does not depend on that. `to_meshio()` of the surfaces and tetrahedra in a
+    result gives a meshio.Mesh back. Faces should run counterclockwise seen from outside.
+
+RESULTS
+    check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
+    resolve         Resolution: surface, statistics
+    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, statistics
+    winding_number  an array of float64, one value per point
+    inside          an array of bool, one value per point
+
+ERRORS
+    What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy.
+    What is worth knowing comes back as `warnings`; nothing is printed.
+
+STOPPING
+    Ctrl-C stops the work within a second and raises KeyboardInterrupt. `progress`, a function that is called
+    with the stage and the fraction done, may raise whatever it likes to the same end. Other threads run
+    meanwhile, and several may work at once.
+
+PIPELINES
+    The VTK filters are here too, for those who think in pipelines::
+
+        from insideout import vtkSurfaceReader, vtkRobustTetrahedralize
+
+COMMAND
+    python3 -m insideout broken.ply solid.vtu
+
+MODULES
+    `checking`, `resolving`, `queries` and `tetrahedralization` have the functions, `data` the types of surfaces
+    and tetrahedra, `files` reads and writes, `pipeline` runs any VTK algorithm with its errors as exceptions,
+    `command_line` is the command.
 """
 
 # The wrapped classes derive from VTK's, which Python has to know first.
@@ -29,11 +65,33 @@ import vtkmodules.vtkIOCore  # noqa: F401
 
 from . import vtkFiltersInsideOut as _classes
 from .checking import Check, Finding, check
+from .data import Tetrahedra, TriangleSurface
+from .drawing import draw
+from .files import write
 from .pipeline import Error
+from .queries import inside, winding_number
+from .resolving import Resolution, resolve
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .version import __version__
 
 _class_names = [name for name in dir(_classes) if name.startswith("vtk")]
 globals().update({name: getattr(_classes, name) for name in _class_names})
 
-__all__ = [*_class_names, "Check", "Error", "Finding", "Tetrahedralization", "check", "tetrahedralize", "__version__"]
+__all__ = [
+    *_class_names,
+    "Check",
+    "Error",
+    "Finding",
+    "Resolution",
+    "Tetrahedra",
+    "Tetrahedralization",
+    "TriangleSurface",
+    "__version__",
+    "check",
+    "draw",
+    "inside",
+    "resolve",
+    "tetrahedralize",
+    "winding_number",
+    "write",
+]

@@ -1,13 +1,36 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`python3 -m insideout`."""
 
+import os
 import signal
 import sys
+import threading
+import time
 
-# VTK holds the interpreter while it works, so that Python would hear of Ctrl-C only afterwards:
-# leave it to the system, which ends the process at once (status 130 in a shell).
-signal.signal(signal.SIGINT, signal.SIG_DFL)
+PATIENCE = 0.8
+"""Seconds from Ctrl-C in which the work may come to its own end and tell so; then it is ended."""
 
-from .command_line import main  # noqa: E402
 
-sys.exit(main())
+def end_soon_after_ctrl_c() -> None:
+    """See to it that the process ends within a second of Ctrl-C, with status 130, whatever it is doing."""
+    heard, signalled = os.pipe()
+    os.set_blocking(signalled, False)
+    signal.set_wakeup_fd(signalled, warn_on_full_buffer=False)
+
+    def watch() -> None:
+        while os.read(heard, 1) != bytes([signal.SIGINT]):
+            pass
+        time.sleep(PATIENCE)
+        os._exit(130)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+if __name__ == "__main__":
+    end_soon_after_ctrl_c()
+    try:
+        from .command_line import main
+
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
-from typing import Mapping, Optional, Union
+from typing import Mapping, Optional
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .files import read_surface
-from .pipeline import Error, Progress, at_least, run, statistics_of
+from .data import AnySurface, as_surface
+from .pipeline import Progress, at_least, run, statistics_of
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 
 CHECK_STAGES = ("validating", "finding self-intersections", "tracing intersections")
@@ -48,26 +47,23 @@ class Check:
 
 
 def check(
-    surface: Union[vtkPolyData, str, os.PathLike],
+    surface: AnySurface,
     *,
     merge_tolerance: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
     """What is wrong with a surface. Nothing is changed or cut.
 
-    surface          a vtkPolyData of polygons or strips, or a .ply, .obj, .off, .stl or .vtp file
+    surface          a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
     merge_tolerance  points at most this far apart become one, in units of the surface, at least 0
     progress         called with the stage and the fraction of all the work that is done
 
-    Raises `Error` with one line that names what is wrong where the surface is no surface at all.
+    Returns a `Check`. Raises `Error` with one line that names what is wrong where the surface is no
+    surface at all.
     """
     marker = make_marker(merge_tolerance)
-    warnings: list[str] = []
-    if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
-        raise Error(f"the surface is a {type(surface).__name__}; it can be a vtkPolyData or a file's name")
-    if not isinstance(surface, vtkPolyData):
-        surface, warnings = read_surface(surface)
-    marker.SetInputData(surface)
+    polygons, warnings = as_surface(surface)
+    marker.SetInputData(polygons)
     warnings = warnings + run(marker, progress)
     statistics = statistics_of(marker.GetOutput())
     findings = find(statistics)

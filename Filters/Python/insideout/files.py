@@ -11,7 +11,8 @@ import os
 from typing import Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOCore import vtkWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter, vtkXMLWriter
 from vtkmodules.vtkIOXMLParser import vtkXMLDataParser
 
 from .pipeline import Error, Messages, Progress, run
@@ -35,7 +36,10 @@ def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPo
     """
     path = os.fspath(path)
     check_input(path)
-    reader = _vtp_reader(path) if ending(path) == ".vtp" else vtkSurfaceReader()
+    reader = vtkSurfaceReader()
+    if ending(path) == ".vtp":
+        check_xml(path, "PolyData", "polygons")
+        reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     try:
         warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)
@@ -58,15 +62,23 @@ def write_grid(grid: vtkUnstructuredGrid, path: Path) -> None:
     _write(vtkXMLUnstructuredGridWriter(), grid, path)
 
 
+def write(data: Union[vtkPolyData, vtkUnstructuredGrid], path: Path) -> None:
+    """Write a surface as .vtp, .ply, .obj or .stl, or tetrahedra as .vtu. Raises `Error` that names the file."""
+    if isinstance(data, vtkUnstructuredGrid):
+        write_grid(data, path)
+    else:
+        write_surface(data, path)
+
+
 def ending(path: Path) -> str:
     """The ending of a file's name in lower case, with its dot."""
     return os.path.splitext(os.fspath(path))[1].lower()
 
 
-def check_input(path: Path) -> None:
-    """Raise `Error` unless this is a file with the ending of a surface that can be opened."""
+def check_input(path: Path, endings: tuple[str, ...] = READABLE_SURFACES) -> None:
+    """Raise `Error` unless this is a file with one of the endings that can be opened."""
     path = os.fspath(path)
-    _check_name(path, READABLE_SURFACES)
+    _check_name(path, endings)
     try:
         with open(path, "rb") as file:
             file.read(1)
@@ -98,8 +110,8 @@ def _check_name(path: str, endings: tuple[str, ...]) -> None:
         raise Error(f"{ascii(path)}: the name holds a zero byte")
 
 
-def _vtp_reader(path: str) -> vtkXMLPolyDataReader:
-    """VTK's reader, once the file is known to be the XML that it reads: it crashes or says little otherwise."""
+def check_xml(path: str, kind: str, words: str) -> None:
+    """Raise `Error` unless the file is VTK's XML of this kind. VTK's readers crash or say little otherwise."""
     parser = vtkXMLDataParser()
     parser.SetFileName(path)
     with Messages(parser) as messages:
@@ -107,25 +119,24 @@ def _vtp_reader(path: str) -> vtkXMLPolyDataReader:
     if messages.errors:
         raise Error(f"cannot read {path}: {messages.errors[0]}{_hint(path)}")
     root = parser.GetRootElement()
-    if root is None or root.GetName() != "VTKFile" or root.GetAttribute("type") != "PolyData":
-        raise Error(f"cannot read {path}: it is no VTK XML file of polygons (PolyData)")
-    return vtkXMLPolyDataReader()
+    if root is None or root.GetName() != "VTKFile" or root.GetAttribute("type") != kind:
+        raise Error(f"cannot read {path}: it is no VTK XML file of {words} ({kind})")
 
 
 def _hint(path: str) -> str:
-    """Appended data is the likeliest reason for a .vtp file of VTK's own not to be read."""
+    """Appended data is the likeliest reason for a file of VTK's own not to be read."""
     with open(path, "rb") as file:
         appended = b"<AppendedData" in file.read()
     return " (it is in appended mode; write it in binary mode instead)" if appended else ""
 
 
-def _write(writer, data, path: str) -> None:
+def _write(writer: Union[vtkWriter, vtkXMLWriter], data: Union[vtkPolyData, vtkUnstructuredGrid], path: str) -> None:
     writer.SetFileName(path)
     writer.SetInputData(data)
-    if hasattr(writer, "SetDataModeToBinary"):
+    if isinstance(writer, vtkXMLWriter):
         writer.SetDataModeToBinary()
     try:
-        run(writer, action=writer.Write)
+        run(writer)
     except Error as error:
         raise _naming(path, error) from None
     if not os.path.exists(path):

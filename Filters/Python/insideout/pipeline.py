@@ -2,24 +2,31 @@
 """Run VTK algorithms the Python way: errors are exceptions, warnings come back as a list.
 
 VTK reports errors as events and prints those that nobody observes. `run` observes them, so that
-nothing is printed and nothing goes unnoticed.
+nothing is printed and nothing goes unnoticed. It lets go of the interpreter while VTK works: other
+threads of Python run meanwhile, and Ctrl-C stops the algorithm.
 """
 
 from __future__ import annotations
 
+import ctypes
 import math
 import re
 import signal
 import threading
-from typing import Callable, Optional
+from types import FrameType
+from typing import Any, Callable, Optional, Union
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkIOCore import vtkWriter
+from vtkmodules.vtkIOXML import vtkXMLWriter
 
-Progress = Callable[[str, float], None]
+from . import vtkFiltersInsideOut as _classes
+
+Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
 
 STATISTICS_PREFIX = "Statistics_"
@@ -31,49 +38,45 @@ class Error(RuntimeError):
 
 
 class Messages:
-    """The errors and warnings of VTK objects, kept instead of printed.
+    """The errors of VTK objects, kept instead of printed.
 
     A context manager: it observes the objects from `with` on and lets go of them at its end.
     """
 
     def __init__(self, *objects: vtkObject):
         self.errors: list[str] = []
-        self.warnings: list[str] = []
         self._objects = objects
         self._tags: list[tuple[vtkObject, int]] = []
 
     def __enter__(self) -> Messages:
-        for observed in self._objects:
-            for event, messages in (("ErrorEvent", self.errors), ("WarningEvent", self.warnings)):
-                self._tags.append((observed, observed.AddObserver(event, _appender(messages))))
+        @calldata_type(VTK_STRING)
+        def append(_object: vtkObject, _event: str, message: str) -> None:
+            self.errors.append(plain_message(message))
+
+        self._tags = [(observed, observed.AddObserver("ErrorEvent", append)) for observed in self._objects]
         return self
 
-    def __exit__(self, *_) -> None:
+    def __exit__(self, *_: object) -> None:
         for observed, tag in self._tags:
             observed.RemoveObserver(tag)
         self._tags.clear()
 
 
-def run(
-    algorithm: vtkAlgorithm,
-    progress: Optional[Progress] = None,
-    action: Optional[Callable[[], object]] = None,
-    harmless: tuple[str, ...] = (),
-) -> list[str]:
-    """Bring an algorithm up to date, or do `action` with it (`writer.Write`, say).
+def run(algorithm: vtkAlgorithm, progress: Optional[Progress] = None, harmless: tuple[str, ...] = ()) -> list[str]:
+    """Bring an algorithm up to date; a writer writes.
 
-    Returns its warnings. Raises `Error` with its first error that does not begin with one of `harmless`. What is upstream of the algorithm
-    reports for itself: run that before. Raises `KeyboardInterrupt` after Ctrl-C, when the algorithm has
-    stopped, and whatever `progress` raises, which stops it too.
+    Returns its warnings. Raises `Error` with its first error that does not begin with one of
+    `harmless`. What is upstream of the algorithm reports for itself: run that before. Raises
+    `KeyboardInterrupt` after Ctrl-C, when the algorithm has stopped, and whatever `progress` raises,
+    which stops it too.
     """
-    executive = algorithm.GetExecutive()
-    with Messages(algorithm) as messages, Messages(executive) as executive_messages, _Stopper(algorithm, progress):
-        (action or algorithm.Update)()
+    with _Listener(algorithm, progress) as listener:
+        listener.update()
     # That a request failed, which is all the executive knows, counts only if nobody says why.
-    for error in messages.errors or executive_messages.errors:
+    for error in listener.messages[_ERROR] or listener.messages[_REQUEST_FAILED]:
         if not error.startswith(harmless):
             raise Error(error)
-    return messages.warnings
+    return listener.messages[_WARNING]
 
 
 def statistics_of(data: vtkDataObject) -> dict[str, float]:
@@ -110,38 +113,58 @@ def plain_message(decorated: str) -> str:
     return lines[0] if lines else "unknown error"
 
 
-def _appender(messages: list[str]) -> Callable:
-    @calldata_type(VTK_STRING)
-    def append(_object: vtkObject, _event: str, message: str) -> None:
-        messages.append(plain_message(message))
+# What vtkInsideOutUpdate.h calls the events that a listener is told of.
+_PROGRESS, _WARNING, _ERROR, _REQUEST_FAILED = range(4)
 
-    return append
+_ListenerFunction = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, ctypes.c_char_p, ctypes.c_double)
+
+# The library behind the wrapped classes, called with the interpreter's lock let go and held.
+_unlocked, _locked = ctypes.CDLL(_classes.__file__), ctypes.PyDLL(_classes.__file__)
+for _library in (_unlocked, _locked):
+    _library.vtkInsideOutUpdate.argtypes = [ctypes.c_void_p, ctypes.c_int, _ListenerFunction]
+    _library.vtkInsideOutUpdate.restype = None
 
 
-class _Stopper:
-    """While it is entered, Ctrl-C and what `progress` raises stop the algorithm, and come out at its end.
+def set_threads(number: int) -> None:
+    """How many threads the filters take in this thread of Python from now on, at least 1."""
+    try:
+        _locked.omp_set_num_threads(ctypes.c_int(number))
+    except AttributeError:
+        pass  # built without OpenMP: there is one
 
-    VTK ends the program where an observer is interrupted, and forgets whatever else it raises.
+
+class _Listener:
+    """Updates an algorithm and hears what it says. Ctrl-C and what `progress` raises stop it, and come out at its end.
+
+    VTK would end the program where an observer is interrupted, and forget whatever else it raises.
     """
 
     def __init__(self, algorithm: vtkAlgorithm, progress: Optional[Progress]):
+        self.messages: dict[int, list[str]] = {_WARNING: [], _ERROR: [], _REQUEST_FAILED: []}
         self._algorithm = algorithm
         self._progress = progress
         self._reason: Optional[BaseException] = None
-        self._handler = None
+        self._handler: Union[Callable[[int, Optional[FrameType]], Any], None] = None
 
-    def __enter__(self) -> None:
+    def __enter__(self) -> _Listener:
         self._algorithm.SetAbortExecute(0)
-        self._tag = self._algorithm.AddObserver("ProgressEvent", self._observe)
         # Python lets only the main thread handle signals, and only what Python has set can be set again.
         if threading.current_thread() is threading.main_thread():
             handler = signal.getsignal(signal.SIGINT)
             if callable(handler):
                 self._handler = handler
                 signal.signal(signal.SIGINT, self._interrupt)
+        return self
 
-    def __exit__(self, *_) -> None:
-        self._algorithm.RemoveObserver(self._tag)
+    def update(self) -> None:
+        writes = isinstance(self._algorithm, (vtkWriter, vtkXMLWriter))
+        if writes:
+            self._algorithm.Modified()  # or it would not write a second time
+        address = int(self._algorithm.GetAddressAsString("vtkAlgorithm").partition("=")[2], 16)
+        library = _locked if _may_call_python(self._algorithm) else _unlocked
+        library.vtkInsideOutUpdate(address, writes, _ListenerFunction(self._hear))
+
+    def __exit__(self, *_: object) -> None:
         if self._handler is not None:
             signal.signal(signal.SIGINT, self._handler)
         if self._reason is not None:
@@ -150,14 +173,28 @@ class _Stopper:
             self._algorithm.Modified()
             raise self._reason
 
-    def _interrupt(self, *_) -> None:
+    def _interrupt(self, _signal: int, _frame: Optional[FrameType]) -> None:
         self._reason = self._reason or KeyboardInterrupt()
 
-    def _observe(self, algorithm: vtkAlgorithm, _event: str) -> None:
-        if self._reason is None and self._progress is not None:
+    def _hear(self, event: int, text: Optional[bytes], fraction: float) -> int:
+        words = (text or b"").decode(errors="backslashreplace")
+        if event != _PROGRESS:
+            self.messages[event].append(plain_message(words))
+        elif self._reason is None and self._progress is not None:
             try:
-                self._progress(algorithm.GetProgressText() or "working", algorithm.GetProgress())
-            except Exception as error:
+                self._progress(words or "working", fraction)
+            except BaseException as error:
                 self._reason = error
-        if self._reason is not None:
-            algorithm.SetAbortExecute(1)
+        return int(self._reason is not None)
+
+
+def _may_call_python(algorithm: vtkAlgorithm) -> bool:
+    """Whether VTK might call Python while the algorithm, or one upstream of it, works: it does not take the lock first."""
+    events = ("AnyEvent", "StartEvent", "EndEvent", "ProgressEvent", "ErrorEvent", "WarningEvent", "ModifiedEvent")
+    if algorithm.IsA("vtkPythonAlgorithm") or any(algorithm.HasObserver(event) for event in events):
+        return True
+    return any(
+        _may_call_python(algorithm.GetInputAlgorithm(port, connection))
+        for port in range(algorithm.GetNumberOfInputPorts())
+        for connection in range(algorithm.GetNumberOfInputConnections(port))
+    )

@@ -20,8 +20,16 @@ DEFECTS = (
     ("DegenerateFacets", "degenerate facet, left out", "degenerate facets, left out"),
     ("TwoSidedSolids", "two-sided component, kept once", "two-sided components, kept once"),
     ("TwoSidedSheets", "two-sided sheet, which bounds nothing", "two-sided sheets, which bound nothing"),
+    ("NonParticipatingFacets", "facet that does not count, as asked", "facets that do not count, as asked"),
     ("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
     ("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
+)
+
+OUTLIERS = (
+    ("OutliersByEnergy", "segmented as outside"),
+    ("OutliersLost", "lost by the mesh"),
+    ("OutliersLeftOut", "left out by the resolver"),
+    ("OutliersDegenerate", "degenerate"),
 )
 
 TABLE = (
@@ -43,6 +51,7 @@ TIMES = (
     ("SecondsW", "winding numbers"),
     ("SecondsCut", "segmenting"),
     ("SecondsWrite", "writing"),
+    ("SecondsDraw", "drawing"),
 )
 
 
@@ -77,7 +86,7 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
         f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
-        f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets",
+        f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",
         f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
         f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
         *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
@@ -96,6 +105,44 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
         f"Verdict: {verdict}",
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
     ]
+
+
+def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
+    """The lines that `--winding` prints."""
+    lines = [f"Surface {name}", f"  {_count(statistics['InsidePlaces'])} of {_count(statistics['Places'])} places are inside"]
+    if "MinimumW" in statistics:
+        lines.append(f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}")
+    return [*lines, f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB"]
+
+
+COLUMNS = (
+    # statistic, heading
+    ("InputTriangles", "triangles"),
+    ("OpenEdges", "open edges"),
+    ("IntersectingPairs", "crossings"),
+    ("InsideCells", "tetrahedra"),
+    ("InsidePlaces", "inside"),
+    ("SecondsTotal", "seconds"),
+)
+
+
+def table(jobs: Sequence[tuple[str, Mapping[str, float], Optional[str]]]) -> list[str]:
+    """A line per surface, given its file, statistics and error: figures, and what went wrong."""
+    columns = [(key, words) for key, words in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
+    width = max(len(file) for file, _, _ in jobs)
+    lines = ["", " ".join([f"{'surface':{width}}", *(f"{words:>11}" for _, words in columns)])]
+    for file, statistics, error in jobs:
+        cells = [f"{statistics[key]:,.1f}" if key == "SecondsTotal" else _count(statistics[key]) for key, _ in columns if key in statistics]
+        cells = cells if len(cells) == len(columns) else ["-"] * len(columns)
+        lines.append(" ".join([f"{file:{width}}", *(f"{cell:>11}" for cell in cells)]) + (f"  {error}" if error else ""))
+    done = sum(error is None for _, _, error in jobs)
+    return [*lines, f"{done} of {len(jobs)} surfaces done"]
+
+
+def _reasons(statistics: Mapping[str, float]) -> str:
+    """Why facets are outliers, with how many of each; empty when there are none."""
+    reasons = [f"{_count(statistics[key])} {words}" for key, words in OUTLIERS if statistics.get(key, 0) > 0]
+    return f" ({', '.join(reasons)})" if reasons else ""
 
 
 def _listed(title: str, findings: Sequence[Finding]) -> list[str]:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import Iterable, Optional, Union
 
@@ -11,7 +10,7 @@ from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
-from .files import read_surface
+from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
 from .pipeline import Error, Progress, at_least, cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
@@ -49,13 +48,13 @@ Seeds = Union[vtkPointSet, Iterable[tuple[tuple[float, float, float], bool]]]
 class Tetrahedralization:
     """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays."""
 
-    solid: vtkUnstructuredGrid
+    solid: Tetrahedra
     """The tetrahedra inside, with `w` per cell. Empty, with a warning, when nothing is inside."""
-    boundary: vtkPolyData
+    boundary: TriangleSurface
     """The solid's boundary: watertight, oriented outward, with the input's attributes."""
-    outliers: vtkPolyData
-    """The pieces of input facets that are no face of a cell inside."""
-    hull: vtkUnstructuredGrid
+    outliers: TriangleSurface
+    """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
+    hull: Tetrahedra
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
     statistics: dict[str, float]
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
@@ -68,7 +67,7 @@ class Tetrahedralization:
 
 
 def tetrahedralize(
-    surface: Union[vtkPolyData, str, os.PathLike],
+    surface: AnySurface,
     *,
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
@@ -78,6 +77,9 @@ def tetrahedralize(
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
     engine: str = "automatic",
+    non_participating: Optional[str] = None,
+    merge_coplanar_pieces: bool = False,
+    split_seams: bool = False,
     data_term: str = "uniform",
     constrain_facets: Union[bool, str] = False,
     constrain_manifold: bool = False,
@@ -86,7 +88,7 @@ def tetrahedralize(
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
 
-    surface           a vtkPolyData of polygons or strips, or a .ply, .obj, .off, .stl or .vtp file
+    surface           a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
     gamma             weight of a smooth boundary against the winding number, at least 0; 0 takes
                       every cell with w above 1/2
     sigma             how large a step of w between neighbouring cells may be noise, at least 1e-6
@@ -98,6 +100,12 @@ def tetrahedralize(
                       which is TetGen, and exact flips where it fails
     time_budget       seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size
     memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
+    non_participating  the name of a cell array of the surface: cells where it is not 0 do not count in
+                      w, but shape the mesh
+    merge_coplanar_pieces  put the pieces of an input triangle together again on the boundary where all
+                      of it lies there
+    split_seams       give the boundary a point for each of the input's texture coordinates and normals
+                      in a place, instead of the lowest point's alone
     data_term         how much a cell's own w counts: "uniform", or "volume weighted", so that slivers
                       do not outvote large cells
     constrain_facets  keep every facet as faces of cells inside, thin sheets too; or, by the name of
@@ -108,21 +116,29 @@ def tetrahedralize(
     progress          called with the stage and the fraction of all the work that is done; what it
                       raises stops the work and is raised
 
-    What is not given has the default of the class vtkRobustTetrahedralize. Raises `Error` with one
-    line that names what is wrong.
+    What is not given has the default of the class vtkRobustTetrahedralize. Returns a
+    `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     tetrahedralizer = make_filter(
-        gamma, sigma, orientation, merge_tolerance, count_duplicates, time_budget, memory_budget, engine,
-        data_term, constrain_facets, constrain_manifold,
+        gamma,
+        sigma,
+        orientation,
+        merge_tolerance,
+        count_duplicates,
+        time_budget,
+        memory_budget,
+        engine,
+        non_participating,
+        merge_coplanar_pieces,
+        split_seams,
+        data_term,
+        constrain_facets,
+        constrain_manifold,
     )
     if seeds is not None:
         tetrahedralizer.SetSeedsData(seeds if isinstance(seeds, vtkPointSet) else _seed_points(seeds))
-    warnings: list[str] = []
-    if not isinstance(surface, (vtkPolyData, str, os.PathLike)):
-        raise Error(f"the surface is a {type(surface).__name__}; it can be a vtkPolyData or a file's name")
-    if not isinstance(surface, vtkPolyData):
-        surface, warnings = read_surface(surface)
-    tetrahedralizer.SetInputData(surface)
+    polygons, warnings = as_surface(surface)
+    tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
     warnings = warnings + run(tetrahedralizer, progress)
 
@@ -130,10 +146,10 @@ def tetrahedralize(
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
     return Tetrahedralization(
-        solid=_inside_cells(hull),
-        boundary=tetrahedralizer.GetBoundary(),
-        outliers=tetrahedralizer.GetOutliers(),
-        hull=hull,
+        solid=as_type(Tetrahedra, _inside_cells(hull)),
+        boundary=as_type(TriangleSurface, tetrahedralizer.GetBoundary()),
+        outliers=as_type(TriangleSurface, tetrahedralizer.GetOutliers()),
+        hull=as_type(Tetrahedra, hull),
         statistics=statistics_of(hull),
         left_out_cells=cells_of(hull, "LeftOutCellIds"),
         lost_cells=cells_of(hull, "LostCellIds"),
@@ -150,6 +166,9 @@ def make_filter(
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
     engine: str = "automatic",
+    non_participating: Optional[str] = None,
+    merge_coplanar_pieces: bool = False,
+    split_seams: bool = False,
     data_term: str = "uniform",
     constrain_facets: Union[bool, str] = False,
     constrain_manifold: bool = False,
@@ -180,6 +199,10 @@ def make_filter(
         tetrahedralizer.SetTimeBudget(at_least(0, "time_budget", time_budget))
     if memory_budget is not None:
         tetrahedralizer.SetMemoryBudget(at_least(0, "memory_budget", memory_budget))
+    if non_participating is not None:
+        tetrahedralizer.SetNonParticipatingArrayName(non_participating)
+    tetrahedralizer.SetMergeCoplanarPieces(bool(merge_coplanar_pieces))
+    tetrahedralizer.SetSplitSeams(bool(split_seams))
     return tetrahedralizer
 
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CountedChain.h"
 
+#include "SortedTriangle.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 using namespace insideout;
 using namespace testmeshes;
@@ -262,6 +264,95 @@ TEST(CountedChain, LeavesAFlatClosedTwoSidedComponentAtZero)
   const CountedChain chain = Count(soup);
   EXPECT_EQ(chain.Counts.TwoSidedSheets, 1);
   EXPECT_EQ(chain.Counts.TwoSidedSolids, 0);
+}
+
+TEST(CountedChain, CountsAsIfWhatDoesNotParticipateWereNotThere)
+{
+  int others = 0;
+  for (unsigned seed = 0; seed < 50; ++seed)
+  {
+    TriangleSoup soup = GridSoup(seed, 60, 3);
+    const std::size_t once = soup.Triangles.size();
+    for (std::size_t t = 0; t < once; t += 2) // duplicates, as given and reversed
+    {
+      const Triangle& f = soup.Triangles[t];
+      soup.Triangles.push_back(
+        t % 4 ? Triangle{ { f[2], f[0], f[1] } } : Triangle{ { f[1], f[0], f[2] } });
+    }
+    std::mt19937 random(seed);
+    TriangleSoup participants;
+    participants.Points = soup.Points;
+    for (const Triangle& t : soup.Triangles)
+    {
+      soup.NonParticipating.push_back(random() % 3 == 0);
+      if (soup.NonParticipating.back() == 0)
+      {
+        participants.Triangles.push_back(t);
+      }
+    }
+    CountedChainParameters parameters;
+    parameters.CountDuplicates = seed % 2 != 0;
+    const CountedChain chain = Count(soup, parameters);
+    const CountedChain expected = Count(participants, parameters);
+
+    // Per triangle, by the places of its corners, how often it counts along the sorted corners.
+    const auto counts = [](const FacetComplex& surface)
+    {
+      std::map<std::array<Point, 3>, int> result;
+      for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+      {
+        const SortedTriangle sorted(
+          surface.Facets[f]); // complexes keep the input's order of points
+        result[{ surface.Points[sorted.Points[0]], surface.Points[sorted.Points[1]],
+          surface.Points[sorted.Points[2]] }] =
+          sorted.Turned ? -surface.Multiplicity[f] : surface.Multiplicity[f];
+      }
+      return result;
+    };
+    std::map<std::array<Point, 3>, int> found = counts(chain.Surface);
+    for (const auto& [corners, count] : counts(expected.Surface))
+    {
+      EXPECT_EQ(found.at(corners), count);
+      found.erase(corners);
+    }
+    for (const auto& facet : found)
+    {
+      EXPECT_EQ(facet.second, 0);
+    }
+    EXPECT_EQ(static_cast<Id>(found.size()), chain.Counts.NonParticipatingFacets);
+    EXPECT_EQ(chain.Surface.NumberOfConstraints, chain.Surface.NumberOfFacets());
+    EXPECT_EQ(chain.Counts.CancelledFacets, expected.Counts.CancelledFacets);
+    EXPECT_EQ(chain.Counts.TwoSidedSheets, expected.Counts.TwoSidedSheets);
+    others += chain.Counts.NonParticipatingFacets;
+  }
+  EXPECT_GT(others, 100);
+}
+
+TEST(CountedChain, KeepsNoSolidTwiceForThatItDoesNotParticipate)
+{
+  const TriangleSoup box = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  TriangleSoup soup = Join(box, Box({ 4, 0, 0 }, { 5, 1, 1 }));
+  soup.NonParticipating.assign(24, 0);
+  std::fill(soup.NonParticipating.begin() + 12, soup.NonParticipating.end(), 1);
+  const CountedChain chain = Count(soup);
+  EXPECT_DOUBLE_EQ(SignedVolume(chain.Surface), 1);
+  EXPECT_EQ(chain.Counts.TwoSidedSolids, 0);
+  EXPECT_EQ(chain.Counts.NonParticipatingFacets, 12);
+  EXPECT_TRUE(chain.Warnings.empty());
+
+  soup.NonParticipating.pop_back();
+  ExpectError(
+    soup, ErrorCode::InvalidParameter, "whether they participate is given for 23 of 24 triangles");
+}
+
+TEST(CountedChain, SaysWhatBecameOfPointsAndNamesDegenerateTriangles)
+{
+  TriangleSoup soup = Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 1, 0, 0 }, { 2, 1, 1 }));
+  soup.Triangles.insert(soup.Triangles.begin() + 5, { { 1, 8, 3 } }); // 1 and 8 stand together
+  const CountedChain chain = Count(soup);
+  EXPECT_EQ(chain.DegenerateTriangles, std::vector<Id>({ 5 }));
+  EXPECT_EQ(
+    chain.MergedInto, std::vector<Id>({ 0, 1, 2, 3, 4, 5, 6, 7, 1, 9, 3, 11, 5, 13, 7, 15 }));
 }
 
 TEST(CountedChain, CountsOpenAndNonManifoldEdgesAndComponents)

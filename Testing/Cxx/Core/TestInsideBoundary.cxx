@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace
 {
@@ -124,88 +123,9 @@ TEST(BoundaryFaces, IsTheHullWhenAllIsInsideAndNothingWhenNothingIs)
   EXPECT_TRUE(BoundaryFaces(mesh, std::vector<unsigned char>(162, 0)).empty());
 }
 
-/** Give the faces of the mesh to `facets` facets at random, several pieces each. */
-FacetComplex DealFaces(TetrahedralMesh& mesh, unsigned seed, int facets)
-{
-  FacetComplex surface = testtetrahedra::RandomFaces(mesh, seed);
-  surface.Facets.resize(facets);
-  surface.Multiplicity.resize(facets);
-  surface.NumberOfConstraints = facets;
-  for (std::array<Id, 4>& ids : mesh.Facets)
-  {
-    for (Id& id : ids)
-    {
-      id = id == None ? None : id % facets;
-    }
-  }
-  return surface;
-}
-
-TEST(OutlierFacets, AreThoseWithAPieceThatTouchesNoInsideCell)
-{
-  std::size_t outlying = 0;
-  std::size_t satisfied = 0;
-  for (unsigned seed = 0; seed < 40; ++seed)
-  {
-    TetrahedralMesh mesh = Grid(seed, 3);
-    const FacetComplex surface = DealFaces(mesh, seed, 30);
-    const std::vector<unsigned char> inside = RandomInside(mesh, seed);
-
-    // Per piece, by its points: its facet and how many inside cells it touches.
-    std::map<std::array<Id, 3>, std::pair<Id, int>> pieces;
-    for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        if (mesh.Facets[cell][k] != None)
-        {
-          std::array<Id, 3> key;
-          for (int j = 0; j < 3; ++j)
-          {
-            key[j] = mesh.Cells[cell][TetrahedronFaces[k][j]];
-          }
-          std::sort(key.begin(), key.end());
-          pieces[key].first = mesh.Facets[cell][k];
-          pieces[key].second += inside[cell];
-        }
-      }
-    }
-    std::set<Id> expected;
-    for (const auto& piece : pieces)
-    {
-      if (piece.second.second == 0)
-      {
-        expected.insert(piece.second.first);
-      }
-    }
-    outlying += expected.size();
-    satisfied += 30 - expected.size();
-    EXPECT_EQ(
-      OutlierFacets(surface, mesh, inside), std::vector<Id>(expected.begin(), expected.end()));
-  }
-  EXPECT_GT(outlying, 100u);
-  EXPECT_GT(satisfied, 100u);
-}
-
-TEST(OutlierFacets, IncludeLostUnresolvedAndMissingFacets)
-{
-  TetrahedralMesh mesh = Grid(1, 3);
-  FacetComplex surface = DealFaces(mesh, 1, 30);
-  const std::vector<unsigned char> all(mesh.Cells.size(), 1);
-  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>());
-  mesh.LostFacets = { 17 };
-  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>({ 17 }));
-  surface.NumberOfConstraints = 28;
-  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>({ 17, 28, 29 }));
-  surface.Facets.push_back(surface.Facets[0]);
-  surface.NumberOfConstraints = 31;
-  EXPECT_EQ(OutlierFacets(surface, mesh, all), std::vector<Id>({ 17, 30 }));
-}
-
 TEST(InsideBoundary, WantsOneLabelPerCell)
 {
-  TetrahedralMesh mesh = Grid(1, 1);
-  const FacetComplex surface = testtetrahedra::RandomFaces(mesh, 1);
+  const TetrahedralMesh mesh = Grid(1, 1);
   const auto code = [](auto function)
   {
     try
@@ -221,6 +141,5 @@ TEST(InsideBoundary, WantsOneLabelPerCell)
   };
   const std::vector<unsigned char> five(5, 1);
   EXPECT_EQ(code([&] { BoundaryFaces(mesh, five); }), ErrorCode::InvalidParameter);
-  EXPECT_EQ(code([&] { OutlierFacets(surface, mesh, five); }), ErrorCode::InvalidParameter);
 }
 } // namespace

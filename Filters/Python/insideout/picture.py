@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One picture of what InsideOut does to a surface.
+"""The picture that `insideout.draw` draws, as a program, for it needs a display.
 
-    xvfb-run -a python3 picture.py SURFACE HULL.vtu PICTURE.png
+    python3 -m insideout.picture SURFACE.vtp HULL.vtu PICTURE.png
 
-HULL.vtu is what `python3 -m insideout SURFACE SOLID.vtu --hull HULL.vtu` writes. Side by side, seen
-from the same place: the surface with its defects, a slice of the winding number w through the hull,
-and the tetrahedra inside, cut open.
+Side by side, seen from the same place: the surface with its defects, a slice of the winding number w
+through the hull, and the tetrahedra inside, cut open.
 """
 
-import sys
+from __future__ import annotations
 
-import insideout
+import sys
+from typing import Optional, Tuple
+
 import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from insideout.files import read_surface
+from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkThreshold, vtkTriangleFilter
@@ -28,21 +29,27 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
     vtkPolyDataMapper,
+    vtkProp,
     vtkRenderer,
     vtkRenderWindow,
     vtkTextActor,
     vtkWindowToImageFilter,
 )
 
+from .data import as_surface
+from .pipeline import Error, run
+from .vtkFiltersInsideOut import vtkResolveSelfIntersections
+
 PANEL_WIDTH, HEIGHT = 800, 900
 WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
-BACKGROUND = (1.0, 1.0, 1.0)
-INK = (0.15, 0.15, 0.18)
-SOUND = (0.86, 0.86, 0.83)
-CROSSING = (0.90, 0.20, 0.15)
-OPEN = (0.50, 0.05, 0.05)
-NON_MANIFOLD = (0.50, 0.15, 0.65)
-SOLID = (0.45, 0.66, 0.80)
+Colour = Tuple[float, float, float]
+BACKGROUND: Colour = (1.0, 1.0, 1.0)
+INK: Colour = (0.15, 0.15, 0.18)
+SOUND: Colour = (0.86, 0.86, 0.83)
+CROSSING: Colour = (0.90, 0.20, 0.15)
+OPEN: Colour = (0.50, 0.05, 0.05)
+NON_MANIFOLD: Colour = (0.50, 0.15, 0.65)
+SOLID: Colour = (0.45, 0.66, 0.80)
 
 
 # --- What is seen ---
@@ -59,15 +66,15 @@ def crossing_facets(surface: vtkPolyData) -> tuple[vtkPolyData, vtkPolyData]:
     bare.SetPoints(triangles.GetOutput().GetPoints())
     bare.SetPolys(triangles.GetOutput().GetPolys())
 
-    resolve = insideout.vtkResolveSelfIntersections()
+    resolve = vtkResolveSelfIntersections()
     resolve.SetInputData(bare)
-    insideout.pipeline.run(resolve)
+    run(resolve)
     ids = vtk_to_numpy(resolve.GetOutput().GetCellData().GetArray("vtkOriginalCellIds"))
     crosses = np.bincount(ids, minlength=bare.GetNumberOfCells()) > 1
     return some_triangles(bare, crosses), some_triangles(bare, ~crosses)
 
 
-def some_triangles(surface: vtkPolyData, chosen: np.ndarray) -> vtkPolyData:
+def some_triangles(surface: vtkPolyData, chosen: NDArray[np.bool_]) -> vtkPolyData:
     corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)[chosen]
     cells = vtkCellArray()
     cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners).ravel(), deep=True))
@@ -145,7 +152,7 @@ class View:
         self.distance = 4 * float(np.linalg.norm(size))
         self.size = self._size_on_screen(bounds)
 
-    def _size_on_screen(self, bounds: np.ndarray) -> tuple[float, float]:
+    def _size_on_screen(self, bounds: NDArray[np.float64]) -> tuple[float, float]:
         across = np.cross(self.up, self.eye)
         across /= np.linalg.norm(across)
         down = np.cross(across, self.eye)
@@ -172,7 +179,9 @@ class View:
 # --- How it is drawn ---
 
 
-def actor(data: vtkPolyData, colour, edge_colour=None, width=1.0) -> vtkActor:
+def actor(
+    data: vtkPolyData, colour: Colour, edge_colour: Optional[Colour] = None, width: float = 1.0
+) -> vtkActor:
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
@@ -191,7 +200,7 @@ def actor(data: vtkPolyData, colour, edge_colour=None, width=1.0) -> vtkActor:
     return drawn
 
 
-def line_actor(data: vtkPolyData, colour, width: float) -> vtkActor:
+def line_actor(data: vtkPolyData, colour: Colour, width: float) -> vtkActor:
     drawn = actor(data, colour, width=width)
     drawn.GetProperty().LightingOff()
     drawn.GetProperty().RenderLinesAsTubesOn()
@@ -244,7 +253,7 @@ def colour_bar() -> vtkScalarBarActor:
     return bar
 
 
-def words(text: str, height: float, colour=INK, size: int = 24, bold: bool = False) -> vtkTextActor:
+def words(text: str, height: float, colour: Colour = INK, size: int = 24, bold: bool = False) -> vtkTextActor:
     """A line in the middle of a panel, at this height of it (0 to 1)."""
     line = vtkTextActor()
     line.SetInput(text)
@@ -262,7 +271,7 @@ def words(text: str, height: float, colour=INK, size: int = 24, bold: bool = Fal
 # --- The panels ---
 
 
-def surface_panel(surface: vtkPolyData) -> list:
+def surface_panel(surface: vtkPolyData) -> list[vtkProp]:
     crossing, sound = crossing_facets(surface)
     open_edges, non_manifold = edges(surface, "Boundary"), edges(surface, "NonManifold")
     drawn = [actor(sound, SOUND), actor(crossing, CROSSING)]
@@ -280,19 +289,19 @@ def surface_panel(surface: vtkPolyData) -> list:
     return [*drawn, words("The surface and its defects", 0.95, size=30, bold=True), *lines]
 
 
-def slice_panel(hull: vtkUnstructuredGrid, view: View) -> list:
+def slice_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     title = words("Winding number w, a slice of the hull", 0.95, size=30, bold=True)
     return [slice_actor(slice_of(hull, view.slice_plane())), title, colour_bar()]
 
 
-def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list:
+def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     solid = cells_inside(hull)
     count = f"{solid.GetNumberOfCells():,} tetrahedra"
     title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]
 
 
-def render(panels: list, view: View, file: str) -> None:
+def render(panels: list[list[vtkProp]], view: View, file: str) -> None:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
@@ -313,14 +322,16 @@ def render(panels: list, view: View, file: str) -> None:
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(file)
-    insideout.pipeline.run(writer, action=writer.Write)
+    writer.Write()
+    if writer.GetErrorCode() != 0:
+        raise Error(f"cannot write {file}")
 
 
 def main(surface_file: str, hull_file: str, picture_file: str) -> None:
-    surface, _ = read_surface(surface_file)
+    surface, _ = as_surface(surface_file)
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(hull_file)
-    insideout.pipeline.run(reader)
+    run(reader)
     hull = reader.GetOutput()
     view = View(surface)
     render([surface_panel(surface), slice_panel(hull, view), solid_panel(hull, view)], view, picture_file)
@@ -331,5 +342,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(*sys.argv[1:])
-    except insideout.Error as error:
-        sys.exit(f"picture.py: {error}")
+    except Error as error:
+        sys.exit(str(error))

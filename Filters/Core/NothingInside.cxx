@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "NothingInside.h"
+
+#include "WindingNumberOfCells.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** The cause, and the remedy. @param[in] least,most of w */
+std::string LikelyCause(const HullMesh& hull, double least, double most)
+{
+  const std::vector<std::int16_t>& multiplicity = hull.Surface.Multiplicity;
+  if (hull.Counts.NonParticipatingFacets == hull.Counts.Facets)
+  {
+    return "No facet participates: see NonParticipatingArrayName";
+  }
+  if (std::all_of(multiplicity.begin(), multiplicity.end(), [](int m) { return m == 0; }))
+  {
+    return "The surface is two-sided: its facets cancel in pairs. Give each once, leave one side "
+           "out by NonParticipatingArrayName, or set ConstrainFacets to keep thin solids";
+  }
+  if (least < -0.5 && SignedContent(hull.Mesh, hull.W) < 0)
+  {
+    return "The surface is inside out: set Orientation to Automatic, or to the other way";
+  }
+  if (most > 0.5)
+  {
+    return "The graph cut smoothed away where w is above 1/2: set Gamma lower, 0 to keep it all";
+  }
+  if (hull.Counts.OpenEdges == 0 || least < -0.5)
+  {
+    return "The surface faces both ways, and its parts cancel: turn its facets alike before";
+  }
+  const std::string counting = hull.Counts.DuplicateFacets > 0
+    ? "set CountDuplicates if its sheets are meant to add up, "
+    : std::string();
+  return "The surface is too open, w is nowhere above 1/2: close its largest holes, " + counting +
+    "or take a lower threshold of w";
+}
+} // namespace
+
+std::string NothingInside(const HullMesh& hull)
+{
+  const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
+  return "nothing is inside: w ranges from " + std::to_string(*least) + " to " +
+    std::to_string(*most) + ". " + LikelyCause(hull, *least, *most);
+}
+} // namespace insideout

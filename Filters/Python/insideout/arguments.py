@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The arguments of the command `python3 -m insideout`, and the files that they name."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from dataclasses import dataclass, fields
+from typing import NoReturn, Optional, Sequence
+
+from .files import READABLE_SURFACES, WRITABLE_SURFACES
+from .places import QUERIES
+from .tetrahedralization import DATA_TERMS, ENGINES
+from .version import __version__
+
+USAGE_ERROR = 1
+
+EXAMPLES = """\
+examples:
+  python3 -m insideout broken.ply solid.vtu
+      the tetrahedra inside
+  python3 -m insideout --check broken.ply
+      only what is wrong with it
+  python3 -m insideout broken.ply solid.vtu --boundary solid.stl --plot picture.png --report report.json
+      the watertight boundary, a picture and a report too
+  python3 -m insideout *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
+      several; {} is each one's name without ending, and a table comes at the end
+  python3 -m insideout --winding grid.vti broken.ply w.vti
+      the winding number at places of yours, without a mesh
+
+Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C.
+"""
+
+MESH_OPTIONS = (
+    *("hull", "boundary", "outliers", "plot", "gamma", "sigma", "engine", "time_budget", "memory_budget"),
+    *("data_term", "constrain_facets", "constrain_manifold"),
+    *("non_participating", "merge_coplanar_pieces", "split_seams"),
+)
+
+
+@dataclass(frozen=True)
+class Files:
+    """The files that belong to one surface."""
+
+    surface: str
+    output: Optional[str] = None
+    hull: Optional[str] = None
+    boundary: Optional[str] = None
+    outliers: Optional[str] = None
+    plot: Optional[str] = None
+    report: Optional[str] = None
+
+    def all(self) -> list[str]:
+        """Those that there are."""
+        paths = [getattr(self, field.name) for field in fields(self)]
+        return [path for path in paths if path is not None]
+
+
+FILE_OPTIONS = [field.name for field in fields(Files) if field.name != "surface"]
+
+
+def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace, list[Files]]:
+    """The options, and the files of each surface. Ends the program with one line where they make no sense."""
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    surfaces = list(options.files)
+    options.output = None
+    if not options.check:
+        last = surfaces.pop() if len(surfaces) > 1 else None
+        expected = "OUTPUT.vtu" if options.winding is None else "OUTPUT" + os.path.splitext(options.winding)[1]
+        if last is None:
+            parser.error(f"the following arguments are required: {expected}")
+        options.output = last
+    elif surfaces[-1].lower().endswith(".vtu"):
+        parser.error("--check meshes nothing: it goes without OUTPUT.vtu")
+    _refuse_what_makes_no_mesh(parser, options)
+    if options.threads is not None and options.threads < 1:
+        parser.error(f"--threads is {options.threads}; it must be at least 1")
+    if options.timeout is not None and not options.timeout > 0:
+        parser.error(f"--timeout is {options.timeout:g}; it must be above 0")
+    return options, _files(parser, options, surfaces)
+
+
+def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    mode = "--check" if options.check else "--winding" if options.winding is not None else None
+    if options.check and options.winding is not None:
+        parser.error("--check meshes nothing: it goes without --winding")
+    for name in MESH_OPTIONS:
+        value = getattr(options, name)
+        if mode is not None and value is not None and value is not False:
+            parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
+
+
+def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: list[str]) -> list[Files]:
+    """The files of each surface: {} in a name stands for the surface's, without folder and ending."""
+    patterns = {name: getattr(options, name) for name in FILE_OPTIONS if getattr(options, name) is not None}
+    seen: dict[str, str] = {}
+    all_files = []
+    for surface in surfaces:
+        stem = os.path.splitext(os.path.basename(surface))[0]
+        named = {name: pattern.replace("{}", stem) for name, pattern in patterns.items()}
+        for name, path in named.items():
+            if path in seen:
+                way = "write {} in it for the surface's name" if "{}" not in patterns[name] else "rename one"
+                parser.error(f"{seen[path]} and {surface} would both be written to {path}: {way}")
+        seen.update({path: surface for path in named.values() if len(surfaces) > 1})
+        all_files.append(Files(surface, **named))
+    return all_files
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line, like every other failure, and not with the usage before it."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(USAGE_ERROR, f"{self.prog}: {message} (see --help)\n")
+        raise SystemExit
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog="insideout",
+        allow_abbrev=False,
+        usage="python3 -m insideout SURFACE... OUTPUT.vtu [options]\n"
+        "       python3 -m insideout --check SURFACE... [options]\n"
+        "       python3 -m insideout --winding QUERY SURFACE... OUTPUT [options]",
+        description="From a broken surface to tetrahedra of the solid that it means.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    surface_endings = ", ".join(WRITABLE_SURFACES)
+    parser.add_argument(
+        *("files",),
+        metavar="SURFACE... OUTPUT",
+        nargs="+",
+        help=f"the surfaces ({', '.join(READABLE_SURFACES)}), and where to write the tetrahedra inside (.vtu); in the name "
+        "of every file that is written {} stands for the surface's name without folder and ending",
+    )
+    mode = parser.add_argument_group("instead of tetrahedra")
+    mode.add_argument("--check", action="store_true", help="only say what is wrong with the surface, and whether it matters here")
+    mode.add_argument(
+        "--winding",
+        metavar="QUERY",
+        help=f"only evaluate the winding number: at the places in a .csv file (columns x, y, z) or at the points of an "
+        f"image ({QUERIES[1]}); OUTPUT has the same ending",
+    )
+    files = parser.add_argument_group("what to write")
+    files.add_argument("--hull", metavar="HULL.vtu", help="all tetrahedra of the convex hull, with w and Inside")
+    files.add_argument("--boundary", metavar="FILE", help=f"the solid's boundary ({surface_endings})")
+    files.add_argument("--outliers", metavar="FILE", help=f"the facets that are no part of the solid ({surface_endings})")
+    files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; needs no window")
+    files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
+    how = parser.add_argument_group("how")
+    how.add_argument("--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2; default 2")
+    how.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6; default 0.15")
+    how.add_argument("--data-term", choices=list(DATA_TERMS), help="how much a cell's own w counts; uniform by default")
+    how.add_argument("--constrain-facets", action="store_true", help="keep every facet as faces of the solid, thin sheets too")
+    how.add_argument("--constrain-manifold", action="store_true", help="make the solid's boundary a 2-manifold")
+    how.add_argument(
+        "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0; default 0"
+    )
+    how.add_argument("--engine", choices=list(ENGINES), help="what makes the tetrahedra; automatic by default")
+    how.add_argument("--time-budget", metavar="S", type=float, help="seconds that tetrahedralizing may take before it makes do; 0 goes by size")
+    how.add_argument("--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size")
+    how.add_argument("--non-participating", metavar="ARRAY", help="cell array that is not 0 where a cell does not count in w")
+    how.add_argument(
+        "--merge-coplanar-pieces",
+        action="store_true",
+        help="put the pieces of a triangle together again on the boundary where all of it lies there",
+    )
+    how.add_argument(
+        "--split-seams",
+        action="store_true",
+        help="keep all texture coordinates and normals of a point on the boundary, by several points",
+    )
+    how.add_argument("--timeout", metavar="S", type=float, help="give a surface up after this many seconds; none by default")
+    how.add_argument("--threads", metavar="N", type=int, help="how many threads work; by default one per processor")
+    how.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    parser.add_argument("--version", action="version", version=f"insideout {__version__}")
+    return parser

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""VTK's data sets with numpy views of what is in them, and surfaces out of whatever holds triangles."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Mapping, Sequence, Tuple, TypeVar, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkDataSetAttributes, vtkPolyData, vtkUnstructuredGrid
+
+from .files import Path, read_surface
+from .pipeline import Error
+
+PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
+AnySurface = Union[vtkPolyData, Path, PointsAndTriangles, Any]
+"""What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
+.stl or .vtp file; a pair (points, triangles) of arrays with three columns; or a meshio.Mesh."""
+
+AnyPoints = Union[vtkDataSet, ArrayLike]
+"""What every function takes for points: an array with three columns, or the points of a VTK data set."""
+
+_POLYGONS = ("triangle", "quad", "polygon")  # meshio's types of cells that are one
+
+DataSet = TypeVar("DataSet", bound=vtkDataSet)
+
+
+class TriangleSurface(vtkPolyData):
+    """A vtkPolyData of triangles. Its arrays are views: they show VTK's memory and cost nothing."""
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Coordinates, one row each."""
+        return _points_of(self)
+
+    @property
+    def triangles(self) -> NDArray[np.int64]:
+        """The three points of each triangle, counterclockwise seen from outside."""
+        return _corners_of(self.GetPolys(), 3)
+
+    @property
+    def point_arrays(self) -> dict[str, NDArray]:
+        """The numeric arrays with a value per point, by name."""
+        return _arrays_of(self.GetPointData())
+
+    @property
+    def cell_arrays(self) -> dict[str, NDArray]:
+        """The numeric arrays with a value per triangle, by name."""
+        return _arrays_of(self.GetCellData())
+
+    def to_meshio(self) -> Any:
+        """The same as a meshio.Mesh, with all arrays."""
+        return _meshio_mesh(self, "triangle", self.triangles)
+
+
+class Tetrahedra(vtkUnstructuredGrid):
+    """A vtkUnstructuredGrid of tetrahedra. Its arrays are views: they show VTK's memory and cost nothing."""
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """Coordinates, one row each."""
+        return _points_of(self)
+
+    @property
+    def cells(self) -> NDArray[np.int64]:
+        """The four points of each tetrahedron, positively oriented."""
+        return _corners_of(self.GetCells(), 4)
+
+    @property
+    def w(self) -> NDArray[np.float64]:
+        """The winding number of each tetrahedron."""
+        return self.cell_arrays["w"]
+
+    @property
+    def inside(self) -> NDArray[np.bool_]:
+        """Whether each tetrahedron is inside."""
+        return self.cell_arrays["Inside"].astype(bool)
+
+    @property
+    def point_arrays(self) -> dict[str, NDArray]:
+        """The numeric arrays with a value per point, by name."""
+        return _arrays_of(self.GetPointData())
+
+    @property
+    def cell_arrays(self) -> dict[str, NDArray]:
+        """The numeric arrays with a value per tetrahedron, by name."""
+        return _arrays_of(self.GetCellData())
+
+    def to_meshio(self) -> Any:
+        """The same as a meshio.Mesh, with all arrays."""
+        return _meshio_mesh(self, "tetra", self.cells)
+
+
+def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:
+    """The same data, not copied, as another of the types here."""
+    typed = data_type()
+    typed.ShallowCopy(data)
+    return typed
+
+
+def as_surface(surface: AnySurface) -> tuple[vtkPolyData, list[str]]:
+    """The surface as VTK holds it, and what was passed over on the way. Raises `Error` for what is none."""
+    if isinstance(surface, vtkPolyData):
+        return surface, []
+    if isinstance(surface, (str, os.PathLike)):
+        return read_surface(surface)
+    if hasattr(surface, "points") and hasattr(surface, "cells"):
+        return _surface_of_meshio(surface)
+    if isinstance(surface, (tuple, list)) and len(surface) == 2:
+        return make_surface(*surface), []
+    raise Error(
+        f"the surface is a {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
+        "a pair (points, triangles) of arrays, or a meshio.Mesh"
+    )
+
+
+def make_surface(points: ArrayLike, *polygons: ArrayLike) -> TriangleSurface:
+    """A surface of points and polygons: arrays of as many columns as the polygons have corners."""
+    cells = vtkCellArray()
+    for block in polygons:
+        corners = _rows("triangles", block, np.int64)
+        if len(corners) and corners.shape[1] < 3:
+            raise Error(f"triangles has {corners.shape[1]} columns; it must have 3: ids of points, from 0")
+        cells.Append(_cells_of(corners))
+    surface = TriangleSurface()
+    surface.SetPoints(_make_points(points))
+    surface.SetPolys(cells)
+    return surface
+
+
+def as_points(points: AnyPoints) -> vtkDataSet:
+    """A VTK data set with these points. Raises `Error` for what is no table of them."""
+    if isinstance(points, vtkDataSet):
+        return points
+    data = vtkPolyData()
+    data.SetPoints(_make_points(points))
+    return data
+
+
+def _make_points(values: ArrayLike) -> vtkPoints:
+    """VTK's points, in double precision, with a copy of the coordinates."""
+    rows = _rows("points", values, float)
+    if rows.shape[1] != 3:
+        raise Error(f"points has {rows.shape[1]} columns; it must have 3: x, y and z")
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(rows, deep=True))
+    return points
+
+
+def _rows(name: str, values: ArrayLike, kind: type) -> NDArray:
+    """A table as one array of a type, whatever holds it."""
+    try:
+        table = np.asarray(values)
+        rows: NDArray = np.ascontiguousarray(table, dtype=kind)
+    except (TypeError, ValueError):
+        raise Error(f"{name} is no table of numbers") from None
+    if rows.size == 0:
+        return rows.reshape(0, 3)
+    if rows.ndim != 2:
+        raise Error(f"{name} has {rows.ndim} dimensions; it must have 2, a row for each")
+    if kind is np.int64 and not np.array_equal(rows, table):
+        raise Error(f"{name} holds what is no whole number")
+    return rows
+
+
+def _cells_of(corners: NDArray[np.int64]) -> vtkCellArray:
+    cells = vtkCellArray()
+    cells.SetData(corners.shape[1], numpy_to_vtkIdTypeArray(corners.ravel(), deep=True))
+    return cells
+
+
+def _points_of(data: Union[vtkPolyData, vtkUnstructuredGrid]) -> NDArray[np.float64]:
+    return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else np.zeros((0, 3))
+
+
+def _corners_of(cells: vtkCellArray, size: int) -> NDArray[np.int64]:
+    if cells.GetNumberOfConnectivityIds() != size * cells.GetNumberOfCells():
+        raise Error(f"some cells have not {size} points: go through vtkTriangleFilter first")
+    return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, size)
+
+
+def _arrays_of(data: vtkDataSetAttributes) -> dict[str, NDArray]:
+    arrays = [data.GetArray(index) for index in range(data.GetNumberOfArrays())]
+    return {array.GetName(): vtk_to_numpy(array) for array in arrays if array is not None and array.GetName()}
+
+
+def _add_arrays(arrays: Mapping[str, ArrayLike], data: vtkDataSetAttributes) -> None:
+    for name, values in arrays.items():
+        rows = np.ascontiguousarray(values)
+        if rows.dtype.kind in "iuf" and rows.ndim in (1, 2):
+            array = numpy_to_vtk(rows, deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+
+
+def _surface_of_meshio(mesh: Any) -> tuple[TriangleSurface, list[str]]:
+    """The polygons of a meshio.Mesh with their data, and how many other cells there are."""
+    chosen = [k for k, block in enumerate(mesh.cells) if block.type.startswith(_POLYGONS)]
+    others = sum(len(block.data) for k, block in enumerate(mesh.cells) if k not in chosen)
+    if not chosen:
+        raise Error("the meshio.Mesh has no triangles, quads or polygons")
+    points = np.asarray(mesh.points)
+    if points.ndim == 2 and points.shape[1] == 2:
+        raise Error("the meshio.Mesh is flat: it bounds no volume")
+    surface = make_surface(points, *(mesh.cells[k].data for k in chosen))
+    _add_arrays(mesh.point_data, surface.GetPointData())
+    joined = {name: np.concatenate([np.asarray(blocks[k]) for k in chosen]) for name, blocks in mesh.cell_data.items()}
+    _add_arrays(joined, surface.GetCellData())
+    return surface, [f"{others} cells of the meshio.Mesh are ignored: only polygons count"] if others else []
+
+
+def _meshio_mesh(data: Union[TriangleSurface, Tetrahedra], kind: str, corners: NDArray[np.int64]) -> Any:
+    try:
+        import meshio
+    except ImportError:
+        raise Error("meshio is not installed: apt-get install python3-meshio, or pip install meshio") from None
+    cells: Sequence[tuple[str, NDArray[np.int64]]] = [(kind, corners)]
+    cell_data = {name: [values] for name, values in data.cell_arrays.items()}
+    return meshio.Mesh(data.points, cells, point_data=data.point_arrays, cell_data=cell_data)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`winding_number` and `inside`: where places are with respect to a surface, without meshing it."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .data import AnyPoints, AnySurface, as_points, as_surface
+from .pipeline import Error, Progress, at_least, run
+from .vtkFiltersInsideOut import vtkProbeWindingNumber
+
+ORIENTATIONS = {"as given": vtkProbeWindingNumber.AS_GIVEN, "reverse": vtkProbeWindingNumber.REVERSE}
+
+
+def winding_number(
+    surface: AnySurface,
+    points: AnyPoints,
+    *,
+    orientation: str = "as given",
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> NDArray[np.float64]:
+    """How often a surface winds around each of some points.
+
+    surface           a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    points            an array with three columns, or a VTK data set whose points are meant
+    orientation       "as given", or "reverse" for a surface that faces inward
+    merge_tolerance   points of the surface at most this far apart become one, in its units, at least 0
+    count_duplicates  count a facet as often as it is given
+    progress          called with the stage and the fraction that is done; what it raises stops the work
+
+    Returns an array of float64, one value per point: 1 inside a closed surface and 0 outside it, a
+    fraction between near holes. It is right to rounding; the surface may be open and cross itself.
+    Raises `Error` with one line that names what is wrong.
+    """
+    if orientation not in ORIENTATIONS:
+        raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
+    probe = vtkProbeWindingNumber()
+    probe.SetOrientation(ORIENTATIONS[orientation])
+    probe.SetCountDuplicates(bool(count_duplicates))
+    if merge_tolerance is not None:
+        probe.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
+    probe.SetInputData(as_points(points))
+    probe.SetSurfaceData(as_surface(surface)[0])
+    run(probe, progress)
+    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w"))
+
+
+def inside(
+    surface: AnySurface,
+    points: AnyPoints,
+    *,
+    threshold: float = 0.5,
+    orientation: str = "as given",
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> NDArray[np.bool_]:
+    """Which of some points are inside a surface: those whose winding number is above a threshold.
+
+    threshold  of the winding number, which is 1 inside and 0 outside a closed surface
+
+    All else is as with `winding_number`. Returns an array of bool, one value per point.
+    """
+    if not np.isfinite(threshold):
+        raise Error(f"threshold is {threshold}; it must be finite")
+    w = winding_number(
+        surface,
+        points,
+        orientation=orientation,
+        merge_tolerance=merge_tolerance,
+        count_duplicates=count_duplicates,
+        progress=progress,
+    )
+    return w > threshold

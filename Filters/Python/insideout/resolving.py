@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`resolve`: a surface cut where it crosses itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional
+
+from .data import AnySurface, TriangleSurface, as_surface, as_type
+from .pipeline import Progress, at_least, cells_of, run, statistics_of
+from .vtkFiltersInsideOut import vtkResolveSelfIntersections
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """What `resolve` made. The VTK class vtkResolveSelfIntersections describes the arrays."""
+
+    surface: TriangleSurface
+    """The same surface in triangles of which no two meet except in shared points and edges."""
+    statistics: dict[str, float]
+    """Counts and seconds, by name."""
+    left_out_cells: list[int]
+    """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
+    warnings: list[str]
+    """What is worth knowing about the input, one line each."""
+
+
+def resolve(
+    surface: AnySurface,
+    *,
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> Resolution:
+    """Cut a surface where it crosses itself, exactly. Nothing else of it changes.
+
+    surface           a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
+    count_duplicates  count a facet as often as it is given
+    progress          called with the stage and the fraction of all the work that is done; what it
+                      raises stops the work and is raised
+
+    Returns a `Resolution`. Raises `Error` with one line that names what is wrong.
+    """
+    resolver = vtkResolveSelfIntersections()
+    resolver.SetCountDuplicates(bool(count_duplicates))
+    if merge_tolerance is not None:
+        resolver.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
+    polygons, warnings = as_surface(surface)
+    resolver.SetInputData(polygons)
+    warnings = warnings + run(resolver, progress)
+    return Resolution(
+        surface=as_type(TriangleSurface, resolver.GetOutput()),
+        statistics=statistics_of(resolver.GetOutput()),
+        left_out_cells=cells_of(resolver.GetOutput(), "LeftOutCellIds"),
+        warnings=warnings,
+    )

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkInsideOutUpdate
+ * @brief   Update an algorithm from C, with a C function as its observer.
+ *
+ * VTK's Python wrapping holds the interpreter's lock while an algorithm works, so that no other
+ * thread runs and Ctrl-C is heard only afterwards. Python's ctypes lets go of the lock while it
+ * calls this function, and takes it again for the listener.
+ */
+#ifndef vtkInsideOutUpdate_h
+#define vtkInsideOutUpdate_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+
+extern "C"
+{
+  /** What a listener is told. */
+  enum vtkInsideOutEvent
+  {
+    VTK_INSIDEOUT_PROGRESS = 0,       ///< text: what is being done; fraction: how much of all is
+    VTK_INSIDEOUT_WARNING = 1,        ///< text: VTK's message
+    VTK_INSIDEOUT_ERROR = 2,          ///< the same
+    VTK_INSIDEOUT_REQUEST_FAILED = 3, ///< the same, from the algorithm's executive
+  };
+
+  /** @return 0 to go on; anything else stops the algorithm */
+  typedef int (*vtkInsideOutListener)(int event, const char* text, double fraction);
+
+  /**
+   * Update an algorithm. No observer of it may be written in Python: VTK calls those without the
+   * interpreter's lock.
+   *
+   * @param algorithm address of a vtkAlgorithm as a vtkObjectBase
+   * @param wholeExtent 0, or 1 to update all of its input's extent, which is how writers write
+   */
+  VTKFILTERSINSIDEOUT_EXPORT void vtkInsideOutUpdate(
+    void* algorithm, int wholeExtent, vtkInsideOutListener listener);
+}
+
+#endif

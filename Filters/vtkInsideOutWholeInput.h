@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkInsideOutWholeInput
+ * @brief   What filters share that need all of their input in one place.
+ *
+ * A surface means one solid. Where several processes work on pieces of the data (MPI) the first of
+ * them asks for the whole and makes the one result, and the others ask for nothing and have none;
+ * a solid of each piece would be wrong.
+ */
+#ifndef vtkInsideOutWholeInput_h
+#define vtkInsideOutWholeInput_h
+
+class vtkInformation;
+class vtkInformationVector;
+
+/** Ask the input for the whole where the first piece of the output is wanted, else for nothing. */
+void vtkInsideOutRequestWhole(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, int numberOfPorts = 1);
+
+/** Whether a piece other than the first is wanted of an output. */
+bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector);
+
+#endif

@@ -1,0 +1,394 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The functions of `insideout` as a whole: what they take and give, threads, Ctrl-C, types and help."""
+
+import gc
+import inspect
+import os
+import pydoc
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import types
+import typing
+import unittest
+from unittest import mock
+
+import insideout
+import numpy as np
+import surfaces
+from insideout.files import write_surface
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+
+try:
+    import meshio
+except ImportError:
+    meshio = None
+
+QUERY = [(0.25, 0.25, 0.25), (2, 2, 2), (0.75, 0.75, 0.75), (1.25, 1.25, 1.25)]
+
+FUNCTIONS = {
+    # name: (call with a surface, type of the result, what makes results comparable)
+    "check": (insideout.check, insideout.Check, lambda found: found.findings),
+    "resolve": (insideout.resolve, insideout.Resolution, lambda found: found.surface.triangles.tolist()),
+    "tetrahedralize": (insideout.tetrahedralize, insideout.Tetrahedralization, lambda found: found.hull.w.tolist()),
+    "winding_number": (lambda s: insideout.winding_number(s, QUERY), np.ndarray, lambda found: found.tolist()),
+    "inside": (lambda s: insideout.inside(s, QUERY), np.ndarray, lambda found: found.tolist()),
+}
+
+
+def tables(surface: vtkPolyData):
+    return surfaces.points_of(surface), surfaces.triangles_of(surface)
+
+
+class Inputs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.surface = surfaces.two_boxes()
+
+    def kinds(self):
+        points, triangles = tables(self.surface)
+        file = os.path.join(self.folder, "boxes.ply")
+        write_surface(self.surface, file)
+        yield "vtkPolyData", self.surface
+        yield "file", file
+        yield "arrays", (points, triangles)
+        yield "lists", (points.tolist(), triangles.tolist())
+        yield "other numbers", (points.astype(np.float32), triangles.astype(np.uint32)[:, ::1])
+        if meshio is not None:
+            yield "meshio", meshio.Mesh(points, [("triangle", triangles)])
+
+    def test_every_function_gives_the_same_for_every_kind_of_surface(self):
+        for name, (function, result_type, essence) in FUNCTIONS.items():
+            expected = essence(function(self.surface))
+            for kind, surface in self.kinds():
+                with self.subTest(function=name, kind=kind):
+                    result = function(surface)
+                    self.assertIs(type(result), result_type)
+                    self.assertEqual(essence(result), expected)
+
+    def test_what_is_no_surface_is_one_line_that_says_what_to_do(self):
+        points, triangles = tables(self.surface)
+        for surface, expected in (
+            (None, "NoneType; it can be a vtkPolyData"),
+            (vtkUnstructuredGrid(), "it can be a vtkPolyData"),
+            ((points, triangles, triangles), "it can be a vtkPolyData"),
+            ((points[:, :2], triangles), "points has 2 columns; it must have 3"),
+            ((points, triangles[:, :2]), "triangles has 2 columns"),
+            ((points, triangles[0]), "triangles has 1 dimensions"),
+            ((points, triangles + 0.5), "no whole number"),
+            ((points, "triangles"), "no table of numbers"),
+            ((points, [[0, 1, 2], [3, 4]]), "no table of numbers"),
+            ((points, triangles + 1), "refers to point 16 of 16"),
+            ((points, triangles[:0]), "empty"),
+            ("missing.ply", "cannot read missing.ply"),
+        ):
+            for name, (function, _, _) in FUNCTIONS.items():
+                with self.subTest(function=name, expected=expected):
+                    with self.assertRaisesRegex(insideout.Error, expected) as caught:
+                        function(surface)
+                    self.assertNotIn("\n", str(caught.exception))
+
+    def test_bad_queries_and_parameters(self):
+        for points in ([1, 2, 3], [(1, 2)], "here", None):
+            with self.subTest(points), self.assertRaisesRegex(insideout.Error, "points"):
+                insideout.winding_number(self.surface, points)
+        for parameters in ({"orientation": "sideways"}, {"merge_tolerance": -1}, {"threshold": float("nan")}):
+            with self.subTest(parameters), self.assertRaisesRegex(insideout.Error, next(iter(parameters))):
+                insideout.inside(self.surface, QUERY, **parameters)
+
+    def test_points_may_be_those_of_a_data_set_and_none(self):
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 2)
+        image.SetOrigin(0.75, 0.75, 0.75)
+        image.SetSpacing(0.5, 0.5, 0.5)
+        self.assertEqual(insideout.winding_number(self.surface, image).tolist(), [2, 1, 1, 1, 1, 1, 1, 1])
+        self.assertEqual(insideout.inside(self.surface, []).tolist(), [])
+
+    def test_winding_numbers_and_inside(self):
+        self.assertEqual(insideout.winding_number(self.surface, QUERY).tolist(), [1, 0, 2, 1])
+        self.assertEqual(insideout.winding_number(self.surface, QUERY, orientation="reverse").tolist(), [-1, 0, -2, -1])
+        self.assertEqual(insideout.inside(self.surface, QUERY).tolist(), [True, False, True, True])
+        self.assertEqual(insideout.inside(self.surface, QUERY, threshold=1.5).tolist(), [False, False, True, False])
+
+    def test_resolve_leaves_no_crossings(self):
+        resolved = insideout.resolve(self.surface)
+        self.assertEqual(insideout.check(resolved.surface).statistics["IntersectingPairs"], 0)
+        self.assertGreater(insideout.check(self.surface).statistics["IntersectingPairs"], 0)
+        self.assertEqual(resolved.left_out_cells, [])
+
+
+class Views(unittest.TestCase):
+    def test_results_are_vtk_objects_with_views_of_their_memory(self):
+        result = insideout.tetrahedralize(surfaces.two_boxes())
+        hull, boundary = result.hull, result.boundary
+        self.assertIsInstance(hull, vtkUnstructuredGrid)
+        self.assertIsInstance(boundary, vtkPolyData)
+        self.assertEqual((hull.points.shape[1], hull.cells.shape), (3, (hull.GetNumberOfCells(), 4)))
+        self.assertEqual(hull.w.tolist(), hull.cell_arrays["w"].tolist())
+        self.assertEqual(hull.inside.sum(), len(result.solid.cells))
+        self.assertEqual(boundary.triangles.shape, (boundary.GetNumberOfCells(), 3))
+        self.assertIn("vtkOriginalPointIds", boundary.point_arrays)
+        hull.w[0] = 7
+        self.assertEqual(hull.GetCellData().GetArray("w").GetValue(0), 7)
+
+    def test_views_outlive_what_they_show(self):
+        result = insideout.tetrahedralize(surfaces.box())
+        points, copy = result.hull.points, result.hull.points.copy()
+        del result
+        gc.collect()
+        insideout.tetrahedralize(surfaces.box(size=2))
+        self.assertEqual(points.tolist(), copy.tolist())
+
+    def test_empty_ones_have_views(self):
+        result = insideout.tetrahedralize(surfaces.box())
+        self.assertEqual((result.outliers.points.shape, result.outliers.triangles.shape), ((0, 3), (0, 3)))
+
+    def test_they_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = insideout.tetrahedralize(surfaces.box())
+            insideout.write(result.solid, os.path.join(folder, "solid.vtu"))
+            insideout.write(result.boundary, os.path.join(folder, "boundary.ply"))
+            with self.assertRaisesRegex(insideout.Error, "unknown ending"):
+                insideout.write(result.boundary, os.path.join(folder, "boundary.vtu"))
+            self.assertEqual(len(os.listdir(folder)), 2)
+
+
+@unittest.skipIf(meshio is None, "meshio is not installed")
+class Meshio(unittest.TestCase):
+    def test_there_and_back(self):
+        points, triangles = tables(surfaces.box())
+        mesh = meshio.Mesh(
+            points,
+            [("line", [[0, 1]]), ("triangle", triangles)],
+            point_data={"height": points[:, 2]},
+            cell_data={"part": [np.array([9]), np.arange(12)]},
+        )
+        result = insideout.tetrahedralize(mesh)
+        self.assertEqual(result.warnings, ["1 cells of the meshio.Mesh are ignored: only polygons count"])
+        back = result.boundary.to_meshio()
+        self.assertIsInstance(back, meshio.Mesh)
+        self.assertEqual(back.point_data["height"].tolist(), back.points[:, 2].tolist())
+        self.assertEqual(sorted(back.cell_data["part"][0]), list(range(12)))
+        solid = result.solid.to_meshio()
+        self.assertEqual(solid.cells[0].type, "tetra")
+        self.assertEqual(len(solid.cells[0].data), len(result.solid.cells))
+
+    def test_quads_will_do_and_no_polygons_will_not(self):
+        quads = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (1, 2, 6, 5), (3, 0, 4, 7)]
+        points = surfaces.points_of(surfaces.box())
+        self.assertEqual(insideout.winding_number(meshio.Mesh(points, [("quad", quads)]), QUERY[:1]).tolist(), [1])
+        with self.assertRaisesRegex(insideout.Error, "no triangles"):
+            insideout.check(meshio.Mesh(points, [("line", [[0, 1]])]))
+
+
+class Slow(unittest.TestCase):
+    """A program in TetGen's place that takes its time, so that there is time to look at what else goes on."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        helper = os.path.join(folder.name, "helper")
+        with open(helper, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\nexec sleep 100\n")
+        os.chmod(helper, 0o700)
+        patch = mock.patch.dict(os.environ, INSIDEOUT_TETGEN=helper)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+
+class Threads(Slow):
+    def test_other_threads_run_meanwhile(self):
+        ticks = [time.monotonic()]
+        done = threading.Event()
+
+        def tick():
+            while not done.wait(0.01):
+                ticks.append(time.monotonic())
+
+        ticking = threading.Thread(target=tick)
+        ticking.start()
+        began = time.monotonic()
+        insideout.tetrahedralize(surfaces.box(), time_budget=2)
+        ended = time.monotonic()
+        done.set()
+        ticking.join()
+        self.assertGreater(ended - began, 0.5)
+        self.assertLess(max(np.diff([*ticks, ended])), 0.4)
+
+    def test_two_at_once_take_as_long_as_one(self):
+        def seconds(threads):
+            began = time.monotonic()
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            return time.monotonic() - began
+
+        def make():
+            return threading.Thread(target=insideout.tetrahedralize, args=[surfaces.box()], kwargs={"time_budget": 3})
+
+        alone = seconds([make()])
+        self.assertLess(seconds([make(), make(), make()]), 1.5 * alone + 0.5)
+
+    def test_a_progress_callback_in_a_thread_stops_that_thread_alone(self):
+        caught = []
+
+        def stop(_stage, fraction):
+            if fraction > 0.5:
+                raise ArithmeticError("mine")
+
+        def work():
+            try:
+                insideout.tetrahedralize(surfaces.box(), progress=stop)
+            except ArithmeticError as error:
+                caught.append(str(error))
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        self.assertEqual(insideout.winding_number(surfaces.box(), QUERY).tolist(), [1, 0, 1, 0])
+        thread.join()
+        self.assertEqual(caught, ["mine"])
+
+
+class Together(unittest.TestCase):
+    def test_results_in_threads_are_those_of_one_after_the_other(self):
+        given = [surfaces.two_boxes(), surfaces.open_box(), surfaces.two_boxes_and_a_stray_facet()]
+        expected = [insideout.tetrahedralize(surface).hull.w.tobytes() for surface in given]
+        found: dict[int, set] = {k: set() for k in range(len(given))}
+
+        def work(k):
+            for _ in range(10):
+                found[k].add(insideout.tetrahedralize(given[k]).hull.w.tobytes())
+
+        threads = [threading.Thread(target=work, args=[k]) for k in found for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, {k: {w} for k, w in enumerate(expected)})
+
+    def test_observers_in_python_are_heard_too(self):
+        heard = []
+        algorithm = insideout.vtkRobustTetrahedralize()
+        algorithm.SetInputData(surfaces.box())
+        algorithm.AddObserver("ProgressEvent", lambda *_: heard.append(algorithm.GetProgress()))
+        self.assertEqual(insideout.pipeline.run(algorithm), [])
+        self.assertGreater(len(heard), 3)
+
+
+INTERRUPTED = """
+import insideout, surfaces, sys
+print("ready", flush=True)
+try:
+    {call}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+# Each goes on for minutes, in stages of their own.
+ENDLESS_CALLS = {
+    "tetrahedralize": "while True: insideout.tetrahedralize(BALL)",
+    "resolve": "while True: insideout.resolve(BALL)",
+    "check": "while True: insideout.check(BALL)",
+    "winding_number": "while True: insideout.winding_number(BALL, POINTS)",
+}
+BALL = """
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+ball = vtkSphereSource()
+ball.SetThetaResolution(400)
+ball.SetPhiResolution(400)
+ball.SetEndPhi(170)
+ball.Update()
+BALL = ball.GetOutput()
+POINTS = [(k / 200_000, 0, 0) for k in range(200_000)]
+"""
+
+
+class CtrlC(Slow):
+    def interrupt(self, program: str, seconds: float) -> float:
+        """
+        The seconds that a program takes to hear Ctrl-C, after these seconds of its work. It is tried again, up to
+        three times in all, where it takes more than one: other processes of the machine may have had the time.
+        """
+        taken = 2.0
+        for _ in range(3):
+            taken = min(taken, self.interrupt_once(program, seconds))
+            if taken < 1:
+                break
+        return taken
+
+    def interrupt_once(self, program: str, seconds: float) -> float:
+        environment = dict(os.environ)
+        environment["PYTHONPATH"] = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
+        with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, env=environment, text=True) as process:
+            self.assertEqual(process.stdout.readline(), "ready\n")
+            time.sleep(seconds)
+            began = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.stdout.read(), "interrupted\n")
+            self.assertEqual(process.wait(10), 0)
+            return time.monotonic() - began
+
+    def test_every_function_hears_it_within_a_second(self):
+        for name, call in ENDLESS_CALLS.items():
+            with self.subTest(name):
+                self.assertLess(self.interrupt(BALL + INTERRUPTED.format(call=call), 0.7), 1)
+
+    def test_it_is_heard_although_a_progress_callback_is_busy(self):
+        call = "insideout.tetrahedralize(surfaces.box(), progress=lambda *_: sum(range(100_000)))"
+        self.assertLess(self.interrupt(INTERRUPTED.format(call=call), 0.7), 1)
+
+
+class Package(unittest.TestCase):
+    def public(self):
+        for name in insideout.__all__:
+            if not name.startswith(("vtk", "_")):
+                yield name, getattr(insideout, name)
+
+    def test_every_public_name_is_documented(self):
+        for name, thing in self.public():
+            with self.subTest(name):
+                self.assertTrue(inspect.getdoc(thing))
+                self.assertNotIn("(*args", inspect.getdoc(thing))
+
+    def test_every_parameter_and_result_has_a_type_and_stands_in_the_help(self):
+        for name, thing in self.public():
+            if isinstance(thing, types.FunctionType):
+                with self.subTest(name):
+                    hints = typing.get_type_hints(thing)
+                    self.assertEqual(set(hints), {*inspect.signature(thing).parameters, "return"})
+                    if name != "write":
+                        for parameter in inspect.signature(thing).parameters:
+                            if name != "inside" or parameter == "threshold":
+                                self.assertRegex(thing.__doc__, rf"\n    {parameter}  ")
+
+    def test_the_help_names_all_functions_and_its_code_runs(self):
+        page = pydoc.render_doc(insideout, renderer=pydoc.plaintext)
+        for name, thing in self.public():
+            if isinstance(thing, types.FunctionType):
+                self.assertIn(f"insideout.{name}(", insideout.__doc__)
+                self.assertIn(f"{name}(", page)
+
+    def test_type_checkers_agree(self):
+        if shutil.which("mypy") is None:
+            self.skipTest("mypy is not installed")
+        folder = os.path.dirname(insideout.__file__)
+        self.assertTrue(os.path.exists(os.path.join(folder, "py.typed")))
+        with tempfile.TemporaryDirectory() as cache:
+            done = subprocess.run(
+                ["mypy", "--cache-dir", cache, "--ignore-missing-imports", "--disallow-untyped-defs", "--warn-unused-ignores", folder],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which stages run again when what changes, that each says what it does, and that each can be stopped."""
+
+import os
+import time
+import unittest
+
+import insideout
+import numpy as np
+import surfaces
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+STAGES = insideout.tetrahedralization.STAGES
+MESHING = STAGES[:-1]
+
+
+def stages_of(algorithm) -> list[str]:
+    """The stages that an update goes through."""
+    seen = []
+    insideout.pipeline.run(algorithm, lambda stage, _: seen.append(stage))
+    return [stage for stage in dict.fromkeys(seen) if stage in STAGES]
+
+
+def content(data) -> tuple:
+    return surfaces.points_of(data).tobytes(), [
+        data.GetCellData().GetArray(k).GetName() for k in range(data.GetCellData().GetNumberOfArrays())
+    ], data.GetNumberOfCells()
+
+
+class Again(unittest.TestCase):
+    def setUp(self):
+        self.input = surfaces.open_box()
+        self.filter = insideout.vtkRobustTetrahedralize()
+        self.filter.SetInputData(self.input)
+        self.assertEqual(stages_of(self.filter), list(STAGES))
+
+    def test_nothing_changes_and_nothing_runs(self):
+        time_of_output = self.filter.GetOutput().GetMTime()
+        self.assertEqual(stages_of(self.filter), [])
+        self.filter.SetGamma(self.filter.GetGamma())
+        self.assertEqual(stages_of(self.filter), [])
+        self.assertEqual(self.filter.GetOutput().GetMTime(), time_of_output)
+
+    def test_what_concerns_the_segmentation_runs_only_that(self):
+        for change in (
+            lambda: self.filter.SetGamma(0.5),
+            lambda: self.filter.SetSigma(0.5),
+            lambda: self.filter.ExtractInsideOff(),
+        ):
+            change()
+            self.assertEqual(stages_of(self.filter), ["segmenting"])
+
+    def test_what_concerns_the_mesh_runs_all(self):
+        for change in (
+            lambda: self.filter.SetOrientation(1),
+            lambda: self.filter.SetMergeTolerance(1e-9),
+            lambda: self.filter.CountDuplicatesOn(),
+            lambda: self.filter.SetQuadratureOrder(2),
+            lambda: self.filter.SetEngineToExact(),
+            lambda: self.filter.SetTimeBudget(60),
+            lambda: self.filter.SetMemoryBudget(2000),
+            lambda: self.input.Modified(),
+            lambda: self.input.GetPoints().Modified(),
+            lambda: self.input.GetPolys().Modified(),
+            lambda: surfaces.add_array(self.input.GetCellData(), "new", np.arange(10)),
+            lambda: self.filter.SetInputData(surfaces.open_box()),
+        ):
+            change()
+            self.assertEqual(stages_of(self.filter), list(STAGES))
+            self.assertEqual(stages_of(self.filter), [])
+
+    def test_results_are_those_of_a_fresh_filter(self):
+        for gamma in (0, 0.1, 10):
+            self.filter.SetGamma(gamma)
+            insideout.pipeline.run(self.filter)
+            fresh = insideout.vtkRobustTetrahedralize()
+            fresh.SetInputData(self.input)
+            fresh.SetGamma(gamma)
+            insideout.pipeline.run(fresh)
+            for port in range(3):
+                self.assertEqual(content(self.filter.GetOutputDataObject(port)), content(fresh.GetOutputDataObject(port)))
+
+    def test_warnings_come_again(self):
+        self.filter.SetInputData(surfaces.reversed_box())
+        surfaces.add_array(self.filter.GetInput().GetPointData(), "vtkOriginalPointIds", np.arange(8.0))
+        first = insideout.pipeline.run(self.filter)
+        self.assertEqual(len(first), 2)
+        self.filter.SetGamma(0.5)
+        self.assertEqual(insideout.pipeline.run(self.filter), first)
+
+    def test_data_of_the_input_that_was_meshed_are_used_although_the_object_changes_later(self):
+        self.input.Initialize()
+        self.input.ShallowCopy(surfaces.two_boxes())
+        self.assertEqual(stages_of(self.filter), list(STAGES))
+        self.assertAlmostEqual(float(sum(surfaces.exact_volumes(self.filter.GetOutput()))), 15 / 8, delta=1e-12)
+
+    def test_a_failure_is_forgotten(self):
+        bad = surfaces.box(facets=[(0, 1, 99)])
+        self.filter.SetInputData(bad)
+        for _ in range(2):
+            self.filter.Modified()
+            with self.assertRaisesRegex(insideout.Error, "99"):
+                insideout.pipeline.run(self.filter)
+        self.filter.SetInputData(self.input)
+        self.assertGreater(len(stages_of(self.filter)), 0)
+        self.assertGreater(self.filter.GetOutput().GetNumberOfCells(), 0)
+
+    def test_release_of_data_releases_the_hull(self):
+        self.filter.ReleaseDataFlagOn()
+        for gamma in (0.3, 0.4):
+            self.filter.SetGamma(gamma)
+            seen = stages_of(self.filter)
+        self.assertEqual(seen, list(STAGES))
+
+    def test_each_block_is_remembered(self):
+        blocks = vtkMultiBlockDataSet()
+        for k, surface in enumerate((surfaces.box(), surfaces.two_boxes(), surfaces.open_box())):
+            blocks.SetBlock(k, surface)
+            blocks.GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), f"part {k}")
+        self.filter.SetInputDataObject(blocks)
+        self.assertEqual(stages_of(self.filter), list(STAGES))
+        self.filter.SetGamma(0.5)
+        self.assertEqual(stages_of(self.filter), ["segmenting"])
+        for port in range(3):
+            output = self.filter.GetOutputDataObject(port)
+            self.assertEqual(output.GetClassName(), "vtkMultiBlockDataSet")
+            for k in range(3):
+                self.assertEqual(output.GetMetaData(k).Get(vtkMultiBlockDataSet.NAME()), f"part {k}")
+        solids = self.filter.GetOutputDataObject(0)
+        for k, volume in enumerate((1, 15 / 8, 1)):
+            self.assertAlmostEqual(float(sum(surfaces.exact_volumes(solids.GetBlock(k)))), volume, delta=1e-12)
+
+
+def dirty_balls(resolution=110):
+    """Three balls that cross, each open at a pole: about as many facets as the real models have."""
+    points, triangles = [], []
+    for k in range(3):
+        ball = vtkSphereSource()
+        ball.SetThetaResolution(resolution)
+        ball.SetPhiResolution(resolution)
+        ball.SetStartPhi(12)
+        ball.SetCenter(0.37 * k, 0.11 * k * k, 0)
+        ball.Update()
+        triangles.append(surfaces.triangles_of(ball.GetOutput()) + sum(map(len, points)))
+        points.append(surfaces.points_of(ball.GetOutput()))
+    return insideout.data.make_surface(np.concatenate(points), np.concatenate(triangles))
+
+
+class Stop(Exception):
+    pass
+
+
+class Stopping(unittest.TestCase):
+    """On a surface of 70,000 facets, or on the one that INSIDEOUT_TEST_SURFACE names."""
+
+    @classmethod
+    def setUpClass(cls):
+        name = os.environ.get("INSIDEOUT_TEST_SURFACE")
+        cls.surface = insideout.files.read_surface(name)[0] if name else dirty_balls()
+
+    def filter(self, kind="vtkRobustTetrahedralize", **parameters):
+        made = getattr(insideout, kind)()
+        for name, value in parameters.items():
+            getattr(made, "Set" + name)(value)
+        made.SetInputData(self.surface)
+        return made
+
+    def check_stop(self, algorithm, stage, seconds_into_it):
+        """Stop so long after a stage began: it is over within a second, empty, and can begin anew."""
+        begin, stopped = [], []
+
+        def progress(current, _):
+            if current == stage:
+                begin.append(time.monotonic())
+                if begin[-1] - begin[0] >= seconds_into_it:
+                    stopped.append(begin[-1])
+                    raise Stop
+
+        with self.assertRaises(Stop):
+            insideout.pipeline.run(algorithm, progress)
+        self.assertLess(time.monotonic() - stopped[0], 1, stage)
+        for port in range(algorithm.GetNumberOfOutputPorts()):
+            self.assertEqual(algorithm.GetOutputDataObject(port).GetNumberOfCells(), 0)
+
+    def test_every_stage_stops_within_a_second_and_the_next_run_is_whole(self):
+        algorithm = self.filter()
+        for stage in STAGES:
+            with self.subTest(stage):
+                self.check_stop(algorithm, stage, 0)
+        insideout.pipeline.run(algorithm)
+        self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 0)
+
+    def test_tetrahedralizing_stops_in_the_midst_with_either_engine(self):
+        for engine in (1, 2):
+            with self.subTest(engine=engine):
+                self.check_stop(self.filter(Engine=engine), "tetrahedralizing", 0.3)
+
+    def test_it_is_never_silent_for_a_second(self):
+        for engine in (1, 2):
+            with self.subTest(engine=engine):
+                times = [time.monotonic()]
+                stages = ["before"]
+
+                def progress(stage, _):
+                    times.append(time.monotonic())
+                    stages.append(stage)
+
+                algorithm = self.filter(Engine=engine)
+                insideout.pipeline.run(algorithm, progress)
+                times.append(time.monotonic())
+                silence = np.diff(times)
+                self.assertLess(silence.max(), 1, f"after {stages[int(silence.argmax())]}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every block of code in README.md runs as it stands there, in a folder with two broken surfaces.
+
+    python3 TestReadme.py BUILD_FOLDER
+
+Blocks of sh run in one shell after the other, those of Python one after the other in one program, the last in
+pvbatch; the C++ is built with the CMake lines beside it, against the package as installed.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BUILD = Path(sys.argv[1]).resolve()
+ROOT = Path(__file__).resolve().parent.parent
+
+# What a test cannot do: these install packages or open a window. Other tests do what they do.
+LEFT_OUT = ("Examples/quickstart.sh", "paraview\n")
+ENVIRONMENT = f". '{BUILD}/env.sh'\n"
+
+CPP = """#include <vtkNew.h>
+#include <vtkRobustTetrahedralize.h>
+#include <vtkSurfaceReader.h>
+#include <vtkUnstructuredGrid.h>
+int main()
+{{
+{block}
+return tetrahedra->GetNumberOfCells() > 0 ? 0 : 1;
+}}
+"""
+
+
+def blocks(language: str) -> list[str]:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+class TestReadme(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.run_shell(
+            f"{ENVIRONMENT}python3 - <<'END'\n"
+            "from insideout.files import read_surface, write_surface\n"
+            f"surface, _ = read_surface('{ROOT}/Testing/Data/two-boxes.off')\n"
+            "for name in ('broken.ply', 'mine.ply'):\n    write_surface(surface, name)\n"
+            "open('places.csv', 'w').write('x,y,z\\n0.7,0.7,0.5\\n')\nEND\n"
+        )
+
+    def run_shell(self, script: str) -> str:
+        done = subprocess.run(
+            ["sh", "-eu", "-c", script], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            timeout=240, check=False,
+        )
+        self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}")
+        self.assertNotIn("Traceback", done.stdout)
+        return done.stdout
+
+    def test_the_shell_blocks(self):
+        ran = 0
+        for block in blocks("sh"):
+            if any(words in block for words in LEFT_OUT) or block.strip() == ". build/env.sh":
+                continue
+            with self.subTest(block):
+                if "--install" in block:
+                    (self.folder / "Examples").symlink_to(ROOT / "Examples")
+                    (self.folder / "build").symlink_to(BUILD)
+                    block = block.replace("/where/you/like", str(self.folder / "prefix"))
+                self.run_shell(ENVIRONMENT + block)
+                ran += 1
+        self.assertGreaterEqual(ran, 5)
+        for name in ("solid.vtu", "boundary.ply", "solids/mine.png", "w.csv"):
+            self.assertTrue((self.folder / name).exists(), name)
+
+    def test_the_python_blocks(self):
+        program, batch = [], []
+        for block in blocks("python"):
+            (batch if "paraview.simple" in block else program).append(block)
+        self.assertGreaterEqual(len(program), 5)
+        self.assertEqual(len(batch), 1)
+        for name, runner, code in (("program.py", "python3", program), ("batch.py", "pvbatch --force-offscreen-rendering", batch)):
+            (self.folder / name).write_text("\n".join(code), encoding="utf-8")
+            self.run_shell(f"{ENVIRONMENT}{runner} {name}")
+        for name in ("boundary.stl", "solid.vtu", "boundary.vtp"):
+            self.assertTrue((self.folder / name).exists(), name)
+
+    def test_the_cpp_block(self):
+        (cpp,), (cmake,) = blocks("cpp"), blocks("cmake")
+        source = self.folder / "source"
+        source.mkdir()
+        (source / "tetrahedralize.cxx").write_text(CPP.format(block=cpp), encoding="utf-8")
+        package, link = cmake.strip().split("\n")
+        lines = ["cmake_minimum_required(VERSION 3.18)", "project(Readme C CXX)", package]
+        lines += ["add_executable(tetrahedralize tetrahedralize.cxx)", link]
+        (source / "CMakeLists.txt").write_text("\n".join(lines), encoding="utf-8")
+        self.run_shell(
+            f"cmake --install '{BUILD}' --prefix prefix >/dev/null\n"
+            "cmake -S source -B made -DCMAKE_PREFIX_PATH=$PWD/prefix\ncmake --build made\nmade/tetrahedralize\n"
+        )
+
+    def test_every_link_leads_somewhere(self):
+        for page in (ROOT / "README.md", ROOT / "Examples/README.md"):
+            for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
+                self.assertTrue((page.parent / link).exists(), f"{page}: {link}")
+
+    def test_every_example_is_listed(self):
+        text = (ROOT / "Examples/README.md").read_text(encoding="utf-8")
+        for file in (ROOT / "Examples").rglob("*"):
+            if file.suffix in (".py", ".sh", ".cxx"):
+                self.assertIn(str(file.relative_to(ROOT / "Examples")), text)
+
+
+if __name__ == "__main__":
+    if shutil.which("cmake") is None:
+        sys.exit("cmake is not on PATH")
+    os.environ["OMP_WAIT_POLICY"] = "passive"
+    unittest.main(argv=sys.argv[:1])
