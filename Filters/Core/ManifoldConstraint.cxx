@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ManifoldConstraint.h"
 
+#include "Error.h"
+#include "SortedTriangle.h"
+
 #include <algorithm>
 
 namespace insideout
@@ -41,6 +44,13 @@ bool IsManifold(const std::vector<LinkEdge>& link)
   return FindBranch(link, 0) == None && IsOneCircle(link);
 }
 
+/** Tells the two sides of a face apart: whether sorting turns it over as the cell sees it. */
+bool IsTurned(const Tetrahedron& cell, int face)
+{
+  const std::array<int, 3>& corners = TetrahedronFaces[face];
+  return SortedTriangle({ cell[corners[0]], cell[corners[1]], cell[corners[2]] }).Turned;
+}
+
 bool Has(const Tetrahedron& cell, Id point)
 {
   return std::find(cell.begin(), cell.end(), point) != cell.end();
@@ -78,6 +88,7 @@ ManifoldConstraint::ManifoldConstraint(std::size_t points, const std::vector<Tet
   , WithEdges(points)
   , Alone(points)
 {
+  this->CheckThatCellsAreApart();
   // Counted one point ahead, so that filling moves each offset to where it belongs.
   for (const Tetrahedron& cell : cells)
   {
@@ -96,6 +107,29 @@ ManifoldConstraint::ManifoldConstraint(std::size_t points, const std::vector<Tet
     {
       this->CellsOfPoints[this->Offsets[static_cast<std::size_t>(point) + 1]++] =
         static_cast<Id>(c);
+    }
+  }
+}
+
+void ManifoldConstraint::CheckThatCellsAreApart() const
+{
+  for (Id cell = 0; cell < static_cast<Id>(this->Cells.size()); ++cell)
+  {
+    for (int face = 0; face < 4; ++face)
+    {
+      const Id next = this->Neighbors[cell][face];
+      if (next < cell) // each face once, none on the hull
+      {
+        continue;
+      }
+      const auto back = std::find(this->Neighbors[next].begin(), this->Neighbors[next].end(), cell);
+      const int faceOfNext = static_cast<int>(back - this->Neighbors[next].begin());
+      if (IsTurned(this->Cells[cell], face) == IsTurned(this->Cells[next], faceOfNext))
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "cells " + std::to_string(cell) + " and " + std::to_string(next) +
+            " are on one side of the face that they share: nothing tells their boundary");
+      }
     }
   }
 }

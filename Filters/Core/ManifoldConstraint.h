@@ -24,7 +24,11 @@ namespace insideout
 class ManifoldConstraint : public LabelConstraint
 {
 public:
-  /** @param[in] cells and neighbors as in TetrahedralMesh, must live on */
+  /**
+   * @param[in] cells and neighbors as in TetrahedralMesh, must live on
+   * @throws Error InvalidParameter when two cells are on one side of the face that they share, for
+   *   then there are labels whose boundary is not oriented
+   */
   ManifoldConstraint(std::size_t points, const std::vector<Tetrahedron>& cells,
     const std::vector<std::array<Id, 4>>& neighbors);
 
@@ -66,6 +70,7 @@ private:
     std::vector<char> IsWaiting;
   };
 
+  void CheckThatCellsAreApart() const;
   std::vector<LinkEdge> LinkOf(const GreedyLabels& labels, Id point, Id flipped = None) const;
   bool Keeps(const GreedyLabels& labels, Id cell, Id point) const;
   bool IsManifold(const GreedyLabels& labels, Id point, Id other) const;

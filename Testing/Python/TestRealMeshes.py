@@ -13,17 +13,17 @@ import insideout
 from insideout.files import read_surface
 from surfaces import (
     cell_array,
+    count_not_manifold,
     enclosed_volume,
     exact_volume,
+    faces_of,
     is_watertight,
     points_of,
     tetrahedra_of,
+    triangles_of,
 )
 
 ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
-
-# Faces of vtkTetra, outward for a positive one.
-FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
 
 # Open edges and intersecting pairs of each mesh, counted by brute force with exact predicates.
 MESHES = {
@@ -49,6 +49,25 @@ def volume(grid):
     corner = points_of(grid)[tetrahedra_of(grid)]
     u, v, t = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
     return np.einsum("ij,ij->i", np.cross(u, v), t).sum() / 6
+
+
+class FacesOf:
+    """The faces of a hull's cells, however these are labelled."""
+
+    def __init__(self, hull):
+        self.faces, self.number = faces_of(hull)
+        self.is_on_input = np.bincount(self.number, weights=cell_array(hull, "FacetIds").ravel() >= 0) > 0
+
+    def not_manifold(self, inside):
+        """Edges and points at which the boundary of the cells inside is no manifold."""
+        inside = np.repeat(inside == 1, 4)
+        is_boundary = np.bincount(self.number, weights=inside)[self.number] == 1
+        return count_not_manifold(self.faces[inside & is_boundary])
+
+    def unkept(self, inside):
+        """Faces on input cells that no cell inside has."""
+        sides_inside = np.bincount(self.number, weights=np.repeat(inside == 1, 4))
+        return int((self.is_on_input & (sides_inside == 0)).sum())
 
 
 class TestRealMeshes(unittest.TestCase):
@@ -86,9 +105,7 @@ class TestRealMeshes(unittest.TestCase):
 
     def test_cells_meet_in_whole_faces(self):
         for _, _, result in self.each():
-            faces = np.sort(tetrahedra_of(result.hull)[:, FACES].reshape(-1, 3), axis=1)
-            _, count = np.unique(faces, axis=0, return_counts=True)
-            self.assertEqual(set(count), {1, 2})
+            self.assertEqual(set(np.bincount(faces_of(result.hull)[1])), {1, 2})
 
     def test_every_input_vertex_is_a_point_of_the_hull_bit_by_bit(self):
         for _, surface, result in self.each():
@@ -109,10 +126,9 @@ class TestRealMeshes(unittest.TestCase):
             w = cell_array(result.hull, "w")
             rise = cell_array(result.hull, "FacetMultiplicity").astype(int).ravel()
             self.assertTrue((w == np.round(w)).all())
-            faces = np.sort(tetrahedra_of(result.hull)[:, FACES].reshape(-1, 3), axis=1)
-            _, index = np.unique(faces, axis=0, return_inverse=True)
-            order = np.argsort(index.ravel(), kind="stable")
-            pair = order[np.flatnonzero(np.diff(index.ravel()[order]) == 0)[:, None] + [0, 1]]
+            index = faces_of(result.hull)[1]
+            order = np.argsort(index, kind="stable")
+            pair = order[np.flatnonzero(np.diff(index[order]) == 0)[:, None] + [0, 1]]
             self.assertTrue((w[pair[:, 0] // 4] - w[pair[:, 1] // 4] == rise[pair[:, 0]]).all())
             self.assertTrue((rise[pair[:, 0]] == -rise[pair[:, 1]]).all())
 
@@ -121,6 +137,32 @@ class TestRealMeshes(unittest.TestCase):
             if result.statistics["Closed"]:
                 inside = cell_array(result.hull, "Inside") == 1
                 self.assertTrue((inside == (cell_array(result.hull, "w") >= 1)).all())
+
+    def test_constraints_hold_on_what_the_cut_makes_of_each_mesh(self):
+        broken = np.zeros(3, int)
+        for _, _, result in self.each():
+            faces = FacesOf(result.hull)
+            inside = cell_array(result.hull, "Inside")
+            broken += [*faces.not_manifold(inside), faces.unkept(inside)]
+            for keep, manifold in ((True, False), (False, True), (True, True)):
+                cut = insideout.vtkGraphCutSegmentation()
+                cut.SetConstrainFacets(keep)
+                cut.SetConstrainManifold(manifold)
+                cut.ExtractInsideOff()
+                cut.SetInputData(result.hull)
+                cut.Update()
+                inside = cell_array(cut.GetOutput(), "Inside")
+                self.assertTrue(not manifold or faces.not_manifold(inside) == (0, 0))
+                self.assertTrue(not keep or faces.unkept(inside) == 0)
+        self.assertTrue((broken > 0).all(), f"without constraints, {broken} edges, points and faces are not right")
+
+    def test_constraints_hold_on_the_solid_of_a_surface(self):
+        surface, plain = self.results["cow.off"]
+        self.assertGreater(plain.outliers.GetNumberOfCells(), 0)
+        result = insideout.tetrahedralize(surface, constrain_facets=True, constrain_manifold=True)
+        self.assertEqual(FacesOf(result.hull).unkept(cell_array(result.hull, "Inside")), 0)
+        self.assertEqual(count_not_manifold(triangles_of(result.boundary)), (0, 0))
+        self.assertEqual(result.outliers.GetNumberOfCells(), 0)
 
 
 if __name__ == "__main__":

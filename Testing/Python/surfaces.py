@@ -126,3 +126,51 @@ def is_watertight(surface: vtkPolyData) -> bool:
 def enclosed_volume(surface: vtkPolyData) -> float:
     corners = points_of(surface)[triangles_of(surface)]
     return float(np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6)
+
+
+TETRAHEDRON_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
+"""Of vtkTetra, outward for a positive one."""
+
+
+def faces_of(grid: vtkUnstructuredGrid) -> tuple[np.ndarray, np.ndarray]:
+    """The corners of every cell's four faces, and for each a number that equal faces share."""
+    faces = tetrahedra_of(grid)[:, TETRAHEDRON_FACES].reshape(-1, 3)
+    return faces, _number_rows(np.sort(faces, axis=1))
+
+
+def _number_rows(rows: np.ndarray) -> np.ndarray:
+    """A number for each row of point ids; equal rows have equal ones."""
+    key = np.zeros(len(rows), np.int64)
+    for column in rows.T:
+        key = np.unique(key * (int(rows.max()) + 1) + column, return_inverse=True)[1]
+    return key
+
+
+def count_not_manifold(triangles: np.ndarray) -> tuple[int, int]:
+    """Edges that are not in exactly two of the triangles, and points whose triangles are several fans."""
+    # A half-edge for each corner, to the next; those at the ends of one edge meet two by two.
+    start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
+    next_corner = np.arange(triangles.size).reshape(-1, 3)[:, [1, 2, 0]].ravel().tolist()
+    edge = _number_rows(np.sort(np.column_stack([start, end]), axis=1))
+    order = np.argsort(edge, kind="stable")
+    alike = np.flatnonzero(np.diff(edge[order]) == 0)
+    starts, fans = start.tolist(), DisjointSets(triangles.size)
+    for a, b in zip(order[alike].tolist(), order[alike + 1].tolist()):
+        turned = starts[a] != starts[b]
+        fans.join(a, next_corner[b] if turned else b)
+        fans.join(next_corner[a], b if turned else next_corner[b])
+    roots = {fans.find(corner) for corner in range(triangles.size)}
+    return int((np.bincount(edge) != 2).sum()), len(roots) - len(np.unique(start))
+
+
+class DisjointSets:
+    def __init__(self, count: int):
+        self.parents = list(range(count))
+
+    def find(self, x: int) -> int:
+        while self.parents[x] != x:
+            self.parents[x] = x = self.parents[self.parents[x]]
+        return x
+
+    def join(self, x: int, y: int) -> None:
+        self.parents[self.find(x)] = self.find(y)

@@ -248,6 +248,24 @@ TEST(ManifoldConstraint, CountsWhatAHullThatIsNoneForbids)
   EXPECT_NE(result.Warnings[0].find("the hull is not manifold there"), std::string::npos);
 }
 
+TEST(ManifoldConstraint, NamesCellsThatLieOnOneSideOfAFace)
+{
+  const TetrahedralMesh mesh =
+    ConnectCells({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 2 } },
+      { { 0, 1, 2, 3 }, { 0, 1, 2, 4 } });
+  EXPECT_EQ(Solve({ mesh, { 1, 1 } }, false, false).Inside, std::vector<unsigned char>({ 1, 1 }));
+  try
+  {
+    Solve({ mesh, { 1, 1 } }, false, true);
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::InvalidParameter);
+    EXPECT_NE(std::string(error.what()).find("cells 0 and 1 are on one side"), std::string::npos);
+  }
+}
+
 Point CentreOf(const TetrahedralMesh& mesh, Id cell)
 {
   Point centre = { 0, 0, 0 };
