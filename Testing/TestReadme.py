@@ -101,7 +101,7 @@ class TestReadme(unittest.TestCase):
         (source / "CMakeLists.txt").write_text("\n".join(lines), encoding="utf-8")
         self.run_shell(
             f"cmake --install '{BUILD}' --prefix prefix >/dev/null\n"
-            "cmake -S source -B made -DCMAKE_PREFIX_PATH=$PWD/prefix\ncmake --build made\nmade/tetrahedralize\n"
+            "cmake -S source -B made -G Ninja -DCMAKE_PREFIX_PATH=$PWD/prefix\ncmake --build made\nmade/tetrahedralize\n"
         )
 
     def test_every_link_leads_somewhere(self):
