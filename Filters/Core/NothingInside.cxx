@@ -4,6 +4,7 @@
 #include "WindingNumberOfCells.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
@@ -26,11 +27,14 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   {
     return "The surface is inside out: set Orientation to Automatic, or to the other way";
   }
-  if (most > 0.5)
+  // Around a closed surface that faces one way w is a whole number.
+  const bool isClosed = hull.Counts.OpenEdges == 0;
+  const bool smoothedAway = most > 0.5 && !(isClosed && most != std::round(most));
+  if (smoothedAway)
   {
     return "The graph cut smoothed away where w is above 1/2: set Gamma lower, 0 to keep it all";
   }
-  if (hull.Counts.OpenEdges == 0 || least < -0.5)
+  if (isClosed || least < -0.5)
   {
     return "The surface faces both ways, and its parts cancel: turn its facets alike before";
   }

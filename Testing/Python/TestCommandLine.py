@@ -347,14 +347,15 @@ class Stopping(CommandLine):
 
     def test_a_timeout_ends_a_surface(self):
         began = time.monotonic()
-        done = run(self.file("box.ply", surfaces.box()), self.output, "--timeout", "1", env=self.environment)
+        done = run(self.file("box.ply", surfaces.box()), self.output, "--engine", "tetgen", "--timeout", "1", env=self.environment)
         self.check_failure(done, "stopped while tetrahedralizing", "--timeout")
         self.assertLess(time.monotonic() - began, 4)
 
     def test_ctrl_c_ends_the_command_within_a_second_with_status_130(self):
         report = self.path("report.json")
         with subprocess.Popen(
-            [sys.executable, "-m", "insideout", self.file("box.ply", surfaces.box()), self.output, "--report", report],
+            [sys.executable, "-m", "insideout", self.file("box.ply", surfaces.box()), self.output]
+            + ["--engine", "tetgen", "--report", report],
             stderr=subprocess.PIPE,
             env=self.environment,
             text=True,

@@ -214,7 +214,7 @@ class Threads(Slow):
         ticking = threading.Thread(target=tick)
         ticking.start()
         began = time.monotonic()
-        insideout.tetrahedralize(surfaces.box(), time_budget=2)
+        insideout.tetrahedralize(surfaces.box(), engine="tetgen", time_budget=2)
         ended = time.monotonic()
         done.set()
         ticking.join()
@@ -231,7 +231,8 @@ class Threads(Slow):
             return time.monotonic() - began
 
         def make():
-            return threading.Thread(target=insideout.tetrahedralize, args=[surfaces.box()], kwargs={"time_budget": 3})
+            options = {"engine": "tetgen", "time_budget": 3}
+            return threading.Thread(target=insideout.tetrahedralize, args=[surfaces.box()], kwargs=options)
 
         alone = seconds([make()])
         self.assertLess(seconds([make(), make(), make()]), 1.5 * alone + 0.5)
@@ -341,7 +342,7 @@ class CtrlC(Slow):
                 self.assertLess(self.interrupt(BALL + INTERRUPTED.format(call=call), 0.7), 1)
 
     def test_it_is_heard_although_a_progress_callback_is_busy(self):
-        call = "insideout.tetrahedralize(surfaces.box(), progress=lambda *_: sum(range(100_000)))"
+        call = "insideout.tetrahedralize(surfaces.box(), engine='tetgen', progress=lambda *_: sum(range(100_000)))"
         self.assertLess(self.interrupt(INTERRUPTED.format(call=call), 0.7), 1)
 
 
