@@ -114,17 +114,12 @@ INSIDEOUT_ALWAYS_INLINE void Normalize(PhaseProducts& products)
     products.Imaginary[lane] *= inverse;
   }
 }
-} // namespace
 
-INSIDEOUT_VECTOR_CLONES
-void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
-  std::size_t numberOfEdges, const SiteBlock& sites, PhaseProducts& products)
+/** Multiply by the edges between points, given the points' spinors. */
+template <typename AnySpinors>
+INSIDEOUT_ALWAYS_INLINE void MultiplyByEdges(const AnySpinors* spinors, const TileEdge* edges,
+  std::size_t numberOfEdges, PhaseProducts& products)
 {
-  Spinors spinors[MostTilePoints];
-  for (std::size_t p = 0; p < numberOfPoints; ++p)
-  {
-    SetSpinors(points[p], sites, spinors[p]);
-  }
   // Kept apart from the argument, so that nothing else can refer to it.
   PhaseProducts local = products;
   for (std::size_t first = 0; first < numberOfEdges; first += EdgesToNormalize)
@@ -139,6 +134,19 @@ void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const T
   }
   products = local;
 }
+} // namespace
+
+INSIDEOUT_VECTOR_CLONES
+void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
+  std::size_t numberOfEdges, const SiteBlock& sites, PhaseProducts& products)
+{
+  Spinors spinors[MostTilePoints];
+  for (std::size_t p = 0; p < numberOfPoints; ++p)
+  {
+    SetSpinors(points[p], sites, spinors[p]);
+  }
+  MultiplyByEdges(spinors, edges, numberOfEdges, products);
+}
 
 INSIDEOUT_VECTOR_CLONES
 void MultiplyByBoundaryAhead(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
@@ -149,17 +157,6 @@ void MultiplyByBoundaryAhead(const Point* points, std::size_t numberOfPoints, co
   {
     SetForwardSpinors(points[p], frame, sites, spinors[p]);
   }
-  PhaseProducts local = products;
-  for (std::size_t first = 0; first < numberOfEdges; first += EdgesToNormalize)
-  {
-    const std::size_t last =
-      first + EdgesToNormalize < numberOfEdges ? first + EdgesToNormalize : numberOfEdges;
-    for (std::size_t e = first; e < last; ++e)
-    {
-      MultiplyByEdge(spinors[edges[e].From], spinors[edges[e].To], local);
-    }
-    Normalize(local);
-  }
-  products = local;
+  MultiplyByEdges(spinors, edges, numberOfEdges, products);
 }
 } // namespace insideout

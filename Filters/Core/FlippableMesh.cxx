@@ -2,14 +2,12 @@
 #include "FlippableMesh.h"
 
 #include "Error.h"
+#include "InsertPoints.h"
 #include "SortedTriangle.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <numeric>
@@ -26,60 +24,12 @@ using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
 
-/** How often the monitor is asked. */
-constexpr std::size_t InsertionsPerCheck = 256;
-
 /** So many cells are looked at in the time of one predicate. */
 constexpr std::int64_t CellsPerWork = 2;
 
-std::array<Id, 3> SortedFace(Id a, Id b, Id c)
+Triangle SortedFace(const Tetrahedron& t, int k)
 {
-  if (a > b)
-  {
-    std::swap(a, b);
-  }
-  if (b > c)
-  {
-    std::swap(b, c);
-  }
-  if (a > b)
-  {
-    std::swap(a, b);
-  }
-  return { { a, b, c } };
-}
-
-std::array<Id, 3> SortedFace(const Tetrahedron& t, int k)
-{
-  return SortedFace(t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]);
-}
-/** Insert the points in an order that goes from each to one near by. */
-Delaunay DelaunayOf(const std::vector<Point>& points, Monitor& monitor)
-{
-  std::vector<Kernel::Point_3> places;
-  places.reserve(points.size());
-  for (const Point& point : points)
-  {
-    places.emplace_back(point[0], point[1], point[2]);
-  }
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto placeOf = CGAL::make_property_map(places);
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(placeOf)>(placeOf));
-  Delaunay delaunay;
-  Delaunay::Cell_handle near;
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    if (k % InsertionsPerCheck == 0)
-    {
-      monitor.Check("inserting points", static_cast<double>(k) / order.size());
-    }
-    const Delaunay::Vertex_handle vertex = delaunay.insert(places[order[k]], near);
-    vertex->info() = static_cast<Id>(order[k]);
-    near = vertex->cell();
-  }
-  return delaunay;
+  return SortedTriangle({ t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4] }).Points;
 }
 } // namespace
 
@@ -98,13 +48,14 @@ FlippableMesh::FlippableMesh(
   : Vertices(points)
 {
   this->InfiniteVertex = this->Vertices.Add({ { 0, 0, 0 } });
-  const Delaunay delaunay = DelaunayOf(points, monitor);
+  Delaunay delaunay;
+  InsertPoints(
+    points, delaunay, [&](double fraction) { monitor.Check("inserting points", fraction); });
   if (delaunay.dimension() < 3)
   {
     throw Error(ErrorCode::Planar, "the points lie in one plane");
   }
 
-  // Which of several points at one place the triangulation took is its own affair.
   same.resize(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
   {
@@ -124,7 +75,7 @@ FlippableMesh::FlippableMesh(
     }
   }
   const auto vertexOf = [&](Delaunay::Vertex_handle vertex) -> Id
-  { return vertex == delaunay.infinite_vertex() ? this->InfiniteVertex : same[vertex->info()]; };
+  { return vertex == delaunay.infinite_vertex() ? this->InfiniteVertex : vertex->info(); };
 
   this->CellOf.assign(points.size() + 1, None);
   this->ChangeAround.assign(points.size() + 1, 0);
@@ -298,7 +249,7 @@ void FlippableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrah
       const Id neighbor = this->Cells[cell].Neighbors[k];
       if (!this->IsMarked(neighbor))
       {
-        const std::array<Id, 3> corners = SortedFace(this->Cells[cell].Corners, k);
+        const Triangle corners = SortedFace(this->Cells[cell].Corners, k);
         this->Slot(
           corners) = { corners, neighbor, this->MirrorIndex(cell, k), this->Cells[cell].Facets[k] };
         ++open;
@@ -325,7 +276,7 @@ void FlippableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrah
     {
       this->CellOf[corners[k]] = cell;
       this->ChangeAround[corners[k]] = this->Changes;
-      const std::array<Id, 3> face = SortedFace(corners, k);
+      const Triangle face = SortedFace(corners, k);
       PendingFace& pending = this->Slot(face);
       if (pending.Cell == None)
       {

@@ -285,8 +285,8 @@ class Together(unittest.TestCase):
 
 INTERRUPTED = """
 import insideout, surfaces, sys
-print("ready", flush=True)
 try:
+    print("ready", flush=True)  # within: Python 3.11 does not look after a loop that is a try's first statement
     {call}
 except KeyboardInterrupt:
     print("interrupted", flush=True)

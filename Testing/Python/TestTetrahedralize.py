@@ -355,7 +355,7 @@ class BadInput(unittest.TestCase):
 
     def test_parameters_out_of_range(self):
         for parameters in (
-            *({"gamma": value} for value in (-1, float("nan"), float("inf"))),
+            *({"gamma": value} for value in (-1, float("nan"), float("inf"), "much")),
             *({"sigma": value} for value in (0, -1, float("nan"))),
             *({"merge_tolerance": value} for value in (-1, float("nan"))),
             *({"time_budget": value} for value in (-1, float("nan"))),

@@ -4,16 +4,27 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Mapping, Sequence, Tuple, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkDataSetAttributes, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkDataSet,
+    vtkDataSetAttributes,
+    vtkPolyData,
+    vtkUnstructuredGrid,
+)
 
 from .files import Path, read_surface
 from .pipeline import Error
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkPointSet as _PointSet
+else:
+    _PointSet = object  # of VTK's classes only one can be a base: that of the class with the views
 
 PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
 AnySurface = Union[vtkPolyData, Path, PointsAndTriangles, Any]
@@ -28,18 +39,13 @@ _POLYGONS = ("triangle", "quad", "polygon")  # meshio's types of cells that are 
 DataSet = TypeVar("DataSet", bound=vtkDataSet)
 
 
-class TriangleSurface(vtkPolyData):
-    """A vtkPolyData of triangles. Its arrays are views: they show VTK's memory and cost nothing."""
+class _Views(_PointSet):
+    """Arrays of a vtkPointSet as numpy views: they show VTK's memory and cost nothing."""
 
     @property
     def points(self) -> NDArray[np.float64]:
         """Coordinates, one row each."""
         return _points_of(self)
-
-    @property
-    def triangles(self) -> NDArray[np.int64]:
-        """The three points of each triangle, counterclockwise seen from outside."""
-        return _corners_of(self.GetPolys(), 3)
 
     @property
     def point_arrays(self) -> dict[str, NDArray]:
@@ -48,21 +54,25 @@ class TriangleSurface(vtkPolyData):
 
     @property
     def cell_arrays(self) -> dict[str, NDArray]:
-        """The numeric arrays with a value per triangle, by name."""
+        """The numeric arrays with a value per triangle or tetrahedron, by name."""
         return _arrays_of(self.GetCellData())
+
+
+class TriangleSurface(_Views, vtkPolyData):
+    """A vtkPolyData of triangles. Its arrays are views: they show VTK's memory and cost nothing."""
+
+    @property
+    def triangles(self) -> NDArray[np.int64]:
+        """The three points of each triangle, counterclockwise seen from outside."""
+        return _corners_of(self.GetPolys(), 3)
 
     def to_meshio(self) -> Any:
         """The same as a meshio.Mesh, with all arrays."""
         return _meshio_mesh(self, "triangle", self.triangles)
 
 
-class Tetrahedra(vtkUnstructuredGrid):
+class Tetrahedra(_Views, vtkUnstructuredGrid):
     """A vtkUnstructuredGrid of tetrahedra. Its arrays are views: they show VTK's memory and cost nothing."""
-
-    @property
-    def points(self) -> NDArray[np.float64]:
-        """Coordinates, one row each."""
-        return _points_of(self)
 
     @property
     def cells(self) -> NDArray[np.int64]:
@@ -78,16 +88,6 @@ class Tetrahedra(vtkUnstructuredGrid):
     def inside(self) -> NDArray[np.bool_]:
         """Whether each tetrahedron is inside."""
         return self.cell_arrays["Inside"].astype(bool)
-
-    @property
-    def point_arrays(self) -> dict[str, NDArray]:
-        """The numeric arrays with a value per point, by name."""
-        return _arrays_of(self.GetPointData())
-
-    @property
-    def cell_arrays(self) -> dict[str, NDArray]:
-        """The numeric arrays with a value per tetrahedron, by name."""
-        return _arrays_of(self.GetCellData())
 
     def to_meshio(self) -> Any:
         """The same as a meshio.Mesh, with all arrays."""
@@ -112,7 +112,7 @@ def as_surface(surface: AnySurface) -> tuple[vtkPolyData, list[str]]:
     if isinstance(surface, (tuple, list)) and len(surface) == 2:
         return make_surface(*surface), []
     raise Error(
-        f"the surface is a {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
+        f"the surface is of type {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
         "a pair (points, triangles) of arrays, or a meshio.Mesh"
     )
 

@@ -18,8 +18,8 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkThreshold, vtkTriangleFilter
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -38,6 +38,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from .data import as_surface
 from .pipeline import Error, run
+from .tetrahedralization import inside_cells
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections
 
 PANEL_WIDTH, HEIGHT = 800, 900
@@ -106,16 +107,6 @@ def slice_of(hull: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
     cutter.GenerateTrianglesOff()
     cutter.Update()
     return cutter.GetOutput()
-
-
-def cells_inside(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
-    threshold = vtkThreshold()
-    threshold.SetInputData(hull)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Inside")
-    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
-    threshold.SetUpperThreshold(0.5)
-    threshold.Update()
-    return threshold.GetOutput()
 
 
 def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
@@ -295,7 +286,7 @@ def slice_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
 
 
 def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
-    solid = cells_inside(hull)
+    solid = inside_cells(hull)
     count = f"{solid.GetNumberOfCells():,} tetrahedra"
     title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]

@@ -100,7 +100,10 @@ def cells_of(data: vtkDataObject, name: str) -> list[int]:
 
 def at_least(least: float, name: str, value: float) -> float:
     """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
-    value = float(value)
+    try:
+        value = float(value)
+    except (TypeError, ValueError):
+        raise Error(f"{name} is {value!r}; it must be a number") from None
     if not math.isfinite(value) or value < least:
         raise Error(f"{name} is {value:g}; it must be finite and at least {least:g}")
     return value

@@ -120,20 +120,20 @@ def tetrahedralize(
     `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     tetrahedralizer = make_filter(
-        gamma,
-        sigma,
-        orientation,
-        merge_tolerance,
-        count_duplicates,
-        time_budget,
-        memory_budget,
-        engine,
-        non_participating,
-        merge_coplanar_pieces,
-        split_seams,
-        data_term,
-        constrain_facets,
-        constrain_manifold,
+        gamma=gamma,
+        sigma=sigma,
+        orientation=orientation,
+        merge_tolerance=merge_tolerance,
+        count_duplicates=count_duplicates,
+        time_budget=time_budget,
+        memory_budget=memory_budget,
+        engine=engine,
+        non_participating=non_participating,
+        merge_coplanar_pieces=merge_coplanar_pieces,
+        split_seams=split_seams,
+        data_term=data_term,
+        constrain_facets=constrain_facets,
+        constrain_manifold=constrain_manifold,
     )
     if seeds is not None:
         tetrahedralizer.SetSeedsData(seeds if isinstance(seeds, vtkPointSet) else _seed_points(seeds))
@@ -146,7 +146,7 @@ def tetrahedralize(
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
     return Tetrahedralization(
-        solid=as_type(Tetrahedra, _inside_cells(hull)),
+        solid=as_type(Tetrahedra, inside_cells(hull)),
         boundary=as_type(TriangleSurface, tetrahedralizer.GetBoundary()),
         outliers=as_type(TriangleSurface, tetrahedralizer.GetOutliers()),
         hull=as_type(Tetrahedra, hull),
@@ -158,6 +158,7 @@ def tetrahedralize(
 
 
 def make_filter(
+    *,
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
     orientation: str = "automatic",
@@ -223,7 +224,8 @@ def _seed_points(seeds: Iterable[tuple[tuple[float, float, float], bool]]) -> vt
     return data
 
 
-def _inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
+def inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
+    """The cells whose array Inside is 1."""
     threshold = vtkThreshold()
     threshold.SetInputData(hull)
     threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Inside")

@@ -13,18 +13,7 @@ namespace
 {
 using namespace insideout;
 using testtetrahedra::Grid;
-
-std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed)
-{
-  std::mt19937 random(seed);
-  const unsigned share = 1 + seed % 4; // from one cell in four to all but the empty ones
-  std::vector<unsigned char> inside;
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    inside.push_back(random() % 4 < share);
-  }
-  return inside;
-}
+using testtetrahedra::RandomInside;
 
 /** det(a, b, c) of integer points: six times the volume of the cone from the origin. */
 std::int64_t Determinant(const Point& a, const Point& b, const Point& c)

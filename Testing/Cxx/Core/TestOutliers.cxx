@@ -14,18 +14,7 @@ namespace
 {
 using namespace insideout;
 using testtetrahedra::Grid;
-
-std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed)
-{
-  std::mt19937 random(seed);
-  const unsigned share = 1 + seed % 4; // from one cell in four to all but the empty ones
-  std::vector<unsigned char> inside;
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    inside.push_back(random() % 4 < share);
-  }
-  return inside;
-}
+using testtetrahedra::RandomInside;
 
 /** Give the faces of the mesh to `facets` facets at random, several pieces each. */
 FacetComplex DealFaces(TetrahedralMesh& mesh, unsigned seed, int facets)

@@ -274,4 +274,16 @@ std::vector<int> RandomLabels(const TetrahedralMesh& mesh, unsigned seed)
   }
   return labels;
 }
+
+std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const unsigned share = 1 + seed % 4; // quarters
+  std::vector<unsigned char> inside;
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    inside.push_back(random() % 4 < share);
+  }
+  return inside;
+}
 } // namespace testtetrahedra

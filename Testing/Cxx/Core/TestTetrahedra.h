@@ -41,4 +41,7 @@ FacetComplex RandomFaces(TetrahedralMesh& mesh, unsigned seed);
 
 /** Random labels from -3 to 3, one per cell. */
 std::vector<int> RandomLabels(const TetrahedralMesh& mesh, unsigned seed);
+
+/** Random inside (1) or outside (0), one per cell; by the seed a quarter to all are inside. */
+std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed);
 } // namespace testtetrahedra
