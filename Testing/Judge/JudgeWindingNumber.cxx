@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <map>
 #include <random>
 
 using namespace insideout;
@@ -30,7 +32,9 @@ constexpr double SliverThickness = 1e-6;
 struct Numbers
 {
   int Points = 100000; ///< random ones in the surface's box
-  int Sample = 1000;   ///< of each kind, in quadruple precision
+  int Sample = 1000;   ///< of those, and of each kind on the surface, in quadruple precision
+  int Cells = 1000;    ///< likewise, beside all slivers
+  int Slivers = std::numeric_limits<int>::max(); ///< at most so many, the thinnest
 };
 
 /** Largest difference between values and a reference, and whether one is not a number. */
@@ -80,9 +84,9 @@ double Thickness(const TetrahedralMesh& mesh, const Tetrahedron& cell)
   return static_cast<double>(std::abs(volume) / (longest * longest * longest));
 }
 
-/** The thinnest cells, but at most `number` slivers, and as many others at random. */
+/** The slivers, or as many of the thinnest as are wanted, and other cells at random. */
 std::vector<Id> SliversAndOthers(
-  const TetrahedralMesh& mesh, std::size_t number, std::size_t& slivers)
+  const TetrahedralMesh& mesh, const Numbers& numbers, std::size_t& slivers)
 {
   std::vector<std::pair<double, Id>> thin;
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
@@ -95,14 +99,14 @@ std::vector<Id> SliversAndOthers(
   }
   std::sort(thin.begin(), thin.end());
   slivers = thin.size();
-  thin.resize(std::min(thin.size(), number));
+  thin.resize(std::min(thin.size(), static_cast<std::size_t>(numbers.Slivers)));
   std::vector<Id> which;
   for (const auto& cell : thin)
   {
     which.push_back(cell.second);
   }
   std::mt19937 random(1);
-  for (std::size_t i = 0; i < number; ++i)
+  for (int i = 0; i < numbers.Cells; ++i)
   {
     which.push_back(static_cast<Id>(random() % mesh.Cells.size()));
   }
@@ -190,7 +194,7 @@ FacetComplex FacesAndFacetsBeyond(const FacetComplex& surface, const Tetrahedral
   return result;
 }
 
-bool JudgeCells(const std::string& name, const TriangleSoup& soup, std::size_t sample)
+bool JudgeCells(const std::string& name, const TriangleSoup& soup, const Numbers& numbers)
 {
   Monitor monitor;
   const HullMesh hull = MeshHull(soup, {}, monitor);
@@ -198,7 +202,7 @@ bool JudgeCells(const std::string& name, const TriangleSoup& soup, std::size_t s
   const FacetComplex faces = FacesAndFacetsBeyond(hull.Surface, hull.Mesh);
   const double toSum = LargestError(hull.W, WindingNumberSum(faces, sites, monitor));
   std::size_t slivers = 0;
-  const std::vector<Id> which = SliversAndOthers(hull.Mesh, sample, slivers);
+  const std::vector<Id> which = SliversAndOthers(hull.Mesh, numbers, slivers);
   const double toQuads = LargestErrorToQuads(faces, sites, which, hull.W);
   std::printf("%-28s cells  %s %9d of which %6zu slivers: error to sum %.1e; to quads on %5zu "
               "%.1e  %s\n",
@@ -240,7 +244,7 @@ bool Judge(const std::string& name, const MakeSoup& makeSoup, const Numbers& num
   {
     const TriangleSoup soup = makeSoup();
     const bool pointsAreGood = JudgePoints(name, soup, numbers);
-    good = JudgeCells(name, soup, static_cast<std::size_t>(numbers.Sample)) && pointsAreGood;
+    good = JudgeCells(name, soup, numbers) && pointsAreGood;
   }
   catch (const Error& error)
   {
@@ -277,27 +281,27 @@ bool JudgeSoups(int soups, const Numbers& numbers)
 } // namespace
 
 /**
- * JudgeWindingNumber [--points P] [--sample N] [--soups M] SURFACE...: compares w in the cells of
- * each surface's hull mesh, and at P points of its box (100,000) and some on the surface itself,
- * with brute force: everywhere with the sum over all facets, and in quadruple precision and more on
- * N slivers (all, if there are fewer), N other cells, N of the points and all on the surface
- * (1000); likewise M random soups. Exit status 1 where w is not right to 1e-12, or a surface cannot
- * be meshed.
+ * JudgeWindingNumber [--points P] [--sample N] [--cells N] [--slivers N] [--soups N] SURFACE...:
+ * compares w in the cells of each surface's hull mesh, and at P points of its box (100,000) and
+ * some on the surface itself, with brute force. Everywhere with the sum over all facets. In
+ * quadruple precision, and more, in all slivers (or N, the thinnest) and N other cells (1000), at N
+ * of the points and N on the surface of each kind (1000). Likewise N random soups. Exit status 1
+ * where w is not right to 1e-12, or a surface cannot be meshed.
  */
 int main(int argc, char** argv)
 {
   Numbers numbers;
+  const std::map<std::string, int*> options = { { "--points", &numbers.Points },
+    { "--sample", &numbers.Sample }, { "--cells", &numbers.Cells },
+    { "--slivers", &numbers.Slivers } };
   bool allGood = true;
   for (int i = 1; i < argc; ++i)
   {
     const std::string argument = argv[i];
-    if (argument == "--sample" && i + 1 < argc)
+    const auto option = options.find(argument);
+    if (option != options.end() && i + 1 < argc)
     {
-      numbers.Sample = std::max(1, std::atoi(argv[++i]));
-    }
-    else if (argument == "--points" && i + 1 < argc)
-    {
-      numbers.Points = std::max(1, std::atoi(argv[++i]));
+      *option->second = std::max(1, std::atoi(argv[++i]));
     }
     else if (argument == "--soups" && i + 1 < argc)
     {
