@@ -92,6 +92,8 @@ struct PlyHeader
   std::vector<PlyElement> Elements;
   const char* Body = nullptr; ///< the first byte behind the header
   std::int64_t BodyLine = 0;
+  std::int64_t UnknownStatements = 0;
+  std::string FirstUnknown;
 
   /** The list of corners if the element is the faces and has one, else null. */
   static const PlyProperty* CornersOf(const PlyElement& element)
@@ -155,9 +157,19 @@ private:
     }
     else if (word != "comment" && word != "obj_info" && word != "end_header")
     {
-      this->Scanner.Fail("unknown statement " + Quoted(word) + " in the header");
+      this->PassOver(word);
     }
     return word != "end_header";
+  }
+
+  /** Some programs sign their files without the word comment. */
+  void PassOver(std::string_view word)
+  {
+    if (this->Header.UnknownStatements++ == 0)
+    {
+      this->Header.FirstUnknown =
+        "line " + std::to_string(this->Scanner.GetLine()) + ": " + Quoted(word);
+    }
   }
 
   void ReadFormat()
@@ -774,9 +786,14 @@ void MovePoints(PlyElement& vertices, std::vector<Point>& points)
   }
 }
 
-/** Name the elements and lists that have no place in a PolygonSurface. */
+/** Name the statements, elements and lists that have no place in a PolygonSurface. */
 void WarnOfUnused(const FileContent& file, PlyHeader& header, PolygonSurface& surface)
 {
+  if (header.UnknownStatements > 0)
+  {
+    surface.Warnings.push_back(file.Name + ": " + std::to_string(header.UnknownStatements) +
+      " unknown statements were passed over in the header, the first on " + header.FirstUnknown);
+  }
   for (const PlyElement& element : header.Elements)
   {
     const bool used = element.Name == "vertex" || element.Name == "face";

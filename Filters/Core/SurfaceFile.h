@@ -43,7 +43,8 @@ struct PolygonSurface
  * Points keep the file's order. Where an OBJ file gives one point several texture coordinates or
  * normals, a copy of the point per combination follows behind the last. STL points are the corners
  * of the facets, three each. Polygons keep the file's order too; those with fewer than 3 corners
- * are passed over with a warning, and so are lines, points and elements of other names.
+ * are passed over with a warning, and so are lines, points, unknown statements and elements of
+ * other names.
  *
  * PointAttributes and PolygonAttributes:
  * - `Normals` (3 floats or doubles) and `TCoords` (2) of points, and PLY's `Normals` of polygons;

@@ -477,6 +477,16 @@ TEST(ReadSurface, FindsTheBinaryBodyBehindEveryLineEnd)
   }
 }
 
+TEST(ReadSurface, PassesOverPlyStatementsThatItDoesNotKnow)
+{
+  const PolygonSurface surface = Read("a.ply",
+    "ply\nformat ascii 1.0\nCreated by a program: \nelement vertex 1\nproperty float x\n"
+    "property float y\nproperty float z\nversion 2\nend_header\n1 2 3\n");
+  ExpectSamePoints(surface.Points, { { 1, 2, 3 } });
+  EXPECT_TRUE(HasWarning(surface,
+    "a.ply: 2 unknown statements were passed over in the header, the first on line 3: 'Created'"));
+}
+
 TEST(ReadSurface, RejectsPlyHeadersThatSayNothing)
 {
   const std::string begin = "ply\nformat ascii 1.0\n";
@@ -484,8 +494,7 @@ TEST(ReadSurface, RejectsPlyHeadersThatSayNothing)
   ExpectMalformed("a.ply", "plu\n", ", line 1: does not begin with 'ply'");
   ExpectMalformed("a.ply", "ply\nformat ebcdic 1.0\n", ", line 2: unknown format 'ebcdic'");
   ExpectMalformed("a.ply", begin, ", line 3: the header has no end_header");
-  ExpectMalformed(
-    "a.ply", begin + "elephant\n", ", line 3: unknown statement 'elephant' in the header");
+  ExpectMalformed("a.ply", begin + "elephant\n", ", line 4: the header has no end_header");
   ExpectMalformed(
     "a.ply", begin + "element vertex -1\n", ", line 3: the number of elements is negative");
   ExpectMalformed("a.ply", begin + "element vertex 99999999999999999999\n",
