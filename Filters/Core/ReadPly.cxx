@@ -98,9 +98,15 @@ struct PlyHeader
   /** The list of corners if the element is the faces and has one, else null. */
   static const PlyProperty* CornersOf(const PlyElement& element)
   {
-    const PlyProperty* corners = element.Find("vertex_indices");
-    corners = corners ? corners : element.Find("vertex_index");
-    return element.Name == "face" && corners && corners->IsList ? corners : nullptr;
+    return element.Name == "face" ? PointsOf(element) : nullptr;
+  }
+
+  /** The list of points if the element is strips of triangles and there are no faces, else null. */
+  const PlyProperty* StripsOf(const PlyElement& element)
+  {
+    const PlyElement* const faces = this->Find("face");
+    const bool hasFaces = faces && faces->Count > 0;
+    return element.Name == "tristrips" && !hasFaces ? PointsOf(element) : nullptr;
   }
 
   PlyElement* Find(std::string_view name)
@@ -108,6 +114,14 @@ struct PlyHeader
     const auto found = std::find_if(this->Elements.begin(), this->Elements.end(),
       [name](const PlyElement& element) { return element.Name == name; });
     return found == this->Elements.end() ? nullptr : &*found;
+  }
+
+private:
+  static const PlyProperty* PointsOf(const PlyElement& element)
+  {
+    const PlyProperty* points = element.Find("vertex_indices");
+    points = points ? points : element.Find("vertex_index");
+    return points && points->IsList ? points : nullptr;
   }
 };
 
@@ -419,6 +433,38 @@ private:
   std::int64_t FirstExtra = 0; ///< the line where that happened first, 0 for none
 };
 
+constexpr Id StripEnd = -1;
+
+/**
+ * Append the triangles of strips. Each other one of a strip is turned over; one that has a point
+ * twice is there to join others and is none.
+ */
+void AppendTriangles(
+  const FileContent& file, const std::vector<Id>& strips, PolygonSurface& surface)
+{
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < strips.size(); ++i)
+  {
+    if (strips[i] == StripEnd)
+    {
+      first = i + 1;
+      continue;
+    }
+    if (i < first + 2)
+    {
+      continue;
+    }
+    const bool turned = (i - first) % 2 == 1;
+    const std::array<Id, 3> t = { strips[turned ? i - 1 : i - 2], strips[turned ? i - 2 : i - 1],
+      strips[i] };
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    {
+      surface.Corners.insert(surface.Corners.end(), t.begin(), t.end());
+      ClosePolygon(file, surface);
+    }
+  }
+}
+
 /** Reads the elements in the order of the header. */
 template <typename Body>
 class PlyBodyReader
@@ -456,6 +502,7 @@ private:
     const bool isVertex = element.Name == "vertex";
     const bool isFace = element.Name == "face";
     const PlyProperty* const corners = this->Header.CornersOf(element);
+    const PlyProperty* const strips = this->Header.StripsOf(element);
     if (isFace && !corners && element.Count > 0)
     {
       throw Malformed(this->File, "faces have no list vertex_indices");
@@ -465,8 +512,13 @@ private:
     {
       for (PlyProperty& property : element.Properties)
       {
-        this->ReadProperty(element, property, &property == corners ? &surface : nullptr);
+        this->ReadProperty(element, property,
+          &property == corners    ? &surface.Corners
+            : &property == strips ? &this->Strips
+                                  : nullptr);
       }
+      AppendTriangles(this->File, this->Strips, surface);
+      this->Strips.clear();
       if (corners && !ClosePolygon(this->File, surface))
       {
         ++this->Dropped;
@@ -529,8 +581,8 @@ private:
     }
   }
 
-  /** `surface` is given for the list of corners. */
-  void ReadProperty(const PlyElement& element, PlyProperty& property, PolygonSurface* surface)
+  /** `points` is given for the lists of corners and of strips. */
+  void ReadProperty(const PlyElement& element, PlyProperty& property, std::vector<Id>* points)
   {
     if (!property.IsList)
     {
@@ -541,9 +593,10 @@ private:
     for (std::uint64_t i = 0; i < count; ++i)
     {
       const double value = this->Take(element, property.Type);
-      if (surface)
+      if (points)
       {
-        surface->Corners.push_back(this->PointId(value));
+        const bool endsStrip = points == &this->Strips && value == StripEnd;
+        points->push_back(endsStrip ? StripEnd : this->PointId(element, value));
       }
     }
   }
@@ -577,15 +630,16 @@ private:
     return value;
   }
 
-  Id PointId(double value) const
+  Id PointId(const PlyElement& element, double value) const
   {
     if (!(value >= 0.0 && value < double(this->PointCount) && value == std::floor(value)))
     {
       std::array<char, 32> text;
       char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
       throw Error(ErrorCode::FileMalformed,
-        this->Source.Place() + "face " + std::to_string(this->Index) + " refers to point " +
-          std::string(text.data(), end) + " of " + std::to_string(this->PointCount));
+        this->Source.Place() + element.Name + " " + std::to_string(this->Index) +
+          " refers to point " + std::string(text.data(), end) + " of " +
+          std::to_string(this->PointCount));
     }
     return static_cast<Id>(value);
   }
@@ -602,6 +656,7 @@ private:
   const std::uint64_t PointCount;
   std::uint64_t Index = 0; ///< of the element that is read
   std::uint64_t Dropped = 0;
+  std::vector<Id> Strips; ///< of the element that is read
 };
 
 /** Moves the properties of an element into attributes. */
@@ -797,7 +852,7 @@ void WarnOfUnused(const FileContent& file, PlyHeader& header, PolygonSurface& su
   for (const PlyElement& element : header.Elements)
   {
     const bool used = element.Name == "vertex" || element.Name == "face";
-    if (!used && element.Count > 0)
+    if (!used && element.Count > 0 && !header.StripsOf(element))
     {
       surface.Warnings.push_back(file.Name + ": " + std::to_string(element.Count) + " elements " +
         Quoted(element.Name) + " were passed over");

@@ -44,7 +44,7 @@ struct PolygonSurface
  * normals, a copy of the point per combination follows behind the last. STL points are the corners
  * of the facets, three each. Polygons keep the file's order too; those with fewer than 3 corners
  * are passed over with a warning, and so are lines, points, unknown statements and elements of
- * other names.
+ * other names. PLY's strips of triangles (`tristrips`) are taken apart where there are no faces.
  *
  * PointAttributes and PolygonAttributes:
  * - `Normals` (3 floats or doubles) and `TCoords` (2) of points, and PLY's `Normals` of polygons;

@@ -155,11 +155,13 @@ class Refusals(InAFolder):
             (self.write_text("empty.vtp", ""), "cannot read"),
             (self.write_text("broken.vtp", "<VTKFile type='PolyData'><PolyData>"), "cannot read"),
             (self.write_text("other.vtp", "<VTKFile type='ImageData'/>"), "no VTK XML file of polygons"),
+            (self.write_text("zero.obj", "v 0 0 0\nf 0 1 1\n"), "line 2: face refers to point 0"),
         ):
             with self.subTest(os.path.basename(path)):
                 with self.assertRaisesRegex(insideout.Error, reason) as caught:
                     read_surface(path)
                 self.assertIn(path, str(caught.exception))
+                self.assertEqual(str(caught.exception).count(os.path.basename(path)), 1)
 
     def test_appended_mode_is_read_or_explained(self):
         surface = surfaces.box(low=(1 / 3, 1 / 7, 1 / 9))

@@ -144,8 +144,11 @@ def _write(writer: Union[vtkWriter, vtkXMLWriter], data: Union[vtkPolyData, vtkU
 
 
 def _naming(path: str, error: Error) -> Error:
-    """The error with the file's name in it."""
-    return error if path in str(error) else Error(f"{path}: {error}")
+    """The error with the file's name in it; the reader gives that without its folder."""
+    message, name = str(error), os.path.basename(path)
+    if path in message:
+        return error
+    return Error(path + message[len(name) :] if message.startswith(name) else f"{path}: {message}")
 
 
 def _reason(error: OSError) -> str:

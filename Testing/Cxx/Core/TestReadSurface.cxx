@@ -487,6 +487,35 @@ TEST(ReadSurface, PassesOverPlyStatementsThatItDoesNotKnow)
     "a.ply: 2 unknown statements were passed over in the header, the first on line 3: 'Created'"));
 }
 
+TEST(ReadSurface, TakesPlyTriangleStripsApart)
+{
+  const auto read = [](const std::string& elements, const std::string& body)
+  {
+    return Read("a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\n" +
+        elements + "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n" + body);
+  };
+  const std::string strips = "element tristrips 2\nproperty list int int vertex_indices\n";
+  const PolygonSurface surface = read(strips, "9 0 1 2 3 4 -1 1 0 2\n5 4 4 3 2 1\n");
+  EXPECT_EQ(
+    surface.Corners, (std::vector<Id>{ 0, 1, 2, 2, 1, 3, 2, 3, 4, 1, 0, 2, 3, 4, 2, 3, 2, 1 }));
+  EXPECT_EQ(surface.Offsets, (std::vector<Id>{ 0, 3, 6, 9, 12, 15, 18 }));
+  EXPECT_TRUE(surface.Warnings.empty());
+
+  const PolygonSurface both =
+    read("element face 1\nproperty list uchar int vertex_indices\n" + strips,
+      "3 0 1 2\n3 0 1 2\n3 2 1 3\n");
+  EXPECT_EQ(both.Corners, (std::vector<Id>{ 0, 1, 2 }));
+  EXPECT_TRUE(HasWarning(both, "2 elements 'tristrips' were passed over"));
+
+  ExpectMalformed("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+    "property float z\n" +
+      strips + "end_header\n0 0 0\n3 0 1 -2\n0\n",
+    ", line 11: tristrips 0 refers to point 1 of 1");
+}
+
 TEST(ReadSurface, RejectsPlyHeadersThatSayNothing)
 {
   const std::string begin = "ply\nformat ascii 1.0\n";
