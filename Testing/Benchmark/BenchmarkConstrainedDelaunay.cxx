@@ -8,8 +8,10 @@
 
 #include <tetgen.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -21,7 +23,7 @@ using namespace benchmark;
 
 namespace
 {
-/** What a surface's stage has to reach, over TetGen's library called directly. */
+/** What TetGen's stage has to reach, over TetGen's library called directly. */
 struct Target
 {
   Limit Stage;    ///< seconds of the whole stage, with transfer and checks
@@ -32,6 +34,15 @@ struct Target
 const std::map<std::string, Target> Targets = {
   { "Beast", { AtMost(1.25), AtMost(1.05), AtMost(1.5) } },
 };
+
+/** Surfaces on which our own engine takes no more time and memory than TetGen's library. */
+const std::set<std::string> ExactTargets = { "Beast", "AlienSpaceObject", "camel", "man" };
+constexpr Limit MostOfTetgen = AtMost(1);
+
+/** Seconds per point at MostPoints over those at FewestPoints. */
+constexpr Limit MostGrowth = AtMost(1.5);
+constexpr int FewestPoints = 32000;
+constexpr int MostPoints = 1000000;
 
 FacetComplex Resolved(const std::string& path)
 {
@@ -71,8 +82,15 @@ private:
   const int Saved;
 };
 
-/** What any user of TetGen's library does, with the switches of the stage's first rung. */
-void RunTetgenDirectly(const FacetComplex& surface)
+/** What an engine made of a surface. */
+struct Sizes
+{
+  Id SteinerPoints = 0;
+  Id Cells = 0;
+};
+
+/** What any user of TetGen's library does, with the switches of the stage's first rung with it. */
+Sizes RunTetgenDirectly(const FacetComplex& surface)
 {
   tetgenio input;
   tetgenio output;
@@ -101,35 +119,29 @@ void RunTetgenDirectly(const FacetComplex& surface)
   behavior.minedgelength = std::numeric_limits<double>::min();
   const Silence silence;
   tetrahedralize(&behavior, &input, &output);
+  return { output.numberofpoints - input.numberofpoints, output.numberoftetrahedra };
 }
 
-/** With TetGen. @return whether the first rung answered */
-bool RunStage(const FacetComplex& surface)
+Tetrahedralization RunStage(const FacetComplex& surface, TetrahedralizationEngine engine)
 {
   Monitor monitor;
-  return ConstrainedDelaunay(surface, { 0, 0, TetrahedralizationEngine::TetGen }, monitor)
-    .Failures.empty();
+  return ConstrainedDelaunay(surface, { 0, 0, engine }, monitor);
 }
 
 /** TetGen harms this process, too, where it cannot do what it is asked. */
 bool TetgenManages(const std::string& name, const FacetComplex& surface)
 {
-  const bool manages = RunStage(surface);
+  const bool manages = RunStage(surface, TetrahedralizationEngine::TetGen).Failures.empty();
   if (!manages)
   {
-    std::printf("cdt/%s: TetGen fails with the switches of the first rung\n", name.c_str());
+    std::printf("cdt/%s: TetGen fails with its first switches\n", name.c_str());
   }
   return manages;
 }
 
-void Measure(const std::string& path)
+/** TetGen in a process of its own, and checked, against its library. */
+void MeasureTetgen(const std::string& name, const FacetComplex& surface)
 {
-  const std::string name = StemOf(path);
-  const FacetComplex surface = Resolved(path);
-  if (!TetgenManages(name, surface))
-  {
-    return;
-  }
   const std::vector<Triangle> constraints = ConstraintsOf(surface);
   const auto direct = [&] { RunTetgenDirectly(surface); };
   const auto inProcess = [&]
@@ -137,7 +149,8 @@ void Measure(const std::string& path)
     Monitor monitor;
     RunTetgen(surface.Points, constraints, {}, {}, monitor);
   };
-  const auto stage = MedianSeconds([&] { RunStage(surface); }, direct);
+  const auto stage =
+    MedianSeconds([&] { RunStage(surface, TetrahedralizationEngine::TetGen); }, direct);
   const auto transfer = MedianSeconds(inProcess, direct);
   PrintSeconds("cdt/" + name, surface.Facets.size(), "stage", "TetGen", stage);
   PrintSeconds("cdt/transfer/" + name, surface.Facets.size(), "process", "TetGen", transfer);
@@ -149,8 +162,91 @@ void Measure(const std::string& path)
   }
 }
 
-/** MiB by which this process, forked for it, grows when it runs TetGen. */
-double MemoryOfTetgen(const FacetComplex& surface)
+void PrintSizes(const char* engine, const Sizes& sizes, const char* from)
+{
+  std::printf(
+    "%36s: %9d cells, %6d Steiner points  %s\n", engine, sizes.Cells, sizes.SteinerPoints, from);
+}
+
+/** An engine of ours against TetGen's library, where that manages. */
+void MeasureEngine(const std::string& name, const FacetComplex& surface, bool tetgenManages,
+  const char* word, TetrahedralizationEngine engine)
+{
+  const std::string row = std::string("cdt-") + word + "/" + name;
+  const Tetrahedralization found = RunStage(surface, engine);
+  const Id lost = static_cast<Id>(found.Mesh.LostFacets.size());
+  PrintSizes(word, { found.Mesh.NumberOfSteinerPoints, found.Mesh.NumberOfCells() },
+    (std::string(RungName(found.Rung)) + (lost ? ", facets lost: " + std::to_string(lost) : ""))
+      .c_str());
+  const auto ours = [&] { RunStage(surface, engine); };
+  if (!tetgenManages)
+  {
+    PrintSeconds(row, surface.Facets.size(), word, "TetGen", { SecondsOf(ours), 0 });
+    return;
+  }
+  const auto seconds = MedianSeconds(ours, [&] { RunTetgenDirectly(surface); });
+  PrintSeconds(row, surface.Facets.size(), word, "TetGen", seconds);
+  if (ExactTargets.count(name))
+  {
+    PrintRatio(row, seconds[0] / seconds[1], MostOfTetgen);
+  }
+}
+
+void Measure(const std::string& path)
+{
+  const std::string name = StemOf(path);
+  const FacetComplex surface = Resolved(path);
+  const bool tetgenManages = TetgenManages(name, surface);
+  if (tetgenManages)
+  {
+    MeasureTetgen(name, surface);
+    PrintSizes("TetGen", RunTetgenDirectly(surface), "");
+  }
+  MeasureEngine(name, surface, tetgenManages, "exact", TetrahedralizationEngine::Exact);
+  MeasureEngine(name, surface, tetgenManages, "automatic", TetrahedralizationEngine::Automatic);
+}
+
+/** A closed surface of about so many points, with waves, so that nothing in it is regular. */
+FacetComplex WavyTorus(int points)
+{
+  const int side = static_cast<int>(std::sqrt(points));
+  TriangleSoup soup;
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      const double u = 2 * M_PI * i / side;
+      const double v = 2 * M_PI * j / side;
+      const double radius = 1 + 0.1 * std::sin(5 * u + 0.3) * std::cos(7 * v + 0.7);
+      const double fromAxis = 2.5 + radius * std::cos(v);
+      soup.Points.push_back({ { fromAxis * std::cos(u), fromAxis * std::sin(u),
+        radius * std::sin(v) + 0.2 * std::sin(3 * u) } });
+      const auto at = [&](int k, int l)
+      { return static_cast<Id>(((i + k) % side) * side + (j + l) % side); };
+      soup.Triangles.push_back({ { at(0, 0), at(1, 0), at(1, 1) } });
+      soup.Triangles.push_back({ { at(0, 0), at(1, 1), at(0, 1) } });
+    }
+  }
+  Monitor monitor;
+  return CountFacets(soup, {}, monitor).Surface;
+}
+
+double SecondsPerPoint(int points)
+{
+  const FacetComplex surface = WavyTorus(points);
+  const double seconds = SecondsOf([&] { RunStage(surface, TetrahedralizationEngine::Exact); });
+  PrintSeconds("cdt-exact/torus", surface.Facets.size(), "exact", "TetGen", { seconds, 0 });
+  return seconds / static_cast<double>(surface.Points.size());
+}
+
+void MeasureGrowth()
+{
+  const double few = SecondsPerPoint(FewestPoints);
+  PrintRatio("cdt-exact/growth", SecondsPerPoint(MostPoints) / few, MostGrowth);
+}
+
+/** MiB by which this process, forked for it, grows when it does the work. */
+double MemoryOf(const std::function<void()>& work)
 {
   int ends[2];
   double grown = 0;
@@ -162,7 +258,7 @@ double MemoryOfTetgen(const FacetComplex& surface)
   if (child == 0)
   {
     const double before = ResetHighWaterMark();
-    RunTetgenDirectly(surface);
+    work();
     grown = HighWaterMark() - before;
     _exit(write(ends[1], &grown, sizeof(grown)) == sizeof(grown) ? 0 : 1);
   }
@@ -182,33 +278,48 @@ void MeasureMemory(const std::string& path)
   const std::string name = StemOf(path);
   const FacetComplex surface = Resolved(path);
   const double before = ResetHighWaterMark();
-  if (!TetgenManages(name, surface))
-  {
-    return;
-  }
+  const bool tetgenManages = TetgenManages(name, surface);
   const double host = HighWaterMark() - before;
   rusage children{};
-  getrusage(RUSAGE_CHILDREN, &children);
+  getrusage(RUSAGE_CHILDREN, &children); // before there are others than the helper
   const double helper = static_cast<double>(children.ru_maxrss) / 1024;
-  const double direct = MemoryOfTetgen(surface);
-  std::printf("memory cdt/%s helper %.1f MiB, host %.1f MiB, TetGen %.1f MiB\n", name.c_str(),
-    helper, host, direct);
+  const double exact = MemoryOf([&] { RunStage(surface, TetrahedralizationEngine::Exact); });
+  if (!tetgenManages)
+  {
+    std::printf("memory cdt/%s exact %.1f MiB\n", name.c_str(), exact);
+    return;
+  }
+  const double direct = MemoryOf([&] { RunTetgenDirectly(surface); });
+  std::printf("memory cdt/%s exact %.1f MiB, helper %.1f MiB, host %.1f MiB, TetGen %.1f MiB\n",
+    name.c_str(), exact, helper, host, direct);
   const auto target = Targets.find(name);
   if (target != Targets.end() && direct > 0)
   {
     PrintRatio("memory/cdt/" + name, (helper + host) / direct, target->second.Memory);
   }
+  if (ExactTargets.count(name) && direct > 0)
+  {
+    PrintRatio("memory/cdt-exact/" + name, exact / direct, MostOfTetgen);
+  }
 }
 } // namespace
 
 /**
- * BenchmarkConstrainedDelaunay [--memory] SURFACE...: measures stage CDT on resolved surfaces
- * against TetGen's library, or the memory that each takes at most. Lines as in Measure.h; a surface
- * that cannot be read is named and passed over, and so is one where TetGen needs a second try.
+ * BenchmarkConstrainedDelaunay [--memory|--growth] SURFACE...: measures stage CDT on resolved
+ * surfaces against TetGen's library: TetGen in its process, and both of our engines, with what they
+ * make; or the memory that each takes at most; or how our own engine's time grows. Lines as in
+ * Measure.h; a surface that cannot be read is named and passed over. Where TetGen needs a second
+ * try, or cannot do it at all, its library is not called.
  */
 int main(int argc, char** argv)
 {
-  const bool memory = argc > 1 && std::string(argv[1]) == "--memory";
+  const std::string option = argc > 1 ? argv[1] : "";
+  if (option == "--growth")
+  {
+    MeasureGrowth();
+    return 0;
+  }
+  const bool memory = option == "--memory";
   for (int i = memory ? 2 : 1; i < argc; ++i)
   {
     try

@@ -64,10 +64,11 @@ else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"
 fi
 
-for surface; do
+for surface in "$@" "$surfaces/man.off" "$figures/surfaces/camel.off"; do
   "$bin/BenchmarkConstrainedDelaunay" "$surface"
   "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
 done
+"$bin/BenchmarkConstrainedDelaunay" --growth
 "$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*
 "$bin/BenchmarkResolve" "$@"
