@@ -219,7 +219,7 @@ private:
     SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
     missing = facets.MarkWholeFacets(missing);
     const std::vector<Id> toCut =
-      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)));
+      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)), this->MostCuts);
     if (toCut.size() > this->MostCuts)
     {
       throw Error(ErrorCode::TetrahedralizerFailed,

@@ -31,8 +31,32 @@ constexpr std::int64_t WorkPerElement = 1000;
 /** Deep flips take long, and recover few of many segments. */
 constexpr std::size_t MostForDeepFlips = 200;
 
+/** After so many segments of a round it shows how many it will leave. */
+constexpr std::size_t SegmentsToJudgeBy = 100;
+
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 16;
+
+/** The same segments, but a fair sample of SegmentsToJudgeBy of them first. */
+std::vector<Id> SampleFirst(const std::vector<Id>& segments)
+{
+  const std::size_t stride = std::max<std::size_t>(1, segments.size() / SegmentsToJudgeBy);
+  std::vector<Id> mixed;
+  std::vector<Id> others;
+  for (std::size_t k = 0; k < segments.size(); ++k)
+  {
+    (k % stride == 0 ? mixed : others).push_back(segments[k]);
+  }
+  mixed.insert(mixed.end(), others.begin(), others.end());
+  return mixed;
+}
+
+/** Whether a round that left `left` of `tried` leaves half as many again as it may of them all. */
+bool LeavesTooMany(std::size_t left, std::size_t tried, std::size_t all, std::size_t most)
+{
+  return tried >= SegmentsToJudgeBy &&
+    static_cast<double>(left) / tried * all > 1.5 * static_cast<double>(most);
+}
 } // namespace
 
 std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
@@ -154,7 +178,7 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
   return false;
 }
 
-std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
+std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing, std::size_t mostLeft)
 {
   const std::int64_t end = this->Mesh.Vertices.Work() +
     WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size());
@@ -171,6 +195,7 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
     while (!missing.empty() && missing.size() < before - before / 10)
     {
       before = missing.size();
+      missing = effort.Depth > 0 ? SampleFirst(missing) : missing;
       std::vector<Id> still;
       for (std::size_t k = 0; k < missing.size(); ++k)
       {
@@ -182,6 +207,11 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
         if (this->Mesh.Vertices.Work() > end || !this->Recover(ends[0], ends[1], effort))
         {
           still.push_back(missing[k]);
+        }
+        if (effort.Depth > 0 && LeavesTooMany(still.size(), k + 1, missing.size(), mostLeft))
+        {
+          still.insert(still.end(), missing.begin() + k + 1, missing.end());
+          return still;
         }
       }
       missing = std::move(still);

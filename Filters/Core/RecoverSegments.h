@@ -27,9 +27,10 @@ public:
 
   /**
    * Recover segments by flips alone, the cheapest flips first.
+   * @param[in] mostLeft give up when it shows that many more than these will be left
    * @return the ones that are still missing
    */
-  std::vector<Id> RecoverByFlips(std::vector<Id> missing);
+  std::vector<Id> RecoverByFlips(std::vector<Id> missing, std::size_t mostLeft);
 
   /** The end at which Steiner points begin. */
   enum class From
