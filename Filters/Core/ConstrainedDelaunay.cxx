@@ -373,6 +373,10 @@ Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine e
     }
     catch (const Error& error)
     {
+      if (error.Code == ErrorCode::TooManyCuts)
+      {
+        continue; // a choice, no failure
+      }
       if (!IsFailureOfARung(error))
       {
         throw;

@@ -38,7 +38,7 @@ struct Tetrahedralization
 {
   TetrahedralMesh Mesh;
   int Rung = 0;                      ///< that the mesh comes from, counted from 1 (RungName)
-  std::vector<std::string> Failures; ///< why each other rung that was tried was not good enough
+  std::vector<std::string> Failures; ///< why rungs before it, or after it, were not good enough
 };
 
 /** What tetrahedralizes in rung 1, 2 ... as words for a user; nullptr where there is none. */

@@ -222,7 +222,7 @@ private:
       edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)), this->MostCuts);
     if (toCut.size() > this->MostCuts)
     {
-      throw Error(ErrorCode::TetrahedralizerFailed,
+      throw Error(ErrorCode::TooManyCuts,
         "flips leave " + std::to_string(toCut.size()) + " edges of facets to be cut");
     }
     edges.RecoverBySplits(toCut, from, steiner);

@@ -49,7 +49,7 @@ struct ExactTetrahedralization
  *            lie within a facet or one of its edges. What breaks this is lost
  * @param[in] mostCuts where flips leave more edges of facets than these to be cut, give up: cuts
  *            are what takes long
- * @throws Error Planar, Inconsistent, Stopped; TetrahedralizerFailed when there are more cuts
+ * @throws Error Planar, Inconsistent, Stopped; TooManyCuts
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, Monitor& monitor,

@@ -55,6 +55,26 @@ FacetComplex Resolved(const TriangleSoup& soup)
 }
 } // namespace
 
+TEST(ExactTetrahedralization, GivesUpWhereMoreIsToBeCutThanAllowed)
+{
+  Monitor monitor;
+  const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(30));
+  const std::vector<Triangle>& facets = surface.Facets;
+  EXPECT_TRUE(TetrahedralizeExactly(surface.Points, facets, monitor, 1000).LostFacets.empty());
+  for (const std::size_t mostCuts : { 0, 10, 100 })
+  {
+    try
+    {
+      TetrahedralizeExactly(surface.Points, facets, monitor, mostCuts);
+      FAIL() << mostCuts;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.Code, ErrorCode::TooManyCuts) << error.what();
+    }
+  }
+}
+
 TEST(ExactTetrahedralization, FillsABox)
 {
   const TetrahedralMesh mesh = CompleteMesh(testmeshes::Box({ 0, 0, 0 }, { 1, 2, 3 }));

@@ -7,6 +7,7 @@
 #include "MeshLaws.h"
 #include "StandInHelper.h"
 #include "TestMeshes.h"
+#include "TetrahedralizationFamilies.h"
 
 #include <gtest/gtest.h>
 
@@ -498,6 +499,22 @@ TEST(TetrahedralizerFaults, ExactFlipsComeFirst)
     EXPECT_TRUE(result.Mesh.LostFacets.empty());
     testmeshes::ExpectMeshLaws(surface, result.Mesh);
   }
+}
+
+TEST(TetrahedralizerFaults, ToLeaveManyCutsToTetGenIsAChoiceAndNoFailure)
+{
+  Monitor monitor;
+  const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(30));
+  const Tetrahedralization byTetgen = ConstrainedDelaunay(surface, {}, monitor);
+  EXPECT_STREQ(RungName(byTetgen.Rung), "TetGen, points kept off facets");
+  EXPECT_TRUE(byTetgen.Failures.empty());
+  EXPECT_TRUE(byTetgen.Mesh.LostFacets.empty());
+
+  const StandIn standIn("exit 1");
+  const Tetrahedralization exact = ConstrainedDelaunay(surface, {}, monitor);
+  EXPECT_STREQ(RungName(exact.Rung), "exact flips and cuts");
+  EXPECT_EQ(exact.Failures.size(), 2u); // of TetGen
+  EXPECT_TRUE(exact.Mesh.LostFacets.empty());
 }
 
 TEST(TetrahedralizerFaults, TheExactEngineNeedsNoTetgenAndKeepsItsTime)
