@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WalkedWindingNumber.h"
 
+#include "Prefetch.h"
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -21,15 +23,6 @@ constexpr int Unknown = std::numeric_limits<int>::min();
 
 // Cells are scattered over memory. Those that come so many steps later are fetched ahead.
 constexpr std::size_t StepsAhead = 8;
-
-void Prefetch(const void* address)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#else
-  static_cast<void>(address);
-#endif
-}
 
 void PrefetchFaces(const TetrahedralMesh& mesh, Id cell)
 {

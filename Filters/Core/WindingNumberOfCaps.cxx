@@ -2,6 +2,7 @@
 #include "WindingNumberOfCaps.h"
 
 #include "ChunkedLoop.h"
+#include "Prefetch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -315,6 +316,11 @@ void WindingNumberOfCaps::MultiplyByFar(
 void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& order,
   std::size_t first, std::vector<BoundedPart>& parts, std::vector<double>& w) const
 {
+  const std::size_t last = std::min(order.size(), first + Lanes);
+  for (std::size_t i = first; i < last; ++i)
+  {
+    Prefetch(&w[order[i]]);
+  }
   SiteProducts block = MakeBlock(sites, order, first);
   const Ball ball = BallAround(block.Rounded);
   this->Choose(ball, parts);
@@ -323,6 +329,7 @@ void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& or
   PhaseProducts far;
   std::fill(far.Real, far.Real + Lanes, 1.0);
   std::fill(far.Imaginary, far.Imaginary + Lanes, 0.0);
+  bool anyNear = false;
   for (const BoundedPart& part : parts)
   {
     if (part.Bound <= largestFar)
@@ -331,14 +338,14 @@ void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& or
     }
     else
     {
+      anyNear = true;
       this->Triangles.Multiply(part.Taken->Triangles, sites, block);
     }
   }
-  const std::size_t last = std::min(order.size(), first + Lanes);
   for (std::size_t i = first; i < last; ++i)
   {
     const int lane = static_cast<int>(i - first);
-    w[order[i]] += WindingNumber(block.Product, lane) + Turns(far, lane);
+    w[order[i]] += (anyNear ? WindingNumber(block.Product, lane) : 0) + Turns(far, lane);
   }
 }
 
