@@ -110,7 +110,7 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
 {
   const Id part = static_cast<Id>(parts.FirstCell.size());
   parts.FirstCell.push_back(first);
-  parts.Part[first] = part;
+  parts.OfCell[first].Part = part;
   std::vector<Id> reached = { first };
   for (std::size_t next = 0; next < reached.size(); ++next)
   {
@@ -120,8 +120,7 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
       if (ahead != None)
       {
         Prefetch(&touched[ahead]);
-        Prefetch(&parts.Part[ahead]);
-        Prefetch(&parts.Rise[ahead]);
+        Prefetch(&parts.OfCell[ahead]);
       }
     }
     const Id cell = reached[next];
@@ -132,15 +131,15 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
       {
         continue;
       }
-      const int rise = parts.Rise[cell] - counts.OnEntering(cell, k);
-      if (parts.Part[neighbor] == None)
+      const int rise = parts.OfCell[cell].Rise - counts.OnEntering(cell, k);
+      UntouchedParts::Place& place = parts.OfCell[neighbor];
+      if (place.Part == None)
       {
-        parts.Part[neighbor] = part;
-        parts.Rise[neighbor] = rise;
+        place = { part, rise };
         reached.push_back(neighbor);
         PrefetchFaces(mesh, neighbor);
       }
-      else if (parts.Rise[neighbor] != rise)
+      else if (place.Rise != rise)
       {
         ThrowDifferent(cell, neighbor);
       }
@@ -199,11 +198,10 @@ UntouchedParts WalkParts(
   const FaceCounts& counts, const TetrahedralMesh& mesh, const std::vector<char>& touched)
 {
   UntouchedParts parts;
-  parts.Part.assign(mesh.Cells.size(), None);
-  parts.Rise.assign(mesh.Cells.size(), 0);
+  parts.OfCell.assign(mesh.Cells.size(), { None, 0 });
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
-    if (!touched[cell] && parts.Part[cell] == None)
+    if (!touched[cell] && parts.OfCell[cell].Part == None)
     {
       WalkPart(counts, mesh, touched, cell, parts);
     }

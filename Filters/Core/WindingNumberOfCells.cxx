@@ -127,9 +127,10 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
     tree.Evaluate(sites, evaluated, w, monitor, { StageName, begin, begin + step / 8 });
     for (std::size_t cell = 0; cell < w.size(); ++cell)
     {
-      if (parts.Part[cell] != None)
+      const UntouchedParts::Place& place = parts.OfCell[cell];
+      if (place.Part != None)
       {
-        w[cell] = w[parts.FirstCell[parts.Part[cell]]] + parts.Rise[cell];
+        w[cell] = w[parts.FirstCell[place.Part]] + place.Rise;
       }
     }
     caps.Add(sites, order, w, monitor, { StageName, begin + step / 8, begin + step });
