@@ -9,15 +9,10 @@ namespace insideout
 {
 namespace
 {
-// Factors are from 2^-97 to 48, so that this many of them neither overflow nor underflow.
-constexpr std::size_t EdgesToNormalize = 8;
-
-struct ForwardSpinors
-{
-  double A[Lanes];
-  double C[Lanes];
-  double D[Lanes];
-};
+// Factors are from 2^-97 to 48, those ahead from 2^-20 to 2^10, so that this many of them neither
+// overflow nor underflow.
+constexpr int EdgesToNormalize = 8;
+constexpr int EdgesAheadToNormalize = 32;
 
 /** From each site to one point: the spinor (A + i B, C + i D), not normalized. */
 struct Spinors
@@ -46,17 +41,29 @@ INSIDEOUT_ALWAYS_INLINE void SetSpinors(
   }
 }
 
-/**
- * The same from sites that see the point with a positive third coordinate, when the coordinates are
- * taken in another order: (A, C + i D).
- */
-INSIDEOUT_ALWAYS_INLINE void SetForwardSpinors(
-  const Point& point, const Frame& frame, const SiteBlock& sites, ForwardSpinors& spinors)
+/** Sites that see all points with a positive third coordinate, in this frame. */
+struct SitesAhead
 {
+  const SiteBlock& Sites;
+  const Frame& Axes;
+};
+
+/** From each of them to one point: (A, C + i D). */
+struct ForwardSpinors
+{
+  double A[Lanes];
+  double C[Lanes];
+  double D[Lanes];
+};
+
+INSIDEOUT_ALWAYS_INLINE void SetSpinors(
+  const Point& point, const SitesAhead& from, ForwardSpinors& spinors)
+{
+  const Frame& frame = from.Axes;
   const double px = point[frame.X], py = point[frame.Y], pz = frame.Sign * point[frame.Z];
-  const double* const sx = sites.High[frame.X];
-  const double* const sy = sites.High[frame.Y];
-  const double* const sz = sites.High[frame.Z];
+  const double* const sx = from.Sites.High[frame.X];
+  const double* const sy = from.Sites.High[frame.Y];
+  const double* const sz = from.Sites.High[frame.Z];
 #pragma omp simd
   for (int lane = 0; lane < Lanes; ++lane)
   {
@@ -115,48 +122,61 @@ INSIDEOUT_ALWAYS_INLINE void Normalize(PhaseProducts& products)
   }
 }
 
-/** Multiply by the edges between points, given the points' spinors. */
-template <typename AnySpinors>
-INSIDEOUT_ALWAYS_INLINE void MultiplyByEdges(const AnySpinors* spinors, const TileEdge* edges,
-  std::size_t numberOfEdges, PhaseProducts& products)
+/**
+ * Multiply by all edges of closed loops. A point's root is taken while the edges before it are
+ * multiplied: neither waits for the other.
+ *
+ * @param[in] sites a block or SitesAhead, with the spinors that serve these
+ */
+template <typename AnySpinors, typename AnySites>
+INSIDEOUT_ALWAYS_INLINE void MultiplyByLoops(
+  const BoundaryLoops& loops, const AnySites& sites, int edgesToNormalize, PhaseProducts& products)
 {
   // Kept apart from the argument, so that nothing else can refer to it.
   PhaseProducts local = products;
-  for (std::size_t first = 0; first < numberOfEdges; first += EdgesToNormalize)
+  int edges = 0;
+  const Point* point = loops.Points;
+  for (const std::int32_t* size = loops.FirstSize; size != loops.LastSize; ++size)
   {
-    const std::size_t last =
-      first + EdgesToNormalize < numberOfEdges ? first + EdgesToNormalize : numberOfEdges;
-    for (std::size_t e = first; e < last; ++e)
+    AnySpinors first;
+    AnySpinors others[2];
+    SetSpinors(*point++, sites, first);
+    const AnySpinors* previous = &first;
+    for (std::int32_t i = 1; i < *size; ++i)
     {
-      MultiplyByEdge(spinors[edges[e].From], spinors[edges[e].To], local);
+      AnySpinors& next = others[i % 2];
+      SetSpinors(*point++, sites, next);
+      MultiplyByEdge(*previous, next, local);
+      previous = &next;
+      if (++edges == edgesToNormalize)
+      {
+        Normalize(local);
+        edges = 0;
+      }
     }
-    Normalize(local);
+    MultiplyByEdge(*previous, first, local);
+    if (++edges >= edgesToNormalize)
+    {
+      Normalize(local);
+      edges = 0;
+    }
   }
+  Normalize(local);
   products = local;
 }
 } // namespace
 
 INSIDEOUT_VECTOR_CLONES
-void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
-  std::size_t numberOfEdges, const SiteBlock& sites, PhaseProducts& products)
+void MultiplyByBoundary(const BoundaryLoops& loops, const SiteBlock& sites, PhaseProducts& products)
 {
-  Spinors spinors[MostTilePoints];
-  for (std::size_t p = 0; p < numberOfPoints; ++p)
-  {
-    SetSpinors(points[p], sites, spinors[p]);
-  }
-  MultiplyByEdges(spinors, edges, numberOfEdges, products);
+  MultiplyByLoops<Spinors>(loops, sites, EdgesToNormalize, products);
 }
 
 INSIDEOUT_VECTOR_CLONES
-void MultiplyByBoundaryAhead(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
-  std::size_t numberOfEdges, const Frame& frame, const SiteBlock& sites, PhaseProducts& products)
+void MultiplyByBoundaryAhead(
+  const BoundaryLoops& loops, const Frame& frame, const SiteBlock& sites, PhaseProducts& products)
 {
-  ForwardSpinors spinors[MostTilePoints];
-  for (std::size_t p = 0; p < numberOfPoints; ++p)
-  {
-    SetForwardSpinors(points[p], frame, sites, spinors[p]);
-  }
-  MultiplyByEdges(spinors, edges, numberOfEdges, products);
+  MultiplyByLoops<ForwardSpinors>(
+    loops, SitesAhead{ sites, frame }, EdgesAheadToNormalize, products);
 }
 } // namespace insideout

@@ -24,11 +24,12 @@
  */
 namespace insideout
 {
-/** An edge from one point of its tile to another. */
-struct TileEdge
+/** Closed loops: the points of one after those of another, and how many each has. */
+struct BoundaryLoops
 {
-  std::int32_t From;
-  std::int32_t To;
+  const Point* Points;
+  const std::int32_t* FirstSize;
+  const std::int32_t* LastSize;
 };
 
 /** Per site the product so far. */
@@ -39,14 +40,14 @@ struct PhaseProducts
 };
 
 /**
- * Multiply each site's product by the edges of a tile. Sites have to keep away from the edges: the
- * relative error of a factor is some 2^-52 / cos(half the angle that the edge is seen under).
+ * Multiply each site's product by the edges of some loops. Sites have to keep away from the edges:
+ * the relative error of a factor is some 2^-52 / cos(half the angle that the edge is seen under).
  *
- * @param[in] points scaled into [-1, 1]; at most MostTilePoints of them
- * @param[in] sites at least 2^-45 away from all points
+ * @param[in] loops of points scaled into [-1, 1]
+ * @param[in] sites at least 2^-45 away from all points, below 2^50 in each coordinate
  */
-void MultiplyByBoundary(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
-  std::size_t numberOfEdges, const SiteBlock& sites, PhaseProducts& products);
+void MultiplyByBoundary(
+  const BoundaryLoops& loops, const SiteBlock& sites, PhaseProducts& products);
 
 /** The axes in another order, the third one perhaps reversed: a right-handed frame. */
 struct Frame
@@ -61,10 +62,9 @@ struct Frame
  * The same for sites that see all points in the direction of the frame's third axis, which is
  * quicker: one of the two spinors serves everywhere.
  *
- * @param[in] sites at least 2^-6 away from all points, so that their High is enough
+ * @param[in] sites at least 2^-6 away from all points along that axis, so that their High is
+ * enough, and no more than 8 away along any
  */
-void MultiplyByBoundaryAhead(const Point* points, std::size_t numberOfPoints, const TileEdge* edges,
-  std::size_t numberOfEdges, const Frame& frame, const SiteBlock& sites, PhaseProducts& products);
-
-constexpr std::size_t MostTilePoints = 64; ///< their spinors for a block fit in the first cache
+void MultiplyByBoundaryAhead(
+  const BoundaryLoops& loops, const Frame& frame, const SiteBlock& sites, PhaseProducts& products);
 } // namespace insideout

@@ -14,7 +14,7 @@ namespace insideout
 namespace
 {
 // A cube with more facets than this is cut further; one with many more by itself, on all threads.
-constexpr std::ptrdiff_t MostInCube = 128;
+constexpr std::ptrdiff_t MostInCube = 256;
 constexpr std::size_t ManyInCube = 4096;
 
 constexpr int MostDetours = 64;

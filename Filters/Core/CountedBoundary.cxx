@@ -2,6 +2,7 @@
 #include "CountedBoundary.h"
 
 #include <algorithm>
+#include <omp.h>
 #include <unordered_map>
 
 namespace insideout
@@ -15,35 +16,38 @@ struct HigherEnd
   int Count;
 };
 
-/** The edges of all triangles in buckets by their lower point. */
+constexpr std::size_t SmallSize = 4096; // not worth a second thread
+
+/** The edges whose lower point is in a range, in buckets by that point. */
 class EdgeBuckets
 {
 public:
-  EdgeBuckets(const std::vector<CountedTriangle>& triangles, Id numberOfPoints)
-    : Begin(static_cast<std::size_t>(numberOfPoints) + 2, 0)
-    , Ends(3 * triangles.size())
+  EdgeBuckets(const std::vector<CountedTriangle>& triangles, Id first, Id last)
+    : First(first)
+    , Last(last)
+    , Begin(static_cast<std::size_t>(last - first) + 2, 0)
   {
     // Counted one bucket ahead, so that filling moves each Begin to where it belongs.
-    ForEach(triangles, [&](Id low, Id, int) { ++this->Begin[static_cast<std::size_t>(low) + 2]; });
+    this->ForEach(triangles, [&](std::size_t bucket, Id, int) { ++this->Begin[bucket + 2]; });
     for (std::size_t p = 2; p < this->Begin.size(); ++p)
     {
       this->Begin[p] += this->Begin[p - 1];
     }
-    ForEach(triangles,
-      [&](Id low, Id high, int count) {
-        this->Ends[this->Begin[static_cast<std::size_t>(low) + 1]++] = { high, count };
+    this->Ends.resize(this->Begin.back());
+    this->ForEach(triangles,
+      [&](std::size_t bucket, Id high, int count) {
+        this->Ends[this->Begin[bucket + 1]++] = { high, count };
       });
   }
 
-  HigherEnd* BeginOf(Id low) { return this->Ends.data() + this->Begin[low]; }
-  HigherEnd* EndOf(Id low)
-  {
-    return this->Ends.data() + this->Begin[static_cast<std::size_t>(low) + 1];
-  }
+  HigherEnd* BeginOf(Id low) { return this->Ends.data() + this->Begin[this->BucketOf(low)]; }
+  HigherEnd* EndOf(Id low) { return this->Ends.data() + this->Begin[this->BucketOf(low) + 1]; }
 
 private:
+  std::size_t BucketOf(Id low) const { return static_cast<std::size_t>(low - this->First); }
+
   template <typename Visit>
-  static void ForEach(const std::vector<CountedTriangle>& triangles, Visit visit)
+  void ForEach(const std::vector<CountedTriangle>& triangles, Visit visit) const
   {
     for (const CountedTriangle& triangle : triangles)
     {
@@ -51,14 +55,48 @@ private:
       {
         const Id from = triangle.Corners[k];
         const Id to = triangle.Corners[(k + 1) % 3];
-        visit(std::min(from, to), std::max(from, to), from < to ? triangle.Count : -triangle.Count);
+        const Id low = std::min(from, to);
+        if (low >= this->First && low < this->Last)
+        {
+          visit(
+            this->BucketOf(low), std::max(from, to), from < to ? triangle.Count : -triangle.Count);
+        }
       }
     }
   }
 
+  Id First;
+  Id Last;
   std::vector<std::size_t> Begin;
   std::vector<HigherEnd> Ends;
 };
+
+/** The part of the boundary whose lower points are in a range. */
+std::vector<CountedEdge> PartOfBoundary(
+  const std::vector<CountedTriangle>& triangles, Id first, Id last)
+{
+  EdgeBuckets buckets(triangles, first, last);
+  std::vector<CountedEdge> boundary;
+  for (Id low = first; low < last; ++low)
+  {
+    HigherEnd* const end = buckets.EndOf(low);
+    std::sort(buckets.BeginOf(low), end,
+      [](const HigherEnd& a, const HigherEnd& b) { return a.High < b.High; });
+    for (const HigherEnd* edge = buckets.BeginOf(low); edge != end;)
+    {
+      CountedEdge sum = { low, edge->High, 0 };
+      for (; edge != end && edge->High == sum.To; ++edge)
+      {
+        sum.Count += edge->Count;
+      }
+      if (sum.Count != 0)
+      {
+        boundary.push_back(sum);
+      }
+    }
+  }
+  return boundary;
+}
 } // namespace
 
 std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
@@ -78,25 +116,20 @@ std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
 std::vector<CountedEdge> CountedBoundary(
   const std::vector<CountedTriangle>& triangles, Id numberOfPoints)
 {
-  EdgeBuckets buckets(triangles, numberOfPoints);
-  std::vector<CountedEdge> boundary;
-  for (Id low = 0; low < numberOfPoints; ++low)
+  // As many parts as threads, for each of them reads all triangles.
+  const int parts = triangles.size() < SmallSize ? 1 : omp_get_max_threads();
+  std::vector<std::vector<CountedEdge>> found(static_cast<std::size_t>(parts));
+  const auto beginOf = [&](int part)
+  { return static_cast<Id>(static_cast<std::int64_t>(numberOfPoints) * part / parts); };
+#pragma omp parallel for schedule(static) if (parts > 1)
+  for (int part = 0; part < parts; ++part)
   {
-    HigherEnd* const end = buckets.EndOf(low);
-    std::sort(buckets.BeginOf(low), end,
-      [](const HigherEnd& a, const HigherEnd& b) { return a.High < b.High; });
-    for (const HigherEnd* edge = buckets.BeginOf(low); edge != end;)
-    {
-      CountedEdge sum = { low, edge->High, 0 };
-      for (; edge != end && edge->High == sum.To; ++edge)
-      {
-        sum.Count += edge->Count;
-      }
-      if (sum.Count != 0)
-      {
-        boundary.push_back(sum);
-      }
-    }
+    found[part] = PartOfBoundary(triangles, beginOf(part), beginOf(part + 1));
+  }
+  std::vector<CountedEdge> boundary = std::move(found.front());
+  for (int part = 1; part < parts; ++part)
+  {
+    boundary.insert(boundary.end(), found[part].begin(), found[part].end());
   }
   return boundary;
 }

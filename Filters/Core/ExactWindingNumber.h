@@ -38,7 +38,7 @@ public:
   /**
    * The winding number at each point, on all threads; the values do not depend on their number.
    *
-   * @param[in] at below 2^100 in each coordinate
+   * @param[in] at below 2^50 in each coordinate
    * @throws Error (Stopped)
    */
   std::vector<double> Evaluate(

@@ -15,7 +15,7 @@ namespace
 constexpr Id SmallSize = 1024; // not worth a second thread
 
 // So many cubes and entries there are at most, per facet.
-constexpr double CubesPerFacet = 4;
+constexpr double CubesPerFacet = 2;
 constexpr double EntriesPerFacet = 8;
 constexpr double MostCubesPerAxis = 1024;
 constexpr std::size_t MostEntries = std::numeric_limits<std::uint32_t>::max() / 2;
@@ -201,12 +201,12 @@ bool ReferenceGrid::ForCubesOf(
 }
 
 /**
- * Where the facet meets a column of references, note by how much the winding number rises to the
- * next reference above.
+ * Where the facet meets a column of references that is wanted, note by how much the winding number
+ * rises to the next reference above.
  *
  * @return false where doubles do not decide
  */
-bool ReferenceGrid::AddRises(Id f)
+bool ReferenceGrid::AddRises(Id f, const std::vector<char>& isWantedColumn)
 {
   const Range range = this->RangeOf(f);
   const ChainFacets::Facet& facet = this->Facets[f];
@@ -216,6 +216,10 @@ bool ReferenceGrid::AddRises(Id f)
     const double x = this->Coordinate(0, i);
     for (int j = range.First[1]; j <= range.Last[1]; ++j)
     {
+      if (!isWantedColumn.empty() && !isWantedColumn[this->ColumnOf(i, j)])
+      {
+        continue;
+      }
       const double y = this->Coordinate(1, j);
       const std::array<int, 3> turns = { QuickTurn(x, y, a, b), QuickTurn(x, y, b, c),
         QuickTurn(x, y, c, a) };
@@ -266,17 +270,31 @@ bool ReferenceGrid::AddRises(Id f)
   return true;
 }
 
+/** One per column, whether a cube in it is wanted; empty for all. */
+std::vector<char> ReferenceGrid::ColumnsOf(const std::vector<char>& isWanted) const
+{
+  const std::size_t height = static_cast<std::size_t>(this->Cubes[2]);
+  std::vector<char> columns(isWanted.size() / height);
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    const auto first = isWanted.begin() + static_cast<std::ptrdiff_t>(column * height);
+    columns[column] = std::find(first, first + this->Cubes[2], 1) != first + this->Cubes[2];
+  }
+  return columns;
+}
+
 bool ReferenceGrid::Try(const std::vector<char>& isWanted)
 {
   const Id facets = this->Facets.Size();
   const std::size_t cubes = this->NumberOfCubes();
   this->Value.assign(cubes, 0);
   std::vector<std::uint32_t> next(cubes, 0);
+  const std::vector<char> isWantedColumn = this->ColumnsOf(isWanted);
   std::atomic<bool> decided{ true };
 #pragma omp parallel for schedule(static) if (facets > SmallSize)
   for (Id f = 0; f < facets; ++f)
   {
-    const bool good = this->AddRises(f) &&
+    const bool good = this->AddRises(f, isWantedColumn) &&
       this->ForCubesOf(f, isWanted,
         [&](std::size_t cube, int)
         {

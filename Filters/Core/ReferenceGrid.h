@@ -74,10 +74,13 @@ private:
   void ChooseCubes();
   std::size_t Index(int i, int j, int k) const
   {
-    return (static_cast<std::size_t>(i) * static_cast<std::size_t>(this->Cubes[1]) +
-             static_cast<std::size_t>(j)) *
-      static_cast<std::size_t>(this->Cubes[2]) +
+    return this->ColumnOf(i, j) * static_cast<std::size_t>(this->Cubes[2]) +
       static_cast<std::size_t>(k);
+  }
+  std::size_t ColumnOf(int i, int j) const
+  {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(this->Cubes[1]) +
+      static_cast<std::size_t>(j);
   }
   double Coordinate(int axis, int i) const
   {
@@ -86,7 +89,8 @@ private:
   Range RangeOf(Id facet) const;
   template <typename Visit>
   bool ForCubesOf(Id facet, const std::vector<char>& isWanted, const Visit& visit) const;
-  bool AddRises(Id facet);
+  bool AddRises(Id facet, const std::vector<char>& isWantedColumn);
+  std::vector<char> ColumnsOf(const std::vector<char>& isWanted) const;
   bool Try(const std::vector<char>& isWanted);
 
   const ChainFacets& Facets;

@@ -108,6 +108,16 @@ INSIDEOUT_ALWAYS_INLINE void Normalize(Products& products)
     products.Imaginary[lane] *= inverse;
   }
 }
+
+/** a + b = sum + the value returned, exactly (Knuth). */
+INSIDEOUT_ALWAYS_INLINE double TwoSum(double a, double b, double& sum)
+{
+  const double s = a + b;
+  const double bRounded = s - a;
+  const double aRounded = s - bRounded;
+  sum = s;
+  return (a - aRounded) + (b - bRounded);
+}
 } // namespace
 
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c)
@@ -120,12 +130,35 @@ void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point
     SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
 }
 
-void SetSite(SiteBlock& block, int lane, const RoundedSite& rounded)
+INSIDEOUT_VECTOR_CLONES
+void SetSites(SiteBlock& block, const SiteCorners& corners, const SiteWeights& weights)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    block.High[axis][lane] = rounded.High[axis];
-    block.Low[axis][lane] = rounded.Low[axis];
+    double high[Lanes] = {};
+    double low[Lanes] = {};
+    for (int k = 0; k < 4; ++k)
+    {
+      const double weight = weights[k];
+      const double* const corner = corners.Of[k][axis];
+      if (weight != 0.25) // which loses no digit
+      {
+        for (int lane = 0; lane < Lanes; ++lane)
+        {
+          low[lane] += std::fma(weight, corner[lane], -(weight * corner[lane]));
+        }
+      }
+#pragma omp simd
+      for (int lane = 0; lane < Lanes; ++lane)
+      {
+        low[lane] += TwoSum(high[lane], weight * corner[lane], high[lane]);
+      }
+    }
+#pragma omp simd
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      block.Low[axis][lane] = TwoSum(high[lane], low[lane], block.High[axis][lane]);
+    }
   }
 }
 

@@ -65,8 +65,14 @@ struct Products
 /** Everything but Corners and Local, from the positions of the corners. */
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c);
 
-/** Site `lane` of the block is this one. */
-void SetSite(SiteBlock& block, int lane, const RoundedSite& site);
+/** The corners of a block's sites: of each one the four that its weights belong to. */
+struct SiteCorners
+{
+  double Of[4][3][Lanes];
+};
+
+/** Round the sites as RoundedSite does. */
+void SetSites(SiteBlock& block, const SiteCorners& corners, const SiteWeights& weights);
 
 /** The unit vectors to `count` points. */
 void ComputeUnitVectors(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolidAngleTiles.h"
 
+#include "Prefetch.h"
 #include "SolidAngle.h"
 
 #include <algorithm>
@@ -10,21 +11,35 @@ namespace insideout
 {
 namespace
 {
+// Cells are scattered over memory. Those of a block so many later are fetched ahead.
+constexpr std::size_t BlocksAhead = 2;
+
 constexpr std::size_t FacetsPerTile = 128; // their unit vectors for a block fit in the first cache
 } // namespace
 
 SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first)
 {
   SiteProducts block;
+  SiteCorners corners;
   for (int lane = 0; lane < Lanes; ++lane)
   {
     const std::size_t i = static_cast<std::size_t>(order[std::min(first + lane, order.size() - 1)]);
     block.Index[lane] = i;
-    SetSite(block.Rounded, lane, sites.Rounded(i));
+    const Tetrahedron& cell = sites.Cells[i];
+    Prefetch(&sites.Cells[order[std::min(first + BlocksAhead * Lanes + lane, order.size() - 1)]]);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Point& corner = sites.Points[cell[k]];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        corners.Of[k][axis][lane] = corner[axis];
+      }
+    }
     block.Product.Real[lane] = 1;
     block.Product.Imaginary[lane] = 0;
     block.Product.Turns[lane] = 0;
   }
+  SetSites(block.Rounded, corners, sites.Weights);
   return block;
 }
 

@@ -21,8 +21,8 @@ namespace
 const char* const StageName = "winding numbers";
 constexpr double Pi = 3.14159265358979323846;
 
-// From 2^100 times the surface's size away, w is below 2^-190.
-constexpr double Afar = 0x1p100;
+// From 2^50 times the surface's size away, w is below 2^-90.
+constexpr double Afar = 0x1p50;
 
 FacetComplex ComplexOf(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)

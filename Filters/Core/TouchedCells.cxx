@@ -2,6 +2,7 @@
 #include "TouchedCells.h"
 
 #include "SitePredicates.h"
+#include "SpatialOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,15 +87,30 @@ struct Group
   std::vector<Bunch> Bunches;
 };
 
-Group MakeGroup(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
+/** Triangles that are neighbours in space come together. */
+std::vector<Group> MakeGroups(
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles)
 {
   const std::size_t trianglesPerBunch = 8;
-  Group group = { BoundsOf(points, triangles.front().Corners), {} };
-  for (const CountedTriangle& triangle : triangles)
+  const std::size_t bunchesPerGroup = 8;
+  std::vector<Point> places;
+  for (const Triangle& t : triangles)
   {
-    const Triangle& t = triangle.Corners;
+    places.push_back(points[t[0]]);
+  }
+  std::vector<Group> groups;
+  for (const Id i : SpatialOrder(places))
+  {
+    const Triangle& t = triangles[i];
     const Bounds box = BoundsOf(points, t);
-    if (group.Bunches.empty() || group.Bunches.back().Triangles.size() == trianglesPerBunch)
+    const bool isFull =
+      groups.empty() || groups.back().Bunches.back().Triangles.size() == trianglesPerBunch;
+    if (groups.empty() || (isFull && groups.back().Bunches.size() == bunchesPerGroup))
+    {
+      groups.push_back({ box, {} });
+    }
+    Group& group = groups.back();
+    if (isFull)
     {
       group.Bunches.push_back({ box, {} });
     }
@@ -103,7 +119,7 @@ Group MakeGroup(const std::vector<Point>& points, const std::vector<CountedTrian
     group.Bunches.back().Triangles.push_back(
       { box, PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
   }
-  return group;
+  return groups;
 }
 
 bool MayTouch(
@@ -123,14 +139,15 @@ bool MayTouch(
 std::vector<char> TouchedCells(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<std::vector<CountedTriangle>>& groups)
 {
-  std::vector<Group> made;
+  std::vector<Triangle> all;
   for (const std::vector<CountedTriangle>& triangles : groups)
   {
-    if (!triangles.empty())
+    for (const CountedTriangle& triangle : triangles)
     {
-      made.push_back(MakeGroup(points, triangles));
+      all.push_back(triangle.Corners);
     }
   }
+  const std::vector<Group> made = MakeGroups(points, all);
   std::vector<char> touched(cells.size(), 0);
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < cells.size(); ++c)

@@ -11,7 +11,7 @@ namespace insideout
  * has no point in common with any of them.
  *
  * @param[in] points of cells and triangles, below 1 in each coordinate
- * @param[in] groups of triangles, best next to each other in space
+ * @param[in] groups of triangles
  */
 std::vector<char> TouchedCells(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<std::vector<CountedTriangle>>& groups);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WalkedWindingNumber.h"
 
+#include "Prefetch.h"
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -21,15 +23,6 @@ constexpr int Unknown = std::numeric_limits<int>::min();
 
 // Cells are scattered over memory. Those that come so many steps later are fetched ahead.
 constexpr std::size_t StepsAhead = 8;
-
-void Prefetch(const void* address)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#else
-  static_cast<void>(address);
-#endif
-}
 
 void PrefetchFaces(const TetrahedralMesh& mesh, Id cell)
 {
@@ -117,7 +110,7 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
 {
   const Id part = static_cast<Id>(parts.FirstCell.size());
   parts.FirstCell.push_back(first);
-  parts.Part[first] = part;
+  parts.OfCell[first].Part = part;
   std::vector<Id> reached = { first };
   for (std::size_t next = 0; next < reached.size(); ++next)
   {
@@ -127,8 +120,7 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
       if (ahead != None)
       {
         Prefetch(&touched[ahead]);
-        Prefetch(&parts.Part[ahead]);
-        Prefetch(&parts.Rise[ahead]);
+        Prefetch(&parts.OfCell[ahead]);
       }
     }
     const Id cell = reached[next];
@@ -139,15 +131,15 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
       {
         continue;
       }
-      const int rise = parts.Rise[cell] - counts.OnEntering(cell, k);
-      if (parts.Part[neighbor] == None)
+      const int rise = parts.OfCell[cell].Rise - counts.OnEntering(cell, k);
+      UntouchedParts::Place& place = parts.OfCell[neighbor];
+      if (place.Part == None)
       {
-        parts.Part[neighbor] = part;
-        parts.Rise[neighbor] = rise;
+        place = { part, rise };
         reached.push_back(neighbor);
         PrefetchFaces(mesh, neighbor);
       }
-      else if (parts.Rise[neighbor] != rise)
+      else if (place.Rise != rise)
       {
         ThrowDifferent(cell, neighbor);
       }
@@ -206,11 +198,10 @@ UntouchedParts WalkParts(
   const FaceCounts& counts, const TetrahedralMesh& mesh, const std::vector<char>& touched)
 {
   UntouchedParts parts;
-  parts.Part.assign(mesh.Cells.size(), None);
-  parts.Rise.assign(mesh.Cells.size(), 0);
+  parts.OfCell.assign(mesh.Cells.size(), { None, 0 });
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
-    if (!touched[cell] && parts.Part[cell] == None)
+    if (!touched[cell] && parts.OfCell[cell].Part == None)
     {
       WalkPart(counts, mesh, touched, cell, parts);
     }

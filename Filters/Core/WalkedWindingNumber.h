@@ -44,9 +44,14 @@ private:
 /** Parts of the mesh, joined through faces, of the cells that nothing but its faces touches. */
 struct UntouchedParts
 {
-  std::vector<Id> Part;      ///< of each cell, None for touched ones
+  struct Place
+  {
+    Id Part;  ///< None for touched cells
+    int Rise; ///< from the part's first cell
+  };
+
+  std::vector<Place> OfCell;
   std::vector<Id> FirstCell; ///< of each part
-  std::vector<int> Rise;     ///< from the part's first cell to each cell
 };
 
 /**

@@ -2,6 +2,7 @@
 #include "WindingNumberOfCaps.h"
 
 #include "ChunkedLoop.h"
+#include "Prefetch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,12 @@ constexpr double LeastRelativeDistance = 0x1p-4;
 // What BoundaryProduct.h asks for, with room to spare.
 constexpr double LeastDistance = 0x1p-40;
 constexpr double LeastAhead = 0x1p-6;
+constexpr double MostAhead = 4;
+
+// Caps that are neighbours make a bunch, up to so many boundary points. It is taken as one where
+// its winding number is certainly below the second value.
+constexpr std::size_t PointsPerBunch = 64;
+constexpr double MostOfBunch = 0x1p-6;
 
 /** About the middle of the sites' box. */
 WindingNumberOfCaps::Ball BallAround(const SiteBlock& sites)
@@ -68,7 +75,63 @@ bool FindFrame(
   frame.Sign = ahead > 0 ? 1 : -1;
   frame.X = (frame.Z + (ahead > 0 ? 1 : 2)) % 3;
   frame.Y = (frame.Z + (ahead > 0 ? 2 : 1)) % 3;
-  return std::abs(ahead) > from.Radius + to.Radius + LeastAhead;
+  return std::abs(ahead) > from.Radius + to.Radius + LeastAhead && std::abs(ahead) < MostAhead;
+}
+
+/** |w| is at most the area over that of the sphere around the site which touches the part. */
+double BoundOf(
+  double area, const WindingNumberOfCaps::Ball& around, const WindingNumberOfCaps::Ball& sites)
+{
+  const double distance = Distance(around.Centre, sites.Centre) - sites.Radius - around.Radius;
+  const bool clear = distance > LeastDistance && distance > LeastRelativeDistance * around.Radius;
+  return clear ? area / (4 * Pi * distance * distance) : 1;
+}
+
+/** The largest bound of parts that are far; these are together below 1/2. */
+template <typename BoundedParts>
+double LargestFar(const BoundedParts& parts)
+{
+  double largestFar = 2 * MostOfFarCaps;
+  double sum = 1;
+  while (sum > MostOfFarCaps)
+  {
+    largestFar /= 2;
+    sum = 0;
+    for (const auto& part : parts)
+    {
+      sum += part.Bound <= largestFar ? part.Bound : 0;
+    }
+  }
+  return largestFar;
+}
+
+/** A chain's boundary, in loops. */
+std::vector<Loop> LoopsAround(std::vector<CountedTriangle> triangles)
+{
+  // Numbered anew, for the time grows with the highest number.
+  std::vector<Id> ids;
+  for (const CountedTriangle& triangle : triangles)
+  {
+    ids.insert(ids.end(), triangle.Corners.begin(), triangle.Corners.end());
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  for (CountedTriangle& triangle : triangles)
+  {
+    for (Id& corner : triangle.Corners)
+    {
+      corner = static_cast<Id>(std::lower_bound(ids.begin(), ids.end(), corner) - ids.begin());
+    }
+  }
+  std::vector<Loop> loops = LoopsOf(CountedBoundary(triangles, static_cast<Id>(ids.size())));
+  for (Loop& loop : loops)
+  {
+    for (Id& point : loop)
+    {
+      point = ids[point];
+    }
+  }
+  return loops;
 }
 
 /** The principal value of the phase, in turns. */
@@ -83,26 +146,86 @@ WindingNumberOfCaps::WindingNumberOfCaps(
   : Points(points)
   , Triangles(points)
 {
-  for (const std::vector<CountedTriangle>& triangles : caps)
+  std::vector<const Chain*> chains;
+  for (const Chain& chain : caps)
   {
-    if (triangles.empty())
+    if (!chain.empty())
     {
-      continue;
+      chains.push_back(&chain);
     }
-    Cap cap;
-    this->SetBall(triangles, cap);
-    cap.Triangles = this->Triangles.Add(triangles);
-    cap.Edges = this->AddEdges(triangles);
-    this->Caps.push_back(cap);
+  }
+  if (!chains.empty())
+  {
+    this->AddBunches(chains.data(), chains.data() + chains.size());
   }
 }
 
-void WindingNumberOfCaps::SetBall(const std::vector<CountedTriangle>& triangles, Cap& cap) const
+/** Halve the caps across their longest extent until they fit a bunch. */
+void WindingNumberOfCaps::AddBunches(const Chain** first, const Chain** last)
+{
+  std::size_t boundaryPoints = 0;
+  for (const Chain** chain = first; chain != last; ++chain)
+  {
+    boundaryPoints += (*chain)->size() + 2;
+  }
+  if (last - first == 1 || boundaryPoints <= PointsPerBunch)
+  {
+    this->AddBunch(first, last);
+    return;
+  }
+  const auto less = [this](int axis)
+  {
+    return [this, axis](const Chain* a, const Chain* b) {
+      return this->Points[a->front().Corners[0]][axis] < this->Points[b->front().Corners[0]][axis];
+    };
+  };
+  int longest = 0;
+  double longestExtent = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto [low, high] = std::minmax_element(first, last, less(axis));
+    const double extent = this->Points[(*high)->front().Corners[0]][axis] -
+      this->Points[(*low)->front().Corners[0]][axis];
+    if (extent > longestExtent)
+    {
+      longest = axis;
+      longestExtent = extent;
+    }
+  }
+  const Chain** const middle = first + (last - first) / 2;
+  std::nth_element(first, middle, last, less(longest));
+  this->AddBunches(first, middle);
+  this->AddBunches(middle, last);
+}
+
+void WindingNumberOfCaps::AddBunch(const Chain* const* first, const Chain* const* last)
+{
+  Bunch bunch;
+  bunch.FirstCap = this->Caps.size();
+  Chain all;
+  for (const Chain* const* chain = first; chain != last; ++chain)
+  {
+    Part cap;
+    this->Measure(**chain, cap);
+    cap.Triangles = this->Triangles.Add(**chain);
+    this->AddLoops(LoopsAround(**chain), cap);
+    this->Caps.push_back(cap);
+    all.insert(all.end(), (*chain)->begin(), (*chain)->end());
+  }
+  bunch.LastCap = this->Caps.size();
+  bunch.Whole = this->Caps[bunch.FirstCap];
+  bunch.Whole.Triangles.Last = this->Caps.back().Triangles.Last;
+  bunch.Whole.LastSize = this->Caps.back().LastSize;
+  this->Measure(all, bunch.Whole);
+  this->Bunches.push_back(bunch);
+}
+
+void WindingNumberOfCaps::Measure(const Chain& triangles, Part& part) const
 {
   const double infinity = std::numeric_limits<double>::infinity();
   Point low = { infinity, infinity, infinity };
   Point high = { -infinity, -infinity, -infinity };
-  cap.Area = 0;
+  part.Area = 0;
   for (const CountedTriangle& triangle : triangles)
   {
     std::array<Point, 3> p;
@@ -117,158 +240,112 @@ void WindingNumberOfCaps::SetBall(const std::vector<CountedTriangle>& triangles,
     }
     SummedFacet facet;
     SetGeometry(facet, p[0], p[1], p[2]);
-    cap.Area +=
+    part.Area +=
       std::abs(triangle.Count) * std::hypot(facet.Normal[0], facet.Normal[1], facet.Normal[2]) / 2;
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    cap.Around.Centre[axis] = low[axis] / 2 + high[axis] / 2;
+    part.Around.Centre[axis] = low[axis] / 2 + high[axis] / 2;
   }
-  cap.Around.Radius = 0;
+  part.Around.Radius = 0;
   for (const CountedTriangle& triangle : triangles)
   {
     for (const Id p : triangle.Corners)
     {
-      cap.Around.Radius = std::max(cap.Around.Radius, Distance(cap.Around.Centre, this->Points[p]));
+      part.Around.Radius =
+        std::max(part.Around.Radius, Distance(part.Around.Centre, this->Points[p]));
     }
   }
   const double roundedUp = 1 + 0x1p-40;
-  cap.Around.Radius *= roundedUp;
-  cap.Area *= roundedUp;
+  part.Around.Radius *= roundedUp;
+  part.Area *= roundedUp;
 }
 
-TileRange WindingNumberOfCaps::AddEdges(const std::vector<CountedTriangle>& triangles)
+void WindingNumberOfCaps::AddLoops(const std::vector<Loop>& loops, Part& cap)
 {
-  TileRange range;
-  range.First = this->EdgeTiles.size();
-  EdgeTile tile = { this->EdgePoints.size(), 0, this->Edges.size(), 0 };
-  for (const Loop& loop : LoopsOf(CountedBoundary(triangles, static_cast<Id>(this->Points.size()))))
+  cap.FirstPoint = this->LoopPoints.size();
+  cap.FirstSize = this->LoopSizes.size();
+  for (const Loop& loop : loops)
   {
-    this->AddLoop(loop, tile);
-  }
-  if (tile.FirstEdge < this->Edges.size())
-  {
-    this->CloseTile(tile);
-  }
-  range.Last = this->EdgeTiles.size();
-  return range;
-}
-
-void WindingNumberOfCaps::AddLoop(const Loop& loop, EdgeTile& tile)
-{
-  const std::size_t size = loop.size();
-  const auto local = [&]()
-  { return static_cast<std::int32_t>(this->EdgePoints.size() - tile.FirstPoint); };
-  const auto add = [&](std::size_t i) { this->EdgePoints.push_back(this->Points[loop[i % size]]); };
-  if (size <= MostTilePoints && static_cast<std::size_t>(local()) + size > MostTilePoints)
-  {
-    this->CloseTile(tile);
-  }
-  if (static_cast<std::size_t>(local()) + size <= MostTilePoints)
-  {
-    const std::int32_t first = local();
-    for (std::size_t i = 0; i < size; ++i)
+    for (const Id p : loop)
     {
-      add(i);
-      this->Edges.push_back({ first + static_cast<std::int32_t>(i),
-        first + static_cast<std::int32_t>((i + 1) % size) });
+      this->LoopPoints.push_back(this->Points[p]);
     }
-    return;
+    this->LoopSizes.push_back(static_cast<std::int32_t>(loop.size()));
   }
-  // Too long for a tile: as open walks, which repeat the point between two tiles.
-  add(0);
-  for (std::size_t i = 0; i < size; ++i)
+  cap.LastSize = this->LoopSizes.size();
+}
+
+/** Bunches, and the caps of those that are too near to be taken as one, each with its bound. */
+void WindingNumberOfCaps::Choose(const Ball& sites, std::vector<BoundedPart>& parts) const
+{
+  parts.clear();
+  for (const Bunch& bunch : this->Bunches)
   {
-    if (static_cast<std::size_t>(local()) == MostTilePoints)
+    const double bound = BoundOf(bunch.Whole.Area, bunch.Whole.Around, sites);
+    if (bound <= MostOfBunch)
     {
-      this->CloseTile(tile);
-      add(i);
+      parts.push_back({ &bunch.Whole, bound });
+      continue;
     }
-    this->Edges.push_back({ local() - 1, local() });
-    add(i + 1);
+    for (std::size_t i = bunch.FirstCap; i < bunch.LastCap; ++i)
+    {
+      const Part& cap = this->Caps[i];
+      parts.push_back({ &cap, BoundOf(cap.Area, cap.Around, sites) });
+    }
   }
 }
 
-void WindingNumberOfCaps::CloseTile(EdgeTile& tile)
+void WindingNumberOfCaps::MultiplyByFar(
+  const Part& part, const Ball& ball, const SiteBlock& sites, PhaseProducts& products) const
 {
-  tile.LastPoint = this->EdgePoints.size();
-  tile.LastEdge = this->Edges.size();
-  this->EdgeTiles.push_back(tile);
-  tile = { tile.LastPoint, 0, tile.LastEdge, 0 };
-}
-
-/** A bound of |w| for each cap; those up to the value returned are together below 1/2. */
-double WindingNumberOfCaps::FindLargestFar(const Ball& ball, std::vector<double>& bounds) const
-{
-  bounds.resize(this->Caps.size());
-  double sum = 0;
-  for (std::size_t i = 0; i < bounds.size(); ++i)
+  const std::int32_t* const sizes = this->LoopSizes.data();
+  const BoundaryLoops loops = { &this->LoopPoints[part.FirstPoint], sizes + part.FirstSize,
+    sizes + part.LastSize };
+  Frame frame;
+  if (FindFrame(ball, part.Around, frame))
   {
-    // |w| is at most the area over that of the sphere around the site which touches the cap.
-    const Cap& cap = this->Caps[i];
-    const double distance =
-      Distance(cap.Around.Centre, ball.Centre) - ball.Radius - cap.Around.Radius;
-    const bool clear =
-      distance > LeastDistance && distance > LeastRelativeDistance * cap.Around.Radius;
-    bounds[i] = clear ? cap.Area / (4 * Pi * distance * distance) : 1;
-    sum += bounds[i];
+    MultiplyByBoundaryAhead(loops, frame, sites, products);
   }
-  double largestFar = MostOfFarCaps;
-  while (sum > MostOfFarCaps)
+  else
   {
-    sum = 0;
-    for (const double bound : bounds)
-    {
-      sum += bound <= largestFar ? bound : 0;
-    }
-    largestFar = sum > MostOfFarCaps ? largestFar / 2 : largestFar;
+    MultiplyByBoundary(loops, sites, products);
   }
-  return largestFar;
 }
 
 void WindingNumberOfCaps::AddBlock(const Sites& sites, const std::vector<Id>& order,
-  std::size_t first, std::vector<double>& bounds, std::vector<double>& w) const
+  std::size_t first, std::vector<BoundedPart>& parts, std::vector<double>& w) const
 {
+  const std::size_t last = std::min(order.size(), first + Lanes);
+  for (std::size_t i = first; i < last; ++i)
+  {
+    Prefetch(&w[order[i]]);
+  }
   SiteProducts block = MakeBlock(sites, order, first);
   const Ball ball = BallAround(block.Rounded);
-  const double largestFar = this->FindLargestFar(ball, bounds);
+  this->Choose(ball, parts);
+  const double largestFar = LargestFar(parts);
 
   PhaseProducts far;
   std::fill(far.Real, far.Real + Lanes, 1.0);
   std::fill(far.Imaginary, far.Imaginary + Lanes, 0.0);
-  for (std::size_t i = 0; i < this->Caps.size(); ++i)
+  bool anyNear = false;
+  for (const BoundedPart& part : parts)
   {
-    const Cap& cap = this->Caps[i];
-    if (!(bounds[i] <= largestFar))
+    if (part.Bound <= largestFar)
     {
-      this->Triangles.Multiply(cap.Triangles, sites, block);
-      continue;
+      this->MultiplyByFar(*part.Taken, ball, block.Rounded, far);
     }
-    Frame frame;
-    const bool isAhead = FindFrame(ball, cap.Around, frame);
-    for (std::size_t t = cap.Edges.First; t < cap.Edges.Last; ++t)
+    else
     {
-      const EdgeTile& tile = this->EdgeTiles[t];
-      const Point* const points = &this->EdgePoints[tile.FirstPoint];
-      const std::size_t numberOfPoints = tile.LastPoint - tile.FirstPoint;
-      const TileEdge* const edges = &this->Edges[tile.FirstEdge];
-      const std::size_t numberOfEdges = tile.LastEdge - tile.FirstEdge;
-      if (isAhead)
-      {
-        MultiplyByBoundaryAhead(
-          points, numberOfPoints, edges, numberOfEdges, frame, block.Rounded, far);
-      }
-      else
-      {
-        MultiplyByBoundary(points, numberOfPoints, edges, numberOfEdges, block.Rounded, far);
-      }
+      anyNear = true;
+      this->Triangles.Multiply(part.Taken->Triangles, sites, block);
     }
   }
-  const std::size_t last = std::min(order.size(), first + Lanes);
   for (std::size_t i = first; i < last; ++i)
   {
     const int lane = static_cast<int>(i - first);
-    w[order[i]] += WindingNumber(block.Product, lane) + Turns(far, lane);
+    w[order[i]] += (anyNear ? WindingNumber(block.Product, lane) : 0) + Turns(far, lane);
   }
 }
 
@@ -286,11 +363,11 @@ void WindingNumberOfCaps::Add(const Sites& sites, const std::vector<Id>& order,
     monitor, progress,
     [&](Id call)
     {
-      std::vector<double> bounds;
+      std::vector<BoundedPart> parts;
       const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
       for (std::size_t i = first; i < std::min(order.size(), first + sitesPerCall); i += Lanes)
       {
-        this->AddBlock(sites, order, i, bounds, w);
+        this->AddBlock(sites, order, i, parts, w);
       }
     });
 }
@@ -302,8 +379,8 @@ double WindingNumberOfCaps::At(const Point& point) const
   {
     const std::vector<Point> points = { point };
     const std::vector<Tetrahedron> cells = { { { 0, 0, 0, 0 } } };
-    std::vector<double> bounds;
-    this->AddBlock({ points, cells }, { 0 }, 0, bounds, w);
+    std::vector<BoundedPart> parts;
+    this->AddBlock({ points, cells }, { 0 }, 0, parts, w);
   }
   return w.front();
 }

@@ -15,7 +15,8 @@ namespace insideout
  * numbers together are below 1/2 by their areas gets these from the boundaries alone
  * (BoundaryProduct.h), which say it modulo 1. The other caps are summed, triangle by triangle, with
  * exact decisions on which side of a triangle the site lies (SolidAngleProduct.h). Either way the
- * value is right to rounding and never off by one.
+ * value is right to rounding and never off by one. Neighbouring caps make a bunch, so that where it
+ * is far many small caps cost no more than a large one with as many edges.
  */
 class WindingNumberOfCaps
 {
@@ -32,7 +33,7 @@ public:
    * where neighbours in `order` are neighbours in space; the values do not depend on the number of
    * threads.
    *
-   * @param[in] sites below 2^100 in each coordinate
+   * @param[in] sites below 2^50 in each coordinate
    * @throws Error (Stopped)
    */
   void Add(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
@@ -50,32 +51,46 @@ public:
   };
 
 private:
-  struct Cap
+  using Chain = std::vector<CountedTriangle>;
+
+  /** A cap or several. */
+  struct Part
   {
     Ball Around;
     double Area; ///< counted as often as the triangles
     TileRange Triangles;
-    TileRange Edges;
+    std::size_t FirstPoint; ///< of the boundary, in LoopPoints
+    std::size_t FirstSize;  ///< of its loops, in LoopSizes
+    std::size_t LastSize;
   };
-  struct EdgeTile
+  /** Neighbouring caps. */
+  struct Bunch
   {
-    std::size_t FirstPoint, LastPoint;
-    std::size_t FirstEdge, LastEdge;
+    Part Whole;
+    std::size_t FirstCap;
+    std::size_t LastCap;
+  };
+  struct BoundedPart
+  {
+    const Part* Taken;
+    double Bound; ///< of |w| at the sites
   };
 
-  void SetBall(const std::vector<CountedTriangle>& triangles, Cap& cap) const;
-  TileRange AddEdges(const std::vector<CountedTriangle>& triangles);
-  void AddLoop(const Loop& loop, EdgeTile& tile);
-  void CloseTile(EdgeTile& tile);
-  double FindLargestFar(const Ball& sites, std::vector<double>& bounds) const;
+  void AddBunches(const Chain** first, const Chain** last);
+  void AddBunch(const Chain* const* first, const Chain* const* last);
+  void Measure(const Chain& triangles, Part& part) const;
+  void AddLoops(const std::vector<Loop>& loops, Part& cap);
+  void Choose(const Ball& sites, std::vector<BoundedPart>& parts) const;
+  void MultiplyByFar(
+    const Part& part, const Ball& ball, const SiteBlock& sites, PhaseProducts& products) const;
   void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first,
-    std::vector<double>& bounds, std::vector<double>& w) const;
+    std::vector<BoundedPart>& parts, std::vector<double>& w) const;
 
   const std::vector<Point>& Points;
   SolidAngleTiles Triangles;
-  std::vector<Cap> Caps;
-  std::vector<EdgeTile> EdgeTiles;
-  std::vector<Point> EdgePoints; // of tile after tile
-  std::vector<TileEdge> Edges;
+  std::vector<Bunch> Bunches;
+  std::vector<Part> Caps;
+  std::vector<Point> LoopPoints; // of loop after loop
+  std::vector<std::int32_t> LoopSizes;
 };
 } // namespace insideout

@@ -87,7 +87,23 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   std::vector<std::vector<CountedTriangle>> apart = chain.Caps;
   apart.push_back(beyond);
   const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
-  const UntouchedParts parts = WalkParts(counts, mesh, touched);
+  const WindingNumberOfCaps caps(points, chain.Caps);
+  UntouchedParts parts;
+  std::vector<Id> order;
+  // Walking takes one thread; another one may sort meanwhile.
+  Monitor silent;
+  ParallelLoop(2, silent, { StageName, 0, 0.05 },
+    [&](Id i)
+    {
+      if (i == 0)
+      {
+        parts = WalkParts(counts, mesh, touched);
+      }
+      else if (!caps.IsEmpty())
+      {
+        order = SpatialOrder({ points, mesh.Cells });
+      }
+    });
   std::vector<Id> evaluated = parts.FirstCell;
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
@@ -98,9 +114,6 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   }
   const ClosedChainTree tree(points, chain.Closed,
     RoundedPlaces(points, mesh.Cells, evaluated, rule), monitor, { StageName, 0.05, 0.1 });
-  const WindingNumberOfCaps caps(points, chain.Caps);
-  const std::vector<Id> order =
-    caps.IsEmpty() ? std::vector<Id>() : SpatialOrder({ points, mesh.Cells });
 
   // As the first place's value and differences to it, so that what is constant stays exact.
   std::vector<double> means;
@@ -114,9 +127,10 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
     tree.Evaluate(sites, evaluated, w, monitor, { StageName, begin, begin + step / 8 });
     for (std::size_t cell = 0; cell < w.size(); ++cell)
     {
-      if (parts.Part[cell] != None)
+      const UntouchedParts::Place& place = parts.OfCell[cell];
+      if (place.Part != None)
       {
-        w[cell] = w[parts.FirstCell[parts.Part[cell]]] + parts.Rise[cell];
+        w[cell] = w[parts.FirstCell[place.Part]] + place.Rise;
       }
     }
     caps.Add(sites, order, w, monitor, { StageName, begin + step / 8, begin + step });

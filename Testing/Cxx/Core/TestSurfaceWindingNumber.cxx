@@ -332,13 +332,13 @@ TEST(SurfaceWindingNumber, HasTheGradientOfItsDifferencesAndNoneWhereClosed)
 TEST(SurfaceWindingNumber, KnowsNothingOfPointsThatAreNotFiniteAndIsZeroAfar)
 {
   Monitor monitor;
-  const FacetComplex open = Counted(WithHoles(Ball(8, 64), 1));
+  const FacetComplex open = Counted(WithHoles(Ball(16, 64), 1));
   const double infinity = std::numeric_limits<double>::infinity();
   for (int method = 0; method < 4; ++method)
   {
     const SurfaceWindingNumber w(open, { static_cast<WindingNumberMethod>(method) }, monitor);
     const std::vector<Point> points = { { 0, std::nan(""), 0 }, { infinity, 0, 0 }, { 1e300, 0, 0 },
-      { 0, -1e20, 0 }, { 0, 1e5, 1e5 } };
+      { 0, -1e20, 0 }, { 0, 1e5, 1e5 }, { 1e28, 1e29, 0 }, { 0, 1e14, -1e14 } };
     const std::vector<double> values = w.At(points, monitor);
     EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[1]));
     EXPECT_TRUE(std::isnan(w.At(points[0])) && std::isnan(w.At(points[1])));
@@ -346,6 +346,11 @@ TEST(SurfaceWindingNumber, KnowsNothingOfPointsThatAreNotFiniteAndIsZeroAfar)
     EXPECT_EQ(w.At(points[2]), 0);
     EXPECT_NEAR(values[3], 0, 1e-14);
     EXPECT_NEAR(values[4], SumInQuads(open, points[4]), 1e-6);
+    for (std::size_t i = 5; i < points.size(); ++i)
+    {
+      EXPECT_NEAR(values[i], 0, 1e-14);
+      EXPECT_NEAR(w.At(points[i]), 0, 1e-14);
+    }
     EXPECT_EQ(w.Gradient(points[0])[0], 0);
   }
 }
