@@ -33,23 +33,6 @@ int LongestAxis(const Box& box)
 }
 } // namespace
 
-void Box::Add(const Box& other)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Low[k] = std::min(this->Low[k], other.Low[k]);
-    this->High[k] = std::max(this->High[k], other.High[k]);
-  }
-}
-
-Box BoundingBox(const std::vector<Point>& points, const Triangle& triangle)
-{
-  Box box{ points[triangle[0]], points[triangle[0]] };
-  box.Add({ points[triangle[1]], points[triangle[1]] });
-  box.Add({ points[triangle[2]], points[triangle[2]] });
-  return box;
-}
-
 BoxTree::BoxTree(std::vector<Box> boxes)
   : Order(boxes.size())
 {

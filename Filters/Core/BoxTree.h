@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Types.h"
+#include "Box.h"
 
 #include <vector>
 
 namespace insideout
 {
-/** An axis-aligned box, boundary included. */
-struct Box
-{
-  Point Low;
-  Point High;
-
-  bool Meets(const Box& other) const
-  {
-    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
-      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
-      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
-  }
-
-  void Add(const Box& other);
-};
-
-/** The bounding box of a triangle with finite corners; exact, for it only compares. */
-Box BoundingBox(const std::vector<Point>& points, const Triangle& triangle);
-
 /** A binary tree over boxes that finds those which meet. Split at medians. */
 class BoxTree
 {

@@ -30,18 +30,6 @@ Point Opposite(const RoundedSite& site, const Point& place)
   }
   return result;
 }
-
-Box BoxAround(const std::array<Point, 3>& corners)
-{
-  Box box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double a = corners[0][axis], b = corners[1][axis], c = corners[2][axis];
-    box.Low[axis] = std::min(std::min(a, b), c);
-    box.High[axis] = std::max(std::max(a, b), c);
-  }
-  return box;
-}
 } // namespace
 
 ChainFacets::ChainFacets(
@@ -55,7 +43,7 @@ ChainFacets::ChainFacets(
     const Triangle& t = triangles[f].Corners;
     const std::array<Point, 3> corners = { points[t[0]], points[t[1]], points[t[2]] };
     this->Facets[f] = { PlaneOfTriangle(corners), corners, triangles[f].Count };
-    this->Boxes[f] = BoxAround(corners);
+    this->Boxes[f] = BoundingBox(points, t);
   }
 }
 
@@ -66,13 +54,9 @@ int ChainFacets::SideOf(Id facet, const Point& place) const
 
 bool ChainFacets::MayMeet(Id facet, const Box& box) const
 {
-  const Box& around = this->Boxes[facet];
-  for (int axis = 0; axis < 3; ++axis)
+  if (!this->Boxes[facet].Meets(box))
   {
-    if (around.High[axis] < box.Low[axis] || around.Low[axis] > box.High[axis])
-    {
-      return false;
-    }
+    return false;
   }
   const PlaneOfTriangle& plane = this->Facets[facet].Plane;
   double side = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Box.h"
 #include "CountedBoundary.h"
 #include "SitePredicates.h"
 
@@ -21,13 +22,6 @@ public:
 
 private:
   std::uint32_t Bits;
-};
-
-/** An axis-aligned box, closed. */
-struct Box
-{
-  Point Low;
-  Point High;
 };
 
 /**

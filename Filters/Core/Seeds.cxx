@@ -37,9 +37,7 @@ BoxTree MakeTree(const std::vector<Point>& points, const std::vector<Tetrahedron
   std::vector<Box> boxes;
   for (const Tetrahedron& cell : cells)
   {
-    Box box = BoundingBox(points, { cell[0], cell[1], cell[2] });
-    box.Add({ points[cell[3]], points[cell[3]] });
-    boxes.push_back(box);
+    boxes.push_back(BoundingBox(points, cell));
   }
   return BoxTree(std::move(boxes));
 }

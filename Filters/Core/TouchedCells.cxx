@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TouchedCells.h"
 
+#include "Box.h"
 #include "SitePredicates.h"
 #include "SpatialOrder.h"
 
@@ -11,51 +12,14 @@ namespace insideout
 {
 namespace
 {
-struct Bounds
-{
-  Point Low;
-  Point High;
-
-  bool IsApart(const Bounds& other) const
-  {
-    return this->High[0] < other.Low[0] || other.High[0] < this->Low[0] ||
-      this->High[1] < other.Low[1] || other.High[1] < this->Low[1] ||
-      this->High[2] < other.Low[2] || other.High[2] < this->Low[2];
-  }
-  void Add(const Point& p)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Low[axis] = std::min(this->Low[axis], p[axis]);
-      this->High[axis] = std::max(this->High[axis], p[axis]);
-    }
-  }
-  void Add(const Bounds& other)
-  {
-    this->Add(other.Low);
-    this->Add(other.High);
-  }
-};
-
-template <std::size_t Size>
-Bounds BoundsOf(const std::vector<Point>& points, const std::array<Id, Size>& corners)
-{
-  Bounds bounds = { points[corners[0]], points[corners[0]] };
-  for (std::size_t k = 1; k < Size; ++k)
-  {
-    bounds.Add(points[corners[k]]);
-  }
-  return bounds;
-}
-
 struct BoundedTriangle
 {
-  Bounds Box;
+  Box Bounds;
   PlaneOfTriangle Plane;
 
-  bool MayTouch(const std::vector<Point>& points, const Tetrahedron& cell, const Bounds& box) const
+  bool MayTouch(const std::vector<Point>& points, const Tetrahedron& cell, const Box& box) const
   {
-    if (this->Box.IsApart(box))
+    if (!this->Bounds.Meets(box))
     {
       return false;
     }
@@ -76,14 +40,14 @@ struct BoundedTriangle
 /** Some triangles and a box around them. */
 struct Bunch
 {
-  Bounds Box;
+  Box Bounds;
   std::vector<BoundedTriangle> Triangles;
 };
 
 /** A box around some bunches. */
 struct Group
 {
-  Bounds Box;
+  Box Bounds;
   std::vector<Bunch> Bunches;
 };
 
@@ -102,7 +66,7 @@ std::vector<Group> MakeGroups(
   for (const Id i : SpatialOrder(places))
   {
     const Triangle& t = triangles[i];
-    const Bounds box = BoundsOf(points, t);
+    const Box box = BoundingBox(points, t);
     const bool isFull =
       groups.empty() || groups.back().Bunches.back().Triangles.size() == trianglesPerBunch;
     if (groups.empty() || (isFull && groups.back().Bunches.size() == bunchesPerGroup))
@@ -114,8 +78,8 @@ std::vector<Group> MakeGroups(
     {
       group.Bunches.push_back({ box, {} });
     }
-    group.Box.Add(box);
-    group.Bunches.back().Box.Add(box);
+    group.Bounds.Add(box);
+    group.Bunches.back().Bounds.Add(box);
     group.Bunches.back().Triangles.push_back(
       { box, PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
   }
@@ -123,13 +87,13 @@ std::vector<Group> MakeGroups(
 }
 
 bool MayTouch(
-  const Group& group, const std::vector<Point>& points, const Tetrahedron& cell, const Bounds& box)
+  const Group& group, const std::vector<Point>& points, const Tetrahedron& cell, const Box& box)
 {
-  return !group.Box.IsApart(box) &&
+  return group.Bounds.Meets(box) &&
     std::any_of(group.Bunches.begin(), group.Bunches.end(),
       [&](const Bunch& bunch)
       {
-        return !bunch.Box.IsApart(box) &&
+        return bunch.Bounds.Meets(box) &&
           std::any_of(bunch.Triangles.begin(), bunch.Triangles.end(),
             [&](const BoundedTriangle& triangle) { return triangle.MayTouch(points, cell, box); });
       });
@@ -152,7 +116,7 @@ std::vector<char> TouchedCells(const std::vector<Point>& points,
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < cells.size(); ++c)
   {
-    const Bounds box = BoundsOf(points, cells[c]);
+    const Box box = BoundingBox(points, cells[c]);
     touched[c] = std::any_of(made.begin(), made.end(),
       [&](const Group& group) { return MayTouch(group, points, cells[c], box); });
   }

@@ -504,7 +504,24 @@ TEST(TetrahedralizerFaults, ExactFlipsComeFirst)
 TEST(TetrahedralizerFaults, ToLeaveManyCutsToTetGenIsAChoiceAndNoFailure)
 {
   Monitor monitor;
-  const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(30));
+  TriangleSoup soup;
+  for (int i = 0; i < 250; ++i)
+  {
+    // Each leaves an edge that no flip recovers.
+    const TriangleSoup prism = testmeshes::TwistedPrism(3, -M_PI / 6);
+    const Id first = static_cast<Id>(soup.Points.size());
+    for (const Point& p : prism.Points)
+    {
+      soup.Points.push_back(
+        { { p[0] + 4 * (i % 6), p[1] + 4 * (i / 6 % 6), p[2] + 4 * (i / 36) } });
+    }
+    for (const Triangle& t : prism.Triangles)
+    {
+      soup.Triangles.push_back({ { first + t[0], first + t[1], first + t[2] } });
+    }
+  }
+  const FacetComplex surface =
+    ResolveSelfIntersections(CountFacets(soup, {}, monitor).Surface, monitor).Surface;
   const Tetrahedralization byTetgen = ConstrainedDelaunay(surface, {}, monitor);
   EXPECT_STREQ(RungName(byTetgen.Rung), "TetGen, points kept off facets");
   EXPECT_TRUE(byTetgen.Failures.empty());
