@@ -6,7 +6,10 @@
 leaves screenshots, the state, its script and ParaView's messages in FOLDER.
 """
 
+import itertools
+import math
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -18,7 +21,7 @@ from xml.sax.saxutils import quoteattr
 SURFACE, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 HERE = Path(__file__).resolve().parent
 SCREEN = "1500x1100"
-PATIENCE = 100  # seconds
+PATIENCE = 250  # seconds
 
 FILTERS = "pqClientMainWindow/menubar/menuFilters/pqProxyGroupMenuManager0/"
 PANEL = "pqClientMainWindow/propertiesDock/propertiesPanel/"
@@ -36,10 +39,16 @@ def add(filter_name: str):
     return (FILTERS + filter_name, "activate", "")
 
 
+def open_file(path: Path):
+    return [
+        ("pqClientMainWindow/menubar/menu_File/actionFileOpen", "activate", ""),
+        ("pqClientMainWindow/FileOpenDialog", "filesSelected", str(path)),
+        APPLY,
+    ]
+
+
 USUAL_PATH = [
-    ("pqClientMainWindow/menubar/menu_File/actionFileOpen", "activate", ""),
-    ("pqClientMainWindow/FileOpenDialog", "filesSelected", str(SURFACE)),
-    APPLY,
+    *open_file(SURFACE),
     add("SurfaceDefects"),
     APPLY,
     choose("/0/0"),
@@ -60,6 +69,32 @@ USUAL_PATH = [
     add("ConstrainedDelaunay3D"),
     APPLY,
 ]
+
+STAGES = [
+    "validating",
+    "finding self-intersections",
+    "resolving self-intersections",
+    "tetrahedralizing",
+    "winding numbers",
+    "segmenting",
+]
+
+
+def write_spheres(path: Path, rings: int) -> None:
+    """Three spheres that cross each other and are open at a pole: of 70 rings, seconds of work."""
+    points, triangles = [], []
+    for k, centre in enumerate([(0.01, 0.02, 0.03), (0.9, 0.1, 0.2), (0.3, 0.8, 0.1)]):
+        first = len(points)
+        for i, j in itertools.product(range(3, rings), range(2 * rings)):
+            polar, around = math.pi * i / rings, math.pi * j / rings
+            normal = (math.sin(polar) * math.cos(around), math.sin(polar) * math.sin(around), math.cos(polar))
+            points.append([c + (1 + 0.03 * k) * n for c, n in zip(centre, normal)])
+        for i, j in itertools.product(range(rings - 4), range(2 * rings)):
+            a, b = (first + 2 * rings * i + (j + next_one) % (2 * rings) for next_one in (0, 1))
+            triangles += [(a, a + 2 * rings, b), (b, a + 2 * rings, b + 2 * rings)]
+    lines = [f"OFF\n{len(points)} {len(triangles)} 0", *(f"{x!r} {y!r} {z!r}" for x, y, z in points)]
+    path.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in triangles]) + "\n", encoding="ascii")
+
 
 class Window:
     """Runs ParaView on a display of its own and takes a picture of it every second."""
@@ -134,6 +169,33 @@ class TestGui(unittest.TestCase):
     def test_4_the_state_loads_in_the_window(self):
         window = Window("loaded", f"--state={self.state}")
         self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+
+    def test_5_the_abort_button_stops_every_stage_and_apply_runs_it_again(self):
+        surface = FOLDER / "spheres.off"
+        write_spheres(surface, rings=70)
+        window = Window(
+            "aborted",
+            f"--script={HERE / 'abort.py'}",
+            events=[
+                *open_file(surface),
+                add("RobustTetrahedralize"),
+                *[APPLY] * (len(STAGES) + 1),
+                choose("/0/0"),
+                add("RobustTetrahedralize"),
+                APPLY,
+            ],
+        )
+        self.assertEqual(window.status, 0, window.messages)
+        pressed = re.findall(
+            r"^RobustTetrahedralize1: pressed while (.*), stopped after (.*) s with 0 cells$", window.messages, re.M
+        )
+        self.assertEqual([stage for stage, _ in pressed], STAGES, window.messages)
+        self.assertLess(max(float(seconds) for _, seconds in pressed), 1, "processor time until it stopped")
+        said = "RobustTetrahedralize1 was stopped and has no output. Apply runs it again."
+        self.assertEqual(window.messages.count(said), len(STAGES), window.messages)
+        wholes = re.findall(r"^RobustTetrahedralize(\d): (\d+) cells$", window.messages, re.M)
+        self.assertEqual([name for name, _ in wholes], ["1", "2"], "each whole once")
+        self.assertEqual(wholes[0][1], wholes[1][1], "as if it had never been stopped")
 
 
 if __name__ == "__main__":
