@@ -20,32 +20,53 @@ from xml.sax.saxutils import quoteattr
 
 SURFACE, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 HERE = Path(__file__).resolve().parent
-SCREEN = "1500x1100"
+SCREEN = "1900x1100"
 PATIENCE = 250  # seconds
 
-FILTERS = "pqClientMainWindow/menubar/menuFilters/pqProxyGroupMenuManager0/"
+MENUS = "pqClientMainWindow/menubar/"
+FILTERS = MENUS + "menuFilters/pqProxyGroupMenuManager0/"
+TOOLBAR = "pqClientMainWindow/Inside Out/1QToolButton"  # and which of those that are shown
 PANEL = "pqClientMainWindow/propertiesDock/propertiesPanel/"
 PROPERTIES = PANEL + "scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/"
 PIPELINE = "pqClientMainWindow/pipelineBrowserDock/pipelineBrowser"
-
-APPLY = (PANEL + "Accept", "activate", "")
-
-
-def choose(row: str):
-    return (PIPELINE, "currentChanged", f"{row}|0")
-
-
-def add(filter_name: str):
-    return (FILTERS + filter_name, "activate", "")
+INFORMATION = (
+    "pqClientMainWindow/informationDock/informationWidgetFrame/informationScrollArea/qt_scrollarea_viewport/"
+    "informationWidget/"
+)
+EDITOR = "pqClientMainWindow/0pqPythonScriptEditor0/"
 
 
-def open_file(path: Path):
+def do(thing: str, command: str = "activate", arguments: str = "") -> str:
+    """What ParaView's player of events takes."""
+    return f"<pqevent object={quoteattr(thing)} command={quoteattr(command)} arguments={quoteattr(arguments)} />"
+
+
+def check(thing: str, what: str, expected: str) -> str:
+    """The player ends with an error when it is something else."""
+    return f"<pqcheck object={quoteattr(thing)} property={quoteattr(what)} arguments={quoteattr(expected)} />"
+
+
+APPLY = do(PANEL + "Accept")
+
+
+def choose(row: str) -> str:
+    return do(PIPELINE, "currentChanged", f"{row}|0")
+
+
+def add(filter_name: str) -> str:
+    return do(FILTERS + filter_name)
+
+
+def open_file(path: Path) -> list[str]:
     return [
-        ("pqClientMainWindow/menubar/menu_File/actionFileOpen", "activate", ""),
-        ("pqClientMainWindow/FileOpenDialog", "filesSelected", str(path)),
+        do(MENUS + "menu_File/actionFileOpen"),
+        do("pqClientMainWindow/FileOpenDialog", "filesSelected", str(path)),
         APPLY,
     ]
 
+
+SMOOTH_LESS = do(PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5")
+WHOLE_HULL = do(PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false")
 
 USUAL_PATH = [
     *open_file(SURFACE),
@@ -53,8 +74,8 @@ USUAL_PATH = [
     APPLY,
     choose("/0/0"),
     add("RobustTetrahedralize"),
-    (PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5"),
-    (PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false"),
+    SMOOTH_LESS,
+    WHOLE_HULL,
     APPLY,
     add("SliceWindingNumber"),
     APPLY,
@@ -69,6 +90,8 @@ USUAL_PATH = [
     add("ConstrainedDelaunay3D"),
     APPLY,
 ]
+
+NUMBERS = r"^(\S+): (\d+ points, .*)$"  # as numbers.py prints them
 
 STAGES = [
     "validating",
@@ -103,15 +126,11 @@ class Window:
         home = FOLDER / "home"
         home.mkdir(mode=0o700, exist_ok=True)
         script = FOLDER / f"{name}.xml"
-        lines = [
-            f"<pqevent object={quoteattr(thing)} command={quoteattr(command)} arguments={quoteattr(arguments)} />"
-            for thing, command, arguments in events
-        ]
-        script.write_text("\n".join(["<pqevents>", *lines, "</pqevents>"]), encoding="utf-8")
+        script.write_text("\n".join(["<pqevents>", *events, "</pqevents>"]), encoding="utf-8")
         command = ["paraview", "-qwindowgeometry", SCREEN + "+0+0", "--dr", *options]
         command += [f"--test-directory={FOLDER}", f"--test-script={script}", "--exit"]
         pictures = (
-            f'(k=10; while sleep 1; do k=$((k+1)); import -window root "{FOLDER}/{name}-$k.png"; done) & shots=$!; '
+            f'(k=10; while sleep 1; do k=$((k+1)); import -window root "{FOLDER}/{name}-$k.png" 2>/dev/null; done) & shots=$!; '
             '"$@"; status=$?; kill $shots; exit $status'
         )
         with subprocess.Popen(
@@ -136,12 +155,16 @@ class Window:
         return [line for line in self.messages.splitlines() if any(word in line for word in words)]
 
 
-def replay(*arguments: str) -> str:
+def run_in_batch(script: str, *arguments: str) -> str:
     done = subprocess.run(
-        ["xvfb-run", "-a", "pvbatch", str(HERE / "replay.py"), *arguments],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, check=False,
+        ["xvfb-run", "-a", "pvbatch", script, *arguments],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE, check=False,
     )
     return done.stdout
+
+
+def replay(*arguments: str) -> str:
+    return run_in_batch(str(HERE / "replay.py"), *arguments)
 
 
 class TestGui(unittest.TestCase):
@@ -151,8 +174,8 @@ class TestGui(unittest.TestCase):
         FOLDER.mkdir(parents=True)
         cls.state, cls.script = FOLDER / "clicked.pvsm", FOLDER / "clicked.py"
         save = [
-            ("pqClientMainWindow/menubar/menu_File/actionFileSaveServerState", "activate", ""),
-            ("pqClientMainWindow/FileSaveServerStateDialog", "filesSelected", str(cls.state)),
+            do(MENUS + "menu_File/actionFileSaveServerState"),
+            do("pqClientMainWindow/FileSaveServerStateDialog", "filesSelected", str(cls.state)),
         ]
         cls.window = Window("clicked", events=[*USUAL_PATH, *save])
 
@@ -196,6 +219,49 @@ class TestGui(unittest.TestCase):
         wholes = re.findall(r"^RobustTetrahedralize(\d): (\d+) cells$", window.messages, re.M)
         self.assertEqual([name for name, _ in wholes], ["1", "2"], "each whole once")
         self.assertEqual(wholes[0][1], wholes[1][1], "as if it had never been stopped")
+
+    def test_6_the_information_panel_tells_the_statistics(self):
+        arrays = INFORMATION + "dataArraysTable"
+        events = [
+            *open_file(SURFACE),
+            add("RobustTetrahedralize"),
+            APPLY,
+            do("pqClientMainWindow/1QTabBar1", "set_tab_with_text", "Information"),
+            check(arrays, "modelItemData", "6.0,Statistics_BoundaryFaces"),
+            check(arrays, "modelItemData", "6.2,[40, 40]"),
+        ]
+        window = Window("information", events=events)
+        self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+
+    def test_7_a_trace_of_clicks_gives_the_same_in_pvbatch(self):
+        trace, script = FOLDER / "traced.py", str(HERE / "numbers.py")
+        start_or_stop = do(MENUS + "menuTools/actionToolsStartStopTrace")
+        events = [
+            start_or_stop,
+            do("TraceOptionsDialog/widget/OKButton"),
+            *open_file(SURFACE),
+            do(TOOLBAR + "0"),
+            APPLY,
+            choose("/0/0"),
+            do(TOOLBAR + "1"),
+            SMOOTH_LESS,
+            WHOLE_HULL,
+            APPLY,
+            do(TOOLBAR + "2"),
+            APPLY,
+            start_or_stop,
+            do(EDITOR + "PythonScriptEditorMenuBar/File", "activate", "Save &As..."),
+            do(EDITOR + "FileOpenDialog", "filesSelected", str(trace)),
+        ]
+        window = Window("traced", f"--script={script}", events=events)
+        self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+        self.assertIn(".Gamma = 0.5", trace.read_text(encoding="utf-8"))
+        replayed = run_in_batch(script, str(trace))
+        seen = dict(re.findall(NUMBERS, window.messages, re.M))  # of each thing what was seen last
+        self.assertEqual(dict(re.findall(NUMBERS, replayed, re.M)), seen, replayed)
+        self.assertEqual(
+            sorted(seen), ["RobustTetrahedralize1", "SliceWindingNumber1", "SurfaceDefects1", SURFACE.name]
+        )
 
 
 if __name__ == "__main__":

@@ -103,6 +103,16 @@ class TestPlugin(unittest.TestCase):
         solid.ExtractInside = 1
         self.assertLess(volume(solid), whole)
 
+    def test_statistics_are_among_the_information(self):
+        """ParaView shows no field data whose first array is empty."""
+        names = ["RobustTetrahedralize", "SurfaceDefects", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
+                 "GeneralizedWindingNumber"]
+        filters = [getattr(simple, name)(Input=self.surface) for name in names]
+        filters.append(simple.GraphCutSegmentation(Input=filters[-1]))
+        for one in filters:
+            one.UpdatePipeline()
+            self.assertTrue([name for name in one.FieldData.keys() if name.startswith("Statistics_")], one)
+
     def test_a_trace_can_be_replayed(self):
         smtrace.start_trace()
         simple.RobustTetrahedralize(Input=self.surface, registrationName="traced", Gamma=0.25)
