@@ -65,6 +65,13 @@ def open_file(path: Path) -> list[str]:
     ]
 
 
+def save_state(path: Path) -> list[str]:
+    return [
+        do(MENUS + "menu_File/actionFileSaveServerState"),
+        do("pqClientMainWindow/FileSaveServerStateDialog", "filesSelected", str(path)),
+    ]
+
+
 SMOOTH_LESS = do(PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5")
 WHOLE_HULL = do(PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false")
 
@@ -91,7 +98,7 @@ USUAL_PATH = [
     APPLY,
 ]
 
-NUMBERS = r"^(\S+): (\d+ points, .*)$"  # as numbers.py prints them
+NUMBERS = r"^(\S+): (\d+ points, .*)$"  # as pipeline_numbers.py prints them
 
 STAGES = [
     "validating",
@@ -173,11 +180,7 @@ class TestGui(unittest.TestCase):
         shutil.rmtree(FOLDER, ignore_errors=True)
         FOLDER.mkdir(parents=True)
         cls.state, cls.script = FOLDER / "clicked.pvsm", FOLDER / "clicked.py"
-        save = [
-            do(MENUS + "menu_File/actionFileSaveServerState"),
-            do("pqClientMainWindow/FileSaveServerStateDialog", "filesSelected", str(cls.state)),
-        ]
-        cls.window = Window("clicked", events=[*USUAL_PATH, *save])
+        cls.window = Window("clicked", events=[*USUAL_PATH, *save_state(cls.state)])
 
     def test_1_all_that_is_clicked_works(self):
         self.assertEqual((self.window.status, self.window.complaints()), (0, []), self.window.messages)
@@ -234,7 +237,7 @@ class TestGui(unittest.TestCase):
         self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
 
     def test_7_a_trace_of_clicks_gives_the_same_in_pvbatch(self):
-        trace, script = FOLDER / "traced.py", str(HERE / "numbers.py")
+        trace, script = FOLDER / "traced.py", str(HERE / "pipeline_numbers.py")
         start_or_stop = do(MENUS + "menuTools/actionToolsStartStopTrace")
         events = [
             start_or_stop,

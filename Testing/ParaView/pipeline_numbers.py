@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The numbers of what each thing in the pipeline gives, in ParaView's window as they come, or of a trace.
 
-    paraview --script=numbers.py
-    pvbatch numbers.py TRACE.py
+    paraview --script=pipeline_numbers.py
+    pvbatch pipeline_numbers.py TRACE.py
 """
 
 import sys
