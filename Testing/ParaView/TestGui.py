@@ -266,6 +266,11 @@ class TestGui(unittest.TestCase):
             sorted(seen), ["RobustTetrahedralize1", "SliceWindingNumber1", "SurfaceDefects1", SURFACE.name]
         )
 
+    def test_8_the_toolbar_has_the_usual_path_and_no_more(self):
+        window = Window("toolbar", events=[*open_file(SURFACE), do(TOOLBAR + "2"), do(TOOLBAR + "3")])
+        self.assertIn(f"Couldn't find object  `{TOOLBAR}3`", window.messages)
+        self.assertNotIn(f"Couldn't find object  `{TOOLBAR}2`", window.messages)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
