@@ -126,6 +126,15 @@ def write_spheres(path: Path, rings: int) -> None:
     path.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in triangles]) + "\n", encoding="ascii")
 
 
+# Two that look for a free display at once may take the same one; the second is then without.
+ON_A_DISPLAY, TRIES = ["xvfb-run", "-a"], 3
+
+
+def lost_display(messages: str) -> bool:
+    signs = ("bad X server connection", "could not connect to display", "Xvfb failed to start")
+    return any(sign in messages for sign in signs)
+
+
 class Window:
     """Runs ParaView on a display of its own and takes a picture of it every second."""
 
@@ -140,8 +149,15 @@ class Window:
             f'(k=10; while sleep 1; do k=$((k+1)); import -window root "{FOLDER}/{name}-$k.png" 2>/dev/null; done) & shots=$!; '
             '"$@"; status=$?; kill $shots; exit $status'
         )
+        for _ in range(TRIES):
+            self.play([*ON_A_DISPLAY, "-s", f"-screen 0 {SCREEN}x24", "sh", "-c", pictures, "sh", *command], home)
+            if not lost_display(self.messages):
+                break
+        (FOLDER / f"{name}.log").write_text(self.messages, encoding="utf-8")
+
+    def play(self, command: list[str], home: Path):
         with subprocess.Popen(
-            ["xvfb-run", "-a", "-s", f"-screen 0 {SCREEN}x24", "sh", "-c", pictures, "sh", *command],
+            command,
             env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home)},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -155,7 +171,6 @@ class Window:
                 os.killpg(process.pid, signal.SIGKILL)  # the display and all that is on it
                 self.messages, _ = process.communicate()
         self.status = process.returncode
-        (FOLDER / f"{name}.log").write_text(self.messages, encoding="utf-8")
 
     def complaints(self) -> list[str]:
         words = ("critical:", "error", "Traceback", "ERR|", "fatal:", "warning:")
@@ -163,10 +178,13 @@ class Window:
 
 
 def run_in_batch(script: str, *arguments: str) -> str:
-    done = subprocess.run(
-        ["xvfb-run", "-a", "pvbatch", script, *arguments],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE, check=False,
-    )
+    for _ in range(TRIES):
+        done = subprocess.run(
+            [*ON_A_DISPLAY, "pvbatch", script, *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE, check=False,
+        )
+        if not lost_display(done.stdout):
+            break
     return done.stdout
 
 
