@@ -5,6 +5,7 @@
 #include "vtkInsideOutArrays.h"
 #include "vtkInsideOutAttributes.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -534,13 +535,24 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefec
 
 void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)
 {
+  vtkNew<vtkFieldData> fields;
   for (const auto& [name, value] : statistics)
   {
     vtkNew<vtkDoubleArray> array;
     array->SetName(("Statistics_" + name).c_str());
     array->InsertNextValue(value);
-    output->GetFieldData()->AddArray(array);
+    fields->AddArray(array);
   }
+  vtkFieldData* others = output->GetFieldData();
+  for (int i = 0; i < others->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* other = others->GetAbstractArray(i);
+    if (!other->GetName() || !fields->HasArray(other->GetName()))
+    {
+      fields->AddArray(other);
+    }
+  }
+  output->SetFieldData(fields);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(vtkUnstructuredGrid* grid)

@@ -124,7 +124,10 @@ private:
  * which VTK numbers before the polylines. */
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefects& defects);
 
-/** Put each figure into the data set's field data, as a one-value array Statistics_NAME. */
+/**
+ * Put each figure into the data set's field data, as a one-value array Statistics_NAME. They come
+ * first: ParaView's Information panel shows no field data whose first array is empty.
+ */
 void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);
 
 /** Put the labels on the grid as its cell array Inside. */

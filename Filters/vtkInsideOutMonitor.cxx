@@ -127,6 +127,10 @@ int vtkInsideOutRun(
   try
   {
     MakeEmpty(outputs);
+    if (ShouldAbort(algorithm, 0))
+    {
+      return 1;
+    }
     work();
     AddFieldData(fields, outputs);
     return 1;

@@ -16,11 +16,11 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libhdf5-mpi-dev mpi-default-dev libxml2-dev libexpat1-dev liblz4-dev liblzma-dev libjsoncpp-dev
   libfreetype-dev libjpeg-dev libpng-dev libtiff-dev libdouble-conversion-dev libglew-dev libgl-dev
   libx11-dev libxcursor-dev libxt-dev libtheora-dev libogg-dev libnetcdf-dev libproj-dev libcgns-dev
-  libpugixml-dev zlib1g-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  libpugixml-dev libxcb1-dev zlib1g-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libgl2ps-dev"
 
 # Real meshes, a display for pictures, and the checks of style and types.
-packages="$packages libcgal-demo openfoam-examples xvfb xauth imagemagick clang-format mypy python3-meshio"
+packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy python3-meshio"
 
 missing=
 for package in $packages; do

@@ -6,7 +6,10 @@
 leaves screenshots, the state, its script and ParaView's messages in FOLDER.
 """
 
+import itertools
+import math
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -17,35 +20,69 @@ from xml.sax.saxutils import quoteattr
 
 SURFACE, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 HERE = Path(__file__).resolve().parent
-SCREEN = "1500x1100"
-PATIENCE = 100  # seconds
+SCREEN = "1900x1100"
+PATIENCE = 250  # seconds
 
-FILTERS = "pqClientMainWindow/menubar/menuFilters/pqProxyGroupMenuManager0/"
+MENUS = "pqClientMainWindow/menubar/"
+FILTERS = MENUS + "menuFilters/pqProxyGroupMenuManager0/"
+TOOLBAR = "pqClientMainWindow/Inside Out/1QToolButton"  # and which of those that are shown
 PANEL = "pqClientMainWindow/propertiesDock/propertiesPanel/"
 PROPERTIES = PANEL + "scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/"
 PIPELINE = "pqClientMainWindow/pipelineBrowserDock/pipelineBrowser"
+INFORMATION = (
+    "pqClientMainWindow/informationDock/informationWidgetFrame/informationScrollArea/qt_scrollarea_viewport/"
+    "informationWidget/"
+)
+EDITOR = "pqClientMainWindow/0pqPythonScriptEditor0/"
 
-APPLY = (PANEL + "Accept", "activate", "")
+
+def do(thing: str, command: str = "activate", arguments: str = "") -> str:
+    """What ParaView's player of events takes."""
+    return f"<pqevent object={quoteattr(thing)} command={quoteattr(command)} arguments={quoteattr(arguments)} />"
 
 
-def choose(row: str):
-    return (PIPELINE, "currentChanged", f"{row}|0")
+def check(thing: str, what: str, expected: str) -> str:
+    """The player ends with an error when it is something else."""
+    return f"<pqcheck object={quoteattr(thing)} property={quoteattr(what)} arguments={quoteattr(expected)} />"
 
 
-def add(filter_name: str):
-    return (FILTERS + filter_name, "activate", "")
+APPLY = do(PANEL + "Accept")
 
+
+def choose(row: str) -> str:
+    return do(PIPELINE, "currentChanged", f"{row}|0")
+
+
+def add(filter_name: str) -> str:
+    return do(FILTERS + filter_name)
+
+
+def open_file(path: Path) -> list[str]:
+    return [
+        do(MENUS + "menu_File/actionFileOpen"),
+        do("pqClientMainWindow/FileOpenDialog", "filesSelected", str(path)),
+        APPLY,
+    ]
+
+
+def save_state(path: Path) -> list[str]:
+    return [
+        do(MENUS + "menu_File/actionFileSaveServerState"),
+        do("pqClientMainWindow/FileSaveServerStateDialog", "filesSelected", str(path)),
+    ]
+
+
+SMOOTH_LESS = do(PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5")
+WHOLE_HULL = do(PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false")
 
 USUAL_PATH = [
-    ("pqClientMainWindow/menubar/menu_File/actionFileOpen", "activate", ""),
-    ("pqClientMainWindow/FileOpenDialog", "filesSelected", str(SURFACE)),
-    APPLY,
+    *open_file(SURFACE),
     add("SurfaceDefects"),
     APPLY,
     choose("/0/0"),
     add("RobustTetrahedralize"),
-    (PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5"),
-    (PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false"),
+    SMOOTH_LESS,
+    WHOLE_HULL,
     APPLY,
     add("SliceWindingNumber"),
     APPLY,
@@ -61,6 +98,43 @@ USUAL_PATH = [
     APPLY,
 ]
 
+NUMBERS = r"^(\S+): (\d+ points, .*)$"  # as pipeline_numbers.py prints them
+
+STAGES = [
+    "validating",
+    "finding self-intersections",
+    "resolving self-intersections",
+    "tetrahedralizing",
+    "winding numbers",
+    "segmenting",
+]
+
+
+def write_spheres(path: Path, rings: int) -> None:
+    """Three spheres that cross each other and are open at a pole: of 70 rings, seconds of work."""
+    points, triangles = [], []
+    for k, centre in enumerate([(0.01, 0.02, 0.03), (0.9, 0.1, 0.2), (0.3, 0.8, 0.1)]):
+        first = len(points)
+        for i, j in itertools.product(range(3, rings), range(2 * rings)):
+            polar, around = math.pi * i / rings, math.pi * j / rings
+            normal = (math.sin(polar) * math.cos(around), math.sin(polar) * math.sin(around), math.cos(polar))
+            points.append([c + (1 + 0.03 * k) * n for c, n in zip(centre, normal)])
+        for i, j in itertools.product(range(rings - 4), range(2 * rings)):
+            a, b = (first + 2 * rings * i + (j + next_one) % (2 * rings) for next_one in (0, 1))
+            triangles += [(a, a + 2 * rings, b), (b, a + 2 * rings, b + 2 * rings)]
+    lines = [f"OFF\n{len(points)} {len(triangles)} 0", *(f"{x!r} {y!r} {z!r}" for x, y, z in points)]
+    path.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in triangles]) + "\n", encoding="ascii")
+
+
+# Two that look for a free display at once may take the same one; the second is then without.
+ON_A_DISPLAY, TRIES = ["xvfb-run", "-a"], 3
+
+
+def lost_display(messages: str) -> bool:
+    signs = ("bad X server connection", "could not connect to display", "Xvfb failed to start")
+    return any(sign in messages for sign in signs)
+
+
 class Window:
     """Runs ParaView on a display of its own and takes a picture of it every second."""
 
@@ -68,19 +142,22 @@ class Window:
         home = FOLDER / "home"
         home.mkdir(mode=0o700, exist_ok=True)
         script = FOLDER / f"{name}.xml"
-        lines = [
-            f"<pqevent object={quoteattr(thing)} command={quoteattr(command)} arguments={quoteattr(arguments)} />"
-            for thing, command, arguments in events
-        ]
-        script.write_text("\n".join(["<pqevents>", *lines, "</pqevents>"]), encoding="utf-8")
+        script.write_text("\n".join(["<pqevents>", *events, "</pqevents>"]), encoding="utf-8")
         command = ["paraview", "-qwindowgeometry", SCREEN + "+0+0", "--dr", *options]
         command += [f"--test-directory={FOLDER}", f"--test-script={script}", "--exit"]
         pictures = (
-            f'(k=10; while sleep 1; do k=$((k+1)); import -window root "{FOLDER}/{name}-$k.png"; done) & shots=$!; '
+            f'(k=10; while sleep 1; do k=$((k+1)); import -window root "{FOLDER}/{name}-$k.png" 2>/dev/null; done) & shots=$!; '
             '"$@"; status=$?; kill $shots; exit $status'
         )
+        for _ in range(TRIES):
+            self.play([*ON_A_DISPLAY, "-s", f"-screen 0 {SCREEN}x24", "sh", "-c", pictures, "sh", *command], home)
+            if not lost_display(self.messages):
+                break
+        (FOLDER / f"{name}.log").write_text(self.messages, encoding="utf-8")
+
+    def play(self, command: list[str], home: Path):
         with subprocess.Popen(
-            ["xvfb-run", "-a", "-s", f"-screen 0 {SCREEN}x24", "sh", "-c", pictures, "sh", *command],
+            command,
             env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home)},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -94,19 +171,25 @@ class Window:
                 os.killpg(process.pid, signal.SIGKILL)  # the display and all that is on it
                 self.messages, _ = process.communicate()
         self.status = process.returncode
-        (FOLDER / f"{name}.log").write_text(self.messages, encoding="utf-8")
 
     def complaints(self) -> list[str]:
         words = ("critical:", "error", "Traceback", "ERR|", "fatal:", "warning:")
         return [line for line in self.messages.splitlines() if any(word in line for word in words)]
 
 
-def replay(*arguments: str) -> str:
-    done = subprocess.run(
-        ["xvfb-run", "-a", "pvbatch", str(HERE / "replay.py"), *arguments],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, check=False,
-    )
+def run_in_batch(script: str, *arguments: str) -> str:
+    for _ in range(TRIES):
+        done = subprocess.run(
+            [*ON_A_DISPLAY, "pvbatch", script, *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE, check=False,
+        )
+        if not lost_display(done.stdout):
+            break
     return done.stdout
+
+
+def replay(*arguments: str) -> str:
+    return run_in_batch(str(HERE / "replay.py"), *arguments)
 
 
 class TestGui(unittest.TestCase):
@@ -115,11 +198,7 @@ class TestGui(unittest.TestCase):
         shutil.rmtree(FOLDER, ignore_errors=True)
         FOLDER.mkdir(parents=True)
         cls.state, cls.script = FOLDER / "clicked.pvsm", FOLDER / "clicked.py"
-        save = [
-            ("pqClientMainWindow/menubar/menu_File/actionFileSaveServerState", "activate", ""),
-            ("pqClientMainWindow/FileSaveServerStateDialog", "filesSelected", str(cls.state)),
-        ]
-        cls.window = Window("clicked", events=[*USUAL_PATH, *save])
+        cls.window = Window("clicked", events=[*USUAL_PATH, *save_state(cls.state)])
 
     def test_1_all_that_is_clicked_works(self):
         self.assertEqual((self.window.status, self.window.complaints()), (0, []), self.window.messages)
@@ -134,6 +213,81 @@ class TestGui(unittest.TestCase):
     def test_4_the_state_loads_in_the_window(self):
         window = Window("loaded", f"--state={self.state}")
         self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+
+    def test_5_the_abort_button_stops_every_stage_and_apply_runs_it_again(self):
+        surface = FOLDER / "spheres.off"
+        write_spheres(surface, rings=70)
+        window = Window(
+            "aborted",
+            f"--script={HERE / 'abort.py'}",
+            events=[
+                *open_file(surface),
+                add("RobustTetrahedralize"),
+                *[APPLY] * (len(STAGES) + 1),
+                choose("/0/0"),
+                add("RobustTetrahedralize"),
+                APPLY,
+            ],
+        )
+        self.assertEqual(window.status, 0, window.messages)
+        pressed = re.findall(
+            r"^RobustTetrahedralize1: pressed while (.*), stopped after (.*) s with 0 cells$", window.messages, re.M
+        )
+        self.assertEqual([stage for stage, _ in pressed], STAGES, window.messages)
+        self.assertLess(max(float(seconds) for _, seconds in pressed), 1, "processor time until it stopped")
+        said = "RobustTetrahedralize1 was stopped and has no output. Apply runs it again."
+        self.assertEqual(window.messages.count(said), len(STAGES), window.messages)
+        wholes = re.findall(r"^RobustTetrahedralize(\d): (\d+) cells$", window.messages, re.M)
+        self.assertEqual([name for name, _ in wholes], ["1", "2"], "each whole once")
+        self.assertEqual(wholes[0][1], wholes[1][1], "as if it had never been stopped")
+
+    def test_6_the_information_panel_tells_the_statistics(self):
+        arrays = INFORMATION + "dataArraysTable"
+        events = [
+            *open_file(SURFACE),
+            add("RobustTetrahedralize"),
+            APPLY,
+            do("pqClientMainWindow/1QTabBar1", "set_tab_with_text", "Information"),
+            check(arrays, "modelItemData", "6.0,Statistics_BoundaryFaces"),
+            check(arrays, "modelItemData", "6.2,[40, 40]"),
+        ]
+        window = Window("information", events=events)
+        self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+
+    def test_7_a_trace_of_clicks_gives_the_same_in_pvbatch(self):
+        trace, script = FOLDER / "traced.py", str(HERE / "pipeline_numbers.py")
+        start_or_stop = do(MENUS + "menuTools/actionToolsStartStopTrace")
+        events = [
+            start_or_stop,
+            do("TraceOptionsDialog/widget/OKButton"),
+            *open_file(SURFACE),
+            do(TOOLBAR + "0"),
+            APPLY,
+            choose("/0/0"),
+            do(TOOLBAR + "1"),
+            SMOOTH_LESS,
+            WHOLE_HULL,
+            APPLY,
+            do(TOOLBAR + "2"),
+            APPLY,
+            start_or_stop,
+            do(EDITOR + "PythonScriptEditorMenuBar/File", "activate", "Save &As..."),
+            do(EDITOR + "FileOpenDialog", "filesSelected", str(trace)),
+        ]
+        window = Window("traced", f"--script={script}", events=events)
+        self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+        self.assertIn(".Gamma = 0.5", trace.read_text(encoding="utf-8"))
+        replayed = run_in_batch(script, str(trace))
+        seen = dict(re.findall(NUMBERS, window.messages, re.M))  # of each thing what was seen last
+        self.assertEqual(dict(re.findall(NUMBERS, replayed, re.M)), seen, replayed)
+        self.assertEqual(
+            sorted(seen), ["RobustTetrahedralize1", "SliceWindingNumber1", "SurfaceDefects1", SURFACE.name]
+        )
+
+    def test_8_the_toolbar_has_the_usual_path_and_no_more(self):
+        window = Window("toolbar", events=[*open_file(SURFACE), do(TOOLBAR + "2"), do(TOOLBAR + "3")])
+        self.assertIn(f"Couldn't find object  `{TOOLBAR}3`", window.messages)
+        self.assertNotIn(f"Couldn't find object  `{TOOLBAR}2`", window.messages)
 
 
 if __name__ == "__main__":

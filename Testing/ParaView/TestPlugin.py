@@ -5,6 +5,7 @@
 """
 import os
 import sys
+import tempfile
 import unittest
 import xml.dom.minidom
 
@@ -102,6 +103,30 @@ class TestPlugin(unittest.TestCase):
         whole = volume(solid)
         solid.ExtractInside = 1
         self.assertLess(volume(solid), whole)
+
+    def test_the_reader_is_offered_but_the_default_for_off_alone(self):
+        session = servermanager.ActiveConnection.Session
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        factory.UpdateAvailableReaders()
+        with tempfile.TemporaryDirectory() as folder:
+            for ending, start in {"off": "OFF", "obj": "v", "ply": "ply", "stl": "solid"}.items():
+                file = os.path.join(folder, "any." + ending)
+                with open(file, "w", encoding="utf-8") as stream:
+                    stream.write(start + "\n")
+                readers = factory.GetReaders(file, session)
+                names = [readers.GetString(i) for i in range(1, readers.GetLength(), 3)]
+                self.assertEqual(len(names), 1, names)  # of several ParaView would ask which
+                self.assertEqual(names == ["SurfaceReader"], ending == "off", names)
+        self.assertIn("Surface in Full Precision (Inside Out)", factory.GetSupportedFileTypes(session))
+
+    def test_statistics_are_among_the_information(self):
+        """ParaView shows no field data whose first array is empty."""
+        resolved = simple.ResolveSelfIntersections(Input=self.surface)
+        w = simple.GeneralizedWindingNumber(Input=self.surface)
+        for one in (simple.RobustTetrahedralize(Input=self.surface), simple.SurfaceDefects(Input=self.surface), resolved,
+                    simple.ConstrainedDelaunay3D(Input=resolved), w, simple.GraphCutSegmentation(Input=w)):
+            one.UpdatePipeline()
+            self.assertTrue([name for name in one.FieldData.keys() if name.startswith("Statistics_")], one)
 
     def test_a_trace_can_be_replayed(self):
         smtrace.start_trace()
