@@ -13,7 +13,6 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 if (INSIDEOUT_USE_PARAVIEW)
   find_package(ParaView 5.11 REQUIRED)
-  find_package(Qt5 REQUIRED COMPONENTS X11Extras)
   set(INSIDEOUT_VTK_PACKAGE ParaView)
   set(INSIDEOUT_VTK_VERSION ${ParaView_VERSION})
   paraview_plugin_scan(
