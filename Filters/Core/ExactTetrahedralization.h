@@ -43,7 +43,7 @@ struct ExactLimits
    * Work for each point and facet. When it is done, nothing is cut any more: what is missing then
    * is lost. Of real surfaces and random ones none has taken a tenth of this.
    */
-  std::int64_t WorkPerElement = 10000000;
+  std::int64_t WorkPerElement = 1000000;
 };
 
 /**
