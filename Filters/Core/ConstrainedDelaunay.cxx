@@ -206,13 +206,13 @@ private:
 };
 
 TetrahedralMesh TetrahedralizeWithin(
-  const TetgenBudget& budget, const Attempt& attempt, std::size_t mostCuts)
+  const TetgenBudget& budget, const Attempt& attempt, const ExactLimits& limits)
 {
   DeadlineMonitor deadline(budget, attempt.Caller);
   const FacetComplex& surface = attempt.Surface;
   ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
     { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline,
-    mostCuts);
+    limits);
   return AssembleMesh(surface,
     { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
       std::move(exact.FacetOfFaces) },
@@ -223,7 +223,9 @@ TetrahedralMesh FlipExactly(const Attempt& attempt)
 {
   /** Of real surfaces most leave none to be cut, some up to twenty, and the others hundreds. */
   constexpr std::size_t FewCuts = 200;
-  return TetrahedralizeWithin(attempt.Budget, attempt, FewCuts);
+  ExactLimits limits;
+  limits.MostCuts = FewCuts;
+  return TetrahedralizeWithin(attempt.Budget, attempt, limits);
 }
 
 TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
@@ -232,7 +234,7 @@ TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
   constexpr double Patience = 5;
   TetgenBudget budget = attempt.Budget;
   budget.ProcessorSeconds *= Patience;
-  return TetrahedralizeWithin(budget, attempt, std::numeric_limits<std::size_t>::max());
+  return TetrahedralizeWithin(budget, attempt, {});
 }
 
 TetrahedralMesh IgnoreFacets(const Attempt& attempt)

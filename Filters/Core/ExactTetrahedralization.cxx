@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExactTetrahedralization.h"
 
+#include "FindIntersections.h"
 #include "PointSupport.h"
 #include "RecoverFacets.h"
 #include "RecoverSegments.h"
 #include "RoundPoints.h"
+#include "SortedTriangle.h"
 #include "SteinerPoints.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <set>
@@ -17,8 +20,8 @@ namespace insideout
 {
 namespace
 {
-/** Work (ExactVertices::Work) on lost facets that is always tolerable: some 0.03 s. */
-constexpr std::int64_t WorkOnLostFacets = 3000000;
+/** Work (ExactVertices::Work) on lost facets that is always tolerable: a second or two. */
+constexpr std::int64_t WorkOnLostFacets = 100000000;
 
 /** Facets that are let go are at most so many cells around a lost one. */
 constexpr unsigned MostRingsOfRuins = 3;
@@ -26,22 +29,82 @@ constexpr unsigned MostRingsOfRuins = 3;
 /** Edges that are tried to flip a face away. */
 constexpr int MostTwinFlips = 200;
 
+/** Points without a place are shaken so often before the facets around them are let go. */
+constexpr int ShakesWithoutGain = 12;
+
+/** Facets are given up so often before all of them are. */
+constexpr int MostAttempts = 8;
+
 /** Facets are given up in so many rings of cells around points that find no place. */
 constexpr int MostRings = 5;
+
+std::vector<Id> FacetsWithArea(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets)
+{
+  std::vector<Id> proper;
+  const auto at = [&points](Id p)
+  { return ExactVertices::Kernel::Point_3(points[p][0], points[p][1], points[p][2]); };
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    if (!CGAL::collinear(at(facets[f][0]), at(facets[f][1]), at(facets[f][2])))
+    {
+      proper.push_back(static_cast<Id>(f));
+    }
+  }
+  return proper;
+}
+
+/** Facets that meet others beyond shared corners: not all of these can be had. */
+std::set<Id> FacetsThatCross(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
+{
+  std::set<Id> crossing;
+  std::vector<Id> names;
+  std::vector<Triangle> proper;
+  std::set<Triangle> known;
+  for (const Id facet : FacetsWithArea(points, facets))
+  {
+    if (known.insert(SortedTriangle(facets[facet]).Points).second)
+    {
+      names.push_back(facet);
+      proper.push_back(facets[facet]);
+    }
+    else
+    {
+      crossing.insert(facet);
+    }
+  }
+  for (const std::array<Id, 2>& pair : FindIntersections(points, proper, monitor))
+  {
+    crossing.insert({ names[pair[0]], names[pair[1]] });
+  }
+  return crossing;
+}
+
+/** The facets that are not among others. */
+std::vector<Id> Without(const std::set<Id>& others, const std::vector<Id>& facets)
+{
+  std::vector<Id> rest;
+  std::set_difference(
+    facets.begin(), facets.end(), others.begin(), others.end(), std::back_inserter(rest));
+  return rest;
+}
 
 /** The mesh of one attempt to recover facets. */
 class Attempt
 {
 public:
   Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-    std::size_t mostCuts, Monitor& monitor)
+    const ExactLimits& limits, Monitor& monitor)
     : Points(points)
     , Mesh(points, this->Same, monitor)
     , Facets(this->Renamed(facets))
     , Segments(this->Facets)
-    , MostCuts(mostCuts)
+    , MostCuts(limits.MostCuts)
     , Progress(monitor)
   {
+    this->Mesh.Vertices.LimitWork(
+      limits.WorkPerElement * static_cast<std::int64_t>(points.size() + facets.size()));
   }
 
   /**
@@ -73,6 +136,7 @@ public:
     result.Points = this->Points;
     std::vector<Id> renamed(static_cast<std::size_t>(this->Mesh.Vertices.Size()), None);
     std::iota(renamed.begin(), renamed.begin() + this->Mesh.Infinite(), 0);
+    result.Work = this->Mesh.Vertices.Work();
     for (Id cell = 0; cell < static_cast<Id>(this->Mesh.Cells.size()); ++cell)
     {
       if (this->Mesh.IsDead(cell) || this->Mesh.IsInfinite(cell))
@@ -112,21 +176,23 @@ private:
 
   /**
    * Ruin and recreate (Schrimpf et al. 2000): let facets around a lost one go and recover all of
-   * them in another order, as long as there is work to spare.
+   * them in another order, as long as there is work to spare. Facets that cross others stay lost.
    */
   void TryLostFacetsAgain(SegmentRecovery::From from)
   {
     const std::int64_t end = 2 * this->Mesh.Vertices.Work() + WorkOnLostFacets;
-    std::mt19937 random;
     std::vector<Id> lost = this->FindLost();
-    while (!lost.empty() && this->Mesh.Vertices.Work() < end)
+    const std::set<Id> hopeless =
+      lost.empty() ? std::set<Id>() : FacetsThatCross(this->Points, this->Facets, this->Progress);
+    std::vector<Id> wanted = Without(hopeless, lost);
+    while (!wanted.empty() && this->Mesh.Vertices.Work() < end && !this->Mesh.Vertices.IsWorkDone())
     {
       from = from == SegmentRecovery::From::LowerEnd ? SegmentRecovery::From::HigherEnd
                                                      : SegmentRecovery::From::LowerEnd;
       const FlippableMesh mesh = this->Mesh;
       const SegmentTable segments = this->Segments;
       const std::int64_t work = this->Mesh.Vertices.Work();
-      bool isBetter = this->Recreate(this->ChooseRuins(lost, random), from);
+      bool isBetter = this->Recreate(this->ChooseRuins(wanted), from);
       std::vector<Id> now;
       if (isBetter)
       {
@@ -136,6 +202,7 @@ private:
       if (isBetter)
       {
         lost = std::move(now);
+        wanted = Without(hopeless, lost);
       }
       else
       {
@@ -150,17 +217,17 @@ private:
   }
 
   /** The lost facets and those around one of their corners, in any order. */
-  std::vector<Id> ChooseRuins(const std::vector<Id>& lost, std::mt19937& random) const
+  std::vector<Id> ChooseRuins(const std::vector<Id>& lost)
   {
-    const Triangle& facet = this->Facets[lost[random() % lost.size()]];
-    std::set<Id> ruins =
-      this->FacetsAround({ facet[random() % 3] }, static_cast<int>(random() % MostRingsOfRuins));
+    const Triangle& facet = this->Facets[lost[this->Random() % lost.size()]];
+    std::set<Id> ruins = this->FacetsAround(
+      { facet[this->Random() % 3] }, static_cast<int>(this->Random() % MostRingsOfRuins));
     ruins.insert(lost.begin(), lost.end());
     this->AddFacetsBesideSteinerPoints(ruins);
     std::vector<Id> order(ruins.begin(), ruins.end());
     for (std::size_t k = order.size() - 1; k > 0; --k)
     {
-      std::swap(order[k], order[random() % (k + 1)]);
+      std::swap(order[k], order[this->Random() % (k + 1)]);
     }
     return order;
   }
@@ -202,6 +269,7 @@ private:
   {
     this->LetGo({ ruins.begin(), ruins.end() });
     this->TidyUp();
+    this->ShakeCorners(ruins);
     for (const Id facet : ruins)
     {
       for (int k = 0; k < 3; ++k)
@@ -210,6 +278,21 @@ private:
       }
     }
     return this->RecoverAndRound(ruins, from);
+  }
+
+  /** Other cells around facets to begin with: else flips would go the same way again. */
+  void ShakeCorners(const std::vector<Id>& facets)
+  {
+    std::set<Id> corners;
+    for (const Id facet : facets)
+    {
+      corners.insert(this->Facets[facet].begin(), this->Facets[facet].end());
+    }
+    SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
+    for (const Id corner : corners)
+    {
+      steiner.FlipAround(corner, this->Random);
+    }
   }
 
   void Recover(std::vector<Id> missing, SegmentRecovery::From from)
@@ -252,6 +335,16 @@ private:
       before = left.size();
       this->TidyUp();
       left = rounder.Round();
+    }
+    SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
+    int patience = ShakesWithoutGain;
+    while (!left.empty() && patience > 0 && !this->Mesh.Vertices.IsWorkDone())
+    {
+      before = left.size();
+      rounder.Stir(left, this->Random);
+      steiner.Shake(left, this->Random);
+      left = rounder.RoundSomehow(this->Random);
+      patience = left.size() < before ? ShakesWithoutGain : patience - 1;
     }
     return left;
   }
@@ -440,39 +533,24 @@ private:
   const std::size_t MostCuts;
   Monitor& Progress;
   std::set<Id> GivenUp;
+  std::mt19937 Random;
 };
-
-std::vector<Id> FacetsWithArea(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets)
-{
-  std::vector<Id> proper;
-  const auto at = [&points](Id p)
-  { return ExactVertices::Kernel::Point_3(points[p][0], points[p][1], points[p][2]); };
-  for (std::size_t f = 0; f < facets.size(); ++f)
-  {
-    if (!CGAL::collinear(at(facets[f][0]), at(facets[f][1]), at(facets[f][2])))
-    {
-      proper.push_back(static_cast<Id>(f));
-    }
-  }
-  return proper;
-}
 
 /** One attempt, and more without the facets that it has to give up, of which there are fewer each
  * time. */
 ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, SegmentRecovery::From from, std::size_t mostCuts,
+  const std::vector<Triangle>& facets, SegmentRecovery::From from, const ExactLimits& limits,
   Monitor& monitor)
 {
   std::vector<Id> names = FacetsWithArea(points, facets);
-  for (;;)
+  for (int attempts = 1;; ++attempts)
   {
     std::vector<Triangle> chosen;
     for (const Id name : names)
     {
       chosen.push_back(facets[name]);
     }
-    Attempt attempt(points, chosen, mostCuts, monitor);
+    Attempt attempt(points, chosen, limits, monitor);
     if (attempt.Run(from))
     {
       return attempt.Result(names);
@@ -485,7 +563,9 @@ ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& p
         kept.push_back(names[f]);
       }
     }
-    names = std::move(kept);
+    // Without facets there are no Steiner points, so this ends.
+    const bool isHopeless = attempts == MostAttempts || kept.size() == names.size();
+    names = isHopeless ? std::vector<Id>() : std::move(kept);
   }
 }
 
@@ -509,19 +589,20 @@ std::vector<Id> LostFacets(std::size_t numberOfFacets, const std::vector<Id>& fa
 } // namespace
 
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, Monitor& monitor, std::size_t mostCuts)
+  const std::vector<Triangle>& facets, Monitor& monitor, const ExactLimits& limits)
 {
   ExactTetrahedralization best;
   for (const auto from : { SegmentRecovery::From::LowerEnd, SegmentRecovery::From::HigherEnd })
   {
     ExactTetrahedralization result =
-      AttemptUntilPointsHavePlaces(points, facets, from, mostCuts, monitor);
+      AttemptUntilPointsHavePlaces(points, facets, from, limits, monitor);
     result.LostFacets = LostFacets(facets.size(), result.FacetOfFaces);
     if (best.Cells.empty() || result.LostFacets.size() < best.LostFacets.size())
     {
       best = std::move(result);
     }
-    if (best.LostFacets.empty())
+    if (best.LostFacets.empty() ||
+      Without(FacetsThatCross(points, facets, monitor), best.LostFacets).empty())
     {
       break;
     }

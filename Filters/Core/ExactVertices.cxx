@@ -151,6 +151,33 @@ DyadicNumber ExactVertices::Determinant(Id a, Id b, Id c, Id d) const
     minor(0, 1, 3) * minor(2, 0, 2) - minor(0, 2, 3) * minor(2, 0, 1);
 }
 
+ExactVertices::Plane ExactVertices::PlaneThrough(Id a, Id b, Id c, const Point& origin) const
+{
+  std::array<std::array<DyadicNumber, 4>, 3> m = { { this->CoordinatesOf(a), this->CoordinatesOf(b),
+    this->CoordinatesOf(c) } };
+  for (std::array<DyadicNumber, 4>& row : m)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      row[k] = row[k] - row[3] * DyadicNumber(origin[k]);
+    }
+  }
+  const auto minor = [&m](int i, int j, int column, int other) -> DyadicNumber
+  { return m[i][column] * m[j][other] - m[i][other] * m[j][column]; };
+  Plane plane;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int y = (k + 1) % 3;
+    const int z = (k + 2) % 3;
+    plane.Normal[k] = CGAL::to_double(DyadicNumber(
+      m[0][3] * minor(1, 2, y, z) + m[1][3] * minor(2, 0, y, z) + m[2][3] * minor(0, 1, y, z)));
+  }
+  plane.Offset = CGAL::to_double(DyadicNumber(
+    m[0][0] * minor(1, 2, 1, 2) + m[0][1] * minor(1, 2, 2, 0) + m[0][2] * minor(1, 2, 0, 1)));
+  this->WorkDone += WorkOfExactPredicate;
+  return plane;
+}
+
 Point ExactVertices::Nearest(Id vertex) const
 {
   const Kernel::Point_3& p = this->Places[vertex];

@@ -8,6 +8,7 @@
 #include <CGAL/Mpzf.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace insideout
@@ -57,8 +58,26 @@ public:
   std::int64_t Work() const { return this->WorkDone; }
   void AddWork(std::int64_t work) const { this->WorkDone += work; }
 
+  /** Say how much may be done; IsWorkDone is when it is. */
+  void LimitWork(std::int64_t most) { this->MostWork = most; }
+  bool IsWorkDone() const { return this->WorkDone > this->MostWork; }
+
   /** A positive multiple of the volume: the product of the four weights w times it. */
   DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
+
+  /** The points x with Normal . (x - origin) = Offset; Normal has no certain length. */
+  struct Plane
+  {
+    std::array<double, 3> Normal;
+    double Offset;
+  };
+
+  /**
+   * The plane through three vertices, with all digits of a double, however near to each other they
+   * are; of huge and tiny coordinates not all numbers may be finite. a, b, c run counter-clockwise
+   * seen from where Normal points to.
+   */
+  Plane PlaneThrough(Id a, Id b, Id c, const Point& origin) const;
 
   bool IsDouble(Id vertex) const { return this->ExactOf[vertex] == None; }
 
@@ -90,6 +109,7 @@ private:
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
   std::vector<Homogeneous> ExactPoints;
   mutable std::int64_t WorkDone = 0;
+  std::int64_t MostWork = std::numeric_limits<std::int64_t>::max();
 };
 
 inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const

@@ -151,17 +151,19 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
   HalfSpaces walls;
   for (const Triangle& wall : sector.Walls)
   {
-    // Relative to the origin, which keeps the digits that count.
-    const Eigen::Vector3d a = at(wall[0]) - origin;
-    const Eigen::Vector3d b = at(wall[1]) - origin;
-    const Eigen::Vector3d c = at(wall[2]) - origin;
-    const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
-    if (normal.allFinite())
+    const ExactVertices::Plane plane =
+      this->Mesh.Vertices.PlaneThrough(wall[0], wall[1], wall[2], inside);
+    const Eigen::Vector3d normal(plane.Normal[0], plane.Normal[1], plane.Normal[2]);
+    const double length = normal.stableNorm();
+    if (length > 0 && std::isfinite(length) && std::isfinite(plane.Offset))
     {
-      walls.Normals.push_back(normal);
-      walls.Distances.push_back(-normal.dot(a));
+      walls.Normals.push_back(normal / length);
+      walls.Distances.push_back(-plane.Offset / length);
     }
-    walls.Size = std::max({ walls.Size, a.norm(), b.norm(), c.norm() });
+    for (const Id corner : wall)
+    {
+      walls.Size = std::max(walls.Size, (at(corner) - origin).norm());
+    }
   }
   if (walls.Normals.empty())
   {

@@ -303,7 +303,7 @@ std::vector<Id> FacetRecovery::RecoverBySplits(
     const Id first = this->Mesh.Vertices.Size();
     const Id facet = missing[k];
     Search search = this->FindFaces(facet, faces, crossing);
-    while (search == Search::Crossed)
+    while (search == Search::Crossed && !this->Mesh.Vertices.IsWorkDone())
     {
       // None of the edges that cross the facet goes because of the others' points, and none comes.
       const std::vector<MeshEdge> crossings = this->AllCrossings(facet, crossing);

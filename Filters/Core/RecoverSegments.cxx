@@ -28,6 +28,9 @@ constexpr int MostDigits = 500;
  */
 constexpr std::int64_t WorkPerElement = 1000;
 
+/** The same for each segment that is missing: a few need no more than this. */
+constexpr std::int64_t WorkPerMissing = 30000;
+
 /** Deep flips take long, and recover few of many segments. */
 constexpr std::size_t MostForDeepFlips = 200;
 
@@ -181,7 +184,8 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
 std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing, std::size_t mostLeft)
 {
   const std::int64_t end = this->Mesh.Vertices.Work() +
-    WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size());
+    std::min(WorkPerMissing * static_cast<std::int64_t>(missing.size()),
+      WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size()));
   const std::array<Effort, 4> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 },
     { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
   for (const Effort& effort : efforts)
@@ -282,7 +286,7 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
   const Effort little = { { -1, 10 }, 0, 0 };
   for (int splits = 0; !this->Recover(a, b, little); ++splits)
   {
-    if (splits == MostSplitsPerSegment)
+    if (splits == MostSplitsPerSegment || this->Mesh.Vertices.IsWorkDone())
     {
       return false;
     }

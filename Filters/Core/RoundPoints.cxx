@@ -21,6 +21,12 @@ constexpr std::array<double, 3> StepsAside = { { 1, 8, 64 } };
 
 /** Points that are not on the surface may go farther. */
 constexpr std::array<double, 7> StepsInVolume = { { 1, 8, 64, 4096, 1e6, 1e9, 1e12 } };
+
+/** Where many points are tried again and again, so many of their hundreds of places are. */
+constexpr int PlacesAtRandom = 60;
+
+/** Other places that are tried for a point which is in the way. */
+constexpr int MostStirs = 8;
 } // namespace
 
 // --- Places --------------------------------------------------------------------------------------
@@ -132,7 +138,8 @@ std::vector<Point> PointRounder::PlacesBeside(
 
 // --- All together --------------------------------------------------------------------------------
 
-bool PointRounder::RoundOne(Id point)
+/** Places for a point, the ones first that leave it nearest to what it lies on. */
+std::vector<Point> PointRounder::PlacesFor(Id point) const
 {
   const PointSupport support = FindPointSupport(this->Mesh, this->Segments, point);
   const Id segment = support.Segment;
@@ -157,23 +164,129 @@ bool PointRounder::RoundOne(Id point)
   }
   places.insert(places.end(), beside.begin() + 1, beside.end());
   places.insert(places.end(), between.begin(), between.end());
+  return places;
+}
 
-  return std::any_of(places.begin(), places.end(),
-    [&](const Point& place) { return this->Mover.Move(point, place); });
+/** Ascending, without the points themselves. */
+std::vector<Id> PointRounder::SteinerNeighbors(const std::vector<Id>& points) const
+{
+  std::vector<Id> star;
+  for (const Id point : points)
+  {
+    this->Mesh.Star(point, star);
+  }
+  std::vector<Id> neighbors;
+  for (const Id cell : star)
+  {
+    for (const Id corner : this->Mesh.Cells[cell].Corners)
+    {
+      if (corner > this->Mesh.Infinite())
+      {
+        neighbors.push_back(corner);
+      }
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  neighbors.erase(
+    std::remove_if(neighbors.begin(), neighbors.end(),
+      [&points](Id p) { return std::find(points.begin(), points.end(), p) != points.end(); }),
+    neighbors.end());
+  return neighbors;
+}
+
+/** An average of the corners around a point. */
+Point PointRounder::RandomPlaceInVolume(Id point, std::mt19937& random) const
+{
+  std::vector<Id> star;
+  this->Mesh.Star(point, star);
+  Point sum = { { 0, 0, 0 } };
+  double weights = 0;
+  for (const Id cell : star)
+  {
+    for (const Id corner : this->Mesh.Cells[cell].Corners)
+    {
+      const double weight = corner == this->Mesh.Infinite() ? 0 : static_cast<double>(random());
+      const Point at = this->Mesh.Vertices.Nearest(corner);
+      for (int k = 0; k < 3; ++k)
+      {
+        sum[k] += weight * at[k];
+      }
+      weights += weight;
+    }
+  }
+  return { { sum[0] / weights, sum[1] / weights, sum[2] / weights } };
+}
+
+void PointRounder::Stir(const std::vector<Id>& points, std::mt19937& random)
+{
+  for (const Id neighbor : this->SteinerNeighbors(points))
+  {
+    this->Progress.Check("rounding points", 0);
+    const PointSupport support = FindPointSupport(this->Mesh, this->Segments, neighbor);
+    std::vector<Point> places;
+    if (support.Segment != None)
+    {
+      places = this->PlacesBetweenNeighbors(neighbor, support.Segment);
+    }
+    else if (!support.Facets.empty())
+    {
+      continue;
+    }
+    bool isMoved = false;
+    for (int k = 0; k < MostStirs && !isMoved; ++k)
+    {
+      isMoved = this->Mover.Move(neighbor,
+        places.empty() ? this->RandomPlaceInVolume(neighbor, random)
+                       : places[random() % places.size()]);
+    }
+  }
+}
+
+std::vector<Id> PointRounder::Unrounded() const
+{
+  std::vector<Id> points;
+  for (Id point = this->Mesh.Infinite() + 1; point < this->Mesh.Vertices.Size(); ++point)
+  {
+    if (!this->Mesh.Vertices.IsDouble(point) && this->Mesh.HasVertex(point))
+    {
+      points.push_back(point);
+    }
+  }
+  return points;
 }
 
 std::vector<Id> PointRounder::Round()
 {
   std::vector<Id> left;
-  for (Id point = this->Mesh.Infinite() + 1; point < this->Mesh.Vertices.Size(); ++point)
+  for (const Id point : this->Unrounded())
   {
-    if (!this->Mesh.Vertices.IsDouble(point) && this->Mesh.HasVertex(point))
+    this->Progress.Check("rounding points", 0);
+    const std::vector<Point> places = this->PlacesFor(point);
+    if (std::none_of(places.begin(), places.end(),
+          [&](const Point& place) { return this->Mover.Move(point, place); }))
     {
-      this->Progress.Check("rounding points", 0);
-      if (!this->RoundOne(point))
-      {
-        left.push_back(point);
-      }
+      left.push_back(point);
+    }
+  }
+  return left;
+}
+
+std::vector<Id> PointRounder::RoundSomehow(std::mt19937& random)
+{
+  std::vector<Id> left;
+  for (const Id point : this->Unrounded())
+  {
+    this->Progress.Check("rounding points", 0);
+    const std::vector<Point> places = this->PlacesFor(point);
+    bool isRounded = false;
+    for (int k = 0; k < PlacesAtRandom && !isRounded; ++k)
+    {
+      isRounded = this->Mover.Move(point, places[random() % places.size()]);
+    }
+    if (!isRounded)
+    {
+      left.push_back(point);
     }
   }
   return left;

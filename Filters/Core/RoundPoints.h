@@ -4,6 +4,8 @@
 #include "Monitor.h"
 #include "MovePoint.h"
 
+#include <random>
+
 namespace insideout
 {
 /**
@@ -26,9 +28,18 @@ public:
   /** Round all points that can be. @return the ones that are left */
   std::vector<Id> Round();
 
-private:
-  bool RoundOne(Id point);
+  /** The same, of the places for each point only some at random. */
+  std::vector<Id> RoundSomehow(std::mt19937& random);
 
+  /** Move Steiner points around some points to other places at random: they may be in the way. */
+  void Stir(const std::vector<Id>& points, std::mt19937& random);
+
+private:
+  std::vector<Id> Unrounded() const;
+  std::vector<Point> PlacesFor(Id point) const;
+
+  std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
+  Point RandomPlaceInVolume(Id point, std::mt19937& random) const;
   std::vector<Point> PlacesOnSegment(Id point, Id segment, bool exactly) const;
   std::vector<Point> PlacesBetweenNeighbors(Id point, Id segment) const;
   std::vector<Point> PlacesBeside(Id point, const double* steps, std::size_t numberOfSteps) const;

@@ -16,6 +16,9 @@ constexpr std::size_t LeastYield = 50;
 constexpr int PassesBeforeMoving = 2;
 constexpr int MostPasses = 1000;
 
+/** Flips at random are tried for each cell around a point. */
+constexpr std::size_t ShakesPerCell = 2;
+
 template <typename Container>
 void SortUnique(Container& ids)
 {
@@ -96,7 +99,8 @@ void SteinerPoints::Remove(Id first, int mostPasses)
   {
     tried = 0;
     removed = 0;
-    for (Id point = this->Mesh.Vertices.Size() - 1; point >= first; --point)
+    for (Id point = this->Mesh.Vertices.Size() - 1;
+         point >= first && !this->Mesh.Vertices.IsWorkDone(); --point)
     {
       this->Progress.Check("removing points", 0);
       if (this->Mesh.HasVertex(point) &&
@@ -117,9 +121,49 @@ void SteinerPoints::Tidy(Id first)
   this->Remove(first, MostPasses);
 }
 
+void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
+{
+  const FlipTarget nothing(this->Mesh);
+  const FlipOperator::Limits limits = { 0, 10 };
+  std::vector<Id> star;
+  this->Mesh.Star(vertex, star);
+  const std::size_t tries = ShakesPerCell * star.size();
+  for (std::size_t k = 0; k < tries; ++k)
+  {
+    star.clear();
+    this->Mesh.Star(vertex, star);
+    const Id cell = star[random() % star.size()];
+    const int i = static_cast<int>(random() % 4);
+    const int j = static_cast<int>(i + 1 + random() % 3) % 4;
+    const Id u = this->Mesh.Cells[cell].Corners[i];
+    const Id v = this->Mesh.Cells[cell].Corners[j];
+    if (random() % 2 == 0 || !this->Flips.RemoveFace(cell, i, nothing, limits))
+    {
+      this->Flips.RemoveEdge(u, v, cell, nothing, limits);
+    }
+  }
+}
+
+void SteinerPoints::Shake(const std::vector<Id>& points, std::mt19937& random)
+{
+  for (const Id point : points)
+  {
+    this->Progress.Check("shaking points", 0);
+    if (this->Mesh.HasVertex(point))
+    {
+      this->FlipAround(point, random);
+      if (!this->RemoveOne(point))
+      {
+        this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
+      }
+    }
+  }
+}
+
 void SteinerPoints::MoveIntoVolume(Id first)
 {
-  for (Id point = this->Mesh.Vertices.Size() - 1; point >= first; --point)
+  for (Id point = this->Mesh.Vertices.Size() - 1;
+       point >= first && !this->Mesh.Vertices.IsWorkDone(); --point)
   {
     this->Progress.Check("moving points", 0);
     if (this->Mesh.HasVertex(point))

@@ -6,6 +6,8 @@
 #include "Monitor.h"
 #include "MovePoint.h"
 
+#include <random>
+
 namespace insideout
 {
 /** Takes Steiner points away again, or off the surface. */
@@ -27,6 +29,15 @@ public:
 
   /** Replace Steiner points on facets, of those from `first` on, by points beside them. */
   void MoveIntoVolume(Id first);
+
+  /**
+   * Flip at random around points that have no place, and then try again to do without them: the
+   * flat cells that bar the way are others each time.
+   */
+  void Shake(const std::vector<Id>& points, std::mt19937& random);
+
+  /** Flip at random in the cells around a vertex. */
+  void FlipAround(Id vertex, std::mt19937& random);
 
   /** Remove what can be; move what is left into the volume, from where more can be removed. */
   void Tidy(Id first);

@@ -60,12 +60,12 @@ TEST(ExactTetrahedralization, GivesUpWhereMoreIsToBeCutThanAllowed)
   Monitor monitor;
   const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(30));
   const std::vector<Triangle>& facets = surface.Facets;
-  EXPECT_TRUE(TetrahedralizeExactly(surface.Points, facets, monitor, 1000).LostFacets.empty());
+  EXPECT_TRUE(TetrahedralizeExactly(surface.Points, facets, monitor, { 1000 }).LostFacets.empty());
   for (const std::size_t mostCuts : { 0, 10, 100 })
   {
     try
     {
-      TetrahedralizeExactly(surface.Points, facets, monitor, mostCuts);
+      TetrahedralizeExactly(surface.Points, facets, monitor, { mostCuts });
       FAIL() << mostCuts;
     }
     catch (const Error& error)
@@ -233,4 +233,41 @@ TEST(ExactTetrahedralization, StopsWhenAsked)
     stopper.Left = checks;
     EXPECT_THROW(TetrahedralizeExactly(surface.Points, surface.Facets, stopper), Error);
   }
+}
+
+TEST(ExactTetrahedralization, FindsPlacesWhereFacetsNearlyTouch)
+{
+  // Segments here pass beside edges of other facets at a distance below any double.
+  CompleteMesh(Resolved(testmeshes::GridSoup(1013, 80, 7)));
+}
+
+TEST(ExactTetrahedralization, EndsWhenTheWorkIsDone)
+{
+  // Every ridge is in the way of every other: many cuts, which need more.
+  const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(12));
+  const std::vector<Triangle> facets(
+    surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
+  const auto elements = static_cast<std::int64_t>(surface.Points.size() + facets.size());
+  Monitor monitor;
+  const ExactTetrahedralization patient = TetrahedralizeExactly(surface.Points, facets, monitor);
+  EXPECT_TRUE(patient.LostFacets.empty());
+  for (const std::int64_t workPerElement : { 0, 1000, 10000 })
+  {
+    ExactLimits limits;
+    limits.WorkPerElement = workPerElement;
+    const ExactTetrahedralization hasty =
+      TetrahedralizeExactly(surface.Points, facets, monitor, limits);
+    EXPECT_LT(hasty.Work, patient.Work);
+    EXPECT_LT(hasty.Work, 10 * elements * (workPerElement + 1000));
+    EXPECT_FALSE(hasty.LostFacets.empty());
+    const TetrahedralMesh mesh = AssembleMesh(
+      surface, { hasty.Points, hasty.Cells, hasty.Faces, hasty.FacetOfFaces }, monitor);
+    testmeshes::ExpectMeshLaws(surface, mesh);
+    EXPECT_EQ(mesh.LostFacets, hasty.LostFacets);
+  }
+}
+
+TEST(ExactTetrahedralization, EndsOnASurfaceThatCrossesItselfAllOver)
+{
+  LawfulMesh(testmeshes::ToComplex(testmeshes::RandomSoup(7, 60)), false);
 }
