@@ -594,6 +594,11 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
   ExactTetrahedralization best;
   for (const auto from : { SegmentRecovery::From::LowerEnd, SegmentRecovery::From::HigherEnd })
   {
+    if (!best.Cells.empty() &&
+      Without(FacetsThatCross(points, facets, monitor), best.LostFacets).empty())
+    {
+      break;
+    }
     ExactTetrahedralization result =
       AttemptUntilPointsHavePlaces(points, facets, from, limits, monitor);
     result.LostFacets = LostFacets(facets.size(), result.FacetOfFaces);
@@ -601,8 +606,7 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
     {
       best = std::move(result);
     }
-    if (best.LostFacets.empty() ||
-      Without(FacetsThatCross(points, facets, monitor), best.LostFacets).empty())
+    if (best.LostFacets.empty())
     {
       break;
     }

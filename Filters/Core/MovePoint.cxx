@@ -2,6 +2,7 @@
 #include "MovePoint.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
@@ -172,6 +173,10 @@ bool PointMover::KeepsSurface(Id point, Id apex)
 
 bool PointMover::Move(Id point, const Point& place)
 {
+  if (!std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); }))
+  {
+    return false; // steps and averages of huge coordinates overflow
+  }
   const Id marker = this->Mesh.AddVertex(place);
   const bool canMove = this->GrowCavity(point, marker) && this->KeepsSurface(point, point);
   this->Mesh.RemoveLastVertex();

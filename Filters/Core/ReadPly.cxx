@@ -517,8 +517,11 @@ private:
             : &property == strips ? &this->Strips
                                   : nullptr);
       }
-      AppendTriangles(this->File, this->Strips, surface);
-      this->Strips.clear();
+      if (strips)
+      {
+        AppendTriangles(this->File, this->Strips, surface);
+        this->Strips.clear();
+      }
       if (corners && !ClosePolygon(this->File, surface))
       {
         ++this->Dropped;
@@ -891,7 +894,8 @@ PolygonSurface ReadPly(const FileContent& file, Monitor& monitor)
   WarnOfUnused(file, header, surface);
   MovePoints(*header.Find("vertex"), surface.Points);
   AttributeMaker(*header.Find("vertex"), surface.PointAttributes).MakeAll();
-  if (PlyElement* const faces = header.Find("face"))
+  PlyElement* const faces = header.Find("face");
+  if (faces && faces->Count > 0) // polygons are else of strips
   {
     AttributeMaker(*faces, surface.PolygonAttributes).MakeAll();
   }

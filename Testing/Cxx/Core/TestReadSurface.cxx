@@ -503,6 +503,12 @@ TEST(ReadSurface, TakesPlyTriangleStripsApart)
   EXPECT_EQ(surface.Offsets, (std::vector<Id>{ 0, 3, 6, 9, 12, 15, 18 }));
   EXPECT_TRUE(surface.Warnings.empty());
 
+  const PolygonSurface none =
+    read("element face 0\nproperty list uchar int vertex_indices\nproperty uchar mark\n" + strips,
+      "3 0 1 2\n3 2 1 3\n");
+  EXPECT_EQ(none.Corners, (std::vector<Id>{ 0, 1, 2, 2, 1, 3 }));
+  EXPECT_TRUE(none.PolygonAttributes.empty()); // of 0 faces: no values for the triangles
+
   const PolygonSurface both =
     read("element face 1\nproperty list uchar int vertex_indices\n" + strips,
       "3 0 1 2\n3 0 1 2\n3 2 1 3\n");
