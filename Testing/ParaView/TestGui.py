@@ -158,7 +158,7 @@ class Window:
     def play(self, command: list[str], home: Path):
         with subprocess.Popen(
             command,
-            env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home)},
+            env={**os.environ, "STAGES": ",".join(STAGES), "HOME": str(home), "XDG_RUNTIME_DIR": str(home)},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

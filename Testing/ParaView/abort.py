@@ -1,26 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Run by ParaView's window: presses its abort button once in each stage of the first filter that works there.
 
-    paraview --script=abort.py
+    STAGES=validating,segmenting paraview --script=abort.py
 
 The button is looked for in what the screen shows and pressed with the mouse. Prints what a
 filter was doing then, the processor time until it ended, and the cells that came out; of further runs the cells.
 """
 
 import ctypes
+import os
 import subprocess
 import time
 
 from paraview import servermanager, simple
 
-STAGES = [
-    "validating",
-    "finding self-intersections",
-    "resolving self-intersections",
-    "tetrahedralizing",
-    "winding numbers",
-    "segmenting",
-]
+STAGES = os.environ["STAGES"].split(",")  # where the button is pressed, as filters call them
 LINES_OF_STATUS = 40  # pixels at the bottom of the screen
 
 X = ctypes.CDLL("libX11.so.6")
