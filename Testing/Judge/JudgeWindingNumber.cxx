@@ -4,6 +4,7 @@
 #include "SurfaceWindingNumber.h"
 #include "TestMeshes.h"
 #include "WalkedWindingNumber.h"
+#include "WindingNumberInDoubleDoubles.h"
 #include "WindingNumberInQuads.h"
 #include "WindingNumberOfCells.h"
 #include "WindingNumberSum.h"
@@ -21,10 +22,13 @@ using namespace testmeshes;
 
 namespace
 {
-// The fraction against quadruple precision; the sum in doubles itself errs by about 1e-14 times the
-// root of the number of facets.
-constexpr double MostErrorToQuads = 1e-12;
+// The fraction against sums with many digits; the sum in doubles itself errs by about 1e-14 times
+// the root of the number of facets.
+constexpr double MostErrorToManyDigits = 1e-12;
 constexpr double MostErrorToSum = 1e-10;
+
+/** One in so many of these sums is in quadruple precision, the others are in double-doubles. */
+constexpr std::size_t SitesPerQuad = 20;
 
 constexpr double SliverThickness = 1e-6;
 
@@ -32,7 +36,7 @@ constexpr double SliverThickness = 1e-6;
 struct Numbers
 {
   int Points = 100000; ///< random ones in the surface's box
-  int Sample = 1000;   ///< of those, and of each kind on the surface, in quadruple precision
+  int Sample = 1000;   ///< of those, and of each kind on the surface, with many digits
   int Cells = 1000;    ///< likewise, beside all slivers
   int Slivers = std::numeric_limits<int>::max(); ///< at most so many, the thinnest
 };
@@ -49,8 +53,8 @@ double LargestError(const std::vector<double>& values, const std::vector<double>
   return largest;
 }
 
-/** The same against quadruple precision at some of the sites. */
-double LargestErrorToQuads(const FacetComplex& surface, const Sites& sites,
+/** The same against sums with many digits at some of the sites. */
+double LargestErrorToManyDigits(const FacetComplex& surface, const Sites& sites,
   const std::vector<Id>& which, const std::vector<double>& values)
 {
   std::vector<double> some(which.size());
@@ -59,7 +63,8 @@ double LargestErrorToQuads(const FacetComplex& surface, const Sites& sites,
   for (std::size_t i = 0; i < which.size(); ++i)
   {
     some[i] = values[which[i]];
-    reference[i] = WindingNumberInQuads(surface, sites[which[i]]);
+    reference[i] = i % SitesPerQuad == 0 ? WindingNumberInQuads(surface, sites[which[i]])
+                                         : WindingNumberInDoubleDoubles(surface, sites[which[i]]);
   }
   return LargestError(some, reference);
 }
@@ -160,9 +165,9 @@ std::vector<Point> PointsAround(const FacetComplex& surface, int inBox, int ofEa
   return points;
 }
 
-bool Verdict(double toQuads, double toSum)
+bool Verdict(double toDigits, double toSum)
 {
-  return toQuads <= MostErrorToQuads && toSum <= MostErrorToSum;
+  return toDigits <= MostErrorToManyDigits && toSum <= MostErrorToSum;
 }
 
 /**
@@ -203,12 +208,12 @@ bool JudgeCells(const std::string& name, const TriangleSoup& soup, const Numbers
   const double toSum = LargestError(hull.W, WindingNumberSum(faces, sites, monitor));
   std::size_t slivers = 0;
   const std::vector<Id> which = SliversAndOthers(hull.Mesh, numbers, slivers);
-  const double toQuads = LargestErrorToQuads(faces, sites, which, hull.W);
-  std::printf("%-28s cells  %s %9d of which %6zu slivers: error to sum %.1e; to quads on %5zu "
+  const double toDigits = LargestErrorToManyDigits(faces, sites, which, hull.W);
+  std::printf("%-28s cells  %s %9d of which %6zu slivers: error to sum %.1e; to digits on %5zu "
               "%.1e  %s\n",
     name.c_str(), IsClosed(hull.Surface) ? "closed" : "open  ", hull.Mesh.NumberOfCells(), slivers,
-    toSum, which.size(), toQuads, Verdict(toQuads, toSum) ? "ok" : "VIOLATED");
-  return Verdict(toQuads, toSum);
+    toSum, which.size(), toDigits, Verdict(toDigits, toSum) ? "ok" : "VIOLATED");
+  return Verdict(toDigits, toSum);
 }
 
 bool JudgePoints(const std::string& name, const TriangleSoup& soup, const Numbers& numbers)
@@ -229,11 +234,11 @@ bool JudgePoints(const std::string& name, const TriangleSoup& soup, const Number
   const Sites sites = { points, cells };
   const std::vector<double> w = SurfaceWindingNumber(surface, {}, monitor).At(points, monitor);
   const double toSum = LargestError(w, WindingNumberSum(surface, sites, monitor));
-  const double toQuads = LargestErrorToQuads(surface, sites, which, w);
-  std::printf("%-28s points        %9zu: error to sum %.1e; to quads on %5zu %.1e  %s\n",
-    name.c_str(), points.size(), toSum, which.size(), toQuads,
-    Verdict(toQuads, toSum) ? "ok" : "VIOLATED");
-  return Verdict(toQuads, toSum);
+  const double toDigits = LargestErrorToManyDigits(surface, sites, which, w);
+  std::printf("%-28s points        %9zu: error to sum %.1e; to digits on %5zu %.1e  %s\n",
+    name.c_str(), points.size(), toSum, which.size(), toDigits,
+    Verdict(toDigits, toSum) ? "ok" : "VIOLATED");
+  return Verdict(toDigits, toSum);
 }
 
 template <typename MakeSoup>
@@ -283,10 +288,10 @@ bool JudgeSoups(int soups, const Numbers& numbers)
 /**
  * JudgeWindingNumber [--points P] [--sample N] [--cells N] [--slivers N] [--soups N] SURFACE...:
  * compares w in the cells of each surface's hull mesh, and at P points of its box (100,000) and
- * some on the surface itself, with brute force. Everywhere with the sum over all facets. In
- * quadruple precision, and more, in all slivers (or N, the thinnest) and N other cells (1000), at N
- * of the points and N on the surface of each kind (1000). Likewise N random soups. Exit status 1
- * where w is not right to 1e-12, or a surface cannot be meshed.
+ * some on the surface itself, with brute force. Everywhere with the sum over all facets in doubles;
+ * with 30 digits and more in all slivers (or N, the thinnest) and N other cells (1000), at N of the
+ * points and N on the surface of each kind (1000). Likewise N random soups. Exit status 1 where w
+ * is not right to 1e-12, or a surface cannot be meshed.
  */
 int main(int argc, char** argv)
 {
