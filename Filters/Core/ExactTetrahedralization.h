@@ -24,7 +24,10 @@ struct ExactTetrahedralization
   std::vector<Triangle> Faces;
   std::vector<Id> FacetOfFaces; ///< one per face
 
-  /** Facets that are no union of faces, ascending. */
+  /**
+   * Facets that no face carries, ascending. AssembleMesh, which asks whether the faces are the
+   * facet, loses the same, except where facets cross.
+   */
   std::vector<Id> LostFacets;
 
   Id NumberOfSurfaceSteinerPoints = 0; ///< on facets or their edges, up to rounding
@@ -63,7 +66,7 @@ struct ExactLimits
  *
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
- *            lie within a facet or one of its edges. What breaks this is lost
+ *            lie within one of their edges. What breaks this is lost
  * @throws Error Planar, Inconsistent, Stopped; TooManyCuts
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,

@@ -3,6 +3,8 @@
 
 #include "PiecesOfFacet.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +14,8 @@ namespace insideout
 {
 namespace
 {
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
 /**
  * A Steiner point farther than this times the mesh's size from the facet whose piece it is part of
  * is no rounding of a point on it, and the facet counts as lost.
@@ -174,7 +178,7 @@ public:
   {
   }
 
-  /** Whether the marked faces are faces, are the facet together, and have Steiner points on it. */
+  /** Whether the marked faces are faces, are the facet together, and have points on it. */
   bool Match(SplitFacet& split) const
   {
     return std::all_of(split.MarkedFaces.begin(), split.MarkedFaces.end(),
@@ -195,16 +199,31 @@ private:
       for (const Id p : split.Parts.EdgePoints[k])
       {
         located.insert(p);
-        split.NewPoints.push_back({ p, WeightsOnEdge(corners, k, this->Mesh.Points[p]) });
+        if (this->IsNew(p))
+        {
+          split.NewPoints.push_back({ p, WeightsOnEdge(corners, k, this->Mesh.Points[p]) });
+        }
+        else if (!this->IsCollinear(facet[k], facet[(k + 1) % 3], p))
+        {
+          return false;
+        }
       }
     }
     for (const Triangle& piece : split.Parts.Pieces)
     {
       for (const Id p : piece)
       {
-        if (located.insert(p).second)
+        if (!located.insert(p).second)
+        {
+          continue;
+        }
+        if (this->IsNew(p))
         {
           split.NewPoints.push_back({ p, WeightsInTriangle(corners, this->Mesh.Points[p]) });
+        }
+        else if (!this->IsCoplanar(facet, p))
+        {
+          return false;
         }
       }
     }
@@ -212,12 +231,30 @@ private:
       [&](const PointOnFacet& point) { return this->LiesOn(corners, point); });
   }
 
+  bool IsNew(Id point) const
+  {
+    return static_cast<std::size_t>(point) >= this->Surface.Points.size();
+  }
+
+  /** Input points are not rounded: they lie on a facet exactly or not at all. */
+  bool IsCollinear(Id a, Id b, Id p) const
+  {
+    return CGAL::collinear(this->At(a), this->At(b), this->At(p));
+  }
+
+  bool IsCoplanar(const Triangle& facet, Id p) const
+  {
+    return CGAL::coplanar(this->At(facet[0]), this->At(facet[1]), this->At(facet[2]), this->At(p));
+  }
+
+  Kernel::Point_3 At(Id p) const
+  {
+    const Point& point = this->Mesh.Points[p];
+    return { point[0], point[1], point[2] };
+  }
+
   bool LiesOn(const std::array<Point, 3>& corners, const PointOnFacet& point) const
   {
-    if (static_cast<std::size_t>(point.Point) < this->Surface.Points.size())
-    {
-      return false;
-    }
     for (int axis = 0; axis < 3; ++axis)
     {
       double x = 0;

@@ -7,6 +7,7 @@
 #include "ParallelLoop.h"
 #include "PointIndex.h"
 #include "SplitAlike.h"
+#include "SplitAtLoosePoints.h"
 #include "WorkingSurface.h"
 
 #include <algorithm>
@@ -131,7 +132,8 @@ Resolution Resolver::Resolve()
     this->CutRepeatedly();
   }
   resolution.Rounds = this->Round;
-  resolution.Surface = this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch);
+  resolution.Surface =
+    SplitAtLoosePoints(this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch));
   this->Watch.Check(Stage, 1);
   return resolution;
 }

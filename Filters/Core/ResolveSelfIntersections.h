@@ -18,7 +18,8 @@ struct Resolution
  * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
  * doubles, slivers that have no room left are collapsed, and what crosses after that is cut again.
  * Layers that cross because they coincide only up to rounding become one before. Input points keep
- * their coordinates and come first, in their order.
+ * their coordinates and come first, in their order. No point lies within a constraint or an edge of
+ * one, not even a point that no facet has any more.
  *
  * Pieces that coincide become one facet with all sources and the sum of the multiplicities; where
  * rounding folded a triangle onto itself, its piece and the reverse of that cancel. Facets that

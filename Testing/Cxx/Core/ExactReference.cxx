@@ -94,6 +94,21 @@ std::vector<std::array<Id, 2>> IntersectionsByClipping(
   return pairs;
 }
 
+bool LiesWithinByClipping(const std::vector<Point>& points, const Triangle& t, Id point)
+{
+  const Vector p = Exact(points[point]);
+  const std::array<Vector, 3> corners = { Exact(points[t[0]]), Exact(points[t[1]]),
+    Exact(points[t[2]]) };
+  const Vector normal = Cross(Minus(corners[1], corners[0]), Minus(corners[2], corners[0]));
+  bool within = Dot(Minus(p, corners[0]), normal) == 0;
+  for (int k = 0; within && k < 3; ++k)
+  {
+    const Vector along = Minus(corners[(k + 1) % 3], corners[k]);
+    within = p != corners[k] && Dot(Minus(p, corners[k]), Cross(normal, along)) >= 0;
+  }
+  return within;
+}
+
 namespace
 {
 using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -19,8 +19,11 @@ bool MeetBeyondSharedByClipping(
 std::vector<std::array<Id, 2>> IntersectionsByClipping(
   const std::vector<Point>& points, const std::vector<Triangle>& facets);
 
+/** Whether a point lies in a triangle or on an edge of it, but at none of its corners. */
+bool LiesWithinByClipping(const std::vector<Point>& points, const Triangle& t, Id point);
+
 /**
- * The same two questions for large surfaces, on all threads: boxes by CGAL's sweep, then signs of
+ * The first two questions for large surfaces, on all threads: boxes by CGAL's sweep, then signs of
  * exact orientation predicates, and of triangles that share no corner CGAL's do_intersect. The
  * triangles must not be degenerate.
  * @{

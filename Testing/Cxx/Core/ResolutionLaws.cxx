@@ -166,6 +166,7 @@ public:
     this->CheckFacets();
     this->CheckLastFacets();
     this->CheckCrossings();
+    this->CheckLoosePoints();
     this->CollectParts();
     this->CheckCoverage();
     this->CheckClosedness();
@@ -181,6 +182,7 @@ private:
   void CheckFacets();
   void CheckLastFacets();
   void CheckCrossings();
+  void CheckLoosePoints();
   void CollectParts();
   void CollectPartsOf(Id facet, const std::vector<Owner>& owners);
   void CheckCoverage();
@@ -318,6 +320,38 @@ void Judge::CheckCrossings()
   {
     this->Violate(Named("crossing pairs:", this->Found.Crossings) +
       Named(", the first of facets", pairs[0][0]) + Named(" and", pairs[0][1]));
+  }
+}
+
+/** Of a constraint's corner that lies within another one, crossings tell; the others are asked. */
+void Judge::CheckLoosePoints()
+{
+  const FacetComplex& s = this->After;
+  std::vector<char> isCorner(s.Points.size(), 0);
+  for (Id f = 0; f < s.NumberOfConstraints; ++f)
+  {
+    isCorner[s.Facets[f][0]] = isCorner[s.Facets[f][1]] = isCorner[s.Facets[f][2]] = 1;
+  }
+  const auto isInBox = [&](const Triangle& t, Id p)
+  {
+    bool inBox = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto range = std::minmax({ s.Points[t[0]][k], s.Points[t[1]][k], s.Points[t[2]][k] });
+      inBox = inBox && range.first <= s.Points[p][k] && s.Points[p][k] <= range.second;
+    }
+    return inBox;
+  };
+  for (Id p = 0; p < static_cast<Id>(s.Points.size()); ++p)
+  {
+    for (Id f = 0; !isCorner[p] && f < s.NumberOfConstraints; ++f)
+    {
+      if (isInBox(s.Facets[f], p) && LiesWithinByClipping(s.Points, s.Facets[f], p))
+      {
+        this->Violate(Named("within facet", f) + Named(" lies point", p));
+        return;
+      }
+    }
   }
 }
 

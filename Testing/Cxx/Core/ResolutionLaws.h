@@ -34,6 +34,7 @@ double SizeOf(const std::vector<Point>& points);
 /**
  * Judge a resolved surface. Its laws:
  * - No two constraints meet except in shared points and edges (IntersectionsBySweep).
+ * - No point lies within a constraint or an edge of one (LiesWithinByClipping).
  * - No facet is degenerate, or there twice.
  * - Input points come first, bit by bit, and so do their origins. New points are corners.
  * - Pieces of a facet are within 1e-12 of the size of it; their area is its area, to what that

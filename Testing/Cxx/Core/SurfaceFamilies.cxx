@@ -362,6 +362,7 @@ std::vector<SurfaceFamily> NearlyDegenerateFamilies(int members)
     { "caps",
       Random(
         members, [](unsigned seed) { return Caps(seed, 12, std::pow(10., -4. * (seed % 4))); }) },
+    { "corners-nearly-one", Random(members, [](unsigned seed) { return CornersNearlyOne(seed); }) },
     { "sheets-one-ulp-apart",
       { Join(Mapped(Sheet(3, 4), MovedBy({ 0, 0, 1 })),
           Mapped(Sheet(5, 2), MovedBy({ 0, 0, 1 + ulp }))),
@@ -417,6 +418,33 @@ std::vector<SurfaceFamily> NearlyDegenerateFamilies(int members)
   };
 }
 } // namespace
+
+TriangleSoup CornersNearlyOne(unsigned seed)
+{
+  constexpr int places = 4;
+  constexpr Id count = 12;
+  std::mt19937 random(seed);
+  std::vector<Point> around;
+  for (int i = 0; i < places; ++i)
+  {
+    const double y = Uniform(random, 0, 1);
+    around.push_back({ 0, y, Uniform(random, 0, 1) });
+  }
+  TriangleSoup soup;
+  for (Id i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      soup.Points.push_back(around[random() % places]);
+      soup.Points.back()[0] = 0x1p-56 * (random() % 64);
+    }
+    const double x = Uniform(random, -0.5, 0.5);
+    const double y = Uniform(random, 0, 1);
+    soup.Points.push_back({ x, y, Uniform(random, 0, 1) });
+    soup.Triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return soup;
+}
 
 std::vector<SurfaceFamily> SurfaceFamilies(int members)
 {

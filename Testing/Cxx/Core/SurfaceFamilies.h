@@ -32,6 +32,12 @@ inline void PrintTo(const SurfaceFamily& family, std::ostream* out)
  */
 std::vector<SurfaceFamily> SurfaceFamilies(int members);
 
+/**
+ * Triangles of which two corners each are at few places, but for some of 64 steps of 2^-56 away
+ * from the plane x = 0: resolving takes all facets away from some corners.
+ */
+TriangleSoup CornersNearlyOne(unsigned seed);
+
 /** `members` soups of up to 100 facets on integer grids of side 2 to 8, in turn. */
 SurfaceFamily GridSoups(int members);
 } // namespace testmeshes

@@ -207,6 +207,50 @@ TEST(AssembleMesh, LosesFacetsWhoseNewPointsLieElsewhere)
   EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, 0);
 }
 
+TEST(AssembleMesh, KeepsAFacetInPiecesAroundInputPointsThatLieOnItExactly)
+{
+  const std::vector<Triangle> around = { { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 2, 0, 3 } } };
+  for (const double height : { 0.0, 1e-14 })
+  {
+    const FacetComplex surface =
+      testmeshes::ToComplex({ { { { -2, -1, 0 } }, { { 2, -1, 0 } }, { { 0, 2, 0 } },
+                                { { 0, 0, height } }, { { 0, 0, 1 } }, { { 0, 0, -1 } } },
+        { { { 0, 1, 2 } } } });
+    TetgenAnswer answer;
+    answer.Points = surface.Points;
+    answer.Faces = around;
+    answer.FacetOfFaces = { 0, 0, 0 };
+    for (const Triangle& t : around)
+    {
+      answer.Cells.push_back({ { t[0], t[1], t[2], 4 } });
+      answer.Cells.push_back({ { t[0], t[1], t[2], 5 } });
+    }
+    const TetrahedralMesh mesh = Assembled(surface, answer);
+    testmeshes::ExpectMeshLaws(surface, mesh);
+    EXPECT_EQ(mesh.LostFacets, height == 0 ? std::vector<Id>() : std::vector<Id>{ 0 });
+    EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, 0);
+    EXPECT_EQ(mesh.Origins[3].Points, (Triangle{ { 3, 3, 3 } }));
+  }
+}
+
+TEST(AssembleMesh, KeepsFacetsInPiecesAroundInputPointsThatLieOnTheirEdgeExactly)
+{
+  for (const double y : { -1.0, -1 - 1e-14 })
+  {
+    const FacetComplex surface = testmeshes::ToComplex(
+      { { { { -2, -1, 0 } }, { { 2, -1, 0 } }, { { 0, 2, 0 } }, { { 0, y, 0 } }, { { 0, -1, 1 } } },
+        { { { 0, 1, 2 } }, { { 1, 0, 4 } } } });
+    TetgenAnswer answer;
+    answer.Points = surface.Points;
+    answer.Cells = { { { 0, 3, 2, 4 } }, { { 3, 1, 2, 4 } } };
+    answer.Faces = { { { 0, 3, 2 } }, { { 3, 1, 2 } }, { { 0, 3, 4 } }, { { 3, 1, 4 } } };
+    answer.FacetOfFaces = { 0, 0, 1, 1 };
+    const TetrahedralMesh mesh = Assembled(surface, answer);
+    testmeshes::ExpectMeshLaws(surface, mesh);
+    EXPECT_EQ(mesh.LostFacets, y == -1 ? std::vector<Id>() : (std::vector<Id>{ 0, 1 }));
+  }
+}
+
 TEST(AssembleMesh, LosesAFacetThatIsNoFace)
 {
   FacetComplex surface = BoxComplex();

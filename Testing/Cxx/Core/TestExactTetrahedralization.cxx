@@ -100,6 +100,22 @@ TEST(ExactTetrahedralization, KeepsASingleFacetAndPointsBesideIt)
   CompleteMesh(soup);
 }
 
+TEST(ExactTetrahedralization, KeepsAFacetThatAPointLiesWithin)
+{
+  TriangleSoup soup;
+  soup.Points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 }, { 1, 1, 1 }, { 1, 1, -1 } };
+  soup.Triangles = { { 0, 1, 2 } };
+  CompleteMesh(soup);
+}
+
+TEST(ExactTetrahedralization, KeepsEveryFacetWherePointsLostTheirOwn)
+{
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    CompleteMesh(Resolved(testmeshes::CornersNearlyOne(seed)));
+  }
+}
+
 TEST(ExactTetrahedralization, FillsSchoenhardtsPolyhedron)
 {
   for (const double turn : { 0.1, M_PI / 6, 1.0, -0.1, -M_PI / 6 })

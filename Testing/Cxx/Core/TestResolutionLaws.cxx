@@ -88,6 +88,31 @@ TEST_F(SpoiledResolution, WithAPointThatNoFacetHas)
   EXPECT_TRUE(this->Complains("no facet has new point"));
 }
 
+TEST_F(SpoiledResolution, WithAPointWithinAFacetOrAnEdge)
+{
+  const Triangle& t = this->After.Facets[0];
+  const Point& a = this->After.Points[t[0]];
+  const Point& b = this->After.Points[t[1]];
+  // All points have short coordinates: nothing is rounded here.
+  const Point middle = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 };
+  for (FacetComplex* complex : { &this->Before, &this->After })
+  {
+    complex->Points.insert(complex->Points.begin(), middle);
+    complex->Origins.insert(complex->Origins.begin(), PointOrigin::Input(0));
+    for (Triangle& corners : complex->Facets)
+    {
+      corners = { corners[0] + 1, corners[1] + 1, corners[2] + 1 };
+    }
+  }
+  EXPECT_TRUE(this->Complains("within facet 0 lies point 0"));
+  this->After.Points[0][0] = this->Before.Points[0][0] = 0.5;
+  this->After.Points[0][1] = this->Before.Points[0][1] = 0.125;
+  this->After.Points[0][2] = this->Before.Points[0][2] = 0;
+  EXPECT_TRUE(this->Complains("lies point 0"));
+  this->After.Points[0][2] = this->Before.Points[0][2] = 1e-300;
+  EXPECT_TRUE(this->Violations().empty());
+}
+
 TEST_F(SpoiledResolution, WithAFacetTurnedOver)
 {
   std::swap(this->After.Facets.back()[0], this->After.Facets.back()[1]);
