@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExactVertices.h"
 
+#include "DoubleDouble.h"
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insideout
 {
@@ -9,6 +15,84 @@ namespace
 {
 /** What a predicate that intervals do not decide takes, in units of one that doubles do. */
 constexpr std::int64_t WorkOfExactPredicate = 100;
+
+/** The same for one that double-doubles decide. */
+constexpr std::int64_t WorkOfDoubleDoubles = 20;
+
+/** Relative error of a sum or product of doubles. */
+constexpr double DoubleEpsilon = 0x1p-53;
+
+/** Relative error of a quotient. */
+constexpr double ErrorOfQuotient = 0x1p-50;
+
+/** x / y in doubles: 0 only for x = 0, and exact where a double is. */
+double Quotient(const DyadicNumber& x, const DyadicNumber& y)
+{
+  double low;
+  double high;
+  {
+    const CGAL::Protect_FPU_rounding<true> protection;
+    using Interval = CGAL::Interval_nt<false>;
+    const Interval quotient = Interval(CGAL::to_interval(x)) / Interval(CGAL::to_interval(y));
+    low = quotient.inf();
+    high = quotient.sup();
+  }
+  const double middle = 0.5 * low + 0.5 * high;
+  for (const double candidate : { middle, low, high })
+  {
+    if (std::isfinite(candidate) && DyadicNumber(candidate) * y == x)
+    {
+      return candidate;
+    }
+  }
+  // Sizes at the ends of what doubles can hold.
+  if (!std::isfinite(middle))
+  {
+    return std::isfinite(low) ? low : high;
+  }
+  return middle != 0 ? middle : low != 0 ? low : high;
+}
+
+/** Three vectors, and how far off each component is at most: the same for all three. */
+template <typename Number>
+struct Rows
+{
+  std::array<std::array<Number, 3>, 3> Entries;
+  std::array<double, 3> Errors;
+};
+
+/** Sizes between which products of three neither over- nor underflow. */
+constexpr double SmallestSize = 1e-90;
+constexpr double LargestSize = 1e90;
+
+constexpr int Undecided = 2;
+
+/** The sign of a determinant, if errors leave no doubt. */
+template <typename Number>
+int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
+{
+  const auto& m = rows.Entries;
+  std::array<double, 3> sizes;
+  for (int k = 0; k < 3; ++k)
+  {
+    sizes[k] = rows.Errors[k] +
+      std::max({ std::abs(static_cast<double>(m[0][k])), std::abs(static_cast<double>(m[1][k])),
+        std::abs(static_cast<double>(m[2][k])) });
+    if (!(sizes[k] > SmallestSize && sizes[k] < LargestSize))
+    {
+      return Undecided;
+    }
+  }
+  const double determinant = static_cast<double>(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+  // Six products, each off by an error in one of its factors and by some 16 roundings.
+  const double bound = 7 *
+      (rows.Errors[0] * sizes[1] * sizes[2] + sizes[0] * rows.Errors[1] * sizes[2] +
+        sizes[0] * sizes[1] * rows.Errors[2]) +
+    100 * epsilon * sizes[0] * sizes[1] * sizes[2];
+  return determinant > bound ? 1 : determinant < -bound ? -1 : Undecided;
+}
 } // namespace
 
 ExactVertices::ExactVertices(const std::vector<Point>& points)
@@ -27,7 +111,8 @@ Id ExactVertices::Add(const Point& point)
   return this->Size() - 1;
 }
 
-Id ExactVertices::AddBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b)
+Id ExactVertices::AddBetween(
+  Id first, Id second, const DyadicNumber& a, const DyadicNumber& b, const Span& span)
 {
   const std::array<DyadicNumber, 4> from = this->CoordinatesOf(first);
   const std::array<DyadicNumber, 4> to = this->CoordinatesOf(second);
@@ -45,32 +130,17 @@ Id ExactVertices::AddBetween(Id first, Id second, const DyadicNumber& a, const D
     }
   }
 
-  Point nearest;
-  {
-    const CGAL::Protect_FPU_rounding<true> protection;
-    const Interval w(CGAL::to_interval(point.Coordinates[3]));
-    for (int k = 0; k < 3; ++k)
-    {
-      point.Box[k] = Interval(CGAL::to_interval(point.Coordinates[k])) / w;
-    }
-  }
-  bool isDouble = true;
+  Point place;
   for (int k = 0; k < 3; ++k)
   {
-    nearest[k] = 0.5 * point.Box[k].inf() + 0.5 * point.Box[k].sup();
-    // The box of a double has it inside, but not always in the middle.
-    for (const double x : { nearest[k], point.Box[k].inf(), point.Box[k].sup() })
-    {
-      if (std::isfinite(x) && DyadicNumber(x) * point.Coordinates[3] == point.Coordinates[k])
-      {
-        nearest[k] = x;
-      }
-    }
-    isDouble = isDouble && std::isfinite(nearest[k]) &&
-      DyadicNumber(nearest[k]) * point.Coordinates[3] == point.Coordinates[k];
+    place[k] = Quotient(point.Coordinates[k], point.Coordinates[3]);
+    const DyadicNumber rest = point.Coordinates[k] - DyadicNumber(place[k]) * point.Coordinates[3];
+    point.Beyond[k] = Quotient(rest, point.Coordinates[3]);
   }
-  const Id vertex = this->Add(nearest);
-  if (!isDouble)
+  point.Within = span;
+  const Id vertex = this->Add(place);
+  if (std::any_of(
+        point.Beyond.begin(), point.Beyond.end(), [](double beyond) { return beyond != 0; }))
   {
     this->ExactOf[vertex] = static_cast<Id>(this->ExactPoints.size());
     this->ExactPoints.push_back(std::move(point));
@@ -98,44 +168,83 @@ std::array<DyadicNumber, 4> ExactVertices::CoordinatesOf(Id vertex) const
   return { { DyadicNumber(p.x()), DyadicNumber(p.y()), DyadicNumber(p.z()), DyadicNumber(1) } };
 }
 
-std::array<ExactVertices::Interval, 3> ExactVertices::BoxOf(Id vertex) const
+/** Whether all four are in the affine hull of three vertices. */
+bool ExactVertices::AreInOnePlane(const Tetrahedron& cell) const
 {
-  if (this->ExactOf[vertex] != None)
+  Span span;
+  std::size_t size = 0;
+  for (const Id vertex : cell)
   {
-    return this->ExactPoints[this->ExactOf[vertex]].Box;
-  }
-  const Kernel::Point_3& p = this->Places[vertex];
-  return { { Interval(p.x()), Interval(p.y()), Interval(p.z()) } };
-}
-
-int ExactVertices::OrientExactly(Id a, Id b, Id c, Id d) const
-{
-  {
-    const CGAL::Protect_FPU_rounding<true> protection;
-    const std::array<Interval, 3> origin = this->BoxOf(a);
-    std::array<std::array<Interval, 3>, 3> m = { { this->BoxOf(b), this->BoxOf(c),
-      this->BoxOf(d) } };
-    for (auto& row : m)
+    const Id exact = this->ExactOf[vertex];
+    const Span within =
+      exact == None ? Span{ { vertex, vertex, vertex } } : this->ExactPoints[exact].Within;
+    for (const Id id : within)
     {
-      for (int k = 0; k < 3; ++k)
+      if (std::find(span.begin(), span.begin() + size, id) == span.begin() + size)
       {
-        row[k] -= origin[k];
+        if (size == span.size())
+        {
+          return false;
+        }
+        span[size++] = id;
       }
     }
-    const Interval volume = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-      m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-      m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    if (volume.inf() > 0)
+  }
+  return true;
+}
+
+int ExactVertices::OrientExactly(const Tetrahedron& cell) const
+{
+  std::array<Point, 4> places;
+  std::array<Point, 4> beyond;
+  for (int k = 0; k < 4; ++k)
+  {
+    places[k] = this->Nearest(cell[k]);
+    const Id exact = this->ExactOf[cell[k]];
+    beyond[k] = exact == None ? Point{ { 0, 0, 0 } } : this->ExactPoints[exact].Beyond;
+  }
+  Rows<double> rows;
+  for (int k = 0; k < 3; ++k)
+  {
+    rows.Errors[k] = 0;
+    for (int row = 0; row < 3; ++row)
     {
-      return 1;
+      rows.Entries[row][k] = places[row + 1][k] - places[0][k];
+      rows.Errors[k] = std::max(rows.Errors[k],
+        DoubleEpsilon * std::abs(rows.Entries[row][k]) + std::abs(beyond[row + 1][k]));
     }
-    if (volume.sup() < 0)
+    rows.Errors[k] += std::abs(beyond[0][k]);
+  }
+  int sign = SignOfDeterminant(rows, DoubleEpsilon);
+  if (sign != Undecided)
+  {
+    return sign;
+  }
+  if (this->AreInOnePlane(cell))
+  {
+    return 0;
+  }
+  Rows<DoubleDouble> longRows;
+  for (int k = 0; k < 3; ++k)
+  {
+    longRows.Errors[k] = 0;
+    for (int row = 0; row < 3; ++row)
     {
-      return -1;
+      longRows.Entries[row][k] =
+        TwoSum(places[row + 1][k], -places[0][k]) + TwoSum(beyond[row + 1][k], -beyond[0][k]);
+      longRows.Errors[k] = std::max(longRows.Errors[k],
+        DoubleDoubleEpsilon * std::abs(longRows.Entries[row][k].High) +
+          ErrorOfQuotient * (std::abs(beyond[row + 1][k]) + std::abs(beyond[0][k])));
     }
   }
+  this->WorkDone += WorkOfDoubleDoubles;
+  sign = SignOfDeterminant(longRows, DoubleDoubleEpsilon);
+  if (sign != Undecided)
+  {
+    return sign;
+  }
   this->WorkDone += WorkOfExactPredicate;
-  return this->Determinant(a, b, c, d).sign();
+  return this->Determinant(cell[0], cell[1], cell[2], cell[3]).sign();
 }
 
 DyadicNumber ExactVertices::Determinant(Id a, Id b, Id c, Id d) const

@@ -4,7 +4,6 @@
 #include "Types.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 
 #include <cstdint>
@@ -19,14 +18,19 @@ using DyadicNumber = CGAL::Mpzf;
 /**
  * The vertices of a tetrahedralization under construction: doubles, and Steiner points that lie
  * exactly where two lines or a line and a plane meet. The latter have homogeneous coordinates (x,
- * y, z, w), w > 0, which sums and products suffice for, and a box of doubles around them that
- * decides nearly every predicate.
+ * y, z, w), w > 0, which sums and products suffice for, and nearly the same place in doubles and in
+ * double-doubles, which decide nearly every predicate.
  */
 class ExactVertices
 {
 public:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Interval = CGAL::Interval_nt<false>;
+
+  /**
+   * Up to three doubles in the affine hull of which a vertex lies, the last again in place of those
+   * that are not needed: of a Steiner point, the ends of its segment or the corners of its facet.
+   */
+  using Span = std::array<Id, 3>;
 
   explicit ExactVertices(const std::vector<Point>& points);
 
@@ -39,8 +43,10 @@ public:
    * Add the point a A + b B, with A and B the homogeneous coordinates of two vertices. It becomes a
    * double where it is one.
    * @param[in] a, b of one sign and not both 0, so that the point lies between the two
+   * @param[in] span where it lies, exactly
    */
-  Id AddBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b);
+  Id AddBetween(
+    Id first, Id second, const DyadicNumber& a, const DyadicNumber& b, const Span& span);
 
   /** Forget the last vertex. */
   void RemoveLast();
@@ -98,12 +104,13 @@ private:
   struct Homogeneous
   {
     std::array<DyadicNumber, 4> Coordinates;
-    std::array<Interval, 3> Box;
+    std::array<double, 3> Beyond; ///< to be added to the place in doubles
+    Span Within;
   };
 
   std::array<DyadicNumber, 4> CoordinatesOf(Id vertex) const;
-  std::array<Interval, 3> BoxOf(Id vertex) const;
-  int OrientExactly(Id a, Id b, Id c, Id d) const;
+  bool AreInOnePlane(const Tetrahedron& cell) const;
+  int OrientExactly(const Tetrahedron& cell) const;
 
   std::vector<Kernel::Point_3> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
@@ -119,6 +126,6 @@ inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
   {
     return CGAL::orientation(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);
   }
-  return this->OrientExactly(a, b, c, d);
+  return this->OrientExactly({ { a, b, c, d } });
 }
 } // namespace insideout

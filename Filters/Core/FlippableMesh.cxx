@@ -132,34 +132,52 @@ void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
 
 Id FlippableMesh::FindEdge(Id u, Id v) const
 {
-  const Id first = this->CellOf[u];
-  if (first == None)
+  if (this->CellOf[u] == None || this->CellOf[v] == None)
   {
     return None;
   }
-  this->StartMarking();
-  this->Mark(first);
-  this->StarScratch.assign(1, first);
-  for (std::size_t next = 0; next < this->StarScratch.size(); ++next)
+  if (this->Has(this->CellOf[u], v))
   {
-    const Id id = this->StarScratch[next];
-    const FlippableCell& cell = this->Cells[id];
-    if (this->Has(id, v))
+    return this->CellOf[u];
+  }
+  if (this->Has(this->CellOf[v], u))
+  {
+    return this->CellOf[v];
+  }
+  // Around both in turn: the smaller star decides, where the other may have thousands of cells.
+  this->StartMarking();
+  const std::array<Id, 2> ends = { { u, v } };
+  for (int side = 0; side < 2; ++side)
+  {
+    this->Mark(this->CellOf[ends[side]]);
+    this->StarScratch[side].assign(1, this->CellOf[ends[side]]);
+  }
+  Id found = None;
+  std::size_t next = 0;
+  for (; found == None && next < std::min(this->StarScratch[0].size(), this->StarScratch[1].size());
+       ++next)
+  {
+    for (int side = 0; side < 2 && found == None; ++side)
     {
-      this->Vertices.AddWork(static_cast<std::int64_t>(next) / CellsPerWork);
-      return id;
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      if (cell.Corners[k] != u && !this->IsMarked(cell.Neighbors[k]))
+      const FlippableCell& cell = this->Cells[this->StarScratch[side][next]];
+      for (int k = 0; k < 4; ++k)
       {
-        this->Mark(cell.Neighbors[k]);
-        this->StarScratch.push_back(cell.Neighbors[k]);
+        const Id neighbor = cell.Neighbors[k];
+        if (cell.Corners[k] == ends[side] || this->IsMarked(neighbor))
+        {
+          continue;
+        }
+        if (this->Has(neighbor, ends[1 - side]))
+        {
+          found = neighbor;
+        }
+        this->Mark(neighbor);
+        this->StarScratch[side].push_back(neighbor);
       }
     }
   }
-  this->Vertices.AddWork(static_cast<std::int64_t>(this->StarScratch.size()) / CellsPerWork);
-  return None;
+  this->Vertices.AddWork(static_cast<std::int64_t>(2 * next) / CellsPerWork);
+  return found;
 }
 
 bool FlippableMesh::FindFace(Id a, Id b, Id c, Id& cell, int& face) const
@@ -353,11 +371,11 @@ void FlippableMesh::RemoveLastVertex()
   this->Vertices.RemoveLast();
 }
 
-Id FlippableMesh::AddVertexBetween(
-  Id first, Id second, const DyadicNumber& a, const DyadicNumber& b)
+Id FlippableMesh::AddVertexBetween(Id first, Id second, const DyadicNumber& a,
+  const DyadicNumber& b, const ExactVertices::Span& span)
 {
   this->CellOf.push_back(None);
   this->ChangeAround.push_back(this->Changes);
-  return this->Vertices.AddBetween(first, second, a, b);
+  return this->Vertices.AddBetween(first, second, a, b, span);
 }
 } // namespace insideout

@@ -93,7 +93,8 @@ public:
 
   Id AddVertex(const Point& point);
   void RemoveLastVertex();
-  Id AddVertexBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b);
+  Id AddVertexBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b,
+    const ExactVertices::Span& span);
 
   /** A mark per cell for one search after the other: cells are unmarked until Mark is called. */
   void StartMarking() const { ++this->Epoch; }
@@ -126,7 +127,7 @@ private:
   std::int64_t Changes = 0;
   mutable std::vector<std::uint32_t> Marks;
   mutable std::uint32_t Epoch = 0;
-  mutable std::vector<Id> StarScratch;
+  mutable std::array<std::vector<Id>, 2> StarScratch;
   std::vector<PendingFace> Table;
 };
 

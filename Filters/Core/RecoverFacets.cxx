@@ -281,7 +281,7 @@ bool FacetRecovery::SplitOnFacet(Id facet, const MeshEdge& edge)
   {
     return false;
   }
-  const Id point = this->Mesh.AddVertexBetween(edge.U, edge.V, DyadicNumber(0) - atV, atU);
+  const Id point = this->Mesh.AddVertexBetween(edge.U, edge.V, DyadicNumber(0) - atV, atU, f);
   EdgeRing ring;
   this->Mesh.Ring(edge.U, edge.V, cell, ring);
   this->Mesh.SplitEdge(ring, point);

@@ -242,7 +242,7 @@ Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
   for (int digits = 0; digits < MostDigits; ++digits)
   {
     const DyadicNumber t = low + step;
-    const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t);
+    const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t, { { a, b, b } });
     bool beforeEntry = false;
     bool behindExit = false;
     for (int k = 0; k < 4; ++k)
@@ -308,7 +308,8 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
       const Id off = this->Mesh.VertexOffPlane(a, b, crossing.U);
       const DyadicNumber atA = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, start);
       const DyadicNumber atB = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, end);
-      point = this->Mesh.AddVertexBetween(start, end, DyadicNumber(0) - atB, atA);
+      point = this->Mesh.AddVertexBetween(
+        start, end, DyadicNumber(0) - atB, atA, { { start, end, end } });
       EdgeRing ring;
       this->Mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
       this->Mesh.SplitEdge(ring, point);

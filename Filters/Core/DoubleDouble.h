@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <quadmath.h>
-
 #include <cmath>
 
-namespace testmeshes
+namespace insideout
 {
 /**
  * The sum of two doubles, the second of which is at most half a unit in the last place of the
- * first: 106 binary digits. Needs a compiler that keeps to the order of operations and does not
- * contract them (-ffp-contract=off), and is quick where the machine has std::fma.
+ * first: 106 binary digits (Dekker 1971). The usual operators, in round-to-nearest.
  */
 struct DoubleDouble
 {
@@ -34,13 +31,14 @@ struct DoubleDouble
 /** Relative error of each of the operations (Joldes, Muller and Popescu 2017), rounded up. */
 constexpr double DoubleDoubleEpsilon = 0x1p-102;
 
-/** a + b without error, for |a| >= |b| or any (Knuth). */
+/** a + b without error, for |a| >= |b|. */
 inline DoubleDouble QuickTwoSum(double a, double b)
 {
   const double sum = a + b;
   return { sum, b - (sum - a) };
 }
 
+/** a + b without error (Knuth). */
 inline DoubleDouble TwoSum(double a, double b)
 {
   const double sum = a + b;
@@ -95,9 +93,4 @@ inline DoubleDouble sqrt(const DoubleDouble& x)
   const DoubleDouble rest = x - DoubleDouble(root) * DoubleDouble(root);
   return QuickTwoSum(root, rest.High / (2 * root));
 }
-
-inline __float128 ArgumentOf(const DoubleDouble& y, const DoubleDouble& x)
-{
-  return atan2q(__float128(y.High) + y.Low, __float128(x.High) + x.Low);
-}
-} // namespace testmeshes
+} // namespace insideout
