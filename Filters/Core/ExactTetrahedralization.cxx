@@ -29,6 +29,12 @@ constexpr unsigned MostRingsOfRuins = 3;
 /** Edges that are tried to flip a face away. */
 constexpr int MostTwinFlips = 200;
 
+/** Steiner points are shaken so often without getting fewer, */
+constexpr int ShakesOfAll = 4;
+
+/** and with this share of the work at most. */
+constexpr std::int64_t WorkPerShake = 10;
+
 /** Points without a place are shaken so often before the facets around them are let go. */
 constexpr int ShakesWithoutGain = 12;
 
@@ -302,7 +308,7 @@ private:
     SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
     missing = facets.MarkWholeFacets(missing);
     const std::vector<Id> toCut =
-      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)), this->MostCuts);
+      edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)));
     if (toCut.size() > this->MostCuts)
     {
       throw Error(ErrorCode::TooManyCuts,
@@ -312,6 +318,36 @@ private:
     missing = facets.MarkWholeFacets(missing);
     facets.RecoverBySplits(facets.RecoverByFlips(missing), steiner);
     this->TidyUp();
+    this->ShakeOff(steiner);
+  }
+
+  /** Do without some of the Steiner points that cells at hand could not do without. */
+  void ShakeOff(SteinerPoints& steiner)
+  {
+    const std::int64_t work = this->Mesh.Vertices.Work();
+    const std::int64_t end = work + work / WorkPerShake;
+    std::vector<Id> left = this->SteinerPointsLeft();
+    int patience = ShakesOfAll;
+    while (!left.empty() && patience > 0 && this->Mesh.Vertices.Work() < end)
+    {
+      steiner.Shake(left, this->Random);
+      const std::size_t before = left.size();
+      left = this->SteinerPointsLeft();
+      patience = left.size() < before ? ShakesOfAll : patience - 1;
+    }
+  }
+
+  std::vector<Id> SteinerPointsLeft() const
+  {
+    std::vector<Id> left;
+    for (Id vertex = this->Mesh.Infinite() + 1; vertex < this->Mesh.Vertices.Size(); ++vertex)
+    {
+      if (this->Mesh.HasVertex(vertex))
+      {
+        left.push_back(vertex);
+      }
+    }
+    return left;
   }
 
   /** Take Steiner points away, or off the surface. */

@@ -28,38 +28,11 @@ constexpr int MostDigits = 500;
  */
 constexpr std::int64_t WorkPerElement = 1000;
 
-/** The same for each segment that is missing: a few need no more than this. */
-constexpr std::int64_t WorkPerMissing = 30000;
-
-/** Deep flips take long, and recover few of many segments. */
-constexpr std::size_t MostForDeepFlips = 200;
-
-/** After so many segments of a round it shows how many it will leave. */
-constexpr std::size_t SegmentsToJudgeBy = 100;
+/** Flips make fewer simplices cross the target each time, and take edges with so many cells. */
+constexpr FlipOperator::Limits FewerCrossings = { -1, 10 };
 
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 16;
-
-/** The same segments, but a fair sample of SegmentsToJudgeBy of them first. */
-std::vector<Id> SampleFirst(const std::vector<Id>& segments)
-{
-  const std::size_t stride = std::max<std::size_t>(1, segments.size() / SegmentsToJudgeBy);
-  std::vector<Id> mixed;
-  std::vector<Id> others;
-  for (std::size_t k = 0; k < segments.size(); ++k)
-  {
-    (k % stride == 0 ? mixed : others).push_back(segments[k]);
-  }
-  mixed.insert(mixed.end(), others.begin(), others.end());
-  return mixed;
-}
-
-/** Whether a round that left `left` of `tried` leaves half as many again as it may of them all. */
-bool LeavesTooMany(std::size_t left, std::size_t tried, std::size_t all, std::size_t most)
-{
-  return tried >= SegmentsToJudgeBy &&
-    static_cast<double>(left) / tried * all > 1.5 * static_cast<double>(most);
-}
 } // namespace
 
 std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
@@ -78,18 +51,21 @@ std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) co
 
 // --- Flips ---------------------------------------------------------------------------------------
 
-bool SegmentRecovery::Clear(
-  const Crossing& crossing, const FlipTarget& target, const Effort& effort)
+bool SegmentRecovery::RemoveEdge(Id u, Id v, const FlipTarget& target)
 {
-  int budget = effort.Budget;
+  const Id cell = this->Mesh.FindEdge(u, v);
+  return cell == None || this->Flips.RemoveEdge(u, v, cell, target, FewerCrossings);
+}
+
+bool SegmentRecovery::Clear(const Crossing& crossing, const FlipTarget& target)
+{
   if (crossing.Kind == Crossing::ThroughEdge)
   {
-    return this->Flips.RemoveEdgeDeeply(
-      crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
+    return this->RemoveEdge(crossing.U, crossing.V, target);
   }
   const Id cell = crossing.Cell;
   const FlippableCell& near = this->Mesh.Cells[cell];
-  if (this->Flips.RemoveFace(cell, crossing.Face, target, effort.Limits))
+  if (this->Flips.RemoveFace(cell, crossing.Face, target, FewerCrossings))
   {
     return true;
   }
@@ -111,14 +87,7 @@ bool SegmentRecovery::Clear(
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (isReflex[k] != reflex)
-      {
-        continue;
-      }
-      const std::int64_t before = this->Mesh.NumberOfChanges();
-      if (this->Flips.RemoveEdgeDeeply(
-            f[k], f[(k + 1) % 3], target, effort.Limits, effort.Depth, budget) ||
-        this->Mesh.NumberOfChanges() != before)
+      if (isReflex[k] == reflex && this->RemoveEdge(f[k], f[(k + 1) % 3], target))
       {
         return true;
       }
@@ -128,16 +97,14 @@ bool SegmentRecovery::Clear(
 }
 
 /** Take away something that the segment crosses: from one end, from the other, anywhere. */
-bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort)
+bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target)
 {
-  const std::int64_t before = this->Mesh.NumberOfChanges();
-  const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
   const Crossing first = FirstCrossing(this->Mesh, a, b);
   if (first.Kind == Crossing::AtVertex)
   {
     return false;
   }
-  if (this->Clear(first, target, effort) || changed())
+  if (this->Clear(first, target))
   {
     return true;
   }
@@ -146,7 +113,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effor
   {
     return false;
   }
-  if (this->Clear(last, target, effort) || changed())
+  if (this->Clear(last, target))
   {
     return true;
   }
@@ -155,7 +122,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effor
        (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge);
        ++k)
   {
-    if (this->Clear(crossing, target, effort) || changed())
+    if (this->Clear(crossing, target))
     {
       return true;
     }
@@ -164,7 +131,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effor
   return false;
 }
 
-bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
+bool SegmentRecovery::Recover(Id a, Id b)
 {
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
   for (int flips = 0; flips < MostFlipsPerSegment; ++flips)
@@ -173,7 +140,7 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
     {
       return true;
     }
-    if (!this->ClearOne(a, b, target, effort))
+    if (!this->ClearOne(a, b, target))
     {
       return false;
     }
@@ -181,45 +148,29 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
   return false;
 }
 
-std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing, std::size_t mostLeft)
+std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
 {
   const std::int64_t end = this->Mesh.Vertices.Work() +
-    std::min(WorkPerMissing * static_cast<std::int64_t>(missing.size()),
-      WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size()));
-  const std::array<Effort, 4> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 10 }, 1, 40 },
-    { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
-  for (const Effort& effort : efforts)
+    WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size());
+  // While a round gets many, another gets more.
+  std::size_t before = 2 * missing.size() + 2;
+  while (!missing.empty() && missing.size() < before - before / 10)
   {
-    // While a round gets many, another of the same kind gets more.
-    std::size_t before = 2 * missing.size() + 2;
-    if (effort.Depth > 1 && missing.size() > MostForDeepFlips)
+    before = missing.size();
+    std::vector<Id> still;
+    for (std::size_t k = 0; k < missing.size(); ++k)
     {
-      break;
-    }
-    while (!missing.empty() && missing.size() < before - before / 10)
-    {
-      before = missing.size();
-      missing = effort.Depth > 0 ? SampleFirst(missing) : missing;
-      std::vector<Id> still;
-      for (std::size_t k = 0; k < missing.size(); ++k)
+      if (k % SegmentsPerCheck == 0)
       {
-        if (k % SegmentsPerCheck == 0)
-        {
-          this->Progress.Check("recovering edges", static_cast<double>(k) / missing.size());
-        }
-        const std::array<Id, 2>& ends = this->Segments.EndsOf(missing[k]);
-        if (this->Mesh.Vertices.Work() > end || !this->Recover(ends[0], ends[1], effort))
-        {
-          still.push_back(missing[k]);
-        }
-        if (effort.Depth > 0 && LeavesTooMany(still.size(), k + 1, missing.size(), mostLeft))
-        {
-          still.insert(still.end(), missing.begin() + k + 1, missing.end());
-          return still;
-        }
+        this->Progress.Check("recovering edges", static_cast<double>(k) / missing.size());
       }
-      missing = std::move(still);
+      const std::array<Id, 2>& ends = this->Segments.EndsOf(missing[k]);
+      if (this->Mesh.Vertices.Work() > end || !this->Recover(ends[0], ends[1]))
+      {
+        still.push_back(missing[k]);
+      }
     }
+    missing = std::move(still);
   }
   return missing;
 }
@@ -283,8 +234,7 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
 {
   Id a = start;
   const Id b = end;
-  const Effort little = { { -1, 10 }, 0, 0 };
-  for (int splits = 0; !this->Recover(a, b, little); ++splits)
+  for (int splits = 0; !this->Recover(a, b); ++splits)
   {
     if (splits == MostSplitsPerSegment || this->Mesh.Vertices.IsWorkDone())
     {

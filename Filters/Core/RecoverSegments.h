@@ -26,11 +26,11 @@ public:
   std::vector<Id> FindMissing(const std::vector<Id>& segments) const;
 
   /**
-   * Recover segments by flips alone, the cheapest flips first.
-   * @param[in] mostLeft give up when it shows that many more than these will be left
+   * Recover segments by flips that leave less in the way each time. What these leave, cuts recover
+   * in less time than more flips would.
    * @return the ones that are still missing
    */
-  std::vector<Id> RecoverByFlips(std::vector<Id> missing, std::size_t mostLeft);
+  std::vector<Id> RecoverByFlips(std::vector<Id> missing);
 
   /** The end at which Steiner points begin. */
   enum class From
@@ -49,16 +49,10 @@ public:
     const std::vector<Id>& missing, From from, SteinerPoints& steiner);
 
 private:
-  struct Effort
-  {
-    FlipOperator::Limits Limits;
-    int Depth;
-    int Budget;
-  };
-
-  bool Recover(Id a, Id b, const Effort& effort);
-  bool ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort);
-  bool Clear(const Crossing& crossing, const FlipTarget& target, const Effort& effort);
+  bool Recover(Id a, Id b);
+  bool ClearOne(Id a, Id b, const FlipTarget& target);
+  bool Clear(const Crossing& crossing, const FlipTarget& target);
+  bool RemoveEdge(Id u, Id v, const FlipTarget& target);
   bool SplitAndRecover(Id segment, Id start, Id end);
   bool IsFree(Id vertex) const;
   Id SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace);

@@ -16,8 +16,9 @@ constexpr std::size_t LeastYield = 50;
 constexpr int PassesBeforeMoving = 2;
 constexpr int MostPasses = 1000;
 
-/** Flips at random are tried for each cell around a point. */
+/** Flips at random are tried for each cell around a point, and at most around a point. */
 constexpr std::size_t ShakesPerCell = 2;
+constexpr std::size_t MostShakes = 200;
 
 template <typename Container>
 void SortUnique(Container& ids)
@@ -127,7 +128,7 @@ void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
   const FlipOperator::Limits limits = { 0, 10 };
   std::vector<Id> star;
   this->Mesh.Star(vertex, star);
-  const std::size_t tries = ShakesPerCell * star.size();
+  const std::size_t tries = std::min(ShakesPerCell * star.size(), MostShakes);
   for (std::size_t k = 0; k < tries; ++k)
   {
     star.clear();

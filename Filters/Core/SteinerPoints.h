@@ -31,8 +31,8 @@ public:
   void MoveIntoVolume(Id first);
 
   /**
-   * Flip at random around points that have no place, and then try again to do without them: the
-   * flat cells that bar the way are others each time.
+   * Flip at random around points, and then try again to do without them, or to have them in the
+   * volume: the cells that bar the way are others each time.
    */
   void Shake(const std::vector<Id>& points, std::mt19937& random);
 
