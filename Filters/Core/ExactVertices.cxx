@@ -25,6 +25,35 @@ constexpr double DoubleEpsilon = 0x1p-53;
 /** Relative error of a quotient. */
 constexpr double ErrorOfQuotient = 0x1p-50;
 
+/**
+ * Make w positive, and near enough to 1 for doubles not to over- or underflow: numbers of many
+ * digits have exponents that go with them.
+ */
+void Normalize(std::array<DyadicNumber, 4>& coordinates)
+{
+  const auto multiply = [&coordinates](const DyadicNumber& factor)
+  {
+    for (DyadicNumber& x : coordinates)
+    {
+      x = factor * x;
+    }
+  };
+  const DyadicNumber large(0x1p64);
+  const DyadicNumber small(0x1p-64);
+  if (coordinates[3].sign() < 0)
+  {
+    multiply(DyadicNumber(-1));
+  }
+  while (coordinates[3] > large)
+  {
+    multiply(small);
+  }
+  while (coordinates[3] < small)
+  {
+    multiply(large);
+  }
+}
+
 /** x / y in doubles: 0 only for x = 0, and exact where a double is. */
 double Quotient(const DyadicNumber& x, const DyadicNumber& y)
 {
@@ -121,15 +150,7 @@ Id ExactVertices::AddBetween(
   {
     point.Coordinates[k] = a * from[k] + b * to[k];
   }
-  const DyadicNumber zero(0);
-  if (point.Coordinates[3] < zero)
-  {
-    for (DyadicNumber& x : point.Coordinates)
-    {
-      x = zero - x;
-    }
-  }
-
+  Normalize(point.Coordinates);
   Point place;
   for (int k = 0; k < 3; ++k)
   {

@@ -176,3 +176,38 @@ TEST(ExactVertices, APointThatIsADoubleBecomesOne)
   EXPECT_FALSE(exact.IsDouble(third));
   EXPECT_DOUBLE_EQ(exact.Nearest(third)[1], 1.0 / 3);
 }
+
+TEST(ExactVertices, OrientsPointsWithMoreDigitsThanDoublesHaveExponentsFor)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::vector<Point> points(6);
+  for (Point& p : points)
+  {
+    p = { { coordinate(random), coordinate(random), coordinate(random) } };
+  }
+  for (const double size : { 0x1p300, 0x1p-300 })
+  {
+    ExactVertices exact(points);
+    Id last = 0;
+    for (Id k = 0; k < 24; ++k)
+    {
+      // Weights that are long, and beyond all doubles after a few steps.
+      const DyadicNumber a = DyadicNumber(size) * DyadicNumber(1 + k % 5) + DyadicNumber(1);
+      const DyadicNumber b = DyadicNumber(size) * DyadicNumber(3);
+      const Id corner = 1 + k % 2;
+      last = exact.AddBetween(last, corner, a, b, { { 0, 1, 2 } });
+      EXPECT_EQ(exact.Orient(0, 1, 2, last), 0);
+      for (Id p = 0; p < 5; ++p)
+      {
+        const Tetrahedron v = { { p, p + 1, k % 3, last } };
+        EXPECT_EQ(
+          exact.Orient(v[0], v[1], v[2], v[3]), exact.Determinant(v[0], v[1], v[2], v[3]).sign());
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_LE(std::abs(exact.Nearest(last)[axis]), 1);
+      }
+    }
+  }
+}
