@@ -356,14 +356,16 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeBoundary(
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSeamedBoundary(
-  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
+  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary,
+  insideout::Monitor& monitor, const insideout::ProgressRange& progress)
 {
   if (this->Input->GetPointData()->GetNumberOfArrays() == 0)
   {
     return this->MakeBoundary(hull, boundary); // nothing differs anywhere
   }
-  const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Soup,
-    TrianglesInMesh(this->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull), hull.Mesh);
+  const insideout::SeamedSurface seamed =
+    SplitSeams(boundary, this->Soup, TrianglesInMesh(this->Soup, hull.MergedInto, hull.Mesh),
+      this->AlikePoints(hull), hull.Mesh, monitor, progress);
   std::vector<insideout::Point> points;
   for (const Id place : seamed.Places)
   {

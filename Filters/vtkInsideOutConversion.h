@@ -75,9 +75,11 @@ public:
     const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
 
   /** The same with several points in a place where the input's triangles differ in texture
-   * coordinates or normals, or where triangles cross that have point data at all. */
-  vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(
-    const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
+   * coordinates or normals, or where triangles cross that have point data at all. Can be stopped.
+   */
+  vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(const insideout::HullMesh& hull,
+    const std::vector<insideout::BoundaryTriangle>& boundary, insideout::Monitor& monitor,
+    const insideout::ProgressRange& progress);
 
   /** How many input points were merged with one that has other texture coordinates or normals. */
   insideout::Id CountSeamPoints(const insideout::HullMesh& hull) const;
