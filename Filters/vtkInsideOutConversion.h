@@ -135,7 +135,8 @@ void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataS
 /** Put the labels on the grid as its cell array Inside. */
 void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
 
-/** The cells whose array Inside is 1, with the points they use. */
-vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(vtkUnstructuredGrid* grid);
+/** The cells whose array Inside is 1, with the points they use. Can be stopped. */
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(
+  vtkUnstructuredGrid* grid, insideout::Monitor& monitor, const insideout::ProgressRange& progress);
 
 #endif

@@ -139,7 +139,7 @@ vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 
 namespace
 {
-const char* const Extracting = "extracting the boundary";
+const char* const Extracting = "extracting";
 
 /** Outputs 1 and 2, and their counts. */
 struct Surfaces
@@ -169,19 +169,19 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
 {
   Surfaces surfaces;
   const std::vector<BoundaryFace> faces =
-    BoundaryFaces(hull.Mesh, inside, monitor, { Extracting, 0, 0.1 });
+    BoundaryFaces(hull.Mesh, inside, monitor, { Extracting, 0, 0.05 });
   std::vector<BoundaryTriangle> boundary =
-    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Extracting, 0.1, 0.2 });
+    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Extracting, 0.05, 0.1 });
   if (mergePieces)
   {
     boundary = MergePieces(boundary, TrianglesInMesh(conversion.Soup, hull.MergedInto, hull.Mesh),
-      monitor, { Extracting, 0.2, 0.4 });
+      monitor, { Extracting, 0.1, 0.2 });
   }
-  monitor.Check(Extracting, 0.4);
+  monitor.Check(Extracting, 0.2);
   surfaces.Boundary = splitSeams
-    ? conversion.MakeSeamedBoundary(hull, boundary, monitor, { Extracting, 0.4, 0.6 })
+    ? conversion.MakeSeamedBoundary(hull, boundary, monitor, { Extracting, 0.2, 0.3 })
     : conversion.MakeBoundary(hull, boundary);
-  monitor.Check(Extracting, 0.7);
+  monitor.Check(Extracting, 0.3);
   const Id seamPoints = conversion.CountSeamPoints(hull);
   if (seamPoints > 0 && !splitSeams)
   {
@@ -193,10 +193,10 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   surfaces.Counts.emplace_back("SeamPoints", seamPoints);
 
   const std::vector<OutlierPiece> outliers =
-    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Extracting, 0.7, 0.8 });
-  monitor.Check(Extracting, 0.8);
+    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Extracting, 0.3, 0.35 });
+  monitor.Check(Extracting, 0.35);
   surfaces.Outliers = conversion.MakeOutliers(hull, outliers);
-  monitor.Check(Extracting, 1);
+  monitor.Check(Extracting, 0.4);
   CountOutliers(hull, outliers, surfaces.Counts);
   return surfaces;
 }
@@ -255,7 +255,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAddInside(segmentation.Inside, solid);
       if (this->ExtractInside)
       {
-        solid = vtkInsideOutExtractInside(solid);
+        solid = vtkInsideOutExtractInside(solid, monitor, { Extracting, 0.4, 1 });
       }
       const auto insideCells =
         std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);

@@ -107,7 +107,7 @@ STAGES = [
     "tetrahedralizing",
     "winding numbers",
     "segmenting",
-    "extracting the boundary",
+    "extracting",
 ]
 
 

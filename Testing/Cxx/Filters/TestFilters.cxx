@@ -255,7 +255,7 @@ TEST(vtkRobustTetrahedralize, CanBeStoppedInEveryStageAndRunAgain)
   };
   for (const char* stage :
     { "validating", "finding self-intersections", "resolving self-intersections",
-      "tetrahedralizing", "winding numbers", "segmenting", "extracting the boundary" })
+      "tetrahedralizing", "winding numbers", "segmenting", "extracting" })
   {
     vtkNew<vtkRobustTetrahedralize> filter;
     filter->SetInputData(TwoBoxes());
