@@ -340,8 +340,9 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
       vtkNew<vtkUnstructuredGrid> labelled;
       labelled->ShallowCopy(input);
       vtkInsideOutAddInside(segmentation.Inside, labelled);
-      output->ShallowCopy(
-        this->ExtractInside ? vtkInsideOutExtractInside(labelled).Get() : labelled.Get());
+      output->ShallowCopy(this->ExtractInside
+          ? vtkInsideOutExtractInside(labelled, monitor, { "segmenting", 1, 1 }).Get()
+          : labelled.Get());
       Statistics statistics = segmentation.Statistics;
       statistics.emplace_back(
         "InsideCells", std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1));

@@ -6,9 +6,12 @@
 #include "vtkInsideOutAttributes.h"
 
 #include <vtkAbstractArray.h>
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
@@ -356,14 +359,16 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeBoundary(
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutConversion::MakeSeamedBoundary(
-  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
+  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary,
+  insideout::Monitor& monitor, const insideout::ProgressRange& progress)
 {
   if (this->Input->GetPointData()->GetNumberOfArrays() == 0)
   {
     return this->MakeBoundary(hull, boundary); // nothing differs anywhere
   }
-  const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Soup,
-    TrianglesInMesh(this->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull), hull.Mesh);
+  const insideout::SeamedSurface seamed =
+    SplitSeams(boundary, this->Soup, TrianglesInMesh(this->Soup, hull.MergedInto, hull.Mesh),
+      this->AlikePoints(hull), hull.Mesh, monitor, progress);
   std::vector<insideout::Point> points;
   for (const Id place : seamed.Places)
   {
@@ -555,13 +560,39 @@ void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataS
   output->SetFieldData(fields);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(vtkUnstructuredGrid* grid)
+namespace
 {
+/** What a VTK filter's own reports are passed on to. They do not tell how far it is. */
+struct Watch
+{
+  insideout::Monitor& Monitor;
+  const insideout::ProgressRange& Progress;
+};
+
+void PassOn(vtkObject* caller, unsigned long, void* data, void*)
+{
+  const auto* watch = static_cast<Watch*>(data);
+  if (!watch->Monitor.Continue(watch->Progress.Stage, watch->Progress.Begin))
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  }
+}
+} // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(
+  vtkUnstructuredGrid* grid, insideout::Monitor& monitor, const insideout::ProgressRange& progress)
+{
+  Watch watch = { monitor, progress };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&watch);
+  observer->SetCallback(PassOn);
   vtkNew<vtkThreshold> threshold;
   threshold->SetInputData(grid);
   threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Inside");
   threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
   threshold->SetUpperThreshold(0.5);
+  threshold->AddObserver(vtkCommand::ProgressEvent, observer);
   threshold->Update();
+  monitor.Check(progress.Stage, progress.End);
   return threshold->GetOutput();
 }

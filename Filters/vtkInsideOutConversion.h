@@ -75,9 +75,11 @@ public:
     const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
 
   /** The same with several points in a place where the input's triangles differ in texture
-   * coordinates or normals, or where triangles cross that have point data at all. */
-  vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(
-    const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
+   * coordinates or normals, or where triangles cross that have point data at all. Can be stopped.
+   */
+  vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(const insideout::HullMesh& hull,
+    const std::vector<insideout::BoundaryTriangle>& boundary, insideout::Monitor& monitor,
+    const insideout::ProgressRange& progress);
 
   /** How many input points were merged with one that has other texture coordinates or normals. */
   insideout::Id CountSeamPoints(const insideout::HullMesh& hull) const;
@@ -133,7 +135,8 @@ void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataS
 /** Put the labels on the grid as its cell array Inside. */
 void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
 
-/** The cells whose array Inside is 1, with the points they use. */
-vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(vtkUnstructuredGrid* grid);
+/** The cells whose array Inside is 1, with the points they use. Can be stopped. */
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(
+  vtkUnstructuredGrid* grid, insideout::Monitor& monitor, const insideout::ProgressRange& progress);
 
 #endif

@@ -139,6 +139,8 @@ vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 
 namespace
 {
+const char* const Extracting = "extracting";
+
 /** Outputs 1 and 2, and their counts. */
 struct Surfaces
 {
@@ -163,17 +165,23 @@ void CountOutliers(
 }
 
 Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  bool mergePieces, bool splitSeams, vtkInsideOutConversion& conversion)
+  bool mergePieces, bool splitSeams, vtkInsideOutConversion& conversion, Monitor& monitor)
 {
   Surfaces surfaces;
+  const std::vector<BoundaryFace> faces =
+    BoundaryFaces(hull.Mesh, inside, monitor, { Extracting, 0, 0.05 });
   std::vector<BoundaryTriangle> boundary =
-    BoundaryTriangles(hull.Surface, hull.Mesh, BoundaryFaces(hull.Mesh, inside));
+    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Extracting, 0.05, 0.1 });
   if (mergePieces)
   {
-    boundary = MergePieces(boundary, TrianglesInMesh(conversion.Soup, hull.MergedInto, hull.Mesh));
+    boundary = MergePieces(boundary, TrianglesInMesh(conversion.Soup, hull.MergedInto, hull.Mesh),
+      monitor, { Extracting, 0.1, 0.2 });
   }
-  surfaces.Boundary = splitSeams ? conversion.MakeSeamedBoundary(hull, boundary)
-                                 : conversion.MakeBoundary(hull, boundary);
+  monitor.Check(Extracting, 0.2);
+  surfaces.Boundary = splitSeams
+    ? conversion.MakeSeamedBoundary(hull, boundary, monitor, { Extracting, 0.2, 0.3 })
+    : conversion.MakeBoundary(hull, boundary);
+  monitor.Check(Extracting, 0.3);
   const Id seamPoints = conversion.CountSeamPoints(hull);
   if (seamPoints > 0 && !splitSeams)
   {
@@ -184,8 +192,11 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   surfaces.Counts.emplace_back("BoundaryFaces", boundary.size());
   surfaces.Counts.emplace_back("SeamPoints", seamPoints);
 
-  const std::vector<OutlierPiece> outliers = OutlierPieces(hull.Surface, hull.Mesh, inside);
+  const std::vector<OutlierPiece> outliers =
+    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Extracting, 0.3, 0.35 });
+  monitor.Check(Extracting, 0.35);
   surfaces.Outliers = conversion.MakeOutliers(hull, outliers);
+  monitor.Check(Extracting, 0.4);
   CountOutliers(hull, outliers, surfaces.Counts);
   return surfaces;
 }
@@ -207,7 +218,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     {
       vtkInsideOutMonitor monitor(this,
         { "validating", "finding self-intersections", "resolving self-intersections",
-          "tetrahedralizing", "winding numbers", "segmenting" });
+          "tetrahedralizing", "winding numbers", "segmenting", Extracting });
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(vtkPointSet::GetData(inputVector[1]));
       const HullMeshParameters parameters = { { this->MergeTolerance, this->CountDuplicates },
         static_cast<insideout::Orientation>(this->Orientation),
@@ -236,15 +247,15 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
             this->ConstrainFacets, this->ConstrainManifold },
           monitor);
       const double cutSeconds = stopwatch.Lap();
-      const Surfaces surfaces = MakeSurfaces(
-        hull, segmentation.Inside, this->MergeCoplanarPieces, this->SplitSeams, conversion);
+      const Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
+        this->SplitSeams, conversion, monitor);
 
       auto solid = vtkSmartPointer<vtkUnstructuredGrid>::New();
       solid->ShallowCopy(kept->Grid);
       vtkInsideOutAddInside(segmentation.Inside, solid);
       if (this->ExtractInside)
       {
-        solid = vtkInsideOutExtractInside(solid);
+        solid = vtkInsideOutExtractInside(solid, monitor, { Extracting, 0.4, 1 });
       }
       const auto insideCells =
         std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);

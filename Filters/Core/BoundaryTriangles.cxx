@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryTriangles.h"
 
+#include "LoopProgress.h"
+
 namespace insideout
 {
-std::vector<BoundaryTriangle> BoundaryTriangles(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, const std::vector<BoundaryFace>& faces)
+std::vector<BoundaryTriangle> BoundaryTriangles(const FacetComplex& surface,
+  const TetrahedralMesh& mesh, const std::vector<BoundaryFace>& faces, Monitor& monitor,
+  const ProgressRange& progress)
 {
+  const LoopProgress turns(monitor, progress, faces.size());
   std::vector<BoundaryTriangle> triangles;
   triangles.reserve(faces.size());
   for (const BoundaryFace& face : faces)
   {
+    turns.Check(triangles.size());
     triangles.push_back({ face.Corners,
       face.Facet == None
         ? None

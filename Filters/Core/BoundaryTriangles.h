@@ -12,10 +12,15 @@ struct BoundaryTriangle
   Id Source;        ///< the input triangle that it lies on, None where a hole was closed
 };
 
-/** The faces with the input triangles that they lie on: of several the lowest that faces outward,
- * else the lowest. */
-std::vector<BoundaryTriangle> BoundaryTriangles(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, const std::vector<BoundaryFace>& faces);
+/**
+ * The faces with the input triangles that they lie on: of several the lowest that faces outward,
+ * else the lowest.
+ *
+ * @throws Error Stopped
+ */
+std::vector<BoundaryTriangle> BoundaryTriangles(const FacetComplex& surface,
+  const TetrahedralMesh& mesh, const std::vector<BoundaryFace>& faces, Monitor& monitor,
+  const ProgressRange& progress);
 
 /**
  * The input triangles by points of the mesh.

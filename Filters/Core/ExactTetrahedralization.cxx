@@ -537,7 +537,6 @@ private:
   void CollectFaces(const std::vector<Id>& names, const std::vector<Id>& renamed,
     ExactTetrahedralization& result) const
   {
-    std::vector<bool> isOnSurface(result.Points.size(), false);
     for (Id id = 0; id < static_cast<Id>(this->Mesh.Cells.size()); ++id)
     {
       const FlippableCell& cell = this->Mesh.Cells[id];
@@ -551,14 +550,11 @@ private:
         for (int j = 0; j < 3; ++j)
         {
           face[j] = renamed[cell.Corners[FaceSeenFrom[k][j]]];
-          isOnSurface[face[j]] = true;
         }
         result.Faces.push_back(face);
         result.FacetOfFaces.push_back(names[cell.Facets[k]]);
       }
     }
-    result.NumberOfSurfaceSteinerPoints = static_cast<Id>(
-      std::count(isOnSurface.begin() + this->Mesh.Infinite(), isOnSurface.end(), true));
   }
 
   const std::vector<Point>& Points;
@@ -605,22 +601,23 @@ ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& p
   }
 }
 
-std::vector<Id> LostFacets(std::size_t numberOfFacets, const std::vector<Id>& facetOfFaces)
+/** Facets that no face carries, ascending. */
+std::vector<Id> FacetsWithoutFaces(std::size_t numberOfFacets, const std::vector<Id>& facetOfFaces)
 {
   std::vector<bool> isThere(numberOfFacets, false);
   for (const Id facet : facetOfFaces)
   {
     isThere[facet] = true;
   }
-  std::vector<Id> lost;
+  std::vector<Id> missing;
   for (std::size_t f = 0; f < numberOfFacets; ++f)
   {
     if (!isThere[f])
     {
-      lost.push_back(static_cast<Id>(f));
+      missing.push_back(static_cast<Id>(f));
     }
   }
-  return lost;
+  return missing;
 }
 } // namespace
 
@@ -628,21 +625,22 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, Monitor& monitor, const ExactLimits& limits)
 {
   ExactTetrahedralization best;
+  std::vector<Id> missing;
   for (const auto from : { SegmentRecovery::From::LowerEnd, SegmentRecovery::From::HigherEnd })
   {
-    if (!best.Cells.empty() &&
-      Without(FacetsThatCross(points, facets, monitor), best.LostFacets).empty())
+    if (!best.Cells.empty() && Without(FacetsThatCross(points, facets, monitor), missing).empty())
     {
       break;
     }
     ExactTetrahedralization result =
       AttemptUntilPointsHavePlaces(points, facets, from, limits, monitor);
-    result.LostFacets = LostFacets(facets.size(), result.FacetOfFaces);
-    if (best.Cells.empty() || result.LostFacets.size() < best.LostFacets.size())
+    std::vector<Id> now = FacetsWithoutFaces(facets.size(), result.FacetOfFaces);
+    if (best.Cells.empty() || now.size() < missing.size())
     {
       best = std::move(result);
+      missing = std::move(now);
     }
-    if (best.LostFacets.empty())
+    if (missing.empty())
     {
       break;
     }

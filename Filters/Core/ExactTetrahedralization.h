@@ -11,7 +11,7 @@
 
 namespace insideout
 {
-/** Tetrahedra with the facets among their faces. */
+/** Tetrahedra with the facets among their faces. AssembleMesh tells which facets are lost. */
 struct ExactTetrahedralization
 {
   /** The points given, bit by bit, and then Steiner points. */
@@ -23,14 +23,6 @@ struct ExactTetrahedralization
   /** Faces of cells that facets are made of. */
   std::vector<Triangle> Faces;
   std::vector<Id> FacetOfFaces; ///< one per face
-
-  /**
-   * Facets that no face carries, ascending. AssembleMesh, which asks whether the faces are the
-   * facet, loses the same, except where facets cross.
-   */
-  std::vector<Id> LostFacets;
-
-  Id NumberOfSurfaceSteinerPoints = 0; ///< on facets or their edges, up to rounding
 
   /** How much was done for this mesh, the same on every machine: about one per predicate, 10 ns. */
   std::int64_t Work = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FacetConstraint.h"
 
+#include "LoopProgress.h"
+
 #include <algorithm>
 
 namespace insideout
@@ -95,16 +97,12 @@ bool FacetConstraint::Allows(const GreedyLabels& labels, Id cell)
 FacetConstraint::Outcome FacetConstraint::Satisfy(
   GreedyLabels& labels, Monitor& monitor, double begin, double end)
 {
-  constexpr std::size_t piecesPerCheck = 4096;
+  const LoopProgress progress(monitor, { "segmenting", begin, end }, this->Pieces.size());
   Outcome outcome;
   labels.Add(*this);
   for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
-    if (p % piecesPerCheck == 0)
-    {
-      const double part = static_cast<double>(p) / static_cast<double>(this->Pieces.size());
-      monitor.Check("segmenting", begin + part * (end - begin));
-    }
+    progress.Check(p);
     const FacetPiece& piece = this->Pieces[p];
     if (IsInside(labels, piece.First) || IsInside(labels, piece.Second))
     {

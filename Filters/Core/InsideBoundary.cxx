@@ -2,6 +2,7 @@
 #include "InsideBoundary.h"
 
 #include "Error.h"
+#include "LoopProgress.h"
 
 namespace insideout
 {
@@ -23,13 +24,15 @@ bool IsInside(const std::vector<unsigned char>& inside, Id cell)
 }
 } // namespace
 
-std::vector<BoundaryFace> BoundaryFaces(
-  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+std::vector<BoundaryFace> BoundaryFaces(const TetrahedralMesh& mesh,
+  const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress)
 {
   CheckLabels(mesh, inside);
+  const LoopProgress cells(monitor, progress, mesh.Cells.size());
   std::vector<BoundaryFace> faces;
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
+    cells.Check(static_cast<std::size_t>(cell));
     for (int k = 0; inside[cell] != 0 && k < 4; ++k)
     {
       if (!IsInside(inside, mesh.Neighbors[cell][k]))

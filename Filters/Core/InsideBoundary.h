@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Monitor.h"
+#include "ProgressRange.h"
 #include "TetrahedralMesh.h"
 
 #include <vector>
@@ -22,8 +24,8 @@ struct BoundaryFace
  *
  * @param[in] inside one value per cell, 0 for outside
  * @return faces in the order of their cells, then of the faces in the cell
- * @throws Error InvalidParameter when there is not one label per cell
+ * @throws Error InvalidParameter when there is not one label per cell; Stopped
  */
-std::vector<BoundaryFace> BoundaryFaces(
-  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
+std::vector<BoundaryFace> BoundaryFaces(const TetrahedralMesh& mesh,
+  const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

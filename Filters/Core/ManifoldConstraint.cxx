@@ -2,6 +2,7 @@
 #include "ManifoldConstraint.h"
 
 #include "Error.h"
+#include "LoopProgress.h"
 #include "SortedTriangle.h"
 
 #include <algorithm>
@@ -290,8 +291,9 @@ void ManifoldConstraint::VisitPoint(GreedyLabels& labels, Id point, Outcome& out
 ManifoldConstraint::Outcome ManifoldConstraint::Satisfy(
   GreedyLabels& labels, Monitor& monitor, double begin, double end)
 {
-  constexpr std::size_t visitsPerCheck = 4096;
   const Id points = static_cast<Id>(this->Offsets.size()) - 2;
+  const LoopProgress progress(
+    monitor, { "segmenting", begin, end }, 2 * static_cast<std::size_t>(points));
   for (Id point = 0; point < points; ++point)
   {
     this->WithEdges.Push(point);
@@ -301,11 +303,7 @@ ManifoldConstraint::Outcome ManifoldConstraint::Satisfy(
   Outcome outcome;
   for (std::size_t visits = 0; !this->WithEdges.IsEmpty() || !this->Alone.IsEmpty(); ++visits)
   {
-    if (visits % visitsPerCheck == 0)
-    {
-      const double part = static_cast<double>(visits) / (2.0 * points);
-      monitor.Check("segmenting", begin + std::min(part, 1.0) * (end - begin));
-    }
+    progress.Check(visits);
     if (!this->WithEdges.IsEmpty())
     {
       this->VisitEdges(labels, this->WithEdges.Pop(), outcome);

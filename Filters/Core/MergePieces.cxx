@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MergePieces.h"
 
+#include "LoopProgress.h"
 #include "PiecesOfFacet.h"
 #include "SortedTriangle.h"
 
@@ -81,7 +82,8 @@ bool MatchCandidate(
 class Merger
 {
 public:
-  Merger(const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given);
+  Merger(const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given,
+    Monitor& monitor, const ProgressRange& progress);
   std::vector<BoundaryTriangle> Merge();
 
 private:
@@ -92,33 +94,53 @@ private:
   bool Drops(Id candidate, Id triangle, const std::vector<Id>* edge) const;
   template <typename Visitor>
   void ForEachDropped(const Candidate& candidate, Visitor visit) const;
+  LoopProgress Loop(double begin, double end, std::size_t turns) const;
 
   const std::vector<BoundaryTriangle>& Triangles;
   const std::vector<Triangle>& Given;
   std::vector<Candidate> Candidates;
   std::vector<Id> CandidateOf;                     ///< per triangle, or None
   std::unordered_map<Id, std::vector<Id>> Corners; ///< triangles at each point to be dropped
+  Monitor& Watch;
+  const ProgressRange Progress;
 };
 
-Merger::Merger(const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given)
+Merger::Merger(const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given,
+  Monitor& monitor, const ProgressRange& progress)
   : Triangles(triangles)
   , Given(given)
   , CandidateOf(triangles.size(), None)
+  , Watch(monitor)
+  , Progress(progress)
 {
+}
+
+/** A loop from `begin` to `end` of the work, which is 1. */
+LoopProgress Merger::Loop(double begin, double end, std::size_t turns) const
+{
+  const double all = this->Progress.End - this->Progress.Begin;
+  return { this->Watch,
+    { this->Progress.Stage, this->Progress.Begin + begin * all, this->Progress.Begin + end * all },
+    turns };
 }
 
 void Merger::FindCandidates()
 {
   std::map<Id, std::vector<Id>> piecesOf;
+  const LoopProgress gathering = this->Loop(0, 0.2, this->Triangles.size());
   for (Id t = 0; t < static_cast<Id>(this->Triangles.size()); ++t)
   {
+    gathering.Check(static_cast<std::size_t>(t));
     if (this->Triangles[t].Source != None)
     {
       piecesOf[this->Triangles[t].Source].push_back(t);
     }
   }
+  const LoopProgress matching = this->Loop(0.2, 0.5, piecesOf.size());
+  std::size_t number = 0;
   for (auto& [source, ids] : piecesOf)
   {
+    matching.Check(number++);
     std::vector<Triangle> pieces;
     for (const Id t : ids)
     {
@@ -142,9 +164,11 @@ void Merger::FindCandidates()
 void Merger::LeaveOutTwins()
 {
   std::unordered_map<Triangle, int, HashOfTriangle> count;
-  for (const BoundaryTriangle& triangle : this->Triangles)
+  const LoopProgress counting = this->Loop(0.5, 0.7, this->Triangles.size());
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    ++count[SortedTriangle(triangle.Corners).Points];
+    counting.Check(t);
+    ++count[SortedTriangle(this->Triangles[t].Corners).Points];
   }
   for (const Candidate& candidate : this->Candidates)
   {
@@ -202,8 +226,10 @@ void Merger::LeaveOutWhatOthersNeed()
   {
     this->ForEachDropped(candidate, [&](Id p, const std::vector<Id>*) { this->Corners[p]; });
   }
+  const LoopProgress listing = this->Loop(0.7, 0.8, this->Triangles.size());
   for (Id t = 0; t < static_cast<Id>(this->Triangles.size()); ++t)
   {
+    listing.Check(static_cast<std::size_t>(t));
     for (const Id p : this->Triangles[t].Corners)
     {
       const auto found = this->Corners.find(p);
@@ -218,8 +244,10 @@ void Merger::LeaveOutWhatOthersNeed()
   {
     unsure.push_back(c);
   }
-  while (!unsure.empty())
+  const LoopProgress asking = this->Loop(0.8, 1, unsure.size());
+  for (std::size_t visits = 0; !unsure.empty(); ++visits)
   {
+    asking.Check(visits);
     const Id c = unsure.back();
     unsure.pop_back();
     if (this->Candidates[c].IsOut ? this->Candidates[c].Pieces.empty() : this->IsFree(c))
@@ -265,9 +293,9 @@ std::vector<BoundaryTriangle> Merger::Merge()
 }
 } // namespace
 
-std::vector<BoundaryTriangle> MergePieces(
-  const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given)
+std::vector<BoundaryTriangle> MergePieces(const std::vector<BoundaryTriangle>& triangles,
+  const std::vector<Triangle>& given, Monitor& monitor, const ProgressRange& progress)
 {
-  return Merger(triangles, given).Merge();
+  return Merger(triangles, given, monitor, progress).Merge();
 }
 } // namespace insideout

@@ -13,7 +13,8 @@ namespace insideout
  * @param[in] triangles of a watertight boundary
  * @param[in] given the input triangles by points of the mesh (TrianglesInMesh)
  * @return the triangles in their order, each that was put together in the place of its first piece
+ * @throws Error Stopped
  */
-std::vector<BoundaryTriangle> MergePieces(
-  const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given);
+std::vector<BoundaryTriangle> MergePieces(const std::vector<BoundaryTriangle>& triangles,
+  const std::vector<Triangle>& given, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

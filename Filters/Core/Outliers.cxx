@@ -2,6 +2,7 @@
 #include "Outliers.h"
 
 #include "Error.h"
+#include "LoopProgress.h"
 
 #include <algorithm>
 #include <string>
@@ -44,7 +45,7 @@ Triangle AlongFacet(const TetrahedralMesh& mesh, Id cell, int k)
 } // namespace
 
 std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  const std::vector<unsigned char>& inside)
+  const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress)
 {
   if (inside.size() != mesh.Cells.size())
   {
@@ -54,8 +55,10 @@ std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const Tetra
   }
   const std::vector<char> isInMesh = FacetsInMesh(surface, mesh);
   std::vector<OutlierPiece> pieces;
+  const LoopProgress cells(monitor, progress, mesh.Cells.size());
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
+    cells.Check(static_cast<std::size_t>(cell));
     for (int k = 0; k < 4; ++k)
     {
       const Id facet = mesh.Facets[cell][k];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Monitor.h"
+#include "ProgressRange.h"
 #include "TetrahedralMesh.h"
 
 #include <array>
@@ -38,8 +40,8 @@ struct OutlierPiece
  * @param[in] surface the complex that `mesh` was made of
  * @param[in] inside one value per cell, 0 for outside
  * @return by facet, pieces of one in the order of their cells
- * @throws Error InvalidParameter when there is not one label per cell
+ * @throws Error InvalidParameter when there is not one label per cell; Stopped
  */
 std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  const std::vector<unsigned char>& inside);
+  const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

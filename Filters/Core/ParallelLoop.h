@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Monitor.h"
+#include "ProgressRange.h"
 #include "Types.h"
 
 #include <atomic>
@@ -10,14 +11,6 @@
 
 namespace insideout
 {
-/** A stage's name and the part of its progress, from 0 to 1, that a loop covers. */
-struct ProgressRange
-{
-  const char* Stage;
-  double Begin;
-  double End;
-};
-
 /**
  * Calls body(i) for every i in [0, count) on all threads. The monitor is asked from the calling
  * thread only. The first exception that a body or the monitor throws ends the loop and is thrown

@@ -3,6 +3,7 @@
 
 #include "DisjointSets.h"
 #include "Interpolation.h"
+#include "LoopProgress.h"
 
 #include <algorithm>
 #include <map>
@@ -55,7 +56,8 @@ public:
   {
   }
 
-  SeamedSurface Split(const std::vector<BoundaryTriangle>& triangles);
+  SeamedSurface Split(const std::vector<BoundaryTriangle>& triangles, Monitor& monitor,
+    const ProgressRange& progress);
 
 private:
   std::vector<Id> Groups(Id place, const std::vector<Id>& sources) const;
@@ -134,13 +136,19 @@ PointOrigin Splitter::OriginIn(Id source, Id place) const
   return { own, BarycentricWeights(triangle, this->Mesh.Points[place]) };
 }
 
-SeamedSurface Splitter::Split(const std::vector<BoundaryTriangle>& triangles)
+SeamedSurface Splitter::Split(
+  const std::vector<BoundaryTriangle>& triangles, Monitor& monitor, const ProgressRange& progress)
 {
+  monitor.Check(progress.Stage, progress.Begin);
   SeamedSurface result;
   result.Triangles.resize(triangles.size());
   const std::vector<Corner> corners = SortedCorners(triangles);
+  // A closed surface has about half as many points as triangles.
+  const LoopProgress places(monitor, progress, triangles.size() / 2);
+  std::size_t number = 0;
   for (std::size_t first = 0, last = 0; first < corners.size(); first = last)
   {
+    places.Check(number++);
     const Id place = corners[first].Place;
     std::vector<Id> sources; // ascending; None comes first and is left out
     for (; last < corners.size() && corners[last].Place == place; ++last)
@@ -177,8 +185,9 @@ SeamedSurface Splitter::Split(const std::vector<BoundaryTriangle>& triangles)
 } // namespace
 
 SeamedSurface SplitSeams(const std::vector<BoundaryTriangle>& triangles, const TriangleSoup& soup,
-  const std::vector<Triangle>& given, const std::vector<Id>& alike, const TetrahedralMesh& mesh)
+  const std::vector<Triangle>& given, const std::vector<Id>& alike, const TetrahedralMesh& mesh,
+  Monitor& monitor, const ProgressRange& progress)
 {
-  return Splitter(soup, given, alike, mesh).Split(triangles);
+  return Splitter(soup, given, alike, mesh).Split(triangles, monitor, progress);
 }
 } // namespace insideout

@@ -24,7 +24,9 @@ struct SeamedSurface
  * @param[in] alike per point of the soup the lowest one with which it was merged and whose data are
  *            the same
  * @return points by the place where they stand, then by input triangle
+ * @throws Error Stopped
  */
 SeamedSurface SplitSeams(const std::vector<BoundaryTriangle>& triangles, const TriangleSoup& soup,
-  const std::vector<Triangle>& given, const std::vector<Id>& alike, const TetrahedralMesh& mesh);
+  const std::vector<Triangle>& given, const std::vector<Id>& alike, const TetrahedralMesh& mesh,
+  Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

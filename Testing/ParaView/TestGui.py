@@ -107,6 +107,7 @@ STAGES = [
     "tetrahedralizing",
     "winding numbers",
     "segmenting",
+    "extracting",
 ]
 
 

@@ -21,6 +21,7 @@ STAGES = (
     "tetrahedralizing",
     "winding numbers",
     "segmenting",
+    "extracting",
 )
 """What the filter does, in this order, with an equal share of its progress each."""
 

@@ -173,6 +173,7 @@ inline double Size(const FacetComplex& surface, const Site& site)
   std::for_each(site.Corners.begin(), site.Corners.end(), add);
   return size;
 }
+
 /** Half the solid angle of a triangle at a site, with exact arguments; NaN if they cannot be had.
  */
 Quad HalfSolidAngleInLong(const Site& site, const std::array<Point, 3>& corners);

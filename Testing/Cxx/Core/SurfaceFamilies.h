@@ -33,8 +33,8 @@ inline void PrintTo(const SurfaceFamily& family, std::ostream* out)
 std::vector<SurfaceFamily> SurfaceFamilies(int members);
 
 /**
- * Triangles of which two corners each are at few places, but for some of 64 steps of 2^-56 away
- * from the plane x = 0: resolving takes all facets away from some corners.
+ * Triangles that have two corners each at few places in the plane x = 0, or up to 63 steps of 2^-56
+ * beside it: resolving takes all facets away from some of these.
  */
 TriangleSoup CornersNearlyOne(unsigned seed);
 

@@ -5,39 +5,83 @@
 #include "CountedChain.h"
 #include "MeshLaws.h"
 #include "ResolveSelfIntersections.h"
+#include "SortedTriangle.h"
 #include "TestMeshes.h"
 #include "TetrahedralizationFamilies.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <thread>
 
 using namespace insideout;
 
 namespace
 {
-/** Tetrahedralize and prove everything that a mesh must hold, whatever is lost. */
-TetrahedralMesh LawfulMesh(const FacetComplex& surface, bool isValid = true)
+ExactTetrahedralization Tetrahedralize(
+  const FacetComplex& surface, const ExactLimits& limits = ExactLimits())
 {
   Monitor monitor;
   const std::vector<Triangle> facets(
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, monitor);
+  return TetrahedralizeExactly(surface.Points, facets, monitor, limits);
+}
+
+/** Everything that a mesh must hold, whatever is lost. */
+TetrahedralMesh LawfulMesh(const FacetComplex& surface, const ExactTetrahedralization& exact)
+{
+  Monitor monitor;
   const TetrahedralMesh mesh =
     AssembleMesh(surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces }, monitor);
   testmeshes::ExpectMeshLaws(surface, mesh);
-  if (isValid)
+  return mesh;
+}
+
+using FacetsByFace = std::map<Triangle, Id>;
+
+FacetsByFace FacetsIn(const ExactTetrahedralization& exact)
+{
+  FacetsByFace facets;
+  for (std::size_t face = 0; face < exact.Faces.size(); ++face)
   {
-    EXPECT_EQ(mesh.LostFacets, exact.LostFacets);
-    EXPECT_EQ(mesh.NumberOfSurfaceSteinerPoints, exact.NumberOfSurfaceSteinerPoints);
+    facets[SortedTriangle(exact.Faces[face]).Points] = exact.FacetOfFaces[face];
   }
+  return facets;
+}
+
+FacetsByFace FacetsIn(const TetrahedralMesh& mesh)
+{
+  FacetsByFace facets;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const std::array<int, 3>& corners = TetrahedronFaces[k];
+      const Tetrahedron& points = mesh.Cells[cell];
+      if (mesh.Facets[cell][k] != None)
+      {
+        facets[SortedTriangle({ points[corners[0]], points[corners[1]], points[corners[2]] })
+                 .Points] = mesh.Facets[cell][k];
+      }
+    }
+  }
+  return facets;
+}
+
+/** The same, and that assembly agrees about every face: this may differ only where facets cross. */
+TetrahedralMesh LawfulMeshOfValid(
+  const FacetComplex& surface, const ExactLimits& limits = ExactLimits())
+{
+  const ExactTetrahedralization exact = Tetrahedralize(surface, limits);
+  TetrahedralMesh mesh = LawfulMesh(surface, exact);
+  EXPECT_EQ(FacetsIn(mesh), FacetsIn(exact));
   return mesh;
 }
 
 TetrahedralMesh CompleteMesh(const FacetComplex& surface)
 {
-  const TetrahedralMesh mesh = LawfulMesh(surface);
+  TetrahedralMesh mesh = LawfulMeshOfValid(surface);
   EXPECT_TRUE(mesh.LostFacets.empty());
   return mesh;
 }
@@ -57,15 +101,13 @@ FacetComplex Resolved(const TriangleSoup& soup)
 
 TEST(ExactTetrahedralization, GivesUpWhereMoreIsToBeCutThanAllowed)
 {
-  Monitor monitor;
   const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(30));
-  const std::vector<Triangle>& facets = surface.Facets;
-  EXPECT_TRUE(TetrahedralizeExactly(surface.Points, facets, monitor, { 1000 }).LostFacets.empty());
+  EXPECT_TRUE(LawfulMeshOfValid(surface, { 1000 }).LostFacets.empty());
   for (const std::size_t mostCuts : { 0, 10, 100 })
   {
     try
     {
-      TetrahedralizeExactly(surface.Points, facets, monitor, { mostCuts });
+      Tetrahedralize(surface, { mostCuts });
       FAIL() << mostCuts;
     }
     catch (const Error& error)
@@ -166,15 +208,17 @@ TEST(ExactTetrahedralization, KeepsEveryFacetOfResolvedSoups)
   }
 }
 
-TEST(ExactTetrahedralization, ListsFacetsThatCross)
+TEST(ExactTetrahedralization, LosesFacetsThatCross)
 {
   TriangleSoup soup;
   soup.Points = { { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { 0, 4, 0 } }, { { 1, 1, -1 } },
     { { 1, 1, 1 } }, { { 5, 5, 0.5 } } };
   soup.Triangles = { { { 0, 1, 2 } }, { { 3, 4, 5 } } };
-  EXPECT_FALSE(LawfulMesh(testmeshes::ToComplex(soup), false).LostFacets.empty());
-  EXPECT_FALSE(
-    LawfulMesh(testmeshes::ToComplex(testmeshes::RandomSoup(1, 20)), false).LostFacets.empty());
+  for (const FacetComplex& surface :
+    { testmeshes::ToComplex(soup), testmeshes::ToComplex(testmeshes::RandomSoup(1, 20)) })
+  {
+    EXPECT_FALSE(LawfulMesh(surface, Tetrahedralize(surface)).LostFacets.empty());
+  }
 }
 
 TEST(ExactTetrahedralization, RefusesPointsInAPlane)
@@ -261,29 +305,25 @@ TEST(ExactTetrahedralization, EndsWhenTheWorkIsDone)
 {
   // Every ridge is in the way of every other: many cuts, which need more.
   const FacetComplex surface = testmeshes::ToComplex(testmeshes::Chazelle(12));
-  const std::vector<Triangle> facets(
-    surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  const auto elements = static_cast<std::int64_t>(surface.Points.size() + facets.size());
-  Monitor monitor;
-  const ExactTetrahedralization patient = TetrahedralizeExactly(surface.Points, facets, monitor);
-  EXPECT_TRUE(patient.LostFacets.empty());
+  const auto elements =
+    static_cast<std::int64_t>(surface.Points.size()) + surface.NumberOfConstraints;
+  const ExactTetrahedralization patient = Tetrahedralize(surface);
+  EXPECT_TRUE(LawfulMesh(surface, patient).LostFacets.empty());
   for (const std::int64_t workPerElement : { 0, 1000, 10000 })
   {
     ExactLimits limits;
     limits.WorkPerElement = workPerElement;
-    const ExactTetrahedralization hasty =
-      TetrahedralizeExactly(surface.Points, facets, monitor, limits);
+    const ExactTetrahedralization hasty = Tetrahedralize(surface, limits);
     EXPECT_LT(hasty.Work, patient.Work);
     EXPECT_LT(hasty.Work, 10 * elements * (workPerElement + 1000));
-    EXPECT_FALSE(hasty.LostFacets.empty());
-    const TetrahedralMesh mesh = AssembleMesh(
-      surface, { hasty.Points, hasty.Cells, hasty.Faces, hasty.FacetOfFaces }, monitor);
-    testmeshes::ExpectMeshLaws(surface, mesh);
-    EXPECT_EQ(mesh.LostFacets, hasty.LostFacets);
+    const TetrahedralMesh mesh = LawfulMesh(surface, hasty);
+    EXPECT_FALSE(mesh.LostFacets.empty());
+    EXPECT_EQ(FacetsIn(mesh), FacetsIn(hasty));
   }
 }
 
 TEST(ExactTetrahedralization, EndsOnASurfaceThatCrossesItselfAllOver)
 {
-  LawfulMesh(testmeshes::ToComplex(testmeshes::RandomSoup(7, 60)), false);
+  const FacetComplex surface = testmeshes::ToComplex(testmeshes::RandomSoup(7, 60));
+  LawfulMesh(surface, Tetrahedralize(surface));
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "InsideBoundary.h"
 
+#include "BoundaryTriangles.h"
 #include "Error.h"
+#include "StopAtEveryReport.h"
 #include "TestTetrahedra.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +16,15 @@ namespace
 using namespace insideout;
 using testtetrahedra::Grid;
 using testtetrahedra::RandomInside;
+
+constexpr ProgressRange All = { "extracting", 0, 1 };
+
+std::vector<BoundaryFace> BoundaryFaces(
+  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  Monitor monitor;
+  return BoundaryFaces(mesh, inside, monitor, All);
+}
 
 /** det(a, b, c) of integer points: six times the volume of the cone from the origin. */
 std::int64_t Determinant(const Point& a, const Point& b, const Point& c)
@@ -110,6 +121,27 @@ TEST(BoundaryFaces, IsTheHullWhenAllIsInsideAndNothingWhenNothingIs)
   const TetrahedralMesh mesh = Grid(1, 3);
   EXPECT_EQ(BoundaryFaces(mesh, std::vector<unsigned char>(162, 1)).size(), 2u * 6 * 9);
   EXPECT_TRUE(BoundaryFaces(mesh, std::vector<unsigned char>(162, 0)).empty());
+}
+
+TEST(BoundaryFaces, CanBeStopped)
+{
+  const TetrahedralMesh mesh = Grid(1, 10);
+  const std::vector<unsigned char> inside = RandomInside(mesh, 1);
+  const int reports =
+    testmeshes::StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+      { BoundaryFaces(mesh, inside, monitor, range); });
+  EXPECT_EQ(reports, 2);
+}
+
+TEST(BoundaryTriangles, CanBeStopped)
+{
+  TetrahedralMesh mesh = Grid(1, 10);
+  const FacetComplex surface = testtetrahedra::RandomFaces(mesh, 1);
+  const std::vector<BoundaryFace> faces = BoundaryFaces(mesh, RandomInside(mesh, 1));
+  const int reports =
+    testmeshes::StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+      { BoundaryTriangles(surface, mesh, faces, monitor, range); });
+  EXPECT_EQ(reports, 2);
 }
 
 TEST(InsideBoundary, WantsOneLabelPerCell)

@@ -3,6 +3,7 @@
 
 #include "DisjointSets.h"
 #include "SortedTriangle.h"
+#include "StopAtEveryReport.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -145,6 +146,13 @@ std::set<Id> Wholes(const CutSurface& surface, const std::vector<BoundaryTriangl
   return wholes;
 }
 
+std::vector<BoundaryTriangle> MergePieces(
+  const std::vector<BoundaryTriangle>& triangles, const std::vector<Triangle>& given)
+{
+  Monitor monitor;
+  return MergePieces(triangles, given, monitor, { "extracting", 0, 1 });
+}
+
 TEST(MergePieces, PutsEveryTriangleTogetherThatLiesOnTheBoundaryWhole)
 {
   for (unsigned seed = 0; seed < 30; ++seed)
@@ -266,5 +274,14 @@ TEST(MergePieces, LeavesATriangleThatIsOnTheBoundaryAsAWholeToo)
     { { 2, 0, 3 }, 0 }, { { 0, 2, 1 }, None } };
   const std::vector<BoundaryTriangle> result = MergePieces(triangles, { { 0, 1, 2 } });
   EXPECT_EQ(result.size(), 4u);
+}
+
+TEST(MergePieces, CanBeStopped)
+{
+  const CutSurface surface = Cut(Ball(), 3);
+  const int reports =
+    testmeshes::StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+      { MergePieces(surface.Pieces, surface.Given, monitor, range); });
+  EXPECT_EQ(reports, 5) << "one per loop";
 }
 } // namespace

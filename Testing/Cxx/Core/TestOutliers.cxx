@@ -2,6 +2,7 @@
 #include "Outliers.h"
 
 #include "Error.h"
+#include "StopAtEveryReport.h"
 #include "TestTetrahedra.h"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,13 @@ std::map<Triangle, std::pair<Id, int>> Pieces(
     }
   }
   return pieces;
+}
+
+std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::vector<unsigned char>& inside)
+{
+  Monitor monitor;
+  return OutlierPieces(surface, mesh, inside, monitor, { "extracting", 0, 1 });
 }
 
 TEST(OutlierPieces, AreThoseThatTouchNoInsideCell)
@@ -151,6 +159,17 @@ TEST(OutlierPieces, IncludeLostUnresolvedAndMissingFacetsWithTheReason)
   surface.Facets.push_back(surface.Facets[0]); // a constraint that no face carries
   surface.NumberOfConstraints = 31;
   EXPECT_EQ(reasons(all), Found({ { 17, OutlierReason::Lost }, { 30, OutlierReason::Lost } }));
+}
+
+TEST(OutlierPieces, CanBeStopped)
+{
+  TetrahedralMesh mesh = Grid(1, 10);
+  const FacetComplex surface = testtetrahedra::RandomFaces(mesh, 1);
+  const std::vector<unsigned char> inside = RandomInside(mesh, 1);
+  const int reports =
+    testmeshes::StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+      { OutlierPieces(surface, mesh, inside, monitor, range); });
+  EXPECT_EQ(reports, 2);
 }
 
 TEST(OutlierPieces, WantOneLabelPerCell)

@@ -2,6 +2,7 @@
 #include "SplitSeams.h"
 
 #include "HullMesh.h"
+#include "StopAtEveryReport.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,8 @@ namespace
 {
 using namespace insideout;
 using namespace testmeshes;
+
+constexpr ProgressRange All = { "extracting", 0, 1 };
 
 /** Every triangle with points of its own. */
 TriangleSoup Torn(const TriangleSoup& soup)
@@ -53,10 +56,16 @@ Solid MakeSolid(const TriangleSoup& soup)
   {
     inside.push_back(w > 0.5);
   }
-  solid.Boundary =
-    BoundaryTriangles(solid.Hull.Surface, solid.Hull.Mesh, BoundaryFaces(solid.Hull.Mesh, inside));
+  solid.Boundary = BoundaryTriangles(solid.Hull.Surface, solid.Hull.Mesh,
+    BoundaryFaces(solid.Hull.Mesh, inside, monitor, All), monitor, All);
   solid.Given = TrianglesInMesh(soup, solid.Hull.MergedInto, solid.Hull.Mesh);
   return solid;
+}
+
+SeamedSurface SplitSeams(const Solid& solid, const TriangleSoup& soup, const std::vector<Id>& alike)
+{
+  Monitor monitor;
+  return SplitSeams(solid.Boundary, soup, solid.Given, alike, solid.Hull.Mesh, monitor, All);
 }
 
 /** A number for each input triangle, or box side, and a place: linear in the place. */
@@ -83,8 +92,7 @@ void CheckValues(const TriangleSoup& soup, Id perGradient, const std::vector<Id>
 {
   const Solid solid = MakeSolid(soup);
   ASSERT_GT(solid.Boundary.size(), 24u);
-  const SeamedSurface seamed =
-    SplitSeams(solid.Boundary, soup, solid.Given, alike, solid.Hull.Mesh);
+  const SeamedSurface seamed = SplitSeams(solid, soup, alike);
   std::vector<double> data(soup.Points.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
   {
@@ -159,8 +167,7 @@ TEST(SplitSeams, SplitsAnEdgeWhoseDataAreAlikeAtOneEndOnly)
     }
   }
   const Solid solid = MakeSolid(soup);
-  const SeamedSurface seamed =
-    SplitSeams(solid.Boundary, soup, solid.Given, alike, solid.Hull.Mesh);
+  const SeamedSurface seamed = SplitSeams(solid, soup, alike);
   std::map<std::pair<Id, Id>, Id> points; // by place and input triangle
   for (std::size_t t = 0; t < solid.Boundary.size(); ++t)
   {
@@ -190,8 +197,7 @@ TEST(SplitSeams, ChangesNothingWhereAllIsAlike)
 {
   const TriangleSoup soup = Torn(Box({ 0, 0, 0 }, { 1, 1, 1 }));
   const Solid solid = MakeSolid(soup);
-  const SeamedSurface seamed =
-    SplitSeams(solid.Boundary, soup, solid.Given, solid.Hull.MergedInto, solid.Hull.Mesh);
+  const SeamedSurface seamed = SplitSeams(solid, soup, solid.Hull.MergedInto);
   EXPECT_EQ(seamed.Places, std::vector<Id>({ 0, 1, 2, 3, 4, 5, 6, 7 }));
   for (std::size_t t = 0; t < solid.Boundary.size(); ++t)
   {
@@ -206,8 +212,7 @@ TEST(SplitSeams, TakesTheLowestTrianglesPointsWhereAHoleIsClosed)
   const Solid solid = MakeSolid(soup);
   std::vector<Id> alike(soup.Points.size());
   std::iota(alike.begin(), alike.end(), 0);
-  const SeamedSurface seamed =
-    SplitSeams(solid.Boundary, soup, solid.Given, alike, solid.Hull.Mesh);
+  const SeamedSurface seamed = SplitSeams(solid, soup, alike);
   ASSERT_EQ(solid.Boundary.size(), 12u);
   EXPECT_EQ(seamed.Places.size(), 30u) << "the lid adds no point";
   int closing = 0;
@@ -220,5 +225,15 @@ TEST(SplitSeams, TakesTheLowestTrianglesPointsWhereAHoleIsClosed)
     }
   }
   EXPECT_EQ(closing, 2);
+}
+
+TEST(SplitSeams, CanBeStopped)
+{
+  const TriangleSoup soup = Torn(CrossingBoxes());
+  const Solid solid = MakeSolid(soup);
+  const std::vector<Id> alike = AlikeBySides(soup);
+  const int reports = StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+    { SplitSeams(solid.Boundary, soup, solid.Given, alike, solid.Hull.Mesh, monitor, range); });
+  EXPECT_EQ(reports, 2) << "before sorting, and in the loop";
 }
 } // namespace

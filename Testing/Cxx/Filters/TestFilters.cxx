@@ -253,8 +253,9 @@ TEST(vtkRobustTetrahedralize, CanBeStoppedInEveryStageAndRunAgain)
     std::string Stage;
     bool Met = false;
   };
-  for (const char* stage : { "validating", "finding self-intersections",
-         "resolving self-intersections", "tetrahedralizing", "winding numbers", "segmenting" })
+  for (const char* stage :
+    { "validating", "finding self-intersections", "resolving self-intersections",
+      "tetrahedralizing", "winding numbers", "segmenting", "extracting" })
   {
     vtkNew<vtkRobustTetrahedralize> filter;
     filter->SetInputData(TwoBoxes());

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace insideout
+{
+/** A stage's name and the part of its progress, from 0 to 1, that a step or loop of it covers. */
+struct ProgressRange
+{
+  const char* Stage;
+  double Begin;
+  double End;
+};
+} // namespace insideout
