@@ -7,7 +7,7 @@
 namespace testmeshes
 {
 /**
- * The same as WindingNumberInQuads with six binary digits less for each number, in a tenth of the
+ * The same as WindingNumberInQuads with seven binary digits less for each number, in a tenth of the
  * time.
  */
 double WindingNumberInDoubleDoubles(
