@@ -48,7 +48,7 @@ const char* RungName(int rung);
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
  * faces (thesis, chapter 8). TetrahedralizeExactly alone kept all facets of 143 real surfaces, most
  * of them chosen because they are difficult, with Steiner points of 0.04 % of the points at the
- * median and below 1.6 % on nine in ten. TetGen's first way failed on 16 of these; where it did not
+ * median and below 1.6 % on nine in ten. TetGen's first way failed on 14 of 140; where it did not
  * the exact one took 0.65 times as long at the median and 2.2 times or less on nine in ten. It is
  * the slower one, up to eight times, where flips leave thousands of edges to be cut: it leaves
  * these to TetGen, and has another turn, with all cuts that it takes, where TetGen fails: a quarter
