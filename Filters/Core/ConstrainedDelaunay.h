@@ -52,11 +52,10 @@ const char* RungName(int rung);
  * the exact one took 0.65 times as long at the median and 2.2 times or less on nine in ten. It is
  * the slower one, up to eight times, where flips leave thousands of edges to be cut: it leaves
  * these to TetGen, and has another turn, with all cuts that it takes, where TetGen fails: a quarter
- * of an hour for one surface that has 600,000 facets after it is resolved. TetGen works in a program
- * of its own
- * (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes back is checked
- * before it is believed (AssembleMesh.h): points in place, exact positive volumes, every face
- * shared by at most two cells, the hull convex, facets present.
+ * of an hour for one surface that has 600,000 facets after it is resolved. TetGen works in a
+ * program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes
+ * back is checked before it is believed (AssembleMesh.h): points in place, exact positive volumes,
+ * every face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.

@@ -29,14 +29,12 @@ constexpr unsigned MostRingsOfRuins = 3;
 /** Edges that are tried to flip a face away. */
 constexpr int MostTwinFlips = 200;
 
-/** Steiner points are shaken so often without getting fewer, */
-constexpr int ShakesOfAll = 4;
-
-/** and with this share of the work at most. */
-constexpr std::int64_t WorkPerShake = 10;
-
-/** Points without a place are shaken so often before the facets around them are let go. */
+/** Points are shaken so often without getting fewer. */
 constexpr int ShakesWithoutGain = 12;
+
+/** Steiner points that have places are shaken for this share of the work, and some ms. */
+constexpr std::int64_t WorkPerShake = 10;
+constexpr std::int64_t WorkOnShaking = 1000000;
 
 /** Facets are given up so often before all of them are. */
 constexpr int MostAttempts = 8;
@@ -325,15 +323,15 @@ private:
   void ShakeOff(SteinerPoints& steiner)
   {
     const std::int64_t work = this->Mesh.Vertices.Work();
-    const std::int64_t end = work + work / WorkPerShake;
+    const std::int64_t end = work + work / WorkPerShake + WorkOnShaking;
     std::vector<Id> left = this->SteinerPointsLeft();
-    int patience = ShakesOfAll;
+    int patience = ShakesWithoutGain;
     while (!left.empty() && patience > 0 && this->Mesh.Vertices.Work() < end)
     {
       steiner.Shake(left, this->Random);
       const std::size_t before = left.size();
       left = this->SteinerPointsLeft();
-      patience = left.size() < before ? ShakesOfAll : patience - 1;
+      patience = left.size() < before ? ShakesWithoutGain : patience - 1;
     }
   }
 

@@ -28,12 +28,20 @@ constexpr int MostDigits = 500;
  */
 constexpr std::int64_t WorkPerElement = 1000;
 
-/** Flips make fewer simplices cross the target each time, and take edges with so many cells. */
-constexpr FlipOperator::Limits FewerCrossings = { -1, 10 };
+/**
+ * Work on deep flips: some ms, for the surfaces on which these do without any cut. To recover an
+ * edge takes them twice as long as to cut it.
+ */
+constexpr std::int64_t WorkOnDeepFlips = 300000;
 
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 16;
 } // namespace
+
+const SegmentRecovery::Effort SegmentRecovery::PlainFlips = { { -1, 10 }, 0, 0 };
+
+const std::array<SegmentRecovery::Effort, 3> SegmentRecovery::DeepFlips = { { { { -1, 10 }, 1, 40 },
+  { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
 
 std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
 {
@@ -51,21 +59,18 @@ std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) co
 
 // --- Flips ---------------------------------------------------------------------------------------
 
-bool SegmentRecovery::RemoveEdge(Id u, Id v, const FlipTarget& target)
+bool SegmentRecovery::Clear(
+  const Crossing& crossing, const FlipTarget& target, const Effort& effort)
 {
-  const Id cell = this->Mesh.FindEdge(u, v);
-  return cell == None || this->Flips.RemoveEdge(u, v, cell, target, FewerCrossings);
-}
-
-bool SegmentRecovery::Clear(const Crossing& crossing, const FlipTarget& target)
-{
+  int budget = effort.Budget;
   if (crossing.Kind == Crossing::ThroughEdge)
   {
-    return this->RemoveEdge(crossing.U, crossing.V, target);
+    return this->Flips.RemoveEdgeDeeply(
+      crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
   }
   const Id cell = crossing.Cell;
   const FlippableCell& near = this->Mesh.Cells[cell];
-  if (this->Flips.RemoveFace(cell, crossing.Face, target, FewerCrossings))
+  if (this->Flips.RemoveFace(cell, crossing.Face, target, effort.Limits))
   {
     return true;
   }
@@ -87,7 +92,14 @@ bool SegmentRecovery::Clear(const Crossing& crossing, const FlipTarget& target)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (isReflex[k] == reflex && this->RemoveEdge(f[k], f[(k + 1) % 3], target))
+      if (isReflex[k] != reflex)
+      {
+        continue;
+      }
+      const std::int64_t before = this->Mesh.NumberOfChanges();
+      if (this->Flips.RemoveEdgeDeeply(
+            f[k], f[(k + 1) % 3], target, effort.Limits, effort.Depth, budget) ||
+        this->Mesh.NumberOfChanges() != before)
       {
         return true;
       }
@@ -97,14 +109,16 @@ bool SegmentRecovery::Clear(const Crossing& crossing, const FlipTarget& target)
 }
 
 /** Take away something that the segment crosses: from one end, from the other, anywhere. */
-bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target)
+bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort)
 {
+  const std::int64_t before = this->Mesh.NumberOfChanges();
+  const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
   const Crossing first = FirstCrossing(this->Mesh, a, b);
   if (first.Kind == Crossing::AtVertex)
   {
     return false;
   }
-  if (this->Clear(first, target))
+  if (this->Clear(first, target, effort) || changed())
   {
     return true;
   }
@@ -113,7 +127,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target)
   {
     return false;
   }
-  if (this->Clear(last, target))
+  if (this->Clear(last, target, effort) || changed())
   {
     return true;
   }
@@ -122,7 +136,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target)
        (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge);
        ++k)
   {
-    if (this->Clear(crossing, target))
+    if (this->Clear(crossing, target, effort) || changed())
     {
       return true;
     }
@@ -131,7 +145,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target)
   return false;
 }
 
-bool SegmentRecovery::Recover(Id a, Id b)
+bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
 {
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
   for (int flips = 0; flips < MostFlipsPerSegment; ++flips)
@@ -140,7 +154,7 @@ bool SegmentRecovery::Recover(Id a, Id b)
     {
       return true;
     }
-    if (!this->ClearOne(a, b, target))
+    if (!this->ClearOne(a, b, target, effort))
     {
       return false;
     }
@@ -148,29 +162,41 @@ bool SegmentRecovery::Recover(Id a, Id b)
   return false;
 }
 
+/** One round. @return the ones that are still missing */
+std::vector<Id> SegmentRecovery::RecoverEach(
+  const std::vector<Id>& missing, const Effort& effort, std::int64_t mostWork)
+{
+  const std::int64_t end = this->Mesh.Vertices.Work() + mostWork;
+  std::vector<Id> still;
+  for (std::size_t k = 0; k < missing.size(); ++k)
+  {
+    if (k % SegmentsPerCheck == 0)
+    {
+      this->Progress.Check("recovering edges", static_cast<double>(k) / missing.size());
+    }
+    const std::array<Id, 2>& ends = this->Segments.EndsOf(missing[k]);
+    if (this->Mesh.Vertices.Work() > end || !this->Recover(ends[0], ends[1], effort))
+    {
+      still.push_back(missing[k]);
+    }
+  }
+  return still;
+}
+
 std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
 {
-  const std::int64_t end = this->Mesh.Vertices.Work() +
+  const std::int64_t mostWork =
     WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size());
   // While a round gets many, another gets more.
   std::size_t before = 2 * missing.size() + 2;
   while (!missing.empty() && missing.size() < before - before / 10)
   {
     before = missing.size();
-    std::vector<Id> still;
-    for (std::size_t k = 0; k < missing.size(); ++k)
-    {
-      if (k % SegmentsPerCheck == 0)
-      {
-        this->Progress.Check("recovering edges", static_cast<double>(k) / missing.size());
-      }
-      const std::array<Id, 2>& ends = this->Segments.EndsOf(missing[k]);
-      if (this->Mesh.Vertices.Work() > end || !this->Recover(ends[0], ends[1]))
-      {
-        still.push_back(missing[k]);
-      }
-    }
-    missing = std::move(still);
+    missing = this->RecoverEach(missing, PlainFlips, mostWork);
+  }
+  for (const Effort& effort : DeepFlips)
+  {
+    missing = this->RecoverEach(missing, effort, WorkOnDeepFlips);
   }
   return missing;
 }
@@ -234,7 +260,7 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
 {
   Id a = start;
   const Id b = end;
-  for (int splits = 0; !this->Recover(a, b); ++splits)
+  for (int splits = 0; !this->Recover(a, b, PlainFlips); ++splits)
   {
     if (splits == MostSplitsPerSegment || this->Mesh.Vertices.IsWorkDone())
     {

@@ -26,8 +26,8 @@ public:
   std::vector<Id> FindMissing(const std::vector<Id>& segments) const;
 
   /**
-   * Recover segments by flips that leave less in the way each time. What these leave, cuts recover
-   * in less time than more flips would.
+   * Recover segments by flips that leave less in the way each time, and a few by deeper ones. What
+   * is left, cuts recover in less time.
    * @return the ones that are still missing
    */
   std::vector<Id> RecoverByFlips(std::vector<Id> missing);
@@ -49,10 +49,20 @@ public:
     const std::vector<Id>& missing, From from, SteinerPoints& steiner);
 
 private:
-  bool Recover(Id a, Id b);
-  bool ClearOne(Id a, Id b, const FlipTarget& target);
-  bool Clear(const Crossing& crossing, const FlipTarget& target);
-  bool RemoveEdge(Id u, Id v, const FlipTarget& target);
+  struct Effort
+  {
+    FlipOperator::Limits Limits;
+    int Depth;
+    int Budget;
+  };
+  static const Effort PlainFlips;
+  static const std::array<Effort, 3> DeepFlips;
+
+  std::vector<Id> RecoverEach(
+    const std::vector<Id>& missing, const Effort& effort, std::int64_t mostWork);
+  bool Recover(Id a, Id b, const Effort& effort);
+  bool ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort);
+  bool Clear(const Crossing& crossing, const FlipTarget& target, const Effort& effort);
   bool SplitAndRecover(Id segment, Id start, Id end);
   bool IsFree(Id vertex) const;
   Id SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace);
