@@ -48,10 +48,11 @@ struct ExactLimits
  * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
  * are recovered by flips (FlipOperator), then the facets between them. What flips do not recover is
  * cut into the mesh by Steiner points that lie exactly on it, which always works. They are removed
- * again, or moved into the volume, after each cut, and what is left on the surface is rounded to
- * doubles where exact tests allow it. Facets that have points without a place in doubles are let go
- * together with those around, and all of these recovered in another order, as long as the work on
- * that is not more than all the rest. It ends: see ExactLimits.
+ * again, or moved into the volume, after each cut, and once more after flips at random around them;
+ * what is left on the surface is rounded to doubles where exact tests allow it. Facets that have
+ * points without a place in doubles are let go together with those around, and all of these
+ * recovered in another order, as long as the work on that is not more than all the rest. It ends:
+ * see ExactLimits.
  *
  * Thread-safe, and deterministic: the same input gives the same mesh on every machine, however
  * busy, for all limits are counts of work and none is time.

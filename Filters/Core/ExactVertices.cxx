@@ -7,13 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace insideout
 {
 namespace
 {
-/** What a predicate that intervals do not decide takes, in units of one that doubles do. */
+/** What a predicate takes that only exact numbers decide, in units of one that doubles do. */
 constexpr std::int64_t WorkOfExactPredicate = 100;
 
 /** The same for one that double-doubles decide. */
