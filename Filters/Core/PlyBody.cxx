@@ -200,10 +200,6 @@ private:
   {
     this->CheckAnnounced();
     const PlyProperty* const pointIds = this->Header.PointIdsOf(*this->Element);
-    if (this->IsFace && !pointIds && this->Element->Count > 0)
-    {
-      throw Malformed(this->File, "faces have no list vertex_indices");
-    }
     this->Reserve();
     for (this->Index = 0; this->Index < this->Element->Count; ++this->Index)
     {
@@ -306,6 +302,8 @@ private:
       this->Fail("refers to point " + std::string(text.data(), end) + " of " +
         std::to_string(this->PointCount));
     }
+    // Faces may come before the vertices, whose number nobody has checked then.
+    CheckCount(this->File, static_cast<std::uint64_t>(value) + 1, "points");
     return static_cast<Id>(value);
   }
 

@@ -162,6 +162,10 @@ private:
         throw Malformed(this->File, std::string("vertices have no number ") + axis);
       }
     }
+    if (this->Header.HasFaces() && !this->Header.PointIdsOf(*this->Header.Find("face")))
+    {
+      throw Malformed(this->File, "faces have no list vertex_indices");
+    }
   }
 
   /** One line end after end_header, of the kind that the first line has: data may look like one. */

@@ -119,9 +119,10 @@ struct PlyHeader
 };
 
 /**
- * Read the header. The result has a format and an element vertex with the numbers x, y and z; the
- * names of elements, and of the properties of each, differ and are not empty. Values are still
- * empty. Statements of other words than those of the format are counted and passed over.
+ * Read the header. The result has a format and an element vertex with the numbers x, y and z;
+ * faces, if there are any, have their list of points; the names of elements, and of the properties
+ * of each, differ and are not empty. Values are still empty. Statements of other words than those
+ * of the format are counted and passed over.
  * @throws Error FileMalformed where that cannot be, Stopped
  */
 PlyHeader ReadPlyHeader(const FileContent& file, Monitor& monitor);

@@ -21,8 +21,12 @@ void WarnOfUnused(
   }
   for (const PlyElement& element : header.Elements)
   {
+    if (element.Count == 0)
+    {
+      continue;
+    }
     const PlyProperty* const pointIds = header.PointIdsOf(element);
-    if (!element.IsKept() && element.Count > 0 && !pointIds)
+    if (!element.IsKept() && !pointIds)
     {
       warn(
         std::to_string(element.Count) + " elements " + Quoted(element.Name) + " were passed over");

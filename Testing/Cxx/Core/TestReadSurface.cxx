@@ -552,6 +552,34 @@ TEST(ReadSurface, RejectsPlyHeadersThatSayNothing)
     ": faces have no list vertex_indices");
 }
 
+TEST(ReadSurface, RejectsPlyFacesWithoutProperties)
+{
+  ExpectMalformed("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nend_header\n0 0 0\n\n",
+    ": faces have no list vertex_indices");
+}
+
+TEST(ReadSurface, RejectsPlyFacesOfPointsThatNoIdCounts)
+{
+  const Failure failure = FailureOf("a.ply",
+    "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar uint vertex_indices\n"
+    "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n"
+    "end_header\n3 0 1 3000000000\n0 0 0\n");
+  EXPECT_EQ(failure.Code, ErrorCode::TooLarge);
+  EXPECT_EQ(failure.Message, "a.ply: has more than 2147483647 points");
+}
+
+TEST(ReadSurface, WarnsOfNoListsOfPlyFacesThatAreNotThere)
+{
+  const PolygonSurface surface = Read("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 0\nproperty list uchar int vertex_indices\n"
+    "property list uchar float texcoord\nend_header\n1 2 3\n");
+  ExpectSamePoints(surface.Points, { { 1, 2, 3 } });
+  EXPECT_TRUE(surface.Warnings.empty());
+}
+
 TEST(ReadSurface, NamesTheFirstPlyElementThatIsMissing)
 {
   const std::string little = "ply\nformat binary_little_endian 1.0\n";
