@@ -81,17 +81,16 @@ public:
   /** What makes the tetrahedra. */
   enum EngineType
   {
-    ENGINE_AUTOMATIC = 0, ///< exact flips, and TetGen where these leave much to be cut
+    ENGINE_AUTOMATIC = 0, ///< exact flips and cuts, and TetGen should these lose a facet
     ENGINE_EXACT = 1,     ///< flips and cuts with exact predicates, in this process
     ENGINE_TETGEN = 2     ///< TetGen alone
   };
 
   ///@{
   /**
-   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips, TetGen
-   * where these leave much to be cut, and exact cuts where TetGen fails; ENGINE_EXACT (1) and
-   * ENGINE_TETGEN (2) only the one. Where neither keeps every facet the mesh that loses fewest is
-   * taken. Default ENGINE_AUTOMATIC.
+   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips and cuts, and TetGen should
+   * these lose a facet; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only the one. Where neither keeps
+   * every facet the mesh that loses fewest is taken. Default ENGINE_AUTOMATIC.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
   vtkGetMacro(Engine, int);

@@ -205,42 +205,20 @@ private:
   const double ProcessorStart;
 };
 
-TetrahedralMesh TetrahedralizeWithin(
-  const TetgenBudget& budget, const Attempt& attempt, const ExactLimits& limits)
-{
-  DeadlineMonitor deadline(budget, attempt.Caller);
-  const FacetComplex& surface = attempt.Surface;
-  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
-    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline,
-    limits);
-  return AssembleMesh(surface,
-    { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
-      std::move(exact.FacetOfFaces) },
-    attempt.Caller);
-}
-
-TetrahedralMesh FlipExactly(const Attempt& attempt)
-{
-  /**
-   * A cut takes 0.3 to 1.6 ms, TetGen 0.01 to 0.1 ms for each facet if it does not fail, which it
-   * does the more often the more there is to be cut: one cut for ten facets is where both break
-   * even.
-   */
-  constexpr std::size_t FewCuts = 200;
-  constexpr std::size_t FacetsPerCut = 10;
-  ExactLimits limits;
-  limits.MostCuts =
-    std::max(FewCuts, static_cast<std::size_t>(attempt.Surface.NumberOfConstraints) / FacetsPerCut);
-  return TetrahedralizeWithin(attempt.Budget, attempt, limits);
-}
-
 TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
 {
   /** Nearly all surfaces need much less, and those for which the other rungs are worse need it. */
   constexpr double Patience = 5;
   TetgenBudget budget = attempt.Budget;
   budget.ProcessorSeconds *= Patience;
-  return TetrahedralizeWithin(budget, attempt, {});
+  DeadlineMonitor deadline(budget, attempt.Caller);
+  const FacetComplex& surface = attempt.Surface;
+  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
+    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline);
+  return AssembleMesh(surface,
+    { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
+      std::move(exact.FacetOfFaces) },
+    attempt.Caller);
 }
 
 TetrahedralMesh IgnoreFacets(const Attempt& attempt)
@@ -260,19 +238,17 @@ struct Rung
 };
 
 /**
- * Exact flips come first by what was measured (ConstrainedDelaunay.h). Where they leave much to be
- * cut TetGen is quicker, as long as it does not crash, which it does most often where it takes
- * Steiner points out of facets again. Only its first two rungs try that: else some tens of them are
- * left. Where else it crashes depends on the tetrahedra that it begins with, so that another way to
- * these helps. With points wherever it likes there are ten times as many as the facets have
- * corners.
+ * The exact way comes first by what was measured (ConstrainedDelaunay.h). TetGen crashes most often
+ * where it takes Steiner points out of facets again. Only its first two rungs try that: else some
+ * tens of them are left. Where else it crashes depends on the tetrahedra that it begins with, so
+ * that another way to these helps. With points wherever it likes there are ten times as many as the
+ * facets have corners.
  */
 const Rung Ladder[] = {
-  { "exact flips, few cuts", FlipExactly, { Engine::Automatic } },
+  { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },
   { "TetGen, points kept off facets", KeepPointsOffFacets, { Engine::Automatic, Engine::TetGen } },
   { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
     { Engine::Automatic, Engine::TetGen } },
-  { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },
   { "TetGen, points left on facets", LeavePointsOnFacets, { Engine::Automatic, Engine::TetGen } },
   { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
     { Engine::Automatic, Engine::TetGen } },
@@ -381,10 +357,6 @@ Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine e
     }
     catch (const Error& error)
     {
-      if (error.Code == ErrorCode::TooManyCuts)
-      {
-        continue; // a choice, no failure
-      }
       if (!IsFailureOfARung(error))
       {
         throw;

@@ -11,7 +11,7 @@ namespace insideout
 /** What makes the tetrahedra. */
 enum class TetrahedralizationEngine
 {
-  Automatic, ///< exact flips; where they leave much to be cut TetGen; then whatever loses least
+  Automatic, ///< exact flips and cuts, TetGen should they lose a facet; whatever loses least
   Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
   TetGen     ///< TetGen alone
 };
@@ -21,13 +21,13 @@ struct ConstrainedDelaunayParameters
 {
   /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
    * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
-   * however busy the machine is; and ten times as much by the clock. Exact flips and cuts
-   * have five times as much as each of the others. */
+   * however busy the machine is; and ten times as much by the clock. The exact way has
+   * five times as much as each of the others. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
    * but at most three quarters of the machine's memory. TetGen's process is watched for it, the
-   * exact rungs are not. */
+   * exact rung is not. */
   double MemoryBudget = 0;
 
   TetrahedralizationEngine Engine = TetrahedralizationEngine::Automatic;
@@ -46,16 +46,16 @@ const char* RungName(int rung);
 
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
- * faces (thesis, chapter 8). TetrahedralizeExactly alone kept all facets of 143 real surfaces, most
- * of them chosen because they are difficult, with Steiner points of 0.04 % of the points at the
- * median and below 1.6 % on nine in ten. TetGen's first way failed on 14 of 140; where it did not
- * the exact one took 0.65 times as long at the median and 2.2 times or less on nine in ten. It is
- * the slower one, up to eight times, where flips leave thousands of edges to be cut: it leaves
- * these to TetGen, and has another turn, with all cuts that it takes, where TetGen fails: a quarter
- * of an hour for one surface that has 600,000 facets after it is resolved. TetGen works in a
+ * faces (thesis, chapter 8).
+ *
+ * TetrahedralizeExactly kept all facets of 145 real surfaces, most of them chosen because they are
+ * difficult, with Steiner points of 0.09 % of the points at the median and below 1.9 % on nine in
+ * ten. TetGen's first way failed on 16 of these. On the other 129 both take as long at the median
+ * and in sum; the exact way takes up to eight times as long where flips leave many edges to be cut,
+ * a quarter of an hour for one surface of 600,000 facets that TetGen cannot do. TetGen works in a
  * program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes
- * back is checked before it is believed (AssembleMesh.h): points in place, exact positive volumes,
- * every face shared by at most two cells, the hull convex, facets present.
+ * back from either is checked before it is believed (AssembleMesh.h): points in place, exact
+ * positive volumes, every face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.

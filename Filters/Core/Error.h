@@ -22,7 +22,6 @@ enum class ErrorCode
   SelfIntersecting,      ///< facets cross in a stage that needs them resolved
   TetrahedralizerDied,   ///< the helper program crashed, could not be started or sent garbage
   TetrahedralizerFailed, ///< the helper program ran and reported that it cannot do it
-  TooManyCuts,           ///< exact flips leave more to be cut than was allowed
   Inconsistent,          ///< a result failed its own check: a bug worth reporting
   Stopped                ///< the monitor asked to stop
 };

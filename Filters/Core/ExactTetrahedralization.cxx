@@ -99,16 +99,15 @@ class Attempt
 {
 public:
   Attempt(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-    const ExactLimits& limits, Monitor& monitor)
+    std::int64_t workPerElement, Monitor& monitor)
     : Points(points)
     , Mesh(points, this->Same, monitor)
     , Facets(this->Renamed(facets))
     , Segments(this->Facets)
-    , MostCuts(limits.MostCuts)
     , Progress(monitor)
   {
     this->Mesh.Vertices.LimitWork(
-      limits.WorkPerElement * static_cast<std::int64_t>(points.size() + facets.size()));
+      workPerElement * static_cast<std::int64_t>(points.size() + facets.size()));
   }
 
   /**
@@ -307,11 +306,6 @@ private:
     missing = facets.MarkWholeFacets(missing);
     const std::vector<Id> toCut =
       edges.RecoverByFlips(edges.FindMissing(this->SegmentsOf(missing)));
-    if (toCut.size() > this->MostCuts)
-    {
-      throw Error(ErrorCode::TooManyCuts,
-        "flips leave " + std::to_string(toCut.size()) + " edges of facets to be cut");
-    }
     edges.RecoverBySplits(toCut, from, steiner);
     missing = facets.MarkWholeFacets(missing);
     facets.RecoverBySplits(facets.RecoverByFlips(missing), steiner);
@@ -560,7 +554,6 @@ private:
   FlippableMesh Mesh;
   std::vector<Triangle> Facets;
   SegmentTable Segments;
-  const std::size_t MostCuts;
   Monitor& Progress;
   std::set<Id> GivenUp;
   std::mt19937 Random;
@@ -569,7 +562,7 @@ private:
 /** One attempt, and more without the facets that it has to give up, of which there are fewer each
  * time. */
 ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, SegmentRecovery::From from, const ExactLimits& limits,
+  const std::vector<Triangle>& facets, SegmentRecovery::From from, std::int64_t workPerElement,
   Monitor& monitor)
 {
   std::vector<Id> names = FacetsWithArea(points, facets);
@@ -580,7 +573,7 @@ ExactTetrahedralization AttemptUntilPointsHavePlaces(const std::vector<Point>& p
     {
       chosen.push_back(facets[name]);
     }
-    Attempt attempt(points, chosen, limits, monitor);
+    Attempt attempt(points, chosen, workPerElement, monitor);
     if (attempt.Run(from))
     {
       return attempt.Result(names);
@@ -620,7 +613,7 @@ std::vector<Id> FacetsWithoutFaces(std::size_t numberOfFacets, const std::vector
 } // namespace
 
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, Monitor& monitor, const ExactLimits& limits)
+  const std::vector<Triangle>& facets, Monitor& monitor, std::int64_t workPerElement)
 {
   ExactTetrahedralization best;
   std::vector<Id> missing;
@@ -631,7 +624,7 @@ ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
       break;
     }
     ExactTetrahedralization result =
-      AttemptUntilPointsHavePlaces(points, facets, from, limits, monitor);
+      AttemptUntilPointsHavePlaces(points, facets, from, workPerElement, monitor);
     std::vector<Id> now = FacetsWithoutFaces(facets.size(), result.FacetOfFaces);
     if (best.Cells.empty() || now.size() < missing.size())
     {

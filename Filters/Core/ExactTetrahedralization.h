@@ -4,9 +4,7 @@
 #include "Monitor.h"
 #include "Types.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace insideout
@@ -28,19 +26,6 @@ struct ExactTetrahedralization
   std::int64_t Work = 0;
 };
 
-/** What may be done before facets are given up. */
-struct ExactLimits
-{
-  /** Where flips leave more edges of facets than these to be cut, give up: cuts take long. */
-  std::size_t MostCuts = std::numeric_limits<std::size_t>::max();
-
-  /**
-   * Work for each point and facet. When it is done, nothing is cut any more: what is missing then
-   * is lost. Of real surfaces and random ones none has taken a tenth of this.
-   */
-  std::int64_t WorkPerElement = 1000000;
-};
-
 /**
  * Tetrahedra of the convex hull of points in which every facet is a union of faces. All decisions
  * are exact and none depends on a tolerance.
@@ -54,14 +39,17 @@ struct ExactLimits
  * recovered in another order, as long as the work on that is not more than all the rest. It ends:
  * see ExactLimits.
  *
- * Thread-safe, and deterministic: the same input gives the same mesh on every machine, however
- * busy, for all limits are counts of work and none is time.
+ * It ends, for work is limited. Thread-safe, and deterministic: the same input gives the same mesh
+ * on every machine, however busy, for all limits are counts of work and none is time.
  *
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
  *            lie within one of their edges. What breaks this is lost
- * @throws Error Planar, Inconsistent, Stopped; TooManyCuts
+ * @param[in] workPerElement for each point and facet. When it is done nothing is cut any more, and
+ *            what is missing then is lost. No surface, real or random, has taken a tenth of this
+ * yet
+ * @throws Error Planar, Inconsistent, Stopped
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, Monitor& monitor, const ExactLimits& limits = {});
+  const std::vector<Triangle>& facets, Monitor& monitor, std::int64_t workPerElement = 1000000);
 } // namespace insideout

@@ -9,14 +9,8 @@ namespace insideout
 {
 namespace
 {
-/** Flips for one facet. */
-constexpr int MostFlipsPerFacet = 200;
-
-/**
- * Work (ExactVertices::Work) on flips, for each point and facet, after which points go on the
- * facets that are left: some 0.02 ms.
- */
-constexpr std::int64_t WorkPerElement = 1000;
+/** Passes over all edges that cross a facet: each leaves fewer, or other ones. */
+constexpr int MostPassesPerFacet = 20;
 
 /** How often the monitor is asked. */
 constexpr std::size_t FacetsPerCheck = 4;
@@ -201,12 +195,12 @@ std::vector<FacetRecovery::MeshEdge> FacetRecovery::AllCrossings(
   return edges;
 }
 
-bool FacetRecovery::Recover(Id facet, const FlipOperator::Limits& limits, int depth, int budget)
+bool FacetRecovery::Recover(Id facet, const FlipEffort& effort)
 {
   const FlipTarget target = FlipTarget::Facet(this->Mesh, this->Facets[facet]);
   std::vector<MeshFace> faces;
   MeshEdge first;
-  for (int flips = 0; flips < MostFlipsPerFacet; ++flips)
+  for (int pass = 0; pass < MostPassesPerFacet; ++pass)
   {
     const Search search = this->FindFaces(facet, faces, first);
     if (search == Search::Found)
@@ -219,11 +213,15 @@ bool FacetRecovery::Recover(Id facet, const FlipOperator::Limits& limits, int de
       return false;
     }
     const std::int64_t before = this->Mesh.NumberOfChanges();
-    const std::vector<MeshEdge> crossings = this->AllCrossings(facet, first);
-    for (std::size_t k = 0; k < crossings.size() && this->Mesh.NumberOfChanges() == before; ++k)
+    for (const MeshEdge& crossing : this->AllCrossings(facet, first))
     {
-      int left = budget;
-      this->Flips.RemoveEdgeDeeply(crossings[k].U, crossings[k].V, target, limits, depth, left);
+      if (this->Mesh.Vertices.Work() > effort.EndOfWork)
+      {
+        return false;
+      }
+      int budget = effort.Budget;
+      this->Flips.RemoveEdgeDeeply(
+        crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
     }
     if (this->Mesh.NumberOfChanges() == before)
     {
@@ -233,41 +231,13 @@ bool FacetRecovery::Recover(Id facet, const FlipOperator::Limits& limits, int de
   return false;
 }
 
-std::vector<Id> FacetRecovery::RecoverByFlips(std::vector<Id> missing)
+std::vector<Id> FacetRecovery::RecoverByFlips(const std::vector<Id>& missing)
 {
-  struct Effort
-  {
-    FlipOperator::Limits Limits;
-    int Depth;
-    int Budget;
-  };
-  const std::int64_t end = this->Mesh.Vertices.Work() +
-    WorkPerElement * (this->Mesh.Infinite() + static_cast<std::int64_t>(this->Facets.size()));
-  const std::array<Effort, 4> efforts = { { { { -1, 10 }, 0, 0 }, { { -1, 12 }, 1, 40 },
-    { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
-  for (const Effort& effort : efforts)
-  {
-    std::size_t before = missing.size() + 1;
-    while (!missing.empty() && missing.size() < before)
-    {
-      before = missing.size();
-      std::vector<Id> still;
-      for (std::size_t k = 0; k < missing.size(); ++k)
-      {
-        if (k % FacetsPerCheck == 0)
-        {
-          this->Progress.Check("recovering facets", static_cast<double>(k) / missing.size());
-        }
-        if (this->Mesh.Vertices.Work() > end ||
-          !this->Recover(missing[k], effort.Limits, effort.Depth, effort.Budget))
-        {
-          still.push_back(missing[k]);
-        }
-      }
-      missing = std::move(still);
-    }
-  }
-  return missing;
+  return RecoverInRounds(missing, this->Mesh,
+    static_cast<std::int64_t>(this->Mesh.Infinite()) +
+      static_cast<std::int64_t>(this->Facets.size()),
+    this->Progress, "recovering facets",
+    [this](Id facet, const FlipEffort& effort) { return this->Recover(facet, effort); });
 }
 
 /** Put a point where the edge passes through the facet's plane, if it does. */

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "EdgeRemoval.h"
-#include "Monitor.h"
+#include "FlipRounds.h"
 #include "SteinerPoints.h"
 
 namespace insideout
@@ -25,7 +24,7 @@ public:
   std::vector<Id> MarkWholeFacets(const std::vector<Id>& facets);
 
   /** Recover facets by flips alone. @return the ones that are still missing */
-  std::vector<Id> RecoverByFlips(std::vector<Id> missing);
+  std::vector<Id> RecoverByFlips(const std::vector<Id>& missing);
 
   /**
    * Recover facets by putting a Steiner point on each where an edge crosses it. Edges get no end
@@ -59,7 +58,7 @@ private:
   std::vector<MeshEdge> AllCrossings(Id facet, const MeshEdge& first) const;
   void Mark(Id facet, const std::vector<MeshFace>& faces);
   bool SplitOnFacet(Id facet, const MeshEdge& edge);
-  bool Recover(Id facet, const FlipOperator::Limits& limits, int depth, int budget);
+  bool Recover(Id facet, const FlipEffort& effort);
 
   FlippableMesh& Mesh;
   const SegmentTable& Segments;

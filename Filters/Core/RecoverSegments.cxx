@@ -22,26 +22,9 @@ constexpr int MostSplitsPerSegment = 1000;
 /** Places on a segment are tried with so many binary digits. */
 constexpr int MostDigits = 500;
 
-/**
- * Work (ExactVertices::Work) on flips, for each point and segment, after which points go on the
- * segments that are left: some 0.02 ms. Surfaces of which flips recover nearly all take a tenth.
- */
-constexpr std::int64_t WorkPerElement = 1000;
-
-/**
- * Work on deep flips: some ms, for the surfaces on which these do without any cut. To recover an
- * edge takes them twice as long as to cut it.
- */
-constexpr std::int64_t WorkOnDeepFlips = 300000;
-
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 16;
 } // namespace
-
-const SegmentRecovery::Effort SegmentRecovery::PlainFlips = { { -1, 10 }, 0, 0 };
-
-const std::array<SegmentRecovery::Effort, 3> SegmentRecovery::DeepFlips = { { { { -1, 10 }, 1, 40 },
-  { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
 
 std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
 {
@@ -60,7 +43,7 @@ std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) co
 // --- Flips ---------------------------------------------------------------------------------------
 
 bool SegmentRecovery::Clear(
-  const Crossing& crossing, const FlipTarget& target, const Effort& effort)
+  const Crossing& crossing, const FlipTarget& target, const FlipEffort& effort)
 {
   int budget = effort.Budget;
   if (crossing.Kind == Crossing::ThroughEdge)
@@ -109,7 +92,7 @@ bool SegmentRecovery::Clear(
 }
 
 /** Take away something that the segment crosses: from one end, from the other, anywhere. */
-bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort)
+bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipEffort& effort)
 {
   const std::int64_t before = this->Mesh.NumberOfChanges();
   const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
@@ -145,7 +128,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const Effor
   return false;
 }
 
-bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
+bool SegmentRecovery::Recover(Id a, Id b, const FlipEffort& effort)
 {
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
   for (int flips = 0; flips < MostFlipsPerSegment; ++flips)
@@ -154,7 +137,7 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
     {
       return true;
     }
-    if (!this->ClearOne(a, b, target, effort))
+    if (this->Mesh.Vertices.Work() > effort.EndOfWork || !this->ClearOne(a, b, target, effort))
     {
       return false;
     }
@@ -162,43 +145,16 @@ bool SegmentRecovery::Recover(Id a, Id b, const Effort& effort)
   return false;
 }
 
-/** One round. @return the ones that are still missing */
-std::vector<Id> SegmentRecovery::RecoverEach(
-  const std::vector<Id>& missing, const Effort& effort, std::int64_t mostWork)
+std::vector<Id> SegmentRecovery::RecoverByFlips(const std::vector<Id>& missing)
 {
-  const std::int64_t end = this->Mesh.Vertices.Work() + mostWork;
-  std::vector<Id> still;
-  for (std::size_t k = 0; k < missing.size(); ++k)
-  {
-    if (k % SegmentsPerCheck == 0)
+  return RecoverInRounds(missing, this->Mesh,
+    static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size(), this->Progress,
+    "recovering edges",
+    [this](Id segment, const FlipEffort& effort)
     {
-      this->Progress.Check("recovering edges", static_cast<double>(k) / missing.size());
-    }
-    const std::array<Id, 2>& ends = this->Segments.EndsOf(missing[k]);
-    if (this->Mesh.Vertices.Work() > end || !this->Recover(ends[0], ends[1], effort))
-    {
-      still.push_back(missing[k]);
-    }
-  }
-  return still;
-}
-
-std::vector<Id> SegmentRecovery::RecoverByFlips(std::vector<Id> missing)
-{
-  const std::int64_t mostWork =
-    WorkPerElement * (static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size());
-  // While a round gets many, another gets more.
-  std::size_t before = 2 * missing.size() + 2;
-  while (!missing.empty() && missing.size() < before - before / 10)
-  {
-    before = missing.size();
-    missing = this->RecoverEach(missing, PlainFlips, mostWork);
-  }
-  for (const Effort& effort : DeepFlips)
-  {
-    missing = this->RecoverEach(missing, effort, WorkOnDeepFlips);
-  }
-  return missing;
+      const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
+      return this->Recover(ends[0], ends[1], effort);
+    });
 }
 
 // --- Steiner points ------------------------------------------------------------------------------

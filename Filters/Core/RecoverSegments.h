@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "EdgeRemoval.h"
 #include "FlipFlat.h"
+#include "FlipRounds.h"
 #include "Monitor.h"
 #include "SegmentWalk.h"
 #include "SteinerPoints.h"
@@ -25,12 +25,8 @@ public:
   /** The segments without Steiner points that are no edges. */
   std::vector<Id> FindMissing(const std::vector<Id>& segments) const;
 
-  /**
-   * Recover segments by flips that leave less in the way each time, and a few by deeper ones. What
-   * is left, cuts recover in less time.
-   * @return the ones that are still missing
-   */
-  std::vector<Id> RecoverByFlips(std::vector<Id> missing);
+  /** Recover segments by flips alone. @return the ones that are still missing */
+  std::vector<Id> RecoverByFlips(const std::vector<Id>& missing);
 
   /** The end at which Steiner points begin. */
   enum class From
@@ -49,20 +45,9 @@ public:
     const std::vector<Id>& missing, From from, SteinerPoints& steiner);
 
 private:
-  struct Effort
-  {
-    FlipOperator::Limits Limits;
-    int Depth;
-    int Budget;
-  };
-  static const Effort PlainFlips;
-  static const std::array<Effort, 3> DeepFlips;
-
-  std::vector<Id> RecoverEach(
-    const std::vector<Id>& missing, const Effort& effort, std::int64_t mostWork);
-  bool Recover(Id a, Id b, const Effort& effort);
-  bool ClearOne(Id a, Id b, const FlipTarget& target, const Effort& effort);
-  bool Clear(const Crossing& crossing, const FlipTarget& target, const Effort& effort);
+  bool Recover(Id a, Id b, const FlipEffort& effort);
+  bool ClearOne(Id a, Id b, const FlipTarget& target, const FlipEffort& effort);
+  bool Clear(const Crossing& crossing, const FlipTarget& target, const FlipEffort& effort);
   bool SplitAndRecover(Id segment, Id start, Id end);
   bool IsFree(Id vertex) const;
   Id SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace);

@@ -117,7 +117,7 @@ class Success(CommandLine):
                         **{"non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                     },
                 )
-                self.assertEqual(found["tetrahedralizer"], "exact flips, few cuts")
+                self.assertEqual(found["tetrahedralizer"], "exact flips and cuts")
 
     def test_a_picture_of_it(self):
         picture = self.path("picture.png")

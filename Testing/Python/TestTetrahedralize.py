@@ -503,11 +503,11 @@ class TetGenInTrouble(unittest.TestCase):
         points = [(2, 0, 0), (-1, 2, 0), (-1, -2, 0), (0, 0, 0.1), (0, 0, -0.1)]
         closed = [(0, 1, 3), (1, 2, 3), (2, 0, 3), (1, 0, 4), (2, 1, 4), (0, 2, 4)]
         surface = surfaces.polydata(points, [*closed, (0, 1, 2)])
-        for engine, rung in (("exact", "exact flips and cuts"), ("automatic", "exact flips, few cuts")):
+        for engine in ("exact", "automatic"):
             with self.subTest(engine):
                 result = insideout.tetrahedralize(surface, engine=engine)
                 name = insideout.vtkConstrainedDelaunay3D.GetRungName(result.statistics["Rung"])
-                self.assertEqual(name, rung)
+                self.assertEqual(name, "exact flips and cuts")
                 self.assertEqual(result.statistics["LostFacets"], 0)
                 self.assertFalse(any("exited with status 1" in warning for warning in result.warnings))
 

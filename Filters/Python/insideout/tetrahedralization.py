@@ -97,8 +97,8 @@ def tetrahedralize(
                       never does, "reverse" always
     merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
     count_duplicates  count a facet as often as it is given
-    engine            what makes the tetrahedra: "tetgen", "exact" flips and cuts, or "automatic",
-                      which is exact flips, and TetGen where they leave much to be cut
+    engine            what makes the tetrahedra: "exact" flips and cuts, "tetgen", or "automatic",
+                      which is the first, and the second should it lose a facet
     time_budget       seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size
     memory_budget     MiB that TetGen's process may hold; 0 goes by the surface's size
     non_participating  the name of a cell array of the surface: cells where it is not 0 do not count in
