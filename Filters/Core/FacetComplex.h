@@ -44,7 +44,7 @@ struct FacetSource
 /**
  * Facets with what they count: the surface between the stages. After validation no two facets have
  * the same three points and none is degenerate; after resolving, no two constraints meet except in
- * shared points and edges.
+ * shared points and edges, and no point lies within a constraint or an edge of one.
  *
  * Facet f is made of the input triangles Sources[SourceOffsets[f]] to Sources[SourceOffsets[f +
  * 1]], and Multiplicity[f] is their signed count along the facet's own orientation by the rules of

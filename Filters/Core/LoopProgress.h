@@ -31,10 +31,16 @@ public:
   {
     if (turn % TurnsPerCheck == 0)
     {
-      const double part = std::min(static_cast<double>(turn) / std::max(this->Turns, 1.0), 1.0);
-      this->Watch.Check(
-        this->Range.Stage, this->Range.Begin + part * (this->Range.End - this->Range.Begin));
+      this->CheckNow(turn);
     }
+  }
+
+  /** The same at once, for a turn that may be a long one. */
+  void CheckNow(std::size_t turn) const
+  {
+    const double part = std::min(static_cast<double>(turn) / std::max(this->Turns, 1.0), 1.0);
+    this->Watch.Check(
+      this->Range.Stage, this->Range.Begin + part * (this->Range.End - this->Range.Begin));
   }
 
 private:

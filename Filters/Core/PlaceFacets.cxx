@@ -2,8 +2,7 @@
 #include "PlaceFacets.h"
 
 #include "PiecesOfFacet.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "TrianglePredicates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +13,6 @@ namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 /**
  * A Steiner point farther than this times the mesh's size from the facet whose piece it is part of
  * is no rounding of a point on it, and the facet counts as lost.
@@ -239,7 +236,7 @@ private:
   /** Input points are not rounded: they lie on a facet exactly or not at all. */
   bool IsCollinear(Id a, Id b, Id p) const
   {
-    return CGAL::collinear(this->At(a), this->At(b), this->At(p));
+    return IsDegenerate(this->Mesh.Points[a], this->Mesh.Points[b], this->Mesh.Points[p]);
   }
 
   bool IsCoplanar(const Triangle& facet, Id p) const
@@ -247,7 +244,7 @@ private:
     return CGAL::coplanar(this->At(facet[0]), this->At(facet[1]), this->At(facet[2]), this->At(p));
   }
 
-  Kernel::Point_3 At(Id p) const
+  FilteredPoint At(Id p) const
   {
     const Point& point = this->Mesh.Points[p];
     return { point[0], point[1], point[2] };

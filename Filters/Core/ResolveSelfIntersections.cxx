@@ -132,8 +132,8 @@ Resolution Resolver::Resolve()
     this->CutRepeatedly();
   }
   resolution.Rounds = this->Round;
-  resolution.Surface =
-    SplitAtLoosePoints(this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch));
+  resolution.Surface = SplitAtLoosePoints(
+    this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch), this->Watch, { Stage, 1, 1 });
   this->Watch.Check(Stage, 1);
   return resolution;
 }

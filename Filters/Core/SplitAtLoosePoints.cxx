@@ -2,9 +2,13 @@
 #include "SplitAtLoosePoints.h"
 
 #include "BoxTree.h"
+#include "LoopProgress.h"
 #include "TrianglePredicates.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
 
 namespace insideout
 {
@@ -46,32 +50,49 @@ bool LiesWithin(const std::vector<Point>& points, const Triangle& t, Id p)
     ContainsInPlane(triangle, point);
 }
 
-/** The triangle in pieces around the first point that lies within, these around the next, ... */
-std::vector<Triangle> PiecesAround(
-  const std::vector<Point>& points, const Triangle& triangle, const std::vector<Id>& inner)
+/** The points that lie within a triangle, in their order. */
+std::vector<Id> PointsWithin(
+  const std::vector<Point>& points, const Triangle& triangle, const std::vector<Id>& some)
 {
-  std::vector<Triangle> pieces = { triangle };
-  for (const Id p : inner)
+  std::vector<Id> within;
+  std::copy_if(some.begin(), some.end(), std::back_inserter(within),
+    [&](Id p) { return LiesWithin(points, triangle, p); });
+  return within;
+}
+
+/** The triangle in pieces around the first of the points within it, these around theirs, ... */
+std::vector<Triangle> PiecesAround(const std::vector<Point>& points, const Triangle& triangle,
+  std::vector<Id> inner, const std::function<void()>& check)
+{
+  struct Part
   {
-    std::vector<Triangle> next;
-    for (const Triangle& piece : pieces)
+    Triangle Corners;
+    std::vector<Id> Inner;
+  };
+  std::vector<Part> parts;
+  parts.push_back({ triangle, std::move(inner) });
+  std::vector<Triangle> pieces;
+  while (!parts.empty())
+  {
+    const Part part = std::move(parts.back());
+    parts.pop_back();
+    if (part.Inner.empty())
     {
-      if (!LiesWithin(points, piece, p))
+      pieces.push_back(part.Corners);
+      continue;
+    }
+    check();
+    const Id p = part.Inner.front();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id from = part.Corners[k];
+      const Id to = part.Corners[(k + 1) % 3];
+      if (!IsDegenerate(points[from], points[to], points[p]))
       {
-        next.push_back(piece);
-        continue;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        const Id from = piece[k];
-        const Id to = piece[(k + 1) % 3];
-        if (!IsDegenerate(points[from], points[to], points[p]))
-        {
-          next.push_back({ { from, to, p } });
-        }
+        const Triangle piece = { { from, to, p } };
+        parts.push_back({ piece, PointsWithin(points, piece, part.Inner) });
       }
     }
-    pieces = std::move(next);
   }
   return pieces;
 }
@@ -83,7 +104,8 @@ struct SplitConstraint
   std::vector<Triangle> Pieces;
 };
 
-std::vector<SplitConstraint> SplitConstraints(const FacetComplex& surface)
+std::vector<SplitConstraint> SplitConstraints(
+  const FacetComplex& surface, Monitor& monitor, const ProgressRange& progress)
 {
   const std::vector<Id> loose = FindLoosePoints(surface);
   std::vector<Box> boxes;
@@ -93,15 +115,16 @@ std::vector<SplitConstraint> SplitConstraints(const FacetComplex& surface)
   }
   const BoxTree tree(std::move(boxes));
   std::vector<SplitConstraint> split;
-  std::vector<Id> inner;
+  const LoopProgress turns(
+    monitor, progress, static_cast<std::size_t>(surface.NumberOfConstraints));
   for (Id f = 0; !loose.empty() && f < surface.NumberOfConstraints; ++f)
   {
-    const Triangle& corners = surface.Facets[f];
-    inner.clear();
-    tree.Visit(BoundingBox(surface.Points, corners),
+    turns.Check(static_cast<std::size_t>(f));
+    std::vector<Id> inner;
+    tree.Visit(BoundingBox(surface.Points, surface.Facets[f]),
       [&](Id i)
       {
-        if (LiesWithin(surface.Points, corners, loose[i]))
+        if (LiesWithin(surface.Points, surface.Facets[f], loose[i]))
         {
           inner.push_back(loose[i]);
         }
@@ -110,7 +133,9 @@ std::vector<SplitConstraint> SplitConstraints(const FacetComplex& surface)
     {
       // Of equal points the lowest becomes a corner, in each constraint.
       std::sort(inner.begin(), inner.end());
-      split.push_back({ f, PiecesAround(surface.Points, corners, inner) });
+      split.push_back({ f,
+        PiecesAround(surface.Points, surface.Facets[f], std::move(inner),
+          [&]() { turns.CheckNow(static_cast<std::size_t>(f)); }) });
     }
   }
   return split;
@@ -127,9 +152,10 @@ void Append(FacetComplex& surface, const Triangle& corners, const FacetComplex& 
 }
 } // namespace
 
-FacetComplex SplitAtLoosePoints(FacetComplex surface)
+FacetComplex SplitAtLoosePoints(
+  FacetComplex surface, Monitor& monitor, const ProgressRange& progress)
 {
-  const std::vector<SplitConstraint> split = SplitConstraints(surface);
+  const std::vector<SplitConstraint> split = SplitConstraints(surface, monitor, progress);
   if (split.empty())
   {
     return surface;

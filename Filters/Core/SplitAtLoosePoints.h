@@ -2,6 +2,8 @@
 #pragma once
 
 #include "FacetComplex.h"
+#include "Monitor.h"
+#include "ProgressRange.h"
 
 namespace insideout
 {
@@ -15,6 +17,8 @@ namespace insideout
  *
  * @return the constraints that stay as they are, in their order, then the pieces of the others, and
  *         then what was no constraint
+ * @throws Error Stopped
  */
-FacetComplex SplitAtLoosePoints(FacetComplex surface);
+FacetComplex SplitAtLoosePoints(
+  FacetComplex surface, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

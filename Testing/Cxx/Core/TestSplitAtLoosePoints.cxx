@@ -2,6 +2,7 @@
 #include "SplitAtLoosePoints.h"
 
 #include "ResolutionLaws.h"
+#include "StopAtEveryReport.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,8 @@ FacetComplex SquareWith(const std::vector<Point>& loose)
 /** Splits, and expects all laws of a resolved surface. */
 FacetComplex Split(const FacetComplex& surface)
 {
-  FacetComplex split = SplitAtLoosePoints(surface);
+  Monitor monitor;
+  FacetComplex split = SplitAtLoosePoints(surface, monitor, { "splitting", 0, 1 });
   for (const std::string& violation : JudgeResolution(surface, split, 0).Violations)
   {
     ADD_FAILURE() << violation;
@@ -86,6 +88,19 @@ TEST(SplitAtLoosePoints, CutsAtManyPointsInAnyOrder)
   const FacetComplex split = Split(SquareWith(loose));
   // A triangle for each half of the grid's 256 squares: each point is a corner.
   EXPECT_EQ(split.NumberOfFacets(), 2 * 16 * 16);
+}
+
+TEST(SplitAtLoosePoints, CanBeStoppedAmongTheManyPointsOfAFacet)
+{
+  std::vector<Point> loose;
+  for (int i = 1; i < 200; ++i)
+  {
+    loose.push_back({ 0x1p-10 * i, 0x1p-11 * i, 0 });
+  }
+  const FacetComplex surface = SquareWith(loose);
+  const int reports = StopAtEveryReport([&](Monitor& monitor, const ProgressRange& range)
+    { SplitAtLoosePoints(surface, monitor, range); });
+  EXPECT_EQ(reports, 1 + 199);
 }
 
 TEST(SplitAtLoosePoints, TakesCornersOfWhatIsNoConstraintForLoose)
