@@ -202,6 +202,7 @@ bool FacetRecovery::Recover(Id facet, const FlipEffort& effort)
   MeshEdge first;
   for (int pass = 0; pass < MostPassesPerFacet; ++pass)
   {
+    this->Progress.Check("recovering facets", 0);
     const Search search = this->FindFaces(facet, faces, first);
     if (search == Search::Found)
     {

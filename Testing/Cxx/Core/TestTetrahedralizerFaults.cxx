@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <map>
 #include <random>
 
@@ -523,9 +524,9 @@ TEST(TetrahedralizerFaults, TheExactEngineNeedsNoTetgenAndKeepsItsTime)
   Monitor monitor;
   constexpr TetrahedralizationEngine exact = TetrahedralizationEngine::Exact;
   EXPECT_TRUE(ConstrainedDelaunay(UnitBox(), { 0, 0, exact }, monitor).Failures.empty());
-  const Clock::time_point start = Clock::now();
+  const std::clock_t start = std::clock(); // of this process, however busy the machine is
   const Tetrahedralization result = ConstrainedDelaunay(surface, { 0.5, 0, exact }, monitor);
-  EXPECT_LT(Clock::now() - start, std::chrono::seconds(2));
+  EXPECT_LT(std::clock() - start, 2 * CLOCKS_PER_SEC);
   EXPECT_EQ(result.Rung, LastRung());
   ASSERT_FALSE(result.Failures.empty());
   EXPECT_NE(result.Failures[0].find("more than the time"), std::string::npos);
