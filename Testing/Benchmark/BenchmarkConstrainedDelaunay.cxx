@@ -231,18 +231,17 @@ FacetComplex WavyTorus(int points)
   return CountFacets(soup, {}, monitor).Surface;
 }
 
-double SecondsPerPoint(int points)
-{
-  const FacetComplex surface = WavyTorus(points);
-  const double seconds = SecondsOf([&] { RunStage(surface, TetrahedralizationEngine::Exact); });
-  PrintSeconds("cdt-exact/torus", surface.Facets.size(), "exact", "TetGen", { seconds, 0 });
-  return seconds / static_cast<double>(surface.Points.size());
-}
-
 void MeasureGrowth()
 {
-  const double few = SecondsPerPoint(FewestPoints);
-  PrintRatio("cdt-exact/growth", SecondsPerPoint(MostPoints) / few, MostGrowth);
+  const FacetComplex small = WavyTorus(FewestPoints);
+  const FacetComplex large = WavyTorus(MostPoints);
+  const auto run = [](const FacetComplex& surface)
+  { return [&surface] { RunStage(surface, TetrahedralizationEngine::Exact); }; };
+  const std::array<double, 2> seconds = MedianSeconds(run(small), run(large));
+  PrintSeconds("cdt-exact/torus", large.Facets.size(), "small", "large", seconds);
+  const double growth = (seconds[1] / static_cast<double>(large.Points.size())) /
+    (seconds[0] / static_cast<double>(small.Points.size()));
+  PrintRatio("cdt-exact/growth", growth, MostGrowth);
 }
 
 /** MiB by which this process, forked for it, grows when it does the work. */
