@@ -5,16 +5,15 @@
  *
  * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills
  * its convex hull with tetrahedra so that every facet is a union of their faces and every vertex
- * one of their points. Steiner points are added only where there is no other way. Flips decided by
- * exact predicates do the work in this process. Where they leave much to be cut, or as Engine says,
- * TetGen does it in a program of its own, insideout-tetgen, so that nothing it does can take the
- * host down; the environment variable INSIDEOUT_TETGEN names another place for that program.
+ * one of their points. Steiner points are added only where there is no other way. Flips and cuts
+ * decided by exact predicates do the work in this process. Should they lose a facet, or as Engine
+ * says, TetGen does it in a program of its own, insideout-tetgen, so that nothing it does can take
+ * the host down; the environment variable INSIDEOUT_TETGEN names another place for that program.
  *
- * What comes back is checked with exact predicates. Where TetGen crashes, uses up its budget or
- * gives a mesh that fails the check, other ways are tried, exact cuts first, and in the end the
- * points alone are tetrahedralized: then some facets are lost, that is no union of faces. Warnings
- * say which way gave the mesh and why the others did not; GetRungName(Statistics_Rung) names the
- * way.
+ * What comes back is checked with exact predicates. Where no way keeps every facet, for facets
+ * cross or the budgets are used up, the mesh that loses fewest is taken, if need be the Delaunay
+ * tetrahedra of the points alone. Warnings say which way gave the mesh and why the others did not;
+ * GetRungName(Statistics_Rung) names the way.
  *
  * Output: positively oriented vtkTetra with two cell arrays of four components, one for each
  * face in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none;
