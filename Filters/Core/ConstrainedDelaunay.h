@@ -50,12 +50,12 @@ const char* RungName(int rung);
  *
  * TetrahedralizeExactly kept all facets of 145 real surfaces, most of them chosen because they are
  * difficult, with Steiner points of 0.09 % of the points at the median and below 1.9 % on nine in
- * ten. TetGen's first way failed on 16 of these. On the other 129 both take as long at the median
- * and in sum; the exact way takes up to eight times as long where flips leave many edges to be cut,
- * a quarter of an hour for one surface of 600,000 facets that TetGen cannot do. TetGen works in a
- * program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs. What comes
- * back from either is checked before it is believed (AssembleMesh.h): points in place, exact
- * positive volumes, every face shared by at most two cells, the hull convex, facets present.
+ * ten. TetGen's first way failed on 16 of these. On the other 129 both take about as long, at
+ * the median and in sum; the exact way takes up to eight times as long where flips leave many edges
+ * to be cut, a quarter of an hour for one surface of 600,000 facets that TetGen cannot do. TetGen
+ * works in a program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs.
+ * What comes back from either is checked before it is believed (AssembleMesh.h): points in place,
+ * exact positive volumes, every face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
  * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.

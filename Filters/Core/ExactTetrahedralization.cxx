@@ -320,7 +320,8 @@ private:
     const std::int64_t end = work + work / WorkPerShake + WorkOnShaking;
     std::vector<Id> left = this->SteinerPointsLeft();
     int patience = ShakesWithoutGain;
-    while (!left.empty() && patience > 0 && this->Mesh.Vertices.Work() < end)
+    while (!left.empty() && patience > 0 && this->Mesh.Vertices.Work() < end &&
+      !this->Mesh.Vertices.IsWorkDone())
     {
       steiner.Shake(left, this->Random);
       const std::size_t before = left.size();

@@ -36,8 +36,7 @@ struct ExactTetrahedralization
  * again, or moved into the volume, after each cut, and once more after flips at random around them;
  * what is left on the surface is rounded to doubles where exact tests allow it. Facets that have
  * points without a place in doubles are let go together with those around, and all of these
- * recovered in another order, as long as the work on that is not more than all the rest. It ends:
- * see ExactLimits.
+ * recovered in another order, as long as the work on that is not more than all the rest.
  *
  * It ends, for work is limited. Thread-safe, and deterministic: the same input gives the same mesh
  * on every machine, however busy, for all limits are counts of work and none is time.
@@ -45,9 +44,9 @@ struct ExactTetrahedralization
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
  *            lie within one of their edges. What breaks this is lost
- * @param[in] workPerElement for each point and facet. When it is done nothing is cut any more, and
- *            what is missing then is lost. No surface, real or random, has taken a tenth of this
- * yet
+ * @param[in] workPerElement for each point and facet (ExactTetrahedralization::Work). When it is
+ *            done nothing is cut any more, and what is missing then is lost. No surface that was
+ *            tried, real or random, took a tenth of the default
  * @throws Error Planar, Inconsistent, Stopped
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,

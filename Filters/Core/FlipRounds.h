@@ -77,7 +77,10 @@ std::vector<Id> RecoverInRounds(std::vector<Id> missing, const FlippableMesh& me
   }
   for (const FlipEffort& effort : DeepFlips)
   {
-    round(effort, WorkOnDeepFlips);
+    if (!mesh.Vertices.IsWorkDone())
+    {
+      round(effort, WorkOnDeepFlips);
+    }
   }
   return missing;
 }

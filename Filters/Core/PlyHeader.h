@@ -15,6 +15,7 @@
  */
 namespace insideout
 {
+/** The types of numbers that a file may have. */
 enum class PlyType
 {
   Int8,
@@ -38,6 +39,7 @@ struct PlyTypeFacts
   bool IsInteger;
 };
 
+/** Of the type T, which the format calls by either name. */
 template <typename T>
 constexpr PlyTypeFacts MakePlyTypeFacts(const char* name, const char* otherName)
 {
@@ -55,6 +57,7 @@ inline constexpr std::array<PlyTypeFacts, 8> PlyTypes = {
   MakePlyTypeFacts<float>("float", "float32"), MakePlyTypeFacts<double>("double", "float64")
 };
 
+/** The facts of a type. */
 constexpr const PlyTypeFacts& FactsOf(PlyType type)
 {
   return PlyTypes[static_cast<std::size_t>(type)];
@@ -88,6 +91,7 @@ struct PlyElement
   void Remove(std::string_view name);
 };
 
+/** How the body is written. */
 enum class PlyFormat
 {
   Unknown,
@@ -96,6 +100,7 @@ enum class PlyFormat
   BigEndian
 };
 
+/** The whole header: the elements in the body, and where that begins. */
 struct PlyHeader
 {
   PlyFormat Format = PlyFormat::Unknown;

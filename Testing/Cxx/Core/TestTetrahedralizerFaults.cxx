@@ -502,6 +502,31 @@ TEST(TetrahedralizerFaults, TheExactWayComesFirst)
   }
 }
 
+TEST(TetrahedralizerFaults, TheExactWayComesFirstHoweverMuchThereIsToBeCut)
+{
+  Monitor monitor;
+  TriangleSoup soup;
+  for (int i = 0; i < 250; ++i)
+  {
+    // Each leaves an edge that no flip recovers.
+    TriangleSoup prism = testmeshes::TwistedPrism(3, -M_PI / 6);
+    for (Point& p : prism.Points)
+    {
+      p = { { p[0] + 4 * (i % 6), p[1] + 4 * (i / 6 % 6), p[2] + 4 * (i / 36) } };
+    }
+    soup = testmeshes::Join(std::move(soup), prism);
+  }
+  const FacetComplex surface =
+    ResolveSelfIntersections(CountFacets(soup, {}, monitor).Surface, monitor).Surface;
+  const StandIn standIn("exit 1");
+  const Tetrahedralization result = ConstrainedDelaunay(surface, {}, monitor);
+  EXPECT_STREQ(RungName(result.Rung), "exact flips and cuts");
+  EXPECT_TRUE(result.Failures.empty());
+  EXPECT_TRUE(result.Mesh.LostFacets.empty());
+  EXPECT_GE(result.Mesh.NumberOfSteinerPoints, 250);
+  testmeshes::ExpectMeshLaws(surface, result.Mesh);
+}
+
 TEST(TetrahedralizerFaults, TetGenFollowsWhereTheExactWayFails)
 {
   // Whole facets of the first box cross the second: what is lost makes every rung take its turn.
