@@ -7,19 +7,21 @@ namespace insideout
 {
 /**
  * The sum of two doubles, the second of which is at most half a unit in the last place of the
- * first: 106 binary digits (Dekker 1971). The usual operators, in round-to-nearest.
+ * first: 106 binary digits (Dekker 1971). The usual operators, in round-to-nearest. Real is double,
+ * or a vector of doubles with FusedMultiplyAdd, each of which is then such a number.
  */
-struct DoubleDouble
+template <typename Real>
+struct DoubleDoubleOf
 {
-  double High = 0;
-  double Low = 0;
+  Real High = {};
+  Real Low = {};
 
-  DoubleDouble() = default;
-  explicit DoubleDouble(double x)
+  DoubleDoubleOf() = default;
+  explicit DoubleDoubleOf(Real x)
     : High(x)
   {
   }
-  DoubleDouble(double high, double low)
+  DoubleDoubleOf(Real high, Real low)
     : High(high)
     , Low(low)
   {
@@ -28,69 +30,68 @@ struct DoubleDouble
   explicit operator double() const { return this->High; }
 };
 
+using DoubleDouble = DoubleDoubleOf<double>;
+
 /** Relative error of each of the operations (Joldes, Muller and Popescu 2017), rounded up. */
 constexpr double DoubleDoubleEpsilon = 0x1p-102;
 
-/** a + b without error, for |a| >= |b|. */
-inline DoubleDouble QuickTwoSum(double a, double b)
+/** a * b + c, rounded once. */
+template <typename Real>
+Real FusedMultiplyAdd(Real a, Real b, Real c)
 {
-  const double sum = a + b;
+  return std::fma(a, b, c);
+}
+
+/** a + b without error, for |a| >= |b|. */
+template <typename Real>
+DoubleDoubleOf<Real> QuickTwoSum(Real a, Real b)
+{
+  const Real sum = a + b;
   return { sum, b - (sum - a) };
 }
 
 /** a + b without error (Knuth). */
-inline DoubleDouble TwoSum(double a, double b)
+template <typename Real>
+DoubleDoubleOf<Real> TwoSum(Real a, Real b)
 {
-  const double sum = a + b;
-  const double of = sum - a;
+  const Real sum = a + b;
+  const Real of = sum - a;
   return { sum, (a - (sum - of)) + (b - of) };
 }
 
-inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b)
+template <typename Real>
+DoubleDoubleOf<Real> operator+(const DoubleDoubleOf<Real>& a, const DoubleDoubleOf<Real>& b)
 {
-  const DoubleDouble high = TwoSum(a.High, b.High);
-  const DoubleDouble low = TwoSum(a.Low, b.Low);
-  const DoubleDouble sum = QuickTwoSum(high.High, high.Low + low.High);
-  return QuickTwoSum(sum.High, sum.Low + low.Low);
+  const DoubleDoubleOf<Real> high = TwoSum(a.High, b.High);
+  const DoubleDoubleOf<Real> low = TwoSum(a.Low, b.Low);
+  const DoubleDoubleOf<Real> sum = QuickTwoSum<Real>(high.High, high.Low + low.High);
+  return QuickTwoSum<Real>(sum.High, sum.Low + low.Low);
 }
 
-inline DoubleDouble operator-(const DoubleDouble& a)
+template <typename Real>
+DoubleDoubleOf<Real> operator-(const DoubleDoubleOf<Real>& a)
 {
   return { -a.High, -a.Low };
 }
 
-inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b)
+template <typename Real>
+DoubleDoubleOf<Real> operator-(const DoubleDoubleOf<Real>& a, const DoubleDoubleOf<Real>& b)
 {
   return a + -b;
 }
 
-inline DoubleDouble& operator-=(DoubleDouble& a, const DoubleDouble& b)
+template <typename Real>
+DoubleDoubleOf<Real>& operator-=(DoubleDoubleOf<Real>& a, const DoubleDoubleOf<Real>& b)
 {
   return a = a - b;
 }
 
-inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b)
+template <typename Real>
+DoubleDoubleOf<Real> operator*(const DoubleDoubleOf<Real>& a, const DoubleDoubleOf<Real>& b)
 {
-  const double product = a.High * b.High;
-  const double error = std::fma(a.High, b.High, -product);
-  return QuickTwoSum(
-    product, error + std::fma(a.High, b.Low, std::fma(a.Low, b.High, a.Low * b.Low)));
-}
-
-inline bool operator<(const DoubleDouble& a, const DoubleDouble& b)
-{
-  return a.High < b.High || (a.High == b.High && a.Low < b.Low);
-}
-
-/** One Newton step from the root of the first part. */
-inline DoubleDouble sqrt(const DoubleDouble& x)
-{
-  if (!(x.High > 0))
-  {
-    return DoubleDouble(std::sqrt(x.High));
-  }
-  const double root = std::sqrt(x.High);
-  const DoubleDouble rest = x - DoubleDouble(root) * DoubleDouble(root);
-  return QuickTwoSum(root, rest.High / (2 * root));
+  const Real product = a.High * b.High;
+  const Real error = FusedMultiplyAdd<Real>(a.High, b.High, -product);
+  const Real low = FusedMultiplyAdd<Real>(a.Low, b.High, a.Low * b.Low);
+  return QuickTwoSum<Real>(product, error + FusedMultiplyAdd<Real>(a.High, b.Low, low));
 }
 } // namespace insideout

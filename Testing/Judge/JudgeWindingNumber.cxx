@@ -27,8 +27,10 @@ namespace
 constexpr double MostErrorToManyDigits = 1e-12;
 constexpr double MostErrorToSum = 1e-10;
 
-/** One in so many of these sums is in quadruple precision, the others are in double-doubles. */
+/** Sums in double-doubles; at one site in so many, but not at more than a hundred, in quads, too.
+ */
 constexpr std::size_t SitesPerQuad = 20;
+constexpr std::size_t MostQuads = 100;
 
 constexpr double SliverThickness = 1e-6;
 
@@ -57,16 +59,32 @@ double LargestError(const std::vector<double>& values, const std::vector<double>
 double LargestErrorToManyDigits(const FacetComplex& surface, const Sites& sites,
   const std::vector<Id>& which, const std::vector<double>& values)
 {
-  std::vector<double> some(which.size());
-  std::vector<double> reference(which.size());
+  const std::size_t quads = std::min(which.size() / SitesPerQuad + 1, MostQuads);
+  std::vector<Id> all = which;
+  // A block is full: the last site stands for those that it lacks.
+  all.resize((all.size() + SitesAtOnce - 1) / SitesAtOnce * SitesAtOnce, which.back());
+  std::vector<double> ours(all.size() + quads);
+  std::vector<double> reference(all.size() + quads);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < which.size(); ++i)
+  for (std::size_t first = 0; first < all.size(); first += SitesAtOnce)
   {
-    some[i] = values[which[i]];
-    reference[i] = i % SitesPerQuad == 0 ? WindingNumberInQuads(surface, sites[which[i]])
-                                         : WindingNumberInDoubleDoubles(surface, sites[which[i]]);
+    std::array<Site, SitesAtOnce> block;
+    for (int k = 0; k < SitesAtOnce; ++k)
+    {
+      block[k] = sites[all[first + k]];
+      ours[first + k] = values[all[first + k]];
+    }
+    const std::array<double, SitesAtOnce> w = WindingNumbersInDoubleDoubles(surface, block);
+    std::copy(w.begin(), w.end(), reference.begin() + first);
   }
-  return LargestError(some, reference);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < quads; ++i)
+  {
+    const Id site = which[i * which.size() / quads];
+    ours[all.size() + i] = values[site];
+    reference[all.size() + i] = WindingNumberInQuads(surface, sites[site]);
+  }
+  return LargestError(ours, reference);
 }
 
 /** Six times the volume over the cube of the longest edge at corner 0, roughly. */

@@ -4,12 +4,16 @@
 #include "FacetComplex.h"
 #include "Sites.h"
 
+#include <array>
+
 namespace testmeshes
 {
+constexpr int SitesAtOnce = 8;
+
 /**
- * The same as WindingNumberInQuads with seven binary digits less for each number, in a tenth of the
- * time.
+ * The same as WindingNumberInQuads with seven binary digits less for each number, at eight sites in
+ * a twentieth of the time that one takes there.
  */
-double WindingNumberInDoubleDoubles(
-  const insideout::FacetComplex& surface, const insideout::Site& site);
+std::array<double, SitesAtOnce> WindingNumbersInDoubleDoubles(
+  const insideout::FacetComplex& surface, const std::array<insideout::Site, SitesAtOnce>& sites);
 } // namespace testmeshes

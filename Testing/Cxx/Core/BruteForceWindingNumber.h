@@ -14,10 +14,10 @@
 #include <vector>
 
 /**
- * The sum of all solid angles in numbers with many digits, as the argument of the product of all
- * facets' complex numbers, of which the turns are counted: an arctangent for each would take half
- * as long again. Such a number has the usual operators, can be made of a double and cast to one,
- * and has functions sqrt(x), and ArgumentOf(y, x), the arctangent in quadruple precision.
+ * What sums of all solid angles in numbers with many digits have in common. Such a sum is the
+ * argument of the product of all facets' complex numbers, of which the turns are counted: an
+ * arctangent for each would take half as long again. A number has the usual operators, can be made
+ * of a double, and has a function sqrt(x).
  */
 namespace testmeshes
 {
@@ -29,9 +29,9 @@ inline Quad sqrt(Quad x)
   return sqrtq(x);
 }
 
-inline Quad ArgumentOf(Quad y, Quad x)
+inline Quad Pi()
 {
-  return atan2q(y, x);
+  return atan2q(0, -1);
 }
 
 /** From the site to a point, times 4, and its length. */
@@ -83,80 +83,26 @@ Arguments<Number> HalfSolidAngle(
 }
 
 /**
- * At most how far off either argument is: about 20 roundings, and those of the vectors. Where this
- * over- or underflows, other numbers have to do it.
+ * At most how far off either argument is: about 20 roundings, and those of the vectors, whose
+ * lengths these are. Where this over- or underflows, other numbers have to do it.
  */
-template <typename Number>
-double ErrorOfArguments(const VectorIn<Number>& a, const VectorIn<Number>& b,
-  const VectorIn<Number>& c, double size, double epsilon)
+template <typename Real>
+Real ErrorOfArguments(Real a, Real b, Real c, double size, double epsilon)
 {
-  const double la = static_cast<double>(a.Length);
-  const double lb = static_cast<double>(b.Length);
-  const double lc = static_cast<double>(c.Length);
-  return 2 * epsilon * (32 * la * lb * lc + 16 * size * (la * lb + lb * lc + lc * la));
+  return 2 * epsilon * (32 * a * b * c + 16 * size * (a * b + b * c + c * a));
 }
 
-/** Whether errors turn the angle by less than 1e-15, and not to the facet's other side. */
-template <typename Number>
-bool HasDigits(const Arguments<Number>& of, double error)
-{
-  const double det = std::abs(static_cast<double>(of.Det));
-  const double div = static_cast<double>(of.Div);
-  return std::max(det, std::abs(div)) > 2e15 * error &&
-    error > std::numeric_limits<double>::min() && (div > 0 || det > 2 * error);
-}
-
-/** A sum of angles as the argument of a product of complex numbers, of which the turns are counted.
+/**
+ * Whether errors turn the angle by less than 1e-15, and not to the facet's other side.
+ * @param[in] det the absolute value
+ * @param[in] largest the larger absolute value of the two arguments
  */
-template <typename Number>
-class AngleSum
+template <typename Real>
+auto HasDigits(Real det, Real div, Real largest, Real error)
 {
-public:
-  /** Add the argument of div + i det, from -pi to pi, so many times, not both 0. */
-  void Add(const Arguments<Number>& of, int times)
-  {
-    const double scale = std::scalbn(1.0,
-      -std::ilogb(
-        std::max(std::abs(static_cast<double>(of.Det)), std::abs(static_cast<double>(of.Div)))));
-    const Number det = Number(times < 0 ? -scale : scale) * of.Det;
-    const bool isBelow = det < Number(0);
-    const Number div = Number(scale) * of.Div;
-    for (int k = 0; k < std::abs(times); ++k)
-    {
-      const bool wasBelow = this->Im < Number(0);
-      const Number re = this->Re * div - this->Im * det;
-      this->Im = this->Re * det + this->Im * div;
-      this->Re = re;
-      if (wasBelow == isBelow && wasBelow != (this->Im < Number(0)))
-      {
-        this->Turns += wasBelow ? -1 : 1;
-      }
-      this->Shorten();
-    }
-  }
-
-  Quad Value() const
-  {
-    return ArgumentOf(this->Im, this->Re) + this->Turns * 2 * ArgumentOf(Number(0), Number(-1));
-  }
-
-private:
-  void Shorten()
-  {
-    const double length =
-      std::max(std::abs(static_cast<double>(this->Re)), std::abs(static_cast<double>(this->Im)));
-    if (!(length < 1e50 && length > 1e-50))
-    {
-      const double scale = std::scalbn(1.0, -std::ilogb(length));
-      this->Re = this->Re * Number(scale);
-      this->Im = this->Im * Number(scale);
-    }
-  }
-
-  Number Re = Number(1);
-  Number Im = Number(0);
-  std::int64_t Turns = 0;
-};
+  return (largest > 2e15 * error) & (error > std::numeric_limits<double>::min()) &
+    ((div > 0) | (det > 2 * error));
+}
 
 /** The largest coordinate. */
 inline double Size(const FacetComplex& surface, const Site& site)
@@ -174,47 +120,12 @@ inline double Size(const FacetComplex& surface, const Site& site)
   return size;
 }
 
+inline std::array<Point, 3> CornersOf(const FacetComplex& surface, const Triangle& facet)
+{
+  return { { surface.Points[facet[0]], surface.Points[facet[1]], surface.Points[facet[2]] } };
+}
+
 /** Half the solid angle of a triangle at a site, with exact arguments; NaN if they cannot be had.
  */
 Quad HalfSolidAngleInLong(const Site& site, const std::array<Point, 3>& corners);
-
-/** @param[in] epsilon at most the relative error of a sum, product or root */
-template <typename Number>
-double BruteForceWindingNumber(const FacetComplex& surface, const Site& site, double epsilon)
-{
-  std::vector<VectorIn<Number>> vectors;
-  vectors.reserve(surface.Points.size());
-  for (const Point& point : surface.Points)
-  {
-    vectors.push_back(FromSite<Number>(site, point));
-  }
-  const double size = Size(surface, site);
-  AngleSum<Number> sum;
-  Quad others = 0;
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
-  {
-    const int multiplicity = surface.Multiplicity[f];
-    if (multiplicity == 0)
-    {
-      continue;
-    }
-    const Triangle& t = surface.Facets[f];
-    const VectorIn<Number>& a = vectors[t[0]];
-    const VectorIn<Number>& b = vectors[t[1]];
-    const VectorIn<Number>& c = vectors[t[2]];
-    const Arguments<Number> of = HalfSolidAngle(a, b, c);
-    if (HasDigits(of, ErrorOfArguments(a, b, c, size, epsilon)))
-    {
-      sum.Add(of, multiplicity);
-    }
-    else
-    {
-      others += multiplicity *
-        HalfSolidAngleInLong(
-          site, { surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] });
-    }
-  }
-  const Quad pi = ArgumentOf(Number(0), Number(-1));
-  return static_cast<double>((sum.Value() + others) / (2 * pi));
-}
 } // namespace testmeshes

@@ -13,6 +13,8 @@ namespace
 // apart.
 constexpr int ManyBits = 1200;
 constexpr int MostExponentsApart = 250;
+/** At most the relative error of a sum, product or root in quadruple precision. */
+constexpr double QuadEpsilon = 0x1p-112;
 using Long = boost::multiprecision::number<
   boost::multiprecision::cpp_bin_float<ManyBits, boost::multiprecision::digit_base_2>,
   boost::multiprecision::et_off>;
@@ -43,6 +45,54 @@ Quad ToQuad(const Long& x)
   const double high = static_cast<double>(x);
   return Quad(high) + static_cast<double>(x - high);
 }
+
+/** A sum of angles as the argument of a product of complex numbers, of which the turns are counted.
+ */
+class AngleSum
+{
+public:
+  /** Add the argument of div + i det, from -pi to pi, so many times, not both 0. */
+  void Add(const Arguments<Quad>& of, int times)
+  {
+    const double scale = std::scalbn(1.0,
+      -std::ilogb(
+        std::max(std::abs(static_cast<double>(of.Det)), std::abs(static_cast<double>(of.Div)))));
+    const Quad det = (times < 0 ? -scale : scale) * of.Det;
+    const bool isBelow = det < 0;
+    const Quad div = scale * of.Div;
+    for (int k = 0; k < std::abs(times); ++k)
+    {
+      const bool wasBelow = this->Im < 0;
+      const Quad re = this->Re * div - this->Im * det;
+      this->Im = this->Re * det + this->Im * div;
+      this->Re = re;
+      if (wasBelow == isBelow && wasBelow != (this->Im < 0))
+      {
+        this->Turns += wasBelow ? -1 : 1;
+      }
+      this->Shorten();
+    }
+  }
+
+  Quad Value() const { return atan2q(this->Im, this->Re) + this->Turns * 2 * Pi(); }
+
+private:
+  void Shorten()
+  {
+    const double length =
+      std::max(std::abs(static_cast<double>(this->Re)), std::abs(static_cast<double>(this->Im)));
+    if (!(length < 1e50 && length > 1e-50))
+    {
+      const double scale = std::scalbn(1.0, -std::ilogb(length));
+      this->Re *= scale;
+      this->Im *= scale;
+    }
+  }
+
+  Quad Re = 1;
+  Quad Im = 0;
+  std::int64_t Turns = 0;
+};
 } // namespace
 
 Quad HalfSolidAngleInLong(const Site& site, const std::array<Point, 3>& corners)
@@ -65,6 +115,40 @@ Quad HalfSolidAngleInLong(const Site& site, const std::array<Point, 3>& corners)
 
 double WindingNumberInQuads(const FacetComplex& surface, const Site& site)
 {
-  return BruteForceWindingNumber<Quad>(surface, site, 0x1p-112);
+  std::vector<VectorIn<Quad>> vectors;
+  vectors.reserve(surface.Points.size());
+  for (const Point& point : surface.Points)
+  {
+    vectors.push_back(FromSite<Quad>(site, point));
+  }
+  const double size = Size(surface, site);
+  AngleSum sum;
+  Quad others = 0;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    const int multiplicity = surface.Multiplicity[f];
+    if (multiplicity == 0)
+    {
+      continue;
+    }
+    const Triangle& t = surface.Facets[f];
+    const VectorIn<Quad>& a = vectors[t[0]];
+    const VectorIn<Quad>& b = vectors[t[1]];
+    const VectorIn<Quad>& c = vectors[t[2]];
+    const Arguments<Quad> of = HalfSolidAngle(a, b, c);
+    const double det = std::abs(static_cast<double>(of.Det));
+    const double div = static_cast<double>(of.Div);
+    const double error = ErrorOfArguments(static_cast<double>(a.Length),
+      static_cast<double>(b.Length), static_cast<double>(c.Length), size, QuadEpsilon);
+    if (HasDigits(det, div, std::max(det, std::abs(div)), error))
+    {
+      sum.Add(of, multiplicity);
+    }
+    else
+    {
+      others += multiplicity * HalfSolidAngleInLong(site, CornersOf(surface, t));
+    }
+  }
+  return static_cast<double>((sum.Value() + others) / (2 * Pi()));
 }
 } // namespace testmeshes
