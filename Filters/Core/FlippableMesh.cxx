@@ -27,6 +27,9 @@ using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
 /** So many cells are looked at in the time of one predicate. */
 constexpr std::int64_t CellsPerWork = 2;
 
+/** And so many, one after the other, in the time that it takes to find one face. */
+constexpr std::size_t CellsPerSearch = 20;
+
 Triangle SortedFace(const Tetrahedron& t, int k)
 {
   return SortedTriangle({ t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4] }).Points;
@@ -199,6 +202,77 @@ bool FlippableMesh::FindFace(Id a, Id b, Id c, Id& cell, int& face) const
     cell = this->Cells[cell].Neighbors[others[0]];
   } while (cell != first);
   return false;
+}
+
+std::vector<MeshFace> FlippableMesh::FindFaces(const std::vector<Triangle>& triangles) const
+{
+  std::vector<MeshFace> faces(triangles.size(), { None, -1 });
+  if (triangles.size() < this->Cells.size() / CellsPerSearch)
+  {
+    this->FindFacesOneByOne(triangles, faces);
+  }
+  else
+  {
+    this->FindFacesInAllCells(triangles, faces);
+  }
+  return faces;
+}
+
+void FlippableMesh::FindFacesOneByOne(
+  const std::vector<Triangle>& triangles, std::vector<MeshFace>& faces) const
+{
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& t = triangles[i];
+    if (!this->FindFace(t[0], t[1], t[2], faces[i].Cell, faces[i].Face))
+    {
+      faces[i].Cell = None;
+    }
+  }
+}
+
+/** Look each face of each cell up among the triangles, which are in buckets by lowest vertex. */
+void FlippableMesh::FindFacesInAllCells(
+  const std::vector<Triangle>& triangles, std::vector<MeshFace>& faces) const
+{
+  struct Wanted
+  {
+    Id Middle;
+    Id Highest;
+    std::size_t Triangle;
+  };
+  // Counted one bucket ahead, so that filling moves each to where it belongs.
+  std::vector<std::size_t> begin(this->CellOf.size() + 2, 0);
+  for (const Triangle& t : triangles)
+  {
+    ++begin[static_cast<std::size_t>(SortedTriangle(t).Points[0]) + 2];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Wanted> wanted(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& t = SortedTriangle(triangles[i]).Points;
+    wanted[begin[static_cast<std::size_t>(t[0]) + 1]++] = { t[1], t[2], i };
+  }
+  for (Id cell = 0; cell < static_cast<Id>(this->Cells.size()); ++cell)
+  {
+    for (int k = 0; k < 4 && !this->IsDead(cell); ++k)
+    {
+      if (this->Cells[cell].Neighbors[k] < cell)
+      {
+        continue;
+      }
+      const Triangle t = SortedFace(this->Cells[cell].Corners, k);
+      for (std::size_t i = begin[t[0]]; i < begin[t[0] + 1]; ++i)
+      {
+        if (wanted[i].Middle == t[1] && wanted[i].Highest == t[2])
+        {
+          faces[wanted[i].Triangle] = { cell, k };
+        }
+      }
+    }
+  }
+  this->Vertices.AddWork(static_cast<std::int64_t>(this->Cells.size()) / CellsPerWork);
 }
 
 void FlippableMesh::Ring(Id u, Id v, Id cell, EdgeRing& ring) const

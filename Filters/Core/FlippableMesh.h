@@ -17,6 +17,13 @@ struct FlippableCell
   std::array<Id, 4> Facets; ///< that the face is a piece of, None for none
 };
 
+/** The face of a cell across from its corner Face. */
+struct MeshFace
+{
+  Id Cell;
+  int Face;
+};
+
 /** The cells around an edge (U, V): cell k has the corners U, V, Points[k], Points[k + 1]. */
 struct EdgeRing
 {
@@ -70,6 +77,9 @@ public:
   /** A cell with the three vertices and its face across from the fourth, if they are a face. */
   bool FindFace(Id a, Id b, Id c, Id& cell, int& face) const;
 
+  /** For each of the triangles the face that it is, with Cell None for those that are none. */
+  std::vector<MeshFace> FindFaces(const std::vector<Triangle>& triangles) const;
+
   /** The cells around an edge of `cell`. */
   void Ring(Id u, Id v, Id cell, EdgeRing& ring) const;
 
@@ -115,6 +125,11 @@ private:
     int Face;
     Id Facet;
   };
+
+  void FindFacesOneByOne(
+    const std::vector<Triangle>& triangles, std::vector<MeshFace>& faces) const;
+  void FindFacesInAllCells(
+    const std::vector<Triangle>& triangles, std::vector<MeshFace>& faces) const;
 
   Id NewCell();
   PendingFace& Slot(const std::array<Id, 3>& corners);

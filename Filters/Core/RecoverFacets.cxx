@@ -143,18 +143,23 @@ void FacetRecovery::Mark(Id facet, const std::vector<MeshFace>& faces)
 
 std::vector<Id> FacetRecovery::MarkWholeFacets(const std::vector<Id>& facets)
 {
-  std::vector<Id> others;
+  std::vector<Triangle> triangles;
+  triangles.reserve(facets.size());
   for (const Id facet : facets)
   {
-    const Triangle& corners = this->Facets[facet];
-    MeshFace face;
-    if (this->Mesh.FindFace(corners[0], corners[1], corners[2], face.Cell, face.Face))
+    triangles.push_back(this->Facets[facet]);
+  }
+  const std::vector<MeshFace> faces = this->Mesh.FindFaces(triangles);
+  std::vector<Id> others;
+  for (std::size_t i = 0; i < facets.size(); ++i)
+  {
+    if (faces[i].Cell != None)
     {
-      this->Mark(facet, { face });
+      this->Mark(facets[i], { faces[i] });
     }
     else
     {
-      others.push_back(facet);
+      others.push_back(facets[i]);
     }
   }
   return others;

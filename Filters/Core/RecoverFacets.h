@@ -34,11 +34,6 @@ public:
   std::vector<Id> RecoverBySplits(const std::vector<Id>& missing, SteinerPoints& steiner);
 
 private:
-  struct MeshFace
-  {
-    Id Cell;
-    int Face;
-  };
   struct MeshEdge
   {
     Id U;

@@ -36,14 +36,16 @@ bool LeavesStarCell(const FlippableMesh& mesh, Id a, Id b, Id cell, std::array<i
   {
     link[k] = mesh.Cells[cell].Corners[FaceSeenFrom[corner][k]];
   }
-  bool leaves = true;
   for (int k = 0; k < 3; ++k)
   {
     // Counter-clockwise seen from a: a point within the cone has all three edges on its left.
     sides[k] = -mesh.Vertices.Orient(a, link[k], link[(k + 1) % 3], b);
-    leaves = leaves && sides[k] >= 0;
+    if (sides[k] < 0)
+    {
+      return false;
+    }
   }
-  return leaves;
+  return true;
 }
 
 Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)

@@ -63,3 +63,49 @@ TEST(FlippableMesh, FindsAnEdgeWhereAndOnlyWhereACellHasBothEnds)
   }
   EXPECT_EQ(found, static_cast<int>(edges.size()));
 }
+
+TEST(FlippableMesh, FindsManyFacesAsItFindsEachAlone)
+{
+  Monitor monitor;
+  std::vector<Id> same;
+  const FlippableMesh mesh(BallWithCentre(40), same, monitor);
+  std::vector<Triangle> triangles;
+  for (Id a = 0; a < mesh.Infinite(); ++a)
+  {
+    for (Id b = 0; b < a; ++b)
+    {
+      for (Id c = 0; c < b; ++c)
+      {
+        triangles.push_back({ { b, a, c } });
+        triangles.push_back({ { c, b, a } });
+      }
+    }
+  }
+  const std::vector<MeshFace> together = mesh.FindFaces(triangles);
+  ASSERT_EQ(together.size(), triangles.size());
+  int found = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& t = triangles[i];
+    Id cell;
+    int face;
+    const bool isFace = mesh.FindFace(t[0], t[1], t[2], cell, face);
+    for (const MeshFace& one : { together[i], mesh.FindFaces({ t })[0] })
+    {
+      ASSERT_EQ(one.Cell != None, isFace) << t[0] << ' ' << t[1] << ' ' << t[2];
+      for (const Id corner : t)
+      {
+        ASSERT_TRUE(!isFace || mesh.Has(one.Cell, corner));
+        ASSERT_TRUE(!isFace || mesh.Cells[one.Cell].Corners[one.Face] != corner);
+      }
+    }
+    found += isFace ? 1 : 0;
+  }
+  // Of each cell four faces, half of which are another's, twice each; and not the infinite ones.
+  int faces = 0;
+  for (Id cell = 0; cell < static_cast<Id>(mesh.Cells.size()); ++cell)
+  {
+    faces += mesh.IsDead(cell) ? 0 : mesh.IsInfinite(cell) ? 1 : 4;
+  }
+  EXPECT_EQ(found, faces);
+}
