@@ -26,6 +26,9 @@ constexpr std::int64_t WorkOnLostFacets = 100000000;
 /** Facets that are let go are at most so many cells around a lost one. */
 constexpr unsigned MostRingsOfRuins = 3;
 
+/** Nearly all facets that are lost at first are there after fewer tries, without more points. */
+constexpr int TriesBeforeSplitting = 4;
+
 /** Edges that are tried to flip a face away. */
 constexpr int MostTwinFlips = 200;
 
@@ -188,8 +191,11 @@ private:
     const std::set<Id> hopeless =
       lost.empty() ? std::set<Id>() : FacetsThatCross(this->Points, this->Facets, this->Progress);
     std::vector<Id> wanted = Without(hopeless, lost);
-    while (!wanted.empty() && this->Mesh.Vertices.Work() < end && !this->Mesh.Vertices.IsWorkDone())
+    for (int tries = 0;
+         !wanted.empty() && this->Mesh.Vertices.Work() < end && !this->Mesh.Vertices.IsWorkDone();
+         ++tries)
     {
+      this->MaySplitBeside = tries >= TriesBeforeSplitting;
       from = from == SegmentRecovery::From::LowerEnd ? SegmentRecovery::From::HigherEnd
                                                      : SegmentRecovery::From::LowerEnd;
       const FlippableMesh mesh = this->Mesh;
@@ -367,13 +373,24 @@ private:
     }
     SteinerPoints steiner(this->Mesh, this->Segments, this->Progress);
     int patience = ShakesWithoutGain;
+    bool isSplit = false;
     while (!left.empty() && patience > 0 && !this->Mesh.Vertices.IsWorkDone())
     {
       before = left.size();
+      if (this->MaySplitBeside && patience == ShakesWithoutGain / 2)
+      {
+        rounder.SplitBeside(left, this->Random);
+        isSplit = true;
+      }
       rounder.Stir(left, this->Random);
       steiner.Shake(left, this->Random);
       left = rounder.RoundSomehow(this->Random);
       patience = left.size() < before ? ShakesWithoutGain : patience - 1;
+    }
+    if (isSplit && left.empty())
+    {
+      this->TidyUp();
+      left = rounder.Round();
     }
     return left;
   }
@@ -558,6 +575,7 @@ private:
   Monitor& Progress;
   std::set<Id> GivenUp;
   std::mt19937 Random;
+  bool MaySplitBeside = false;
 };
 
 /** One attempt, and more without the facets that it has to give up, of which there are fewer each

@@ -25,7 +25,7 @@ constexpr std::array<double, 7> StepsInVolume = { { 1, 8, 64, 4096, 1e6, 1e9, 1e
 /** Where many points are tried again and again, so many of their hundreds of places are. */
 constexpr int PlacesAtRandom = 60;
 
-/** Other places that are tried for a point which is in the way. */
+/** Other places that are tried for a point which is in the way, or for one more. */
 constexpr int MostStirs = 8;
 } // namespace
 
@@ -71,12 +71,11 @@ std::vector<Point> PointRounder::PlacesOnSegment(Id point, Id segment, bool exac
   return places;
 }
 
-/** Places all along the part of the segment that is the point's, each a little aside, too. */
-std::vector<Point> PointRounder::PlacesBetweenNeighbors(Id point, Id segment) const
+/** Places all along the way between two vertices, each a little aside, too. */
+std::vector<Point> PointRounder::PlacesBetween(Id u, Id v) const
 {
-  const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(segment, point);
-  const Point a = this->Mesh.Vertices.Nearest(ends[0]);
-  const Point b = this->Mesh.Vertices.Nearest(ends[1]);
+  const Point a = this->Mesh.Vertices.Nearest(u);
+  const Point b = this->Mesh.Vertices.Nearest(v);
   double largest = 0;
   for (int k = 0; k < 3; ++k)
   {
@@ -151,7 +150,8 @@ std::vector<Point> PointRounder::PlacesFor(Id point) const
   std::vector<Point> between;
   if (segment != None)
   {
-    between = this->PlacesBetweenNeighbors(point, segment);
+    const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(segment, point);
+    between = this->PlacesBetween(ends[0], ends[1]);
   }
   const std::vector<Point> beside = support.Facets.empty() && segment == None
     ? this->PlacesBeside(point, StepsInVolume.data(), StepsInVolume.size())
@@ -227,7 +227,8 @@ void PointRounder::Stir(const std::vector<Id>& points, std::mt19937& random)
     std::vector<Point> places;
     if (support.Segment != None)
     {
-      places = this->PlacesBetweenNeighbors(neighbor, support.Segment);
+      const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(support.Segment, neighbor);
+      places = this->PlacesBetween(ends[0], ends[1]);
     }
     else if (!support.Facets.empty())
     {
@@ -239,6 +240,68 @@ void PointRounder::Stir(const std::vector<Id>& points, std::mt19937& random)
       isMoved = this->Mover.Move(neighbor,
         places.empty() ? this->RandomPlaceInVolume(neighbor, random)
                        : places[random() % places.size()]);
+    }
+  }
+}
+
+/** Split a piece of a segment at a place near it, where no cell turns over. */
+bool PointRounder::SplitAt(Id segment, const EdgeRing& ring, const Point& place)
+{
+  const Id point = this->Mesh.AddVertex(place);
+  const std::size_t n = ring.Points.size();
+  std::vector<Id> facets;
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const Id cell = ring.Cells[k];
+    for (const Id end : { ring.U, ring.V })
+    {
+      Tetrahedron t = this->Mesh.Cells[cell].Corners;
+      t[this->Mesh.CornerIndex(cell, end)] = point;
+      if (this->Mesh.IsInfinite(cell) || this->Mesh.Vertices.Orient(t[0], t[1], t[2], t[3]) <= 0)
+      {
+        this->Mesh.RemoveLastVertex();
+        return false;
+      }
+    }
+    const Id next = ring.Points[(k + 1) % n];
+    facets.push_back(this->Mesh.Cells[cell].Facets[this->Mesh.CornerIndex(cell, next)]);
+  }
+  this->Mesh.SplitEdge(ring, point);
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    for (const Id end : { ring.U, ring.V })
+    {
+      Id cell;
+      int face;
+      if (facets[k] != None && this->Mesh.FindFace(point, end, ring.Points[k], cell, face))
+      {
+        this->Mesh.SetFacet(cell, face, facets[k]);
+      }
+    }
+  }
+  this->Segments.Split(segment, ring.U, ring.V, point);
+  return true;
+}
+
+void PointRounder::SplitBeside(const std::vector<Id>& points, std::mt19937& random)
+{
+  for (const Id point : points)
+  {
+    const PointSupport support = FindPointSupport(this->Mesh, this->Segments, point);
+    if (support.Segment == None)
+    {
+      continue;
+    }
+    for (const Id neighbor : this->Segments.NeighborsOnPath(support.Segment, point))
+    {
+      const std::vector<Point> places = this->PlacesBetween(point, neighbor);
+      EdgeRing ring;
+      this->Mesh.Ring(point, neighbor, this->Mesh.FindEdge(point, neighbor), ring);
+      bool isSplit = false;
+      for (int k = 0; k < MostStirs && !isSplit; ++k)
+      {
+        isSplit = this->SplitAt(support.Segment, ring, places[random() % places.size()]);
+      }
     }
   }
 }

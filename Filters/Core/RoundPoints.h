@@ -17,7 +17,7 @@ namespace insideout
 class PointRounder
 {
 public:
-  PointRounder(FlippableMesh& mesh, const SegmentTable& segments, Monitor& monitor)
+  PointRounder(FlippableMesh& mesh, SegmentTable& segments, Monitor& monitor)
     : Mesh(mesh)
     , Segments(segments)
     , Progress(monitor)
@@ -31,21 +31,29 @@ public:
   /** The same, of the places for each point only some at random. */
   std::vector<Id> RoundSomehow(std::mt19937& random);
 
+  /**
+   * Put further Steiner points, in doubles, on both sides of those that lie on segments. Where a
+   * segment passes between facets that are less than rounding errors apart, no place in doubles may
+   * be there for one point, but for two, one on either side.
+   */
+  void SplitBeside(const std::vector<Id>& points, std::mt19937& random);
+
   /** Move Steiner points around some points to other places at random: they may be in the way. */
   void Stir(const std::vector<Id>& points, std::mt19937& random);
 
 private:
   std::vector<Id> Unrounded() const;
+  bool SplitAt(Id segment, const EdgeRing& ring, const Point& place);
   std::vector<Point> PlacesFor(Id point) const;
 
   std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
   Point RandomPlaceInVolume(Id point, std::mt19937& random) const;
   std::vector<Point> PlacesOnSegment(Id point, Id segment, bool exactly) const;
-  std::vector<Point> PlacesBetweenNeighbors(Id point, Id segment) const;
+  std::vector<Point> PlacesBetween(Id u, Id v) const;
   std::vector<Point> PlacesBeside(Id point, const double* steps, std::size_t numberOfSteps) const;
 
   FlippableMesh& Mesh;
-  const SegmentTable& Segments;
+  SegmentTable& Segments;
   Monitor& Progress;
   PointMover Mover;
 };

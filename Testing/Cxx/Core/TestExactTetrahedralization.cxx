@@ -285,6 +285,12 @@ TEST(ExactTetrahedralization, FindsPlacesWhereFacetsNearlyTouch)
   CompleteMesh(Resolved(testmeshes::GridSoup(1013, 80, 7)));
 }
 
+TEST(ExactTetrahedralization, PassesBetweenFacetsOnPointsOnBothSidesOfThem)
+{
+  // A segment passes between two facets where no double is.
+  CompleteMesh(Resolved(testmeshes::GridSoup(80412, 40, 5)));
+}
+
 TEST(ExactTetrahedralization, EndsWhenTheWorkIsDone)
 {
   // Every ridge is in the way of every other: many cuts, which need more.
