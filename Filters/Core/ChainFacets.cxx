@@ -34,8 +34,9 @@ Point Opposite(const RoundedSite& site, const Point& place)
 
 ChainFacets::ChainFacets(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
-  : Facets(triangles.size())
-  , Boxes(triangles.size())
+  : NumberOfFacets(static_cast<Id>(triangles.size()))
+  , Facets(new Facet[triangles.size()])
+  , Boxes(new Box[triangles.size()])
 {
 #pragma omp parallel for schedule(static) if (triangles.size() > SmallSize)
   for (std::size_t f = 0; f < triangles.size(); ++f)

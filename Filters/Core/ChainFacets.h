@@ -6,6 +6,7 @@
 #include "SitePredicates.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace insideout
 {
@@ -38,10 +39,10 @@ public:
   {
     PlaneOfTriangle Plane;
     std::array<Point, 3> Corners;
-    int Count = 0;
+    int Count;
   };
 
-  Id Size() const { return static_cast<Id>(this->Facets.size()); }
+  Id Size() const { return this->NumberOfFacets; }
   const Facet& operator[](Id facet) const { return this->Facets[facet]; }
   const Box& BoxOf(Id facet) const { return this->Boxes[facet]; }
 
@@ -70,7 +71,9 @@ public:
     std::vector<Id> touched, const PreparedSite& site, const Point& towards) const;
 
 private:
-  std::vector<Facet> Facets;
-  std::vector<Box> Boxes;
+  // Arrays, for a vector would be zeroed by one thread before several fill it.
+  Id NumberOfFacets;
+  std::unique_ptr<Facet[]> Facets;
+  std::unique_ptr<Box[]> Boxes;
 };
 } // namespace insideout
