@@ -251,7 +251,7 @@ void FlippableMesh::FindFacesInAllCells(
   std::vector<Wanted> wanted(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    const Triangle& t = SortedTriangle(triangles[i]).Points;
+    const Triangle t = SortedTriangle(triangles[i]).Points;
     wanted[begin[static_cast<std::size_t>(t[0]) + 1]++] = { t[1], t[2], i };
   }
   for (Id cell = 0; cell < static_cast<Id>(this->Cells.size()); ++cell)
