@@ -148,8 +148,8 @@ void MatchNeighbors(const FaceTable& faces, TetrahedralMesh& mesh)
       const FaceEntry& first = face.First[0];
       const auto name = [&]()
       {
-        return "face " + std::to_string(lowest) + " " + std::to_string(first.Middle) + " " +
-          std::to_string(first.Highest);
+        return "face " + std::to_string(lowest) + " " + std::to_string(first.Middle()) + " " +
+          std::to_string(first.Highest());
       };
       const auto cells = face.Last - face.First;
       if (cells > 2)

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -14,16 +14,22 @@ namespace insideout
 /** Face of a cell: the two higher ids of its three points, whose it is, how it is turned. */
 struct FaceEntry
 {
-  Id Middle;
-  Id Highest;
+  std::uint64_t Key; ///< the middle id above the highest
   Id Cell;
   std::int8_t Face;
   bool Turned;
 
+  static std::uint64_t KeyOf(const SortedTriangle& face)
+  {
+    return static_cast<std::uint64_t>(face.Points[1]) << 32 |
+      static_cast<std::uint32_t>(face.Points[2]);
+  }
+  Id Middle() const { return static_cast<Id>(this->Key >> 32); }
+  Id Highest() const { return static_cast<Id>(this->Key & 0xFFFFFFFFu); }
+
   bool operator<(const FaceEntry& other) const
   {
-    return std::tie(this->Middle, this->Highest, this->Cell) <
-      std::tie(other.Middle, other.Highest, other.Cell);
+    return this->Key < other.Key || (this->Key == other.Key && this->Cell < other.Cell);
   }
 };
 
@@ -47,7 +53,7 @@ public:
       [&](const SortedTriangle& face, Id cell, int k)
       {
         this->Entries[this->Begin[static_cast<std::size_t>(face.Points[0]) + 1]++] = {
-          face.Points[1], face.Points[2], cell, static_cast<std::int8_t>(k), face.Turned
+          FaceEntry::KeyOf(face), cell, static_cast<std::int8_t>(k), face.Turned
         };
       });
     for (std::size_t p = 0; p < points; ++p)
@@ -72,7 +78,7 @@ public:
       return { nullptr, nullptr };
     }
     // Any cell comes behind None.
-    const FaceEntry wanted = { face.Points[1], face.Points[2], None, 0, false };
+    const FaceEntry wanted = { FaceEntry::KeyOf(face), None, 0, false };
     const FaceEntry* const end = this->EndOf(face.Points[0]);
     const FaceEntry* const first = std::lower_bound(this->BeginOf(face.Points[0]), end, wanted);
     return { first, EndOfFace(first, end, wanted) };
@@ -117,7 +123,7 @@ private:
     const FaceEntry* first, const FaceEntry* end, const FaceEntry& wanted)
   {
     const FaceEntry* last = first;
-    while (last != end && last->Middle == wanted.Middle && last->Highest == wanted.Highest)
+    while (last != end && last->Key == wanted.Key)
     {
       ++last;
     }

@@ -3,31 +3,24 @@
 
 #include "Types.h"
 
-#include <utility>
+#include <algorithm>
+#include <cstddef>
 
 namespace insideout
 {
 /** A triangle's points in ascending order, and whether that order turned it over. */
 struct SortedTriangle
 {
-  explicit SortedTriangle(Triangle t)
+  explicit SortedTriangle(const Triangle& t)
+    : Points{ { std::min({ t[0], t[1], t[2] }), 0, std::max({ t[0], t[1], t[2] }) } }
+    , Turned((t[0] > t[1]) ^ (t[1] > t[2]) ^ (t[0] > t[2]))
   {
-    const auto order = [&](int i, int j)
-    {
-      if (t[i] > t[j])
-      {
-        std::swap(t[i], t[j]);
-        this->Turned = !this->Turned;
-      }
-    };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-    this->Points = t;
+    // Without branches, for it is sorted as chance has it.
+    this->Points[1] = t[0] ^ t[1] ^ t[2] ^ this->Points[0] ^ this->Points[2];
   }
 
   Triangle Points;
-  bool Turned = false;
+  bool Turned;
 };
 
 /** For tables of triangles. */
