@@ -12,8 +12,6 @@ namespace
 /** Removing points one by one is over when fewer than one in so many goes. */
 constexpr std::size_t LeastYield = 50;
 
-/** Most points that go at all do so at once; others do from the volume. */
-constexpr int PassesBeforeMoving = 2;
 constexpr int MostPasses = 1000;
 
 /** Flips at random are tried for each cell around a point, and at most around a point. */
@@ -69,10 +67,6 @@ void SteinerPoints::LowerDegree(Id point)
 
 bool SteinerPoints::RemoveOne(Id point)
 {
-  if (this->Dissolver.Dissolve(point, VolumePoints::None))
-  {
-    return true;
-  }
   this->LowerDegree(point);
   return this->Dissolver.Dissolve(point, VolumePoints::None) || this->Collapse(point);
 }
@@ -89,14 +83,14 @@ bool SteinerPoints::Collapse(Id point)
     [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
 }
 
-void SteinerPoints::Remove(Id first, int mostPasses)
+void SteinerPoints::Remove(Id first)
 {
   // What failed once is tried again only when something around has changed.
   std::vector<std::int64_t> triedAt(
     static_cast<std::size_t>(this->Mesh.Vertices.Size() - first), -1);
   std::size_t tried = 0;
   std::size_t removed = 1;
-  for (int pass = 0; pass < mostPasses && removed > tried / LeastYield; ++pass)
+  for (int pass = 0; pass < MostPasses && removed > tried / LeastYield; ++pass)
   {
     tried = 0;
     removed = 0;
@@ -117,9 +111,8 @@ void SteinerPoints::Remove(Id first, int mostPasses)
 
 void SteinerPoints::Tidy(Id first)
 {
-  this->Remove(first, PassesBeforeMoving);
   this->MoveIntoVolume(first);
-  this->Remove(first, MostPasses);
+  this->Remove(first);
 }
 
 void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)

@@ -24,12 +24,6 @@ public:
   {
   }
 
-  /** Take Steiner points away that the mesh can do without, of those from `first` on. */
-  void Remove(Id first, int mostPasses);
-
-  /** Replace Steiner points on facets, of those from `first` on, by points beside them. */
-  void MoveIntoVolume(Id first);
-
   /**
    * Flip at random around points, and then try again to do without them, or to have them in the
    * volume: the cells that bar the way are others each time.
@@ -39,10 +33,15 @@ public:
   /** Flip at random in the cells around a vertex. */
   void FlipAround(Id vertex, std::mt19937& random);
 
-  /** Remove what can be; move what is left into the volume, from where more can be removed. */
+  /**
+   * Of the Steiner points from `first` on, replace those on facets by points beside them, where the
+   * mesh cannot do without, and then remove what it can do without: in the volume that is more.
+   */
   void Tidy(Id first);
 
 private:
+  void MoveIntoVolume(Id first);
+  void Remove(Id first);
   bool RemoveOne(Id point);
   bool Collapse(Id point);
   std::vector<Id> NeighborsOf(Id point) const;
