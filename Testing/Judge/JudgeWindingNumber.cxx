@@ -43,14 +43,18 @@ struct Numbers
   int Slivers = std::numeric_limits<int>::max(); ///< at most so many, the thinnest
 };
 
-/** Largest difference between values and a reference, and whether one is not a number. */
+/** Largest difference between values and a reference; not a number where one is none. */
 double LargestError(const std::vector<double>& values, const std::vector<double>& reference)
 {
   double largest = 0;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     const double error = std::abs(values[i] - reference[i]);
-    largest = error <= largest ? largest : error; // NaN stays
+    if (std::isnan(error))
+    {
+      return error;
+    }
+    largest = std::max(largest, error);
   }
   return largest;
 }

@@ -12,7 +12,7 @@ constexpr int SitesAtOnce = 8;
 
 /**
  * The same as WindingNumberInQuads with seven binary digits less for each number, at eight sites in
- * a twentieth of the time that one takes there.
+ * a third of the time that one takes there.
  */
 std::array<double, SitesAtOnce> WindingNumbersInDoubleDoubles(
   const insideout::FacetComplex& surface, const std::array<insideout::Site, SitesAtOnce>& sites);

@@ -227,7 +227,9 @@ double WorstError(const FacetComplex& surface, const TetrahedralMesh& mesh)
   double worst = 0;
   for (std::size_t cell = 0; cell < w.size(); ++cell)
   {
-    worst = std::max(worst, std::abs(w[cell] - WindingNumberInQuads(surface, SiteOf(mesh, cell))));
+    const double error = std::abs(w[cell] - WindingNumberInQuads(surface, SiteOf(mesh, cell)));
+    EXPECT_FALSE(std::isnan(error)) << "cell " << cell;
+    worst = std::max(worst, error);
   }
   return worst;
 }
