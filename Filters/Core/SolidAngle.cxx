@@ -83,11 +83,31 @@ bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>
   return squared > LeastSquaredDistance && std::numeric_limits<long double>::digits >= 64;
 }
 
+/** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
+int Side(const std::array<Point, 3>& triangle, const Site& site)
+{
+  using Exact = CGAL::Mpzf;
+  return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
+    FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
+}
+
+/** z of modulus 1 from its real part and the size of its imaginary one. */
+std::complex<double> OnSide(int side, double real, double imaginary)
+{
+  if (side == 0)
+  {
+    return 1.0;
+  }
+  // A side that is known must not get lost by underflow on the way to double.
+  const double least = 1e-180;
+  return { real, side * std::max(imaginary, least) };
+}
+
 /**
- * In long doubles, of 64 bits: they decide most of what doubles do not. Their error in z is below
- * 40 * 2^-64.
+ * In long doubles, of 64 bits: they know most of what doubles do not, but not always the side.
+ * Their error in z is below 40 * 2^-64.
  *
- * @return whether they decide, and know z to 1e-13 of its modulus
+ * @return whether they know z to 1e-13 of its modulus
  */
 bool QuickHalfSolidAngle(
   const std::array<Point, 3>& triangle, const Site& site, std::complex<double>& z)
@@ -105,20 +125,15 @@ bool QuickHalfSolidAngle(
   const long double imaginary = a[0] * (b[1] * c[2] - b[2] * c[1]) +
     a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   const long double modulus = std::sqrt(real * real + imaginary * imaginary);
-  if (!(modulus > LeastLongModulus) || !(std::abs(imaginary) > UndecidedLongDeterminant))
+  if (!(modulus > LeastLongModulus))
   {
     return false;
   }
-  z = { static_cast<double>(real / modulus), static_cast<double>(imaginary / modulus) };
+  const int side = std::abs(imaginary) > UndecidedLongDeterminant ? (imaginary > 0 ? 1 : -1)
+                                                                  : Side(triangle, site);
+  z = OnSide(
+    side, static_cast<double>(real / modulus), static_cast<double>(std::abs(imaginary) / modulus));
   return true;
-}
-
-/** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
-int Side(const std::array<Point, 3>& triangle, const Site& site)
-{
-  using Exact = CGAL::Mpzf;
-  return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
-    FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
 }
 } // namespace
 
@@ -148,10 +163,8 @@ std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const 
   {
     return { 0.0, static_cast<double>(side) };
   }
-  // A side that is known must not get lost by underflow on the way to double.
-  const double least = 1e-180;
-  return { static_cast<double>(Precise(real / modulus)),
-    side * std::max(static_cast<double>(Precise(imaginary / modulus)), least) };
+  return OnSide(side, static_cast<double>(Precise(real / modulus)),
+    static_cast<double>(Precise(imaginary / modulus)));
 }
 
 double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)

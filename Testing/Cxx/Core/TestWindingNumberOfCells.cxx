@@ -662,4 +662,30 @@ TEST(HalfSolidAngle, IsRightForAnOctantAndNextToAnEdge)
   EXPECT_GT(HalfSolidAngle(flat, cell({ 0, 0.25, -1e-300 }, 1e-300)).imag(), 0);
   EXPECT_LT(HalfSolidAngle(flat, cell({ 0, 0.25, 1e-300 }, 1e-300)).imag(), 0);
 }
+
+TEST(HalfSolidAngle, KnowsTheSideHoweverNearASlantedPlane)
+{
+  const std::array<Point, 3> octant = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  const double pi = std::acos(-1);
+  for (const int exponent : { -50, -60, -80, -300, -1000 })
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      // Barycentres off the plane by a number that no double next to 1 can hold.
+      const double t = std::ldexp(sign, exponent);
+      const Site inside = {
+        { { { t, 0.25, 0.75 }, { 0.5, 0.25, 0.25 }, { 0.25, 0.25, 0.5 }, { 0.25, 0.25, 0.5 } } },
+        BarycentreWeights
+      };
+      EXPECT_NEAR(std::arg(HalfSolidAngle(octant, inside)), -sign * pi, 1e-13) << t;
+      const Site outside = {
+        { { { t, 0.5, 0.5 }, { -2, 0.5, 2.5 }, { 0, 0.5, 0.5 }, { 0, 0.5, 0.5 } } },
+        BarycentreWeights
+      };
+      const std::complex<double> z = HalfSolidAngle(octant, outside);
+      EXPECT_NEAR(std::arg(z), 0, 1e-13) << t;
+      EXPECT_LT(sign * z.imag(), 0) << t;
+    }
+  }
+}
 } // namespace
