@@ -91,7 +91,8 @@ int Side(const std::array<Point, 3>& triangle, const Site& site)
     FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
 }
 
-/** z of modulus 1 from its real part and the size of its imaginary one. */
+/** z of modulus 1 from its real part and the size of its imaginary one; 1 in the triangle's plane.
+ */
 std::complex<double> OnSide(int side, double real, double imaginary)
 {
   if (side == 0)
@@ -104,8 +105,8 @@ std::complex<double> OnSide(int side, double real, double imaginary)
 }
 
 /**
- * In long doubles, of 64 bits: they know most of what doubles do not, but not always the side.
- * Their error in z is below 40 * 2^-64.
+ * In long doubles, of 64 bits, which know z but close to 0 to 40 * 2^-64. The side, where that does
+ * not tell it, is decided exactly.
  *
  * @return whether they know z to 1e-13 of its modulus
  */

@@ -671,7 +671,7 @@ TEST(HalfSolidAngle, KnowsTheSideHoweverNearASlantedPlane)
   {
     for (const double sign : { -1.0, 1.0 })
     {
-      // Barycentres off the plane by a number that no double next to 1 can hold.
+      // Barycentres off the plane by t / 4, next to nothing or lost where they are rounded.
       const double t = std::ldexp(sign, exponent);
       const Site inside = {
         { { { t, 0.25, 0.75 }, { 0.5, 0.25, 0.25 }, { 0.25, 0.25, 0.5 }, { 0.25, 0.25, 0.5 } } },
