@@ -4,7 +4,7 @@
 #include <CGAL/Mpzf.h>
 #include <CGAL/determinant.h>
 #include <CGAL/number_utils.h>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,29 @@ namespace insideout
 {
 namespace
 {
-// 168 bits: half angles keep 16 digits even where the site is 1e-30 sizes from an edge.
-using Precise = boost::multiprecision::cpp_bin_float_50;
+template <int Digits>
+using Precise = boost::multiprecision::number<
+  boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+  boost::multiprecision::et_off>;
+
+// Enough where the site is not nearer than some 1e-30 sizes to a corner or to an edge.
+constexpr int FewDigits = 50;
+
+// Enough for all sites. Vectors from a site are multiples of 2^-1134, a double's least bit times
+// that of a weight, so their determinant is a multiple of 2^-3402: both are exact, and |z|, which
+// is not less than the determinant, has 50 digits beyond.
+constexpr int ManyDigits = 1080;
+
+// Of z, against |z|. Rounding has less than 200 times the effect of a single one.
+constexpr double RelativeError = 0x1p-60;
+constexpr double RoundingErrors = 0x1p8;
 
 // Relative to the product of the three distances; see SolidAngleProduct.cxx.
 constexpr double LeastSquaredModulus = 0x1p-12;
 constexpr double UndecidedDeterminant = 0x1p-47;
+
+// Products of three distances, and of six, are far from underflow.
+constexpr double LeastProduct = 1e-100;
 
 // The same for long doubles of 64 bits, and the squared distance from which on the two doubles of a
 // rounded site have all of these bits. Coordinates are below 1.
@@ -53,19 +70,32 @@ Number Determinant(const Vector<Number>& a, const Vector<Number>& b, const Vecto
   return CGAL::determinant<Number>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
 }
 
-Precise Dot(const Vector<Precise>& a, const Vector<Precise>& b)
+template <typename Number>
+Number Dot(const Vector<Number>& a, const Vector<Number>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** The largest difference of coordinates that FromSite takes. */
+double Extent(const std::array<Point, 3>& triangle, const Site& site)
+{
+  double extent = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const Point& from : site.Corners)
+    {
+      for (const Point& to : triangle)
+      {
+        extent = std::max(extent, std::abs(to[axis] - from[axis]));
+      }
+    }
+  }
+  return extent;
 }
 
 Point Minus(const Point& a, const Point& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /** From a site to a point as a unit vector; false where too near for long doubles. */
@@ -136,36 +166,55 @@ bool QuickHalfSolidAngle(
     side, static_cast<double>(real / modulus), static_cast<double>(std::abs(imaginary) / modulus));
   return true;
 }
+
+/**
+ * In numbers of so many digits, from a side that is not 0.
+ *
+ * @return whether they know z to RelativeError
+ */
+template <int Digits>
+bool PreciseHalfSolidAngle(
+  const std::array<Point, 3>& triangle, const Site& site, int side, std::complex<double>& z)
+{
+  using Number = Precise<Digits>;
+  const Vector<Number> a = FromSite<Number>(site, triangle[0]);
+  const Vector<Number> b = FromSite<Number>(site, triangle[1]);
+  const Vector<Number> c = FromSite<Number>(site, triangle[2]);
+  const Number lengthA = sqrt(Dot(a, a));
+  const Number lengthB = sqrt(Dot(b, b));
+  const Number lengthC = sqrt(Dot(c, c));
+  const Number all = lengthA * lengthB * lengthC;
+  const Number real = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
+  const Number imaginary = abs(Determinant(a, b, c));
+  const Number modulus = sqrt(real * real + imaginary * imaginary);
+  if (modulus == 0)
+  {
+    return false;
+  }
+  z = OnSide(side, static_cast<double>(Number(real / modulus)),
+    static_cast<double>(Number(imaginary / modulus)));
+
+  // The error of a vector is relative to the extent, not to its own length.
+  const Number least = std::min({ lengthA, lengthB, lengthC });
+  const Number error =
+    std::numeric_limits<Number>::epsilon() * RoundingErrors * Extent(triangle, site) * all;
+  return modulus * least * RelativeError > error;
+}
 } // namespace
 
 std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site)
 {
-  std::complex<double> quick;
-  if (QuickHalfSolidAngle(triangle, site, quick))
+  std::complex<double> z;
+  if (QuickHalfSolidAngle(triangle, site, z))
   {
-    return quick;
+    return z;
   }
   const int side = Side(triangle, site);
-  if (side == 0)
+  if (side != 0 && !PreciseHalfSolidAngle<FewDigits>(triangle, site, side, z))
   {
-    return 1.0;
+    PreciseHalfSolidAngle<ManyDigits>(triangle, site, side, z);
   }
-  const Vector<Precise> a = FromSite<Precise>(site, triangle[0]);
-  const Vector<Precise> b = FromSite<Precise>(site, triangle[1]);
-  const Vector<Precise> c = FromSite<Precise>(site, triangle[2]);
-  const Precise lengthA = sqrt(Dot(a, a));
-  const Precise lengthB = sqrt(Dot(b, b));
-  const Precise lengthC = sqrt(Dot(c, c));
-  const Precise real =
-    lengthA * lengthB * lengthC + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
-  const Precise imaginary = abs(Determinant(a, b, c));
-  const Precise modulus = sqrt(real * real + imaginary * imaginary);
-  if (modulus == 0)
-  {
-    return { 0.0, static_cast<double>(side) };
-  }
-  return OnSide(side, static_cast<double>(Precise(real / modulus)),
-    static_cast<double>(Precise(imaginary / modulus)));
+  return side == 0 ? 1.0 : z;
 }
 
 double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)
@@ -181,7 +230,8 @@ double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point
   const double div = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
   const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
     a[2] * (b[0] * c[1] - b[1] * c[0]);
-  const bool isClear = div * div + det * det >= LeastSquaredModulus * all * all && all > 0;
+  const bool isClear =
+    div * div + det * det >= LeastSquaredModulus * all * all && all > LeastProduct;
   if (isClear && (div > 0 || std::abs(det) > UndecidedDeterminant * all))
   {
     return std::atan2(det, div) / (2 * pi);

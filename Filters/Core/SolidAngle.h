@@ -13,11 +13,12 @@ namespace insideout
  * points away from the site. The argument is in (-pi, pi), never pi itself; it is 0 where the site
  * lies in the triangle's plane, within the triangle too.
  *
- * The site is exact, not rounded, and so is the decision on which side of the triangle it lies.
- * Slow, for the few pairs that double precision cannot decide.
+ * The site is exact, not rounded, and so is the decision on which side of the triangle it lies. The
+ * error is below 1e-13, however near to an edge or a corner the site is. Slow, for the few pairs
+ * that double precision cannot decide.
  *
- * @param[in] triangle three finite corners, not on a line
- * @param[in] site of finite corners
+ * @param[in] triangle three corners, not on a line
+ * @param[in] site coordinates are below 1, or not much above
  */
 std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site);
 

@@ -422,7 +422,6 @@ TEST(SurfaceWindingNumber, StopsWhenAskedTo)
     EXPECT_EQ(error.Code, ErrorCode::Stopped);
   }
 }
-} // namespace
 
 TEST(SurfaceWindingNumber, IsDefinedOnAFlatFanWithAGapOfRounding)
 {
@@ -452,3 +451,4 @@ TEST(SurfaceWindingNumber, IsDefinedOnAFlatFanWithAGapOfRounding)
     EXPECT_NEAR(w.At(below), 0.5, 1e-7) << i;
   }
 }
+} // namespace

@@ -3,20 +3,19 @@
 
 #include "BruteForceWindingNumber.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 
 namespace testmeshes
 {
 namespace
 {
 // Enough for determinants of three vectors, themselves of coordinates with exponents that far
-// apart.
-constexpr int ManyBits = 1200;
-constexpr int MostExponentsApart = 250;
+// apart, as those of all doubles below 1 are.
+constexpr int ManyDigits = 1085;
+constexpr int MostExponentsApart = 1100;
 /** At most the relative error of a sum, product or root in quadruple precision. */
 constexpr double QuadEpsilon = 0x1p-112;
-using Long = boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<ManyBits, boost::multiprecision::digit_base_2>,
+using Long = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<ManyDigits>,
   boost::multiprecision::et_off>;
 
 /** Whether all coordinates are near enough in size for Long to be exact. */
@@ -109,8 +108,8 @@ Quad HalfSolidAngleInLong(const Site& site, const std::array<Point, 3>& corners)
   {
     return 0;
   }
-  const Long lengths = a.Length * b.Length * c.Length;
-  return atan2q(ToQuad(of.Det / lengths), ToQuad(of.Div / lengths));
+  const Long largest = std::max(Long(abs(of.Det)), Long(abs(of.Div)));
+  return atan2q(ToQuad(of.Det / largest), ToQuad(of.Div / largest));
 }
 
 double WindingNumberInQuads(const FacetComplex& surface, const Site& site)
