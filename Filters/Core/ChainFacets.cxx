@@ -36,7 +36,6 @@ ChainFacets::ChainFacets(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
   : NumberOfFacets(static_cast<Id>(triangles.size()))
   , Facets(new Facet[triangles.size()])
-  , Boxes(new Box[triangles.size()])
 {
 #pragma omp parallel for schedule(static) if (triangles.size() > SmallSize)
   for (std::size_t f = 0; f < triangles.size(); ++f)
@@ -44,7 +43,6 @@ ChainFacets::ChainFacets(
     const Triangle& t = triangles[f].Corners;
     const std::array<Point, 3> corners = { points[t[0]], points[t[1]], points[t[2]] };
     this->Facets[f] = { PlaneOfTriangle(corners), corners, triangles[f].Count };
-    this->Boxes[f] = BoundingBox(points, t);
   }
 }
 
@@ -55,11 +53,12 @@ int ChainFacets::SideOf(Id facet, const Point& place) const
 
 bool ChainFacets::MayMeet(Id facet, const Box& box) const
 {
-  if (!this->Boxes[facet].Meets(box))
+  if (!this->BoxOf(facet).Meets(box))
   {
     return false;
   }
   const PlaneOfTriangle& plane = this->Facets[facet].Plane;
+  const Point& corner = this->Facets[facet].Corners[0];
   double side = 0;
   double reach = 0;
   double size = 0;
@@ -67,9 +66,9 @@ bool ChainFacets::MayMeet(Id facet, const Box& box) const
   {
     const double centre = box.Low[axis] / 2 + box.High[axis] / 2;
     const double half = box.High[axis] / 2 - box.Low[axis] / 2;
-    side += plane.Normal[axis] * (centre - plane.Origin[axis]);
+    side += plane.Normal[axis] * (centre - corner[axis]);
     reach += std::abs(plane.Normal[axis]) * half;
-    size += std::abs(centre - plane.Origin[axis]) + half;
+    size += std::abs(centre - corner[axis]) + half;
   }
   // Coordinates are below 1, so that an absolute error of 2^-50 covers the rounding of the box's.
   return std::abs(side) <= reach + 4 * plane.UndecidedSide * (size + 0x1p-2);

@@ -44,7 +44,14 @@ public:
 
   Id Size() const { return this->NumberOfFacets; }
   const Facet& operator[](Id facet) const { return this->Facets[facet]; }
-  const Box& BoxOf(Id facet) const { return this->Boxes[facet]; }
+  Box BoxOf(Id facet) const
+  {
+    const auto& [a, b, c] = this->Facets[facet].Corners;
+    Box box = { a, a };
+    box.Add(b);
+    box.Add(c);
+    return box;
+  }
 
   int SideOf(Id facet, const Point& place) const;
 
@@ -71,9 +78,8 @@ public:
     std::vector<Id> touched, const PreparedSite& site, const Point& towards) const;
 
 private:
-  // Arrays, for a vector would be zeroed by one thread before several fill it.
+  // An array, for a vector would be zeroed by one thread before several fill it.
   Id NumberOfFacets;
   std::unique_ptr<Facet[]> Facets;
-  std::unique_ptr<Box[]> Boxes;
 };
 } // namespace insideout

@@ -186,11 +186,7 @@ void ClosedChainTree::BuildOneTree(
   ReferenceTree::Region all = { this->Facets.BoxOf(0), {}, 0, {} };
   for (Id f = 0; f < this->Facets.Size(); ++f)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      all.Bounds.Low[axis] = std::min(all.Bounds.Low[axis], this->Facets.BoxOf(f).Low[axis]);
-      all.Bounds.High[axis] = std::max(all.Bounds.High[axis], this->Facets.BoxOf(f).High[axis]);
-    }
+    all.Bounds.Add(this->Facets.BoxOf(f));
     all.Facets.push_back(f);
   }
   // A little larger, so that the box of a flat chain has an inside.

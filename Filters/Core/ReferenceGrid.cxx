@@ -63,12 +63,11 @@ void ReferenceGrid::ChooseCubes()
   double linear = 0, quadratic = 0, cubic = 0;
   for (Id f = 0; f < this->Facets.Size(); ++f)
   {
-    const Box& box = this->Facets.BoxOf(f);
+    const Box box = this->Facets.BoxOf(f);
+    all.Add(box);
     Point extent;
     for (int axis = 0; axis < 3; ++axis)
     {
-      all.Low[axis] = std::min(all.Low[axis], box.Low[axis]);
-      all.High[axis] = std::max(all.High[axis], box.High[axis]);
       extent[axis] = box.High[axis] - box.Low[axis];
     }
     linear += extent[0] + extent[1] + extent[2];
@@ -136,7 +135,7 @@ Point ReferenceGrid::ReferenceOf(std::size_t cube) const
 /** The cubes that the facet's box meets. */
 ReferenceGrid::Range ReferenceGrid::RangeOf(Id facet) const
 {
-  const Box& box = this->Facets.BoxOf(facet);
+  const Box box = this->Facets.BoxOf(facet);
   Range range;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -160,6 +159,7 @@ bool ReferenceGrid::ForCubesOf(
 {
   const Range range = this->RangeOf(facet);
   const PlaneOfTriangle& plane = this->Facets[facet].Plane;
+  const Point& corner = this->Facets[facet].Corners[0];
   // From a reference to the farthest place of its cube.
   double reach = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -169,10 +169,10 @@ bool ReferenceGrid::ForCubesOf(
   }
   for (int i = range.First[0]; i <= range.Last[0]; ++i)
   {
-    const double x = plane.Origin[0] - this->Coordinate(0, i);
+    const double x = corner[0] - this->Coordinate(0, i);
     for (int j = range.First[1]; j <= range.Last[1]; ++j)
     {
-      const double y = plane.Origin[1] - this->Coordinate(1, j);
+      const double y = corner[1] - this->Coordinate(1, j);
       for (int k = range.First[2]; k <= range.Last[2]; ++k)
       {
         const std::size_t cube = this->Index(i, j, k);
@@ -180,7 +180,7 @@ bool ReferenceGrid::ForCubesOf(
         {
           continue;
         }
-        const double z = plane.Origin[2] - this->Coordinate(2, k);
+        const double z = corner[2] - this->Coordinate(2, k);
         const double product = x * plane.Normal[0] + y * plane.Normal[1] + z * plane.Normal[2];
         if (std::abs(product) > reach + plane.UndecidedSide * 8)
         {
@@ -237,9 +237,8 @@ bool ReferenceGrid::AddRises(Id f, const std::vector<char>& isWantedColumn)
       const auto sideOfReference = [&](int k) {
         return least * this->Facets.SideOf(f, { x, y, this->Coordinate(2, k) });
       };
-      const double height = plane.Origin[2] +
-        ((plane.Origin[0] - x) * plane.Normal[0] + (plane.Origin[1] - y) * plane.Normal[1]) /
-          plane.Normal[2];
+      const double height =
+        a[2] + ((a[0] - x) * plane.Normal[0] + (a[1] - y) * plane.Normal[1]) / plane.Normal[2];
       const double place = (height - this->Origin[2]) * this->CubesPerLength - this->Offset[2] + 1;
       int k = !(place > 0) ? 0 : place < this->Cubes[2] ? static_cast<int>(place) : this->Cubes[2];
       int side = 0;

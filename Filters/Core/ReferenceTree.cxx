@@ -141,15 +141,10 @@ void ReferenceTree::Append(const Arena& arena, std::int32_t node)
 /** Cut off an empty side of the box, or else halve its longest side. */
 ReferenceTree::Split ReferenceTree::Builder::ChooseSplit(const Region& region) const
 {
-  Point low = region.Bounds.High;
-  Point high = region.Bounds.Low;
+  Box filled = { region.Bounds.High, region.Bounds.Low };
   for (const Id f : region.Facets)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], this->Facets.BoxOf(f).Low[axis]);
-      high[axis] = std::max(high[axis], this->Facets.BoxOf(f).High[axis]);
-    }
+    filled.Add(this->Facets.BoxOf(f));
   }
   Split split = { 0, 0 };
   double largestPart = WorthwhileGap;
@@ -158,19 +153,19 @@ ReferenceTree::Split ReferenceTree::Builder::ChooseSplit(const Region& region) c
   {
     // A little beside the facets, so that they do not touch the empty box.
     const double extent = region.Bounds.High[axis] - region.Bounds.Low[axis];
-    const double gapBelow = low[axis] - region.Bounds.Low[axis];
-    const double gapAbove = region.Bounds.High[axis] - high[axis];
+    const double gapBelow = filled.Low[axis] - region.Bounds.Low[axis];
+    const double gapAbove = region.Bounds.High[axis] - filled.High[axis];
     const double margin = 0.05;
     if (gapBelow > largestPart * extent)
     {
       largestPart = gapBelow / extent;
-      split = { axis, low[axis] - margin * gapBelow };
+      split = { axis, filled.Low[axis] - margin * gapBelow };
       cut = true;
     }
     if (gapAbove > largestPart * extent)
     {
       largestPart = gapAbove / extent;
-      split = { axis, high[axis] + margin * gapAbove };
+      split = { axis, filled.High[axis] + margin * gapAbove };
       cut = true;
     }
   }
@@ -207,10 +202,11 @@ bool ReferenceTree::Builder::FitsLeaf(const Region& region) const
   }
   const auto isMuchLarger = [&](Id f)
   {
+    const Box box = this->Facets.BoxOf(f);
     double extent = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      extent = std::max(extent, this->Facets.BoxOf(f).High[axis] - this->Facets.BoxOf(f).Low[axis]);
+      extent = std::max(extent, box.High[axis] - box.Low[axis]);
     }
     return extent > 4 * boxExtent;
   };
@@ -230,7 +226,7 @@ std::vector<SidedFacet> ReferenceTree::Builder::FacetsBetween(
   std::vector<SidedFacet> between;
   for (const Id f : facets)
   {
-    const Box& box = this->Facets.BoxOf(f);
+    const Box box = this->Facets.BoxOf(f);
     if (box.Low[0] <= high[0] && box.High[0] >= low[0] && box.Low[1] <= high[1] &&
       box.High[1] >= low[1] && box.Low[2] <= high[2] && box.High[2] >= low[2])
     {

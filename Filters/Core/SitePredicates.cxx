@@ -76,7 +76,6 @@ double LargestComponent(const Point& d)
 } // namespace
 
 PlaneOfTriangle::PlaneOfTriangle(const std::array<Point, 3>& corners)
-  : Origin(corners[0])
 {
   const auto& [a, b, c] = corners;
   const Point e = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
@@ -98,7 +97,7 @@ int QuickSide(const PlaneOfTriangle& plane, const Point& d)
 int SideOfPlane(
   const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const PreparedSite& site)
 {
-  const int side = QuickSide(plane, FromSite(site, plane.Origin));
+  const int side = QuickSide(plane, FromSite(site, triangle[0]));
   return side != 0 ? side : -ExactSign(site.Exact, triangle[0], triangle[1], triangle[2]);
 }
 
@@ -106,7 +105,7 @@ int SideOfPlane(
   const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const Point& point)
 {
   const int side = QuickSide(
-    plane, { plane.Origin[0] - point[0], plane.Origin[1] - point[1], plane.Origin[2] - point[2] });
+    plane, { triangle[0][0] - point[0], triangle[0][1] - point[1], triangle[0][2] - point[2] });
   return side != 0 ? side : -ExactSign(SiteAt(point), triangle[0], triangle[1], triangle[2]);
 }
 

@@ -17,22 +17,21 @@ struct PreparedSite : RoundedSite
   Site Exact;
 };
 
-/** A triangle with what decides its side quickly. */
+/** What decides quickly on which side of a triangle a place is. */
 struct PlaneOfTriangle
 {
   PlaneOfTriangle() = default;
   explicit PlaneOfTriangle(const std::array<Point, 3>& corners);
 
-  Point Origin;         ///< corner 0
   Point Normal;         ///< cross product of the edges from corner 0
   double UndecidedSide; ///< |normal . d| up to this times |d| does not tell the side
 };
 
 /**
- * On which side of a plane a place is, from the vector that leads from it to the plane's origin: +1
- * where the normal points to, -1 on the other, 0 where doubles do not decide. Coordinates below 1.
+ * On which side of a plane a place is, from the vector that leads from it to corner 0: +1 where the
+ * normal points to, -1 on the other, 0 where doubles do not decide. Coordinates below 1.
  */
-int QuickSide(const PlaneOfTriangle& plane, const Point& toOrigin);
+int QuickSide(const PlaneOfTriangle& plane, const Point& toCorner);
 
 /**
  * On which side of the triangle's plane the site lies: +1 where the normal points to, -1 on the

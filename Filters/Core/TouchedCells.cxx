@@ -15,6 +15,7 @@ namespace
 struct BoundedTriangle
 {
   Box Bounds;
+  Point Corner;
   PlaneOfTriangle Plane;
 
   bool MayTouch(const std::vector<Point>& points, const Tetrahedron& cell, const Box& box) const
@@ -28,8 +29,8 @@ struct BoundedTriangle
     for (const Id p : cell)
     {
       const int side = QuickSide(this->Plane,
-        { this->Plane.Origin[0] - points[p][0], this->Plane.Origin[1] - points[p][1],
-          this->Plane.Origin[2] - points[p][2] });
+        { this->Corner[0] - points[p][0], this->Corner[1] - points[p][1],
+          this->Corner[2] - points[p][2] });
       below += side < 0;
       above += side > 0;
     }
@@ -81,7 +82,7 @@ std::vector<Group> MakeGroups(
     group.Bounds.Add(box);
     group.Bunches.back().Bounds.Add(box);
     group.Bunches.back().Triangles.push_back(
-      { box, PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
+      { box, points[t[0]], PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
   }
   return groups;
 }
