@@ -2,6 +2,8 @@
 #include "PlyAttributes.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 namespace insideout
 {
@@ -62,6 +64,35 @@ AttributeValues ToAttributeValues(const Columns& columns)
     return SideBySide<float>(columns);
   }
   return SideBySide<double>(columns);
+}
+
+/** Bytes as they are, all other numbers by ToColorBytes: a float's 1 may stand beside a byte's 255.
+ */
+std::optional<std::vector<unsigned char>> ColorBytesOf(const Columns& columns)
+{
+  Columns others;
+  std::copy_if(columns.begin(), columns.end(), std::back_inserter(others),
+    [](const PlyProperty* column) { return column->Type != PlyType::UInt8; });
+  if (others.empty())
+  {
+    return SideBySide<unsigned char>(columns);
+  }
+  const auto converted = ToColorBytes(SideBySide<double>(others));
+  if (!converted)
+  {
+    return {};
+  }
+  std::vector<unsigned char> bytes = SideBySide<unsigned char>(columns);
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    const auto component = static_cast<std::size_t>(
+      std::find(columns.begin(), columns.end(), others[i]) - columns.begin());
+    for (std::size_t of = 0; of * columns.size() < bytes.size(); ++of)
+    {
+      bytes[of * columns.size() + component] = (*converted)[of * others.size() + i];
+    }
+  }
+  return bytes;
 }
 
 class AttributeMaker
@@ -137,11 +168,7 @@ private:
     {
       return false;
     }
-    if (HaveType(columns, PlyType::UInt8))
-    {
-      this->Make("Colors", names, SideBySide<unsigned char>(columns));
-    }
-    else if (auto bytes = ToColorBytes(SideBySide<double>(columns)))
+    if (auto bytes = ColorBytesOf(columns))
     {
       this->Make("Colors", names, std::move(*bytes));
     }

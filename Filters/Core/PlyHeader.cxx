@@ -22,7 +22,7 @@ class PlyHeaderReader
 public:
   PlyHeaderReader(const FileContent& file, Monitor& monitor)
     : File(file)
-    , Scanner(file, file.Begin(), 1, {}, monitor)
+    , Scanner(file, file.TextBegin(), 1, {}, monitor)
   {
   }
 

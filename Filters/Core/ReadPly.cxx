@@ -44,7 +44,8 @@ void WarnOfUnused(
 
 bool IsPly(const FileContent& file)
 {
-  const std::string_view text(file.Begin(), file.Size);
+  const std::string_view text(
+    file.TextBegin(), static_cast<std::size_t>(file.End() - file.TextBegin()));
   return text.substr(0, 3) == "ply" && text.find_first_of(" \t\r\n") == 3;
 }
 

@@ -457,6 +457,16 @@ TEST(ReadSurface, ReadsPlyAttributesByTheirNames)
   EXPECT_TRUE(HasWarning(surface, "1 faces with fewer than 3 corners"));
 }
 
+TEST(ReadSurface, ReadsPlyColorsOfWhichSomeAreBytes)
+{
+  const PolygonSurface surface = Read("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
+    "property uchar alpha\nend_header\n0 0 0 1 0.5 0 255\n1 0 0 0 1 0.2 7\n");
+  EXPECT_EQ(ValuesOf<unsigned char>(surface.PointAttributes, "Colors", 4),
+    (std::vector<unsigned char>{ 255, 128, 0, 255, 0, 255, 51, 7 }));
+}
+
 TEST(ReadSurface, FindsTheBinaryBodyBehindEveryLineEnd)
 {
   // The first byte of the body is a line feed, and belongs to it.
@@ -470,10 +480,13 @@ TEST(ReadSurface, FindsTheBinaryBodyBehindEveryLineEnd)
     {
       header += std::string(line) + end;
     }
-    const PolygonSurface surface = Read("a.ply", header + body);
-    ExpectSamePoints(surface.Points, { { 1.5, 2.5, 3.5 } });
-    EXPECT_EQ(
-      ValuesOf<unsigned char>(surface.PointAttributes, "n", 1), (std::vector<unsigned char>{ 10 }));
+    for (const char* mark : { "", "\xEF\xBB\xBF" })
+    {
+      const PolygonSurface surface = Read("a.ply", mark + header + body);
+      ExpectSamePoints(surface.Points, { { 1.5, 2.5, 3.5 } });
+      EXPECT_EQ(ValuesOf<unsigned char>(surface.PointAttributes, "n", 1),
+        (std::vector<unsigned char>{ 10 }));
+    }
   }
 }
 
