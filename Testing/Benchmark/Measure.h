@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -61,17 +60,6 @@ inline double Median(std::vector<double> values)
 }
 
 /**
- * Let the process keep the memory that it frees. A page that the system gives anew takes 0.2
- * microseconds on one machine and 10 on a virtual one, for arrays of some megabytes more than the
- * work on them; that is not what is compared.
- */
-inline void KeepFreedMemory()
-{
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-}
-
-/**
  * Median seconds of two pieces of work, run by turns so that both meet the same machine: once for
  * warming up, then five times, and short ones more often.
  */
@@ -81,7 +69,6 @@ inline std::array<double, 2> MedianSeconds(
   constexpr std::size_t leastRuns = 5;
   constexpr std::size_t mostRuns = 15;
   constexpr double enoughSeconds = 5;
-  KeepFreedMemory();
   SecondsOf(first);
   SecondsOf(second);
   std::array<std::vector<double>, 2> seconds;
