@@ -19,44 +19,6 @@ constexpr std::size_t ManyInCube = 4096;
 
 constexpr int MostDetours = 64;
 
-/** The wanted sites in each cube, those of cube c from Begin[c] on. */
-struct WantedInCubes
-{
-  WantedInCubes(const ReferenceGrid& grid, const std::vector<Point>& wanted)
-    : Begin(grid.NumberOfCubes() + 1, 0)
-  {
-    std::vector<std::ptrdiff_t> cubes;
-    cubes.reserve(wanted.size());
-    for (const Point& site : wanted)
-    {
-      cubes.push_back(grid.CubeAt(site));
-      if (cubes.back() != None)
-      {
-        ++this->Begin[static_cast<std::size_t>(cubes.back()) + 1];
-      }
-    }
-    std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
-    this->Sites.resize(this->Begin.back());
-    std::vector<std::size_t> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-    {
-      if (cubes[i] != None)
-      {
-        this->Sites[next[static_cast<std::size_t>(cubes[i])]++] = static_cast<Id>(i);
-      }
-    }
-  }
-
-  std::vector<Id> In(std::size_t cube) const
-  {
-    return { this->Sites.begin() + static_cast<std::ptrdiff_t>(this->Begin[cube]),
-      this->Sites.begin() + static_cast<std::ptrdiff_t>(this->Begin[cube + 1]) };
-  }
-
-  std::vector<std::size_t> Begin;
-  std::vector<Id> Sites;
-};
-
 /** Call evaluate(i) for each i below count, on all threads. */
 template <typename Evaluation>
 void EvaluateEach(
@@ -129,42 +91,45 @@ void ClosedChainTree::BuildTrees(
   const std::vector<Point>* wanted, Monitor& monitor, const ProgressRange& progress)
 {
   const ReferenceGrid& grid = *this->Grid;
-  std::vector<std::size_t> crowded;
   for (std::size_t cube = 0; cube < grid.NumberOfCubes(); ++cube)
   {
     if (grid.LastFacet(cube) - grid.FirstFacet(cube) > MostInCube)
     {
-      crowded.push_back(cube);
+      this->Crowded.push_back(cube);
     }
   }
-  if (crowded.empty())
+  const std::size_t trees = this->Crowded.size();
+  this->Trees.resize(trees);
+  std::vector<std::vector<Id>> wantedIn(trees);
+  for (std::size_t i = 0; wanted && trees > 0 && i < wanted->size(); ++i)
   {
-    return;
+    const std::ptrdiff_t cube = grid.CubeAt((*wanted)[i]);
+    const std::size_t tree = cube == None ? trees : this->TreeOf(static_cast<std::size_t>(cube));
+    if (tree < trees && this->Crowded[tree] == static_cast<std::size_t>(cube))
+    {
+      wantedIn[tree].push_back(static_cast<Id>(i));
+    }
   }
-  this->TreeOfCube.assign(grid.NumberOfCubes(), None);
-  this->Trees.resize(crowded.size());
-  const WantedInCubes inCubes(grid, wanted ? *wanted : std::vector<Point>());
   const auto build = [&](std::size_t i)
   {
-    const std::size_t cube = crowded[i];
+    const std::size_t cube = this->Crowded[i];
     ReferenceTree::Region region = { grid.BoxOf(cube), grid.ReferenceOf(cube),
-      static_cast<double>(grid.ValueAtReference(cube)), {}, inCubes.In(cube) };
+      static_cast<double>(grid.ValueAtReference(cube)), {}, std::move(wantedIn[i]) };
     for (const SidedFacet* f = grid.FirstFacet(cube); f != grid.LastFacet(cube); ++f)
     {
       region.Facets.push_back(f->Facet());
     }
     std::sort(region.Facets.begin(), region.Facets.end());
-    this->TreeOfCube[cube] = static_cast<Id>(i);
     this->Trees[i] = std::make_unique<const ReferenceTree>(
       this->Facets, wanted, std::move(region), monitor, progress);
   };
   // The largest one by one, each on all threads; then the others all at once.
   std::vector<std::size_t> small;
   double facets = 0;
-  for (std::size_t i = 0; i < crowded.size(); ++i)
+  for (std::size_t i = 0; i < trees; ++i)
   {
-    const std::size_t size =
-      static_cast<std::size_t>(grid.LastFacet(crowded[i]) - grid.FirstFacet(crowded[i]));
+    const std::size_t cube = this->Crowded[i];
+    const std::size_t size = static_cast<std::size_t>(grid.LastFacet(cube) - grid.FirstFacet(cube));
     if (size >= ManyInCube)
     {
       build(i);
@@ -177,6 +142,13 @@ void ClosedChainTree::BuildTrees(
   ChunkedLoop(static_cast<Id>(small.size()),
     nanosecondsPerFacet * facets / static_cast<double>(small.size() + 1), monitor, progress,
     [&](Id i) { build(small[i]); });
+}
+
+/** Of the first cube with a tree that is this one or behind it. */
+std::size_t ClosedChainTree::TreeOf(std::size_t cube) const
+{
+  return static_cast<std::size_t>(
+    std::lower_bound(this->Crowded.begin(), this->Crowded.end(), cube) - this->Crowded.begin());
 }
 
 /** A tree of the whole, whose winding number is carried from the outside. */
@@ -256,7 +228,7 @@ bool ClosedChainTree::Locate(const RoundedSite& site, KnownBox& box, double& w) 
       return false;
     }
     box = last - first > MostInCube
-      ? this->Trees[this->TreeOfCube[cube]]->At(site)
+      ? this->Trees[this->TreeOf(cube)]->At(site)
       : KnownBox{ this->Grid->BoxOf(cube), this->Grid->ReferenceOf(cube), w, first, last };
   }
   w = box.Value;

@@ -70,6 +70,8 @@ private:
   void BuildOneTree(
     const std::vector<Point>* wanted, Monitor& monitor, const ProgressRange& progress);
 
+  std::size_t TreeOf(std::size_t cube) const;
+
   /** False where nothing is near, and w is known without more ado. */
   bool Locate(const RoundedSite& site, KnownBox& box, double& w) const;
   double AtIn(const KnownBox& box, const PreparedSite& site) const;
@@ -80,7 +82,7 @@ private:
 
   /** Of the grid's cubes that hold many facets; without a grid one of the whole. */
   std::vector<std::unique_ptr<const ReferenceTree>> Trees;
-  std::vector<Id> TreeOfCube;
-  Box Whole; ///< that of the one tree
+  std::vector<std::size_t> Crowded; ///< those cubes, ascending
+  Box Whole;                        ///< that of the one tree
 };
 } // namespace insideout

@@ -7,10 +7,10 @@
 namespace insideout
 {
 ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
-  const std::vector<CountedTriangle>& triangles, const std::vector<CountedEdge>& boundary,
+  std::vector<CountedTriangle> triangles, const std::vector<CountedEdge>& boundary,
   Monitor& monitor, const ProgressRange& progress)
   : Caps(CapHoles(points, boundary))
-  , Tree(points, CloseChain(triangles, this->Caps), monitor, progress)
+  , Tree(points, CloseChain(std::move(triangles), this->Caps), monitor, progress)
   , SumOfCaps(points, this->Caps)
 {
 }

@@ -29,9 +29,8 @@ public:
    * @param[in] boundary theirs
    * @throws Error (Stopped)
    */
-  ExactWindingNumber(const std::vector<Point>& points,
-    const std::vector<CountedTriangle>& triangles, const std::vector<CountedEdge>& boundary,
-    Monitor& monitor, const ProgressRange& progress);
+  ExactWindingNumber(const std::vector<Point>& points, std::vector<CountedTriangle> triangles,
+    const std::vector<CountedEdge>& boundary, Monitor& monitor, const ProgressRange& progress);
   ExactWindingNumber(const ExactWindingNumber&) = delete;
   void operator=(const ExactWindingNumber&) = delete;
 

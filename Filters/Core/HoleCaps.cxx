@@ -111,8 +111,8 @@ std::vector<std::vector<CountedTriangle>> CapHoles(
   return caps;
 }
 
-std::vector<CountedTriangle> CloseChain(const std::vector<CountedTriangle>& triangles,
-  const std::vector<std::vector<CountedTriangle>>& caps)
+std::vector<CountedTriangle> CloseChain(
+  std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps)
 {
   if (caps.empty())
   {

@@ -17,6 +17,6 @@ std::vector<std::vector<CountedTriangle>> CapHoles(
   const std::vector<Point>& points, const std::vector<CountedEdge>& boundary);
 
 /** The chain less its caps, which has no boundary. Triangles that cancel are left out. */
-std::vector<CountedTriangle> CloseChain(const std::vector<CountedTriangle>& triangles,
-  const std::vector<std::vector<CountedTriangle>>& caps);
+std::vector<CountedTriangle> CloseChain(
+  std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps);
 } // namespace insideout

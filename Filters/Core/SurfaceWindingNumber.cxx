@@ -88,25 +88,25 @@ public:
     const FacetComplex& surface, const WindingNumberParameters& parameters, Monitor& monitor)
     : Exponent(LargestExponent(surface.Points))
     , Points(ScaledPoints(surface.Points, this->Exponent))
-    , Triangles(CountedFacets(surface))
-    , OpenEdges(CountedBoundary(this->Triangles, static_cast<Id>(this->Points.size())))
     , Method(parameters.Method)
   {
+    std::vector<CountedTriangle> triangles = CountedFacets(surface);
+    this->OpenEdges = CountedBoundary(triangles, static_cast<Id>(this->Points.size()));
     switch (this->Method)
     {
       case WindingNumberMethod::Exact:
-        this->Exact.emplace(this->Points, this->Triangles, this->OpenEdges, monitor,
+        this->Exact.emplace(this->Points, std::move(triangles), this->OpenEdges, monitor,
           ProgressRange{ StageName, 0, 0 });
         break;
       case WindingNumberMethod::Naive:
-        this->Surface = ComplexOf(this->Points, this->Triangles);
+        this->Surface = ComplexOf(this->Points, triangles);
         break;
       case WindingNumberMethod::Hierarchical:
-        this->Hierarchical.emplace(this->Points, this->Triangles);
+        this->Hierarchical.emplace(this->Points, triangles);
         break;
       case WindingNumberMethod::Approximate:
         this->Approximate.emplace(
-          this->Points, this->Triangles, parameters.ApproximationOrder, parameters.Accuracy);
+          this->Points, triangles, parameters.ApproximationOrder, parameters.Accuracy);
         break;
     }
   }
@@ -144,9 +144,8 @@ public:
 
   const int Exponent;
   const std::vector<Point> Points; // scaled
-  const std::vector<CountedTriangle> Triangles;
-  const std::vector<CountedEdge> OpenEdges;
   const WindingNumberMethod Method;
+  std::vector<CountedEdge> OpenEdges;
   std::optional<ExactWindingNumber> Exact;
   FacetComplex Surface; // scaled
   std::optional<HierarchicalWindingNumber> Hierarchical;

@@ -52,7 +52,7 @@ ClosedWithCaps CloseMeshChain(const FaceCounts& counts, const std::vector<Point>
   chain.insert(chain.end(), beyond.begin(), beyond.end());
   ClosedWithCaps result;
   result.Caps = CapHoles(points, CountedBoundary(chain, static_cast<Id>(points.size())));
-  result.Closed = CloseChain(chain, result.Caps);
+  result.Closed = CloseChain(std::move(chain), result.Caps);
   return result;
 }
 
