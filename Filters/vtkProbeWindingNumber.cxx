@@ -21,6 +21,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace insideout;
@@ -96,34 +97,34 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
 
 namespace
 {
-std::vector<Point> PointsOf(vtkDataSet* input)
+// Few enough for the processor's cache, and for memory to matter little; enough for many threads.
+constexpr vtkIdType PlacesAtOnce = 1 << 16;
+
+/** As many as there are in `points`, from `first` on. */
+void GetPoints(vtkDataSet* input, vtkIdType first, std::vector<Point>& points)
 {
-  std::vector<Point> points(input->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (Point& point : points)
   {
-    input->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+    input->GetPoint(first++, point.data());
   }
-  return points;
 }
 
-std::vector<Point> CentresOf(vtkDataSet* input)
+void GetCentres(vtkDataSet* input, vtkIdType first, std::vector<Point>& centres)
 {
-  std::vector<Point> centres(input->GetNumberOfCells());
   vtkNew<vtkGenericCell> cell;
   std::vector<double> weights(input->GetMaxCellSize());
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < centres.size(); ++i)
+  for (Point& centre : centres)
   {
-    input->GetCell(static_cast<vtkIdType>(i), cell);
-    centres[i] = { nan, nan, nan };
+    input->GetCell(first++, cell);
+    centre = { nan, nan, nan };
     if (cell->GetNumberOfPoints() > 0)
     {
       double parametric[3];
       int part = cell->GetParametricCenter(parametric);
-      cell->EvaluateLocation(part, parametric, centres[i].data(), weights.data());
+      cell->EvaluateLocation(part, parametric, centre.data(), weights.data());
     }
   }
-  return centres;
 }
 } // namespace
 
@@ -145,12 +146,6 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutMonitor monitor(this, { "validating", "winding numbers" });
       const bool atPoints = this->Association == POINTS;
       const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
-      if (size > std::numeric_limits<Id>::max())
-      {
-        throw Error(ErrorCode::TooLarge,
-          "the input has " + std::to_string(size) + " places to probe; at most " +
-            std::to_string(std::numeric_limits<Id>::max()) + " can be handled");
-      }
       std::vector<std::string> warnings;
       this->Last->WindingNumber = vtkInsideOutMakeWindingNumber(surface,
         { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE,
@@ -158,19 +153,26 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
             this->Accuracy },
           this->NonParticipatingArrayName },
         monitor, warnings);
-      const std::vector<double> values =
-        this->Last->WindingNumber->At(atPoints ? PointsOf(input) : CentresOf(input), monitor);
-
       vtkNew<vtkDoubleArray> w;
       w->SetName("w");
       w->SetNumberOfValues(size);
       vtkNew<vtkUnsignedCharArray> inside;
       inside->SetName("Inside");
       inside->SetNumberOfValues(size);
-      for (vtkIdType i = 0; i < size; ++i)
+      std::vector<Point> places;
+      for (vtkIdType first = 0; first < size; first += PlacesAtOnce)
       {
-        w->SetValue(i, values[i]);
-        inside->SetValue(i, this->Mark(values[i]));
+        const vtkIdType last = std::min(size, first + PlacesAtOnce);
+        places.resize(last - first);
+        (atPoints ? GetPoints : GetCentres)(input, first, places);
+        const double all = static_cast<double>(size);
+        const std::vector<double> values = this->Last->WindingNumber->At(places, monitor,
+          { "winding numbers", static_cast<double>(first) / all, static_cast<double>(last) / all });
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          w->SetValue(i, values[i - first]);
+          inside->SetValue(i, this->Mark(values[i - first]));
+        }
       }
       output->ShallowCopy(input);
       vtkDataSetAttributes* data =

@@ -114,22 +114,23 @@ public:
   Point Scale(const Point& point) const { return ScaledPoints({ point }, this->Exponent).front(); }
 
   /** At points that are finite and not afar, `scaled`. */
-  std::vector<double> At(const std::vector<Point>& scaled, Monitor& monitor) const
+  std::vector<double> At(
+    const std::vector<Point>& scaled, Monitor& monitor, const ProgressRange& progress) const
   {
     if (this->Method == WindingNumberMethod::Exact)
     {
-      return this->Exact->Evaluate(scaled, monitor, { StageName, 0, 1 });
+      return this->Exact->Evaluate(scaled, monitor, progress);
     }
     if (this->Method == WindingNumberMethod::Naive)
     {
       const std::vector<Tetrahedron> cells = CellsOfPoints(scaled.size());
-      return WindingNumberSum(this->Surface, { scaled, cells }, monitor);
+      return WindingNumberSum(this->Surface, { scaled, cells }, monitor, progress);
     }
     const std::vector<Id> order = SpatialOrder(scaled);
     std::vector<double> w(scaled.size());
     const Id pointsPerCall = 64;
     const Id points = static_cast<Id>(scaled.size());
-    ChunkedLoop((points + pointsPerCall - 1) / pointsPerCall, 1e6, monitor, { StageName, 0, 1 },
+    ChunkedLoop((points + pointsPerCall - 1) / pointsPerCall, 1e6, monitor, progress,
       [&](Id call)
       {
         for (Id i = call * pointsPerCall; i < std::min(points, (call + 1) * pointsPerCall); ++i)
@@ -161,14 +162,14 @@ SurfaceWindingNumber::SurfaceWindingNumber(
 SurfaceWindingNumber::~SurfaceWindingNumber() = default;
 
 std::vector<double> SurfaceWindingNumber::At(
-  const std::vector<Point>& points, Monitor& monitor) const
+  const std::vector<Point>& points, Monitor& monitor, const ProgressRange& progress) const
 {
-  monitor.Check(StageName, 0);
+  monitor.Check(progress.Stage, progress.Begin);
   const std::vector<Point> scaled = ScaledPoints(points, this->Internals->Exponent);
   if (std::all_of(scaled.begin(), scaled.end(), IsNear))
   {
-    std::vector<double> w = this->Internals->At(scaled, monitor);
-    monitor.Check(StageName, 1);
+    std::vector<double> w = this->Internals->At(scaled, monitor, progress);
+    monitor.Check(progress.Stage, progress.End);
     return w;
   }
   std::vector<double> w(points.size(), std::numeric_limits<double>::quiet_NaN());
@@ -186,12 +187,12 @@ std::vector<double> SurfaceWindingNumber::At(
       w[i] = 0;
     }
   }
-  const std::vector<double> values = this->Internals->At(near, monitor);
+  const std::vector<double> values = this->Internals->At(near, monitor, progress);
   for (std::size_t i = 0; i < which.size(); ++i)
   {
     w[which[i]] = values[i];
   }
-  monitor.Check(StageName, 1);
+  monitor.Check(progress.Stage, progress.End);
   return w;
 }
 
@@ -218,7 +219,7 @@ double SurfaceWindingNumber::At(const Point& point) const
       break;
   }
   Monitor silent;
-  return this->Internals->At({ scaled }, silent).front();
+  return this->Internals->At({ scaled }, silent, { StageName, 0, 1 }).front();
 }
 
 Point SurfaceWindingNumber::Gradient(const Point& point) const

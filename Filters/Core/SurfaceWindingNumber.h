@@ -3,6 +3,7 @@
 
 #include "FacetComplex.h"
 #include "Monitor.h"
+#include "ProgressRange.h"
 
 #include <memory>
 
@@ -43,9 +44,12 @@ public:
 
   /**
    * One value per point, on all threads; the values do not depend on their number.
+   *
+   * @param[in] progress what part of the work these points are
    * @throws Error (Stopped)
    */
-  std::vector<double> At(const std::vector<Point>& points, Monitor& monitor) const;
+  std::vector<double> At(const std::vector<Point>& points, Monitor& monitor,
+    const ProgressRange& progress = { "winding numbers", 0, 1 }) const;
 
   /** At one point. Safe to call from several threads. */
   double At(const Point& point) const;

@@ -69,10 +69,9 @@ void SumBatch(const SolidAngleTiles& tiles, TileRange all, const Sites& sites,
 } // namespace
 
 std::vector<double> WindingNumberSum(
-  const FacetComplex& surface, const Sites& sites, Monitor& monitor)
+  const FacetComplex& surface, const Sites& sites, Monitor& monitor, const ProgressRange& progress)
 {
-  const char* stage = "winding numbers";
-  monitor.Check(stage, 0);
+  monitor.Check(progress.Stage, progress.Begin);
   const int exponent = std::max(LargestExponent(surface.Points), LargestExponent(sites.Points));
   const std::vector<Point> points = ScaledPoints(surface.Points, exponent);
   const std::vector<Point> sitePoints = ScaledPoints(sites.Points, exponent);
@@ -85,9 +84,9 @@ std::vector<double> WindingNumberSum(
   const Id batches = static_cast<Id>((order.size() + SitesPerBatch - 1) / SitesPerBatch);
   const double nanosecondsPerPair = 2;
   ChunkedLoop(batches, nanosecondsPerPair * SitesPerBatch * tiles.NumberOfTriangles(), monitor,
-    { stage, 0, 1 },
+    progress,
     [&](Id batch) { SumBatch(tiles, all, scaledSites, order, batch * SitesPerBatch, w); });
-  monitor.Check(stage, 1);
+  monitor.Check(progress.Stage, progress.End);
   return w;
 }
 } // namespace insideout

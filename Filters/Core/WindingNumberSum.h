@@ -3,6 +3,7 @@
 
 #include "FacetComplex.h"
 #include "Monitor.h"
+#include "ProgressRange.h"
 #include "Sites.h"
 
 namespace insideout
@@ -19,9 +20,10 @@ namespace insideout
  *
  * @param[in] surface every facet counts, the ones behind NumberOfConstraints too
  * @param[in] sites finite; their cells may be of any volume, even none
+ * @param[in] progress what part of the work these sites are
  * @return one value per site, to about 1e-14 times the root of the number of facets
  * @throws Error (Stopped)
  */
-std::vector<double> WindingNumberSum(
-  const FacetComplex& surface, const Sites& sites, Monitor& monitor);
+std::vector<double> WindingNumberSum(const FacetComplex& surface, const Sites& sites,
+  Monitor& monitor, const ProgressRange& progress = { "winding numbers", 0, 1 });
 } // namespace insideout

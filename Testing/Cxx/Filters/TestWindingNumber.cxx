@@ -4,6 +4,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -12,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <thread>
@@ -119,6 +121,60 @@ TEST(vtkProbeWindingNumber, CanBeStoppedAndRunAgain)
   probe->Update();
   ASSERT_NE(probe->GetOutput()->GetPointData()->GetArray("w"), nullptr);
   EXPECT_EQ(probe->IsInsideSurface(0.5, 0.5, 0.4), 1);
+}
+
+TEST(vtkProbeWindingNumber, TakesMoreThanAMillionPlacesPartByPart)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(103, 103, 103);
+  image->SetOrigin(-0.31, -0.32, -0.33);
+  image->SetSpacing(0.0161, 0.0162, 0.0163);
+  vtkNew<vtkProbeWindingNumber> probe;
+  probe->SetInputData(image);
+  probe->SetSurfaceData(Box(true));
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&progress);
+  note->SetCallback(
+    [](vtkObject* caller, unsigned long, void* seen, void*)
+    {
+      static_cast<std::vector<double>*>(seen)->push_back(
+        static_cast<vtkAlgorithm*>(caller)->GetProgress());
+    });
+  probe->AddObserver(vtkCommand::ProgressEvent, note);
+  for (const int association : { vtkProbeWindingNumber::POINTS, vtkProbeWindingNumber::CELLS })
+  {
+    progress.clear();
+    probe->SetAssociation(association);
+    probe->Update();
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    vtkDataSet* const output = probe->GetOutput();
+    const bool atPoints = association == vtkProbeWindingNumber::POINTS;
+    const vtkIdType size = atPoints ? output->GetNumberOfPoints() : output->GetNumberOfCells();
+    ASSERT_NE(output->GetAttributes(association)->GetArray("w"), nullptr);
+    ASSERT_EQ(output->GetAttributes(association)->GetArray("w")->GetNumberOfTuples(), size);
+    vtkIdType inside = 0;
+    for (vtkIdType i = 0; i < size; i += 997)
+    {
+      double x[3];
+      if (atPoints)
+      {
+        output->GetPoint(i, x);
+      }
+      else
+      {
+        double bounds[6];
+        output->GetCellBounds(i, bounds);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          x[axis] = (bounds[2 * axis] + bounds[2 * axis + 1]) / 2;
+        }
+      }
+      EXPECT_EQ(probe->IsInside(i), probe->IsInsideSurface(x)) << i;
+      inside += probe->IsInside(i);
+    }
+    EXPECT_GT(inside, 100);
+  }
 }
 
 TEST(vtkProbeWindingNumber, IsExactOnAnOpenBox)
