@@ -12,7 +12,7 @@ namespace
 {
 using namespace insideout;
 
-/** Points whose coordinates are quarters, or so far from a quarter that few digits do not tell. */
+/** Points whose coordinates are quarters, or so near to one that it takes many digits to tell. */
 class NearlyMeetingPoints
 {
 public:
