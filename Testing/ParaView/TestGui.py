@@ -127,8 +127,9 @@ def write_spheres(path: Path, rings: int) -> None:
     path.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in triangles]) + "\n", encoding="ascii")
 
 
-# Two that look for a free display at once may take the same one; the second is then without.
-ON_A_DISPLAY, TRIES = ["xvfb-run", "-a"], 3
+# Two that look for a free display at once may take the same one; the second is then without. A display
+# that starts anew when its last client goes would turn away pvbatch, which comes, goes and comes again.
+ON_A_DISPLAY, TRIES = ["xvfb-run", "-a", "-s", f"-noreset -screen 0 {SCREEN}x24"], 3
 
 
 def lost_display(messages: str) -> bool:
@@ -151,7 +152,7 @@ class Window:
             '"$@"; status=$?; kill $shots; exit $status'
         )
         for _ in range(TRIES):
-            self.play([*ON_A_DISPLAY, "-s", f"-screen 0 {SCREEN}x24", "sh", "-c", pictures, "sh", *command], home)
+            self.play([*ON_A_DISPLAY, "sh", "-c", pictures, "sh", *command], home)
             if not lost_display(self.messages):
                 break
         (FOLDER / f"{name}.log").write_text(self.messages, encoding="utf-8")

@@ -46,4 +46,5 @@ def display_command() -> list[str]:
         return []
     if shutil.which("xvfb-run") is None:
         raise Error("there is no display to draw on: set DISPLAY, or apt-get install xvfb xauth")
-    return ["xvfb-run", "-a"]
+    # One that does not start anew, and turn clients away meanwhile, when its last client goes.
+    return ["xvfb-run", "-a", "-s", "-noreset -screen 0 1280x1024x24"]
