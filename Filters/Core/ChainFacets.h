@@ -44,6 +44,7 @@ public:
 
   Id Size() const { return this->NumberOfFacets; }
   const Facet& operator[](Id facet) const { return this->Facets[facet]; }
+  /** Made anew: to keep them takes memory and saves no time. */
   Box BoxOf(Id facet) const
   {
     const auto& [a, b, c] = this->Facets[facet].Corners;

@@ -144,7 +144,7 @@ void ClosedChainTree::BuildTrees(
     [&](Id i) { build(small[i]); });
 }
 
-/** Of the first cube with a tree that is this one or behind it. */
+/** The tree of the cube, if it has one; else that of the next cube behind it which does. */
 std::size_t ClosedChainTree::TreeOf(std::size_t cube) const
 {
   return static_cast<std::size_t>(

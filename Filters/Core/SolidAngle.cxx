@@ -27,7 +27,8 @@ constexpr int FewDigits = 50;
 // is not less than the determinant, has 50 digits beyond.
 constexpr int ManyDigits = 1080;
 
-// Of z, against |z|. Rounding has less than 200 times the effect of a single one.
+// How well z has to be known, against |z|; and how many times a single rounding's effect that of
+// all is at most.
 constexpr double RelativeError = 0x1p-60;
 constexpr double RoundingErrors = 0x1p8;
 
@@ -35,7 +36,7 @@ constexpr double RoundingErrors = 0x1p8;
 constexpr double LeastSquaredModulus = 0x1p-12;
 constexpr double UndecidedDeterminant = 0x1p-47;
 
-// Products of three distances, and of six, are far from underflow.
+// Above it, a product of three distances and its square are far from underflow.
 constexpr double LeastProduct = 1e-100;
 
 // The same for long doubles of 64 bits, and the squared distance from which on the two doubles of a
@@ -168,7 +169,7 @@ bool QuickHalfSolidAngle(
 }
 
 /**
- * In numbers of so many digits, from a side that is not 0.
+ * In numbers of so many digits, on a side that is not 0.
  *
  * @return whether they know z to RelativeError
  */
@@ -212,6 +213,7 @@ std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const 
   const int side = Side(triangle, site);
   if (side != 0 && !PreciseHalfSolidAngle<FewDigits>(triangle, site, side, z))
   {
+    // So many always know it.
     PreciseHalfSolidAngle<ManyDigits>(triangle, site, side, z);
   }
   return side == 0 ? 1.0 : z;
