@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkConstrainedDelaunay3D.h"
 
-#include "ConstrainedDelaunay.h"
-#include "FindIntersections.h"
 #include "HullMesh.h"
+#include "Resolve/FindIntersections.h"
+#include "Tetrahedralize/ConstrainedDelaunay.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutWholeInput.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkGraphCutSegmentation.h"
 
-#include "ConnectCells.h"
-#include "SegmentMesh.h"
+#include "GraphCut/ConnectCells.h"
+#include "GraphCut/SegmentMesh.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutSegmentation.h"

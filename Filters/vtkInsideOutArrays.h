@@ -6,7 +6,7 @@
 #ifndef vtkInsideOutArrays_h
 #define vtkInsideOutArrays_h
 
-#include "Types.h"
+#include "Common/Types.h"
 
 #include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>

@@ -6,7 +6,7 @@
 #ifndef vtkInsideOutAttributes_h
 #define vtkInsideOutAttributes_h
 
-#include "FacetComplex.h"
+#include "Common/FacetComplex.h"
 
 #include <vtkType.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutConversion.h"
 
-#include "SplitSeams.h"
+#include "Output/SplitSeams.h"
 #include "vtkInsideOutArrays.h"
 #include "vtkInsideOutAttributes.h"
 

@@ -10,10 +10,10 @@
 #ifndef vtkInsideOutConversion_h
 #define vtkInsideOutConversion_h
 
-#include "BoundaryTriangles.h"
+#include "Defects/SurfaceDefects.h"
 #include "HullMesh.h"
-#include "Outliers.h"
-#include "SurfaceDefects.h"
+#include "Output/BoundaryTriangles.h"
+#include "Output/Outliers.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>

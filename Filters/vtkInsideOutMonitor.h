@@ -7,7 +7,7 @@
 #ifndef vtkInsideOutMonitor_h
 #define vtkInsideOutMonitor_h
 
-#include "Monitor.h"
+#include "Common/Monitor.h"
 
 #include <chrono>
 #include <functional>

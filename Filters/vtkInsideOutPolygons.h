@@ -6,7 +6,7 @@
 #ifndef vtkInsideOutPolygons_h
 #define vtkInsideOutPolygons_h
 
-#include "SurfaceFile.h"
+#include "Files/SurfaceFile.h"
 
 #include <vtkSmartPointer.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutSegmentation.h"
 
-#include "Error.h"
+#include "Common/Error.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

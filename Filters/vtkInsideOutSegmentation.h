@@ -6,8 +6,8 @@
 #ifndef vtkInsideOutSegmentation_h
 #define vtkInsideOutSegmentation_h
 
-#include "FacetComplex.h"
-#include "Seeds.h"
+#include "Common/FacetComplex.h"
+#include "GraphCut/Seeds.h"
 
 #include <vtkType.h>
 

@@ -6,8 +6,8 @@
 #ifndef vtkInsideOutSurface_h
 #define vtkInsideOutSurface_h
 
-#include "CountedChain.h"
-#include "SurfaceWindingNumber.h"
+#include "Validate/CountedChain.h"
+#include "WindingNumber/SurfaceWindingNumber.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkResolveSelfIntersections.h"
 
-#include "ResolveSelfIntersections.h"
+#include "Resolve/ResolveSelfIntersections.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutWholeInput.h"

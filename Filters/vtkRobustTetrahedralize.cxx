@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRobustTetrahedralize.h"
 
-#include "MergePieces.h"
+#include "GraphCut/SegmentMesh.h"
 #include "NothingInside.h"
-#include "SegmentMesh.h"
+#include "Output/MergePieces.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMemory.h"
 #include "vtkInsideOutMonitor.h"

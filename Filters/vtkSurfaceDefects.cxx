@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceDefects.h"
 
-#include "SurfaceDefects.h"
+#include "Defects/SurfaceDefects.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutWholeInput.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceWriter.h"
 
-#include "SurfaceFile.h"
+#include "Files/SurfaceFile.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutPolygons.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HullMesh.h"
 
-#include "ResolveSelfIntersections.h"
-#include "WindingNumberOfCells.h"
+#include "Resolve/ResolveSelfIntersections.h"
+#include "WindingNumber/WindingNumberOfCells.h"
 
 #include <algorithm>
 
@@ -73,24 +73,6 @@ void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& war
     warnings.push_back(std::to_string(result.Mesh.NumberOfSurfaceSteinerPoints) +
       " points were added on facets or their edges");
   }
-}
-
-void AddCounts(const SurfaceCounts& counts, Statistics& statistics)
-{
-  statistics.emplace_back("InputPoints", counts.InputPoints);
-  statistics.emplace_back("InputTriangles", counts.InputTriangles);
-  statistics.emplace_back("Points", counts.Points);
-  statistics.emplace_back("Facets", counts.Facets);
-  statistics.emplace_back("OpenEdges", counts.OpenEdges);
-  statistics.emplace_back("NonManifoldEdges", counts.NonManifoldEdges);
-  statistics.emplace_back("Components", counts.Components);
-  statistics.emplace_back("MergedPoints", counts.MergedPoints);
-  statistics.emplace_back("DegenerateFacets", counts.DegenerateFacets);
-  statistics.emplace_back("DuplicateFacets", counts.DuplicateFacets);
-  statistics.emplace_back("CancelledFacets", counts.CancelledFacets);
-  statistics.emplace_back("TwoSidedSolids", counts.TwoSidedSolids);
-  statistics.emplace_back("TwoSidedSheets", counts.TwoSidedSheets);
-  statistics.emplace_back("NonParticipatingFacets", counts.NonParticipatingFacets);
 }
 
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ConstrainedDelaunay.h"
-#include "CountedChain.h"
-#include "Statistics.h"
-#include "TetrahedralMesh.h"
+#include "Common/Statistics.h"
+#include "Common/TetrahedralMesh.h"
+#include "Tetrahedralize/ConstrainedDelaunay.h"
+#include "Validate/CountedChain.h"
 
 namespace insideout
 {
@@ -51,7 +51,4 @@ void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics);
 /** Say in a line each which rungs failed and why, and where the mesh comes from; nothing when the
  * first rung was good enough. */
 void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings);
-
-/** The counts of validation under their names, for `statistics`. */
-void AddCounts(const SurfaceCounts& counts, Statistics& statistics);
 } // namespace insideout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "NothingInside.h"
 
-#include "WindingNumberOfCells.h"
+#include "WindingNumber/WindingNumberOfCells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // exits, aborts, loops or corrupts memory on some surfaces; here it harms nobody but this process.
 
 #include "LeaveSteinerPoints.h"
-#include "TetgenProtocol.h"
+#include "Tetrahedralize/TetgenProtocol.h"
 
 #include <tetgen.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "ConstrainedDelaunay.h"
-#include "CountedChain.h"
 #include "Measure.h"
-#include "ReadTriangles.h"
-#include "ResolveSelfIntersections.h"
-#include "TetgenProcess.h"
+#include "Resolve/ResolveSelfIntersections.h"
+#include "Support/ReadTriangles.h"
+#include "Tetrahedralize/ConstrainedDelaunay.h"
+#include "Tetrahedralize/TetgenProcess.h"
+#include "Validate/CountedChain.h"
 
 #include <tetgen.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ConstrainedDelaunay.h"
+#include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
 #include "Measure.h"
-#include "ReadTriangles.h"
-#include "SegmentMesh.h"
+#include "Support/ReadTriangles.h"
+#include "Tetrahedralize/ConstrainedDelaunay.h"
 
 using namespace insideout;
 using namespace benchmark;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChangedSurfaces.h"
-#include "CountedChain.h"
 #include "DetectionByCgal.h"
-#include "FindIntersections.h"
 #include "Measure.h"
-#include "ReadTriangles.h"
-#include "ResolveSelfIntersections.h"
+#include "Resolve/FindIntersections.h"
+#include "Resolve/ResolveSelfIntersections.h"
+#include "Support/ReadTriangles.h"
+#include "Validate/CountedChain.h"
 
 #include <map>
 #include <omp.h>

@@ -2,10 +2,10 @@
 #include "ChangedSurfaces.h"
 #include "HullMesh.h"
 #include "Measure.h"
-#include "ReadTriangles.h"
-#include "SurfaceWindingNumber.h"
+#include "Support/ReadTriangles.h"
+#include "WindingNumber/SurfaceWindingNumber.h"
+#include "WindingNumber/WindingNumberOfCells.h"
 #include "WindingNumberByEmbree.h"
-#include "WindingNumberOfCells.h"
 
 #include <cmath>
 #include <cstring>

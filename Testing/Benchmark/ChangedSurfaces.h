@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "FacetComplex.h"
+#include "Common/FacetComplex.h"
 
 /** Surfaces made of others, to see how time grows. */
 namespace benchmark

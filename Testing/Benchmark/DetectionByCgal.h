@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "FacetComplex.h"
+#include "Common/FacetComplex.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Statistics.h"
+#include "Common/Statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "CountedBoundary.h"
-#include "FacetComplex.h"
+#include "Common/FacetComplex.h"
+#include "WindingNumber/CountedBoundary.h"
 
 struct RTCDeviceTy;
 struct RTCSceneTy;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "AssembleMesh.h"
-#include "CountedChain.h"
-#include "ExactTetrahedralization.h"
-#include "MeshLaws.h"
-#include "ResolveSelfIntersections.h"
-#include "Statistics.h"
-#include "SurfaceFamilies.h"
-#include "TestMeshes.h"
-#include "TetrahedralizationFamilies.h"
+#include "Common/Statistics.h"
+#include "Exact/ExactTetrahedralization.h"
+#include "Resolve/ResolveSelfIntersections.h"
+#include "Support/MeshLaws.h"
+#include "Support/SurfaceFamilies.h"
+#include "Support/TestMeshes.h"
+#include "Support/TetrahedralizationFamilies.h"
+#include "Tetrahedralize/AssembleMesh.h"
+#include "Validate/CountedChain.h"
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CountedChain.h"
-#include "ExactReference.h"
-#include "ReadTriangles.h"
-#include "ResolutionLaws.h"
-#include "Statistics.h"
-#include "SurfaceFamilies.h"
+#include "Common/Statistics.h"
+#include "Support/ExactReference.h"
+#include "Support/ReadTriangles.h"
+#include "Support/ResolutionLaws.h"
+#include "Support/SurfaceFamilies.h"
+#include "Validate/CountedChain.h"
 
 #include <algorithm>
 #include <cstdio>

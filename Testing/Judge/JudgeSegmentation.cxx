@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChangedSurfaces.h"
-#include "CutReference.h"
-#include "GraphCutSegmentation.h"
+#include "GraphCut/GraphCutSegmentation.h"
+#include "GraphCut/InteriorFaces.h"
+#include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
-#include "InteriorFaces.h"
-#include "ReadTriangles.h"
-#include "SegmentMesh.h"
-#include "SurfaceWindingNumber.h"
-#include "WindingNumberOfCells.h"
+#include "Support/CutReference.h"
+#include "Support/ReadTriangles.h"
+#include "WindingNumber/SurfaceWindingNumber.h"
+#include "WindingNumber/WindingNumberOfCells.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HullMesh.h"
-#include "ReadTriangles.h"
-#include "SurfaceWindingNumber.h"
-#include "TestMeshes.h"
-#include "WalkedWindingNumber.h"
+#include "Support/ReadTriangles.h"
+#include "Support/TestMeshes.h"
+#include "Support/WindingNumberInQuads.h"
+#include "WindingNumber/SurfaceWindingNumber.h"
+#include "WindingNumber/WalkedWindingNumber.h"
+#include "WindingNumber/WindingNumberOfCells.h"
+#include "WindingNumber/WindingNumberSum.h"
 #include "WindingNumberInDoubleDoubles.h"
-#include "WindingNumberInQuads.h"
-#include "WindingNumberOfCells.h"
-#include "WindingNumberSum.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 // are no branches but for facets that lack digits at a site, which are done apart.
 #include "WindingNumberInDoubleDoubles.h"
 
-#include "BruteForceWindingNumber.h"
-#include "DoubleDouble.h"
+#include "Exact/DoubleDouble.h"
+#include "Support/BruteForceWindingNumber.h"
 
 namespace testmeshes
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "FacetComplex.h"
-#include "Sites.h"
+#include "Common/FacetComplex.h"
+#include "WindingNumber/Sites.h"
 
 #include <array>
 

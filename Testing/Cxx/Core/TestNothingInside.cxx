@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "NothingInside.h"
 
-#include "TestMeshes.h"
+#include "Support/TestMeshes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace insideout
+{
+/** An axis-aligned box, boundary included. */
+struct Box
+{
+  Point Low;
+  Point High;
+
+  bool Meets(const Box& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
+      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+  }
+
+  void Add(const Point& point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], point[axis]);
+      this->High[axis] = std::max(this->High[axis], point[axis]);
+    }
+  }
+
+  void Add(const Box& other)
+  {
+    this->Add(other.Low);
+    this->Add(other.High);
+  }
+};
+
+/** The bounding box of a triangle or cell with finite corners; exact, for it only compares. */
+template <std::size_t Size>
+Box BoundingBox(const std::vector<Point>& points, const std::array<Id, Size>& corners)
+{
+  Box box = { points[corners[0]], points[corners[0]] };
+  for (std::size_t k = 1; k < Size; ++k)
+  {
+    box.Add(points[corners[k]]);
+  }
+  return box;
+}
+} // namespace insideout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/ParallelLoop.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace insideout
+{
+/**
+ * Calls body(i) for every i in [0, count) on all threads, and asks the monitor between chunks of
+ * about a tenth of a second, from outside any parallel region and equally often for any number of
+ * threads.
+ *
+ * @param[in] cost of one call of body, in nanoseconds; a guess will do
+ * @throws what a body or the monitor throws
+ */
+template <class Body>
+void ChunkedLoop(
+  Id count, double cost, Monitor& monitor, const ProgressRange& progress, const Body& body)
+{
+  const double nanosecondsPerChunk = 1e8;
+  const Id perChunk =
+    static_cast<Id>(std::min(std::max(nanosecondsPerChunk / std::max(cost, 1.0), 16.0), 1e9));
+  Monitor silent;
+  for (std::int64_t first = 0; first < count; first += perChunk)
+  {
+    monitor.Check(progress.Stage,
+      progress.Begin + (progress.End - progress.Begin) * static_cast<double>(first) / count);
+    const Id size = static_cast<Id>(std::min<std::int64_t>(perChunk, count - first));
+    if (size == 1)
+    {
+      body(static_cast<Id>(first));
+      continue;
+    }
+    ParallelLoop(size, silent, progress, [&](Id i) { body(static_cast<Id>(first + i)); });
+  }
+}
+} // namespace insideout

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Defects/IntersectionCurves.h"
+
+#include "Common/ParallelLoop.h"
+#include "Resolve/FacetMeeting.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+constexpr const char* Stage = "tracing intersections";
+
+/** Pairs or points that a thread takes at once. */
+constexpr Id BlockSize = 256;
+
+using CurveSegment = std::array<ConstructedPoint, 2>;
+
+/** Adds the segments, or a point twice, that two facets have in common. */
+void Trace(
+  const FacetList& surface, const std::array<Id, 2>& pair, std::vector<CurveSegment>& segments)
+{
+  const Meeting meeting = Meet(surface, pair[0], pair[1]);
+  if (!meeting.Overlap)
+  {
+    segments.push_back({ { meeting.First, meeting.Last } });
+    return;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const std::vector<CurveSegment> edges = EdgesWithin(surface, pair[i], pair[1 - i]);
+    segments.insert(segments.end(), edges.begin(), edges.end());
+  }
+}
+
+/** Calls body(i) for every i in [0, count), in blocks on all threads. */
+template <class Body>
+void InBlocks(std::size_t count, Monitor& monitor, double begin, double end, const Body& body)
+{
+  const Id blocks = static_cast<Id>((count + BlockSize - 1) / BlockSize);
+  ParallelLoop(blocks, monitor, { Stage, begin, end },
+    [&](Id block)
+    {
+      const std::size_t first = static_cast<std::size_t>(block) * BlockSize;
+      for (std::size_t i = first; i < std::min(first + BlockSize, count); ++i)
+      {
+        body(i, block);
+      }
+    });
+}
+
+template <typename Value>
+void SortUniquely(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+template <typename Value>
+Id IndexIn(const std::vector<Value>& sorted, const Value& value)
+{
+  return static_cast<Id>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+}
+} // namespace
+
+IntersectionCurves TraceIntersections(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, const std::vector<std::array<Id, 2>>& pairs,
+  Monitor& monitor)
+{
+  monitor.Check(Stage, 0);
+  const FacetList surface{ points, facets };
+  std::vector<std::vector<CurveSegment>> parts((pairs.size() + BlockSize - 1) / BlockSize);
+  InBlocks(pairs.size(), monitor, 0, 0.4,
+    [&](std::size_t i, Id block) { Trace(surface, pairs[i], parts[block]); });
+
+  std::vector<ConstructedPoint> ends;
+  for (const std::vector<CurveSegment>& part : parts)
+  {
+    for (const CurveSegment& segment : part)
+    {
+      ends.insert(ends.end(), segment.begin(), segment.end());
+    }
+  }
+  SortUniquely(ends);
+  std::vector<Point> places(ends.size());
+  InBlocks(ends.size(), monitor, 0.4, 0.9,
+    [&](std::size_t i, Id) { places[i] = Nearest(ends[i], surface); });
+
+  IntersectionCurves curves;
+  curves.Points = places;
+  SortUniquely(curves.Points);
+  for (const std::vector<CurveSegment>& part : parts)
+  {
+    for (const CurveSegment& segment : part)
+    {
+      const Id p = IndexIn(curves.Points, places[IndexIn(ends, segment[0])]);
+      const Id q = IndexIn(curves.Points, places[IndexIn(ends, segment[1])]);
+      if (p != q)
+      {
+        curves.Segments.push_back({ { std::min(p, q), std::max(p, q) } });
+      }
+    }
+  }
+  SortUniquely(curves.Segments);
+  monitor.Check(Stage, 1);
+  return curves;
+}
+} // namespace insideout

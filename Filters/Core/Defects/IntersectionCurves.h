@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Where facets meet: segments between points. */
+struct IntersectionCurves
+{
+  std::vector<Point> Points; ///< no two equal; those in no segment are where facets only touch
+  std::vector<std::array<Id, 2>> Segments; ///< lower id first; sorted, no two equal
+};
+
+/**
+ * What facets have in common: of two that cross or touch, a segment or a point; of two that overlap
+ * in their plane, the boundary of the overlap. Found exactly, each coordinate then rounded to the
+ * nearest double. A segment whose ends round to one point becomes that point.
+ *
+ * @param[in] points finite
+ * @param[in] facets none degenerate
+ * @param[in] pairs facets that meet, as FindIntersections gives them
+ * @throws Error (Stopped)
+ */
+IntersectionCurves TraceIntersections(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, const std::vector<std::array<Id, 2>>& pairs,
+  Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * Polylines out of segments, as long as they get: each segment is a part of one polyline, and a
+ * polyline goes on through every point where exactly two segments end. A closed one repeats its
+ * first point at its end. Which way they run depends on the ids alone: from the lower end, and
+ * around a loop from its lowest point along the segment given first.
+ *
+ * @param[in] segments pairs of different points, ids from 0 on
+ */
+std::vector<std::vector<Id>> JoinSegments(const std::vector<std::array<Id, 2>>& segments);
+} // namespace insideout

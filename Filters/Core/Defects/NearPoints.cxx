@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Defects/NearPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insideout
+{
+namespace
+{
+/** The binary exponent of the largest coordinate: divided by it, no square over- or underflows. */
+int ExponentOf(const std::vector<Point>& points)
+{
+  double largest = 0;
+  for (const Point& p : points)
+  {
+    for (const double x : p)
+    {
+      largest = std::max(largest, std::abs(x));
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+
+double Distance(const Point& p, const Point& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/** Points sorted into the cubes of a grid. */
+class Grid
+{
+public:
+  Grid(const std::vector<Point>& points, const Point& origin, double radius)
+    : Points(points)
+    , Origin(origin)
+    , Radius(radius)
+  {
+    this->Entries.reserve(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      this->Entries.emplace_back(this->CubeOf(points[p], 0), static_cast<Id>(p));
+    }
+    std::sort(this->Entries.begin(), this->Entries.end());
+  }
+
+  /** Whether another point is nearer than the radius. */
+  bool HasNeighbor(Id p) const
+  {
+    const Cube low = this->CubeOf(this->Points[p], -this->Radius);
+    const Cube high = this->CubeOf(this->Points[p], this->Radius);
+    for (std::int64_t i = low[0]; i <= high[0]; ++i)
+    {
+      for (std::int64_t j = low[1]; j <= high[1]; ++j)
+      {
+        auto entry = std::lower_bound(
+          this->Entries.begin(), this->Entries.end(), Entry({ { i, j, low[2] } }, 0));
+        for (; entry != this->Entries.end() && entry->first <= Cube{ { i, j, high[2] } }; ++entry)
+        {
+          if (entry->second != p &&
+            Distance(this->Points[entry->second], this->Points[p]) < this->Radius)
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+private:
+  using Cube = std::array<std::int64_t, 3>;
+  using Entry = std::pair<Cube, Id>;
+
+  /** Wide enough that most points look into few cubes, and small enough that a cube in which
+   * nothing is near holds few points. */
+  static constexpr double CubesPerRadius = 0.25;
+
+  Cube CubeOf(const Point& p, double offset) const
+  {
+    Cube cube;
+    for (int k = 0; k < 3; ++k)
+    {
+      cube[k] = static_cast<std::int64_t>(
+        std::floor((p[k] - this->Origin[k] + offset) / this->Radius * CubesPerRadius));
+    }
+    return cube;
+  }
+
+  const std::vector<Point>& Points;
+  const Point Origin;
+  const double Radius;
+  std::vector<Entry> Entries;
+};
+} // namespace
+
+NearPoints FindNearPoints(const std::vector<Point>& points, double fraction)
+{
+  NearPoints near;
+  if (points.size() < 2)
+  {
+    return near;
+  }
+  const int exponent = ExponentOf(points);
+  std::vector<Point> scaled = points;
+  for (Point& p : scaled)
+  {
+    for (double& x : p)
+    {
+      x = std::ldexp(x, -exponent);
+    }
+  }
+  Point low = scaled.front();
+  Point high = scaled.front();
+  for (const Point& p : scaled)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  const double radius = fraction * Distance(low, high);
+  if (radius > 0) // 0 where the points differ by less than numbers near 0 can tell
+  {
+    const Grid grid(scaled, low, radius);
+    for (Id p = 0; p < static_cast<Id>(scaled.size()); ++p)
+    {
+      near.Count += grid.HasNeighbor(p);
+    }
+  }
+  near.Distance = std::ldexp(radius, exponent);
+  return near;
+}
+} // namespace insideout

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Defects/SurfaceDefects.h"
+
+#include "Common/TrianglePredicates.h"
+#include "Defects/IntersectionCurves.h"
+#include "Defects/JoinSegments.h"
+#include "Defects/NearPoints.h"
+#include "Resolve/FindIntersections.h"
+#include "Validate/FacetEdges.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace insideout
+{
+namespace
+{
+/** Points nearer than this fraction of the surface's size are hardly meant to be two. */
+constexpr double NearFraction = 1e-6;
+
+using Segments = std::vector<std::array<Id, 2>>;
+
+/** How often an edge is run along from its lower to its higher point, less the other way. */
+int SignedSum(const FacetEdge* first, const FacetEdge* last, const FacetComplex& surface)
+{
+  int sum = 0;
+  for (const FacetEdge* edge = first; edge != last; ++edge)
+  {
+    sum += edge->Direction * surface.Multiplicity[edge->Facet];
+  }
+  return sum;
+}
+
+bool RunTheSameWay(const FacetEdge& a, const FacetEdge& b, const FacetComplex& surface)
+{
+  return a.Direction * surface.Multiplicity[a.Facet] * b.Direction * surface.Multiplicity[b.Facet] >
+    0;
+}
+
+/** The edges that are wrong, by their ends; and what the facets know of it. */
+struct EdgeDefects
+{
+  Segments Open;
+  Segments NonManifold;
+  Segments Inconsistent;
+  std::vector<char> HasInconsistent; ///< per facet
+  Id Unbalanced = 0;
+};
+
+EdgeDefects FindEdgeDefects(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+{
+  EdgeDefects defects;
+  defects.HasInconsistent.assign(surface.NumberOfFacets(), 0);
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      const std::array<Id, 2> ends{ { first->Low, first->High } };
+      if (last - first == 1)
+      {
+        defects.Open.push_back(ends);
+      }
+      else if (last - first > 2)
+      {
+        defects.NonManifold.push_back(ends);
+      }
+      else if (RunTheSameWay(first[0], first[1], surface))
+      {
+        defects.Inconsistent.push_back(ends);
+        defects.HasInconsistent[first[0].Facet] = defects.HasInconsistent[first[1].Facet] = 1;
+      }
+      defects.Unbalanced += SignedSum(first, last, surface) != 0;
+    });
+  return defects;
+}
+
+/** For each component whether it is given in both orientations everywhere, before the rule for
+ * two-sided solids. */
+std::vector<char> FindTwoSided(
+  const TriangleSoup& soup, const FacetComplex& surface, const FacetComponents& components)
+{
+  std::vector<char> twoSided(components.Count, 1);
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    const auto first = surface.Sources.begin() + surface.SourceOffsets[f];
+    const auto last = surface.Sources.begin() + surface.SourceOffsets[f + 1];
+    const bool cancels = soup.Multiplicity.empty()
+      ? std::any_of(first, last, [](const FacetSource& source) { return source.Reversed; })
+      : surface.Multiplicity[f] == 0;
+    twoSided[components.Component[f]] &= cancels;
+  }
+  return twoSided;
+}
+
+/** Lines between points of the surface, of which only those in use are kept. */
+class LineCollector
+{
+public:
+  LineCollector(const FacetComplex& surface, SurfaceDefects& defects)
+    : Surface(surface)
+    , Defects(defects)
+    , Index(surface.Points.size(), None)
+  {
+  }
+
+  void AddEdges(DefectType type, const Segments& edges)
+  {
+    for (std::vector<Id>& line : JoinSegments(edges))
+    {
+      for (Id& p : line)
+      {
+        p = this->Add(p);
+      }
+      this->Defects.Lines.push_back({ type, std::move(line) });
+    }
+  }
+
+private:
+  Id Add(Id p)
+  {
+    if (this->Index[p] == None)
+    {
+      this->Index[p] = static_cast<Id>(this->Defects.Points.size());
+      this->Defects.Points.push_back(this->Surface.Points[p]);
+      this->Defects.InputPoints.push_back(this->Surface.Origins[p].Points[0]);
+    }
+    return this->Index[p];
+  }
+
+  const FacetComplex& Surface;
+  SurfaceDefects& Defects;
+  std::vector<Id> Index;
+};
+
+void AddCurves(const IntersectionCurves& curves, SurfaceDefects& defects)
+{
+  const Id offset = static_cast<Id>(defects.Points.size());
+  defects.Points.insert(defects.Points.end(), curves.Points.begin(), curves.Points.end());
+  defects.InputPoints.resize(defects.Points.size(), None);
+  std::vector<char> onLine(curves.Points.size(), 0);
+  for (std::vector<Id>& line : JoinSegments(curves.Segments))
+  {
+    for (Id& p : line)
+    {
+      onLine[p] = 1;
+      p += offset;
+    }
+    defects.Lines.push_back({ DefectType::IntersectionCurve, std::move(line) });
+  }
+  for (Id p = 0; p < static_cast<Id>(onLine.size()); ++p)
+  {
+    if (!onLine[p])
+    {
+      defects.Lines.push_back({ DefectType::IntersectionCurve, { p + offset } });
+    }
+  }
+}
+
+void MarkTriangles(const FacetComplex& surface, const FacetComponents& components,
+  const std::vector<char>& twoSided, const EdgeDefects& edges, const Segments& pairs,
+  SurfaceDefects& defects)
+{
+  std::vector<Id> met(surface.NumberOfFacets(), 0);
+  for (const std::array<Id, 2>& pair : pairs)
+  {
+    ++met[pair[0]];
+    ++met[pair[1]];
+  }
+  defects.IntersectingFacets = static_cast<Id>(met.size() - std::count(met.begin(), met.end(), 0));
+
+  TriangleDefects degenerate;
+  degenerate.Degenerate = true; // unless it is a facet's
+  defects.Triangles.assign(defects.Counts.InputTriangles, degenerate);
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    TriangleDefects facet;
+    facet.Component = components.Component[f];
+    facet.SelfIntersections = met[f];
+    facet.Inconsistent = edges.HasInconsistent[f];
+    facet.TwoSided = twoSided[facet.Component];
+    for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
+    {
+      facet.Duplicate = s > surface.SourceOffsets[f];
+      defects.Triangles[surface.Sources[s].Triangle] = facet;
+    }
+  }
+}
+
+bool LiesInOnePlane(const FacetComplex& surface)
+{
+  const std::vector<Point>& points = surface.Points;
+  const auto corner = [&](int k)
+  {
+    const Point& p = points[surface.Facets.front()[k]];
+    return FilteredPoint(p[0], p[1], p[2]);
+  };
+  const FilteredTriangle plane = { corner(0), corner(1), corner(2) };
+  return std::all_of(points.begin(), points.end(),
+    [&](const Point& p)
+    { return CGAL::coplanar(plane[0], plane[1], plane[2], FilteredPoint(p[0], p[1], p[2])); });
+}
+
+std::string AdviceOnNearPoints(const NearPoints& near)
+{
+  char distance[32];
+  std::snprintf(distance, sizeof(distance), "%.2g", near.Distance);
+  return std::to_string(near.Count) + " points lie nearer than " + distance +
+    " to another, a millionth of the surface's size: if they are meant to be one, set "
+    "MergeTolerance to " +
+    distance;
+}
+} // namespace
+
+SurfaceDefects FindSurfaceDefects(const TriangleSoup& soup, double mergeTolerance, Monitor& monitor)
+{
+  CountedChainParameters parameters;
+  parameters.MergeTolerance = mergeTolerance;
+  const CountedChain chain = CountFacets(soup, parameters, monitor);
+  const FacetComplex& surface = chain.Surface;
+  SurfaceDefects defects;
+  defects.Counts = chain.Counts;
+  defects.Planar = LiesInOnePlane(surface);
+
+  const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);
+  defects.IntersectingPairs = static_cast<Id>(pairs.size());
+
+  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  const FacetComponents components = ComponentsOfFacets(surface.NumberOfFacets(), edges);
+  const EdgeDefects edgeDefects = FindEdgeDefects(surface, edges);
+  defects.InconsistentEdges = static_cast<Id>(edgeDefects.Inconsistent.size());
+  defects.UnbalancedEdges = edgeDefects.Unbalanced;
+  MarkTriangles(
+    surface, components, FindTwoSided(soup, surface, components), edgeDefects, pairs, defects);
+
+  LineCollector lines(surface, defects);
+  lines.AddEdges(DefectType::OpenBoundary, edgeDefects.Open);
+  lines.AddEdges(DefectType::NonManifoldEdge, edgeDefects.NonManifold);
+  lines.AddEdges(DefectType::InconsistentEdge, edgeDefects.Inconsistent);
+  AddCurves(TraceIntersections(surface.Points, surface.Facets, pairs, monitor), defects);
+
+  const NearPoints near = FindNearPoints(surface.Points, NearFraction);
+  defects.NearPoints = near.Count;
+  defects.NearDistance = near.Distance;
+  if (near.Count > 0)
+  {
+    defects.Warnings.push_back(AdviceOnNearPoints(near));
+  }
+  return defects;
+}
+
+void AddDefects(const SurfaceDefects& defects, Statistics& statistics)
+{
+  AddCounts(defects.Counts, statistics);
+  statistics.emplace_back("IntersectingPairs", defects.IntersectingPairs);
+  statistics.emplace_back("IntersectingFacets", defects.IntersectingFacets);
+  statistics.emplace_back("InconsistentEdges", defects.InconsistentEdges);
+  statistics.emplace_back("UnbalancedEdges", defects.UnbalancedEdges);
+  statistics.emplace_back("Planar", defects.Planar);
+  statistics.emplace_back("NearPoints", defects.NearPoints);
+  statistics.emplace_back("NearDistance", defects.NearDistance);
+}
+} // namespace insideout

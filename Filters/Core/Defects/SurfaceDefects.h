@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Statistics.h"
+#include "Validate/CountedChain.h"
+
+namespace insideout
+{
+/** What is wrong with an input triangle. The triangles of one facet (CountedChain.h) differ in
+ * Duplicate only. */
+struct TriangleDefects
+{
+  Id Component = None;      ///< joined through edges, numbered by first triangle; degenerate: None
+  Id SelfIntersections = 0; ///< how many facets it meets beyond shared corners and edges
+  bool Degenerate = false;
+  bool Duplicate = false;    ///< an earlier triangle has the same three points
+  bool Inconsistent = false; ///< has an edge of DefectType::InconsistentEdge
+  bool TwoSided = false;     ///< of a component that is given in both orientations everywhere
+};
+
+enum class DefectType
+{
+  OpenBoundary,     ///< edges of exactly one facet
+  NonManifoldEdge,  ///< edges of more than two facets
+  InconsistentEdge, ///< edges along which two facets, and no others, run the same way
+  IntersectionCurve ///< where facets cross, touch, or begin to overlap
+};
+
+/** A polyline; a single point where facets only touch. A closed one repeats its first point. */
+struct DefectLine
+{
+  DefectType Type;
+  std::vector<Id> Points;
+};
+
+struct SurfaceDefects
+{
+  std::vector<TriangleDefects> Triangles; ///< one per input triangle
+
+  std::vector<Point> Points;     ///< of the lines
+  std::vector<Id> InputPoints;   ///< for each of them the input point it is, None for a new one
+  std::vector<DefectLine> Lines; ///< by type
+
+  SurfaceCounts Counts;
+  Id IntersectingPairs = 0;
+  Id IntersectingFacets = 0; ///< facets in at least one pair
+  Id InconsistentEdges = 0;
+  Id UnbalancedEdges = 0;  ///< on which the counted facets' signed sum is not 0; none: it is closed
+  bool Planar = false;     ///< all facets lie in one plane
+  Id NearPoints = 0;       ///< that lie nearer to another than NearDistance, after merging
+  double NearDistance = 0; ///< a millionth of the diagonal of the bounding box
+
+  std::vector<std::string> Warnings; ///< what to do about it; not what the counts say
+};
+
+/**
+ * What is wrong with a surface: the columns of the thesis's table 8.1, and where its figure 8.22
+ * draws them. Facets and edges are those of the counted chain, before anything is cut. Orientation
+ * is judged in the direction in which a facet counts: one that is given both ways, and so counts 0,
+ * agrees with any neighbor.
+ *
+ * @param[in] mergeTolerance as in CountedChainParameters
+ * @throws Error as CountFacets does
+ */
+SurfaceDefects FindSurfaceDefects(
+  const TriangleSoup& soup, double mergeTolerance, Monitor& monitor);
+
+/** The counts under their names, for `statistics`. */
+void AddDefects(const SurfaceDefects& defects, Statistics& statistics);
+} // namespace insideout

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/EdgeRemoval.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+constexpr int Impossible = std::numeric_limits<int>::max() / 4;
+} // namespace
+
+bool FlipOperator::RemoveFace(Id cell, int face, const FlipTarget& target, const Limits& limits)
+{
+  const FlippableCell& near = this->Mesh.Cells[cell];
+  const Id other = near.Neighbors[face];
+  if (near.Facets[face] != None || this->Mesh.IsInfinite(cell) || this->Mesh.IsInfinite(other))
+  {
+    return false;
+  }
+  const Id p = near.Corners[face];
+  const Id q = this->Mesh.Opposite(cell, face);
+  std::array<Id, 3> f;
+  for (int k = 0; k < 3; ++k)
+  {
+    f[k] = near.Corners[FaceSeenFrom[face][k]];
+  }
+  std::vector<Tetrahedron> fresh;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (this->Mesh.Vertices.Orient(q, p, f[k], f[(k + 1) % 3]) <= 0)
+    {
+      return false;
+    }
+    fresh.push_back({ { q, p, f[k], f[(k + 1) % 3] } });
+  }
+  int cost = target.CostOfEdge(p, q) - target.CostOfFace(f[0], f[1], f[2]);
+  for (int k = 0; k < 3 && cost <= limits.Increase; ++k)
+  {
+    cost += target.CostOfFace(p, q, f[k]);
+  }
+  if (cost > limits.Increase)
+  {
+    return false;
+  }
+  this->Mesh.Replace({ cell, other }, fresh);
+  return true;
+}
+
+bool FlipOperator::IsLocked(const EdgeRing& ring) const
+{
+  for (std::size_t k = 0; k < ring.Cells.size(); ++k)
+  {
+    const Id cell = ring.Cells[k];
+    const Id next = ring.Points[(k + 1) % ring.Points.size()];
+    if (this->Mesh.Cells[cell].Facets[this->Mesh.CornerIndex(cell, next)] != None)
+    {
+      return true;
+    }
+  }
+  return this->Segments.Find(ring.U, ring.V) != None;
+}
+
+/**
+ * Around an edge of the hull the ring begins with the infinite vertex here. The edge may go where
+ * the two faces of the hull beside it are a flat, strictly convex quadrilateral.
+ */
+bool FlipOperator::IsHullFlip(const EdgeRing& ring) const
+{
+  const ExactVertices& vertices = this->Mesh.Vertices;
+  const Id p = ring.Points[1];
+  const Id q = ring.Points.back();
+  if (ring.Points.size() < 4 || vertices.Orient(ring.U, ring.V, p, q) != 0)
+  {
+    return false;
+  }
+  const Id inner = ring.Points[2];
+  const int side = vertices.Orient(ring.U, p, ring.V, inner);
+  return vertices.Orient(ring.U, p, q, inner) == side &&
+    vertices.Orient(p, ring.V, q, inner) == side;
+}
+
+bool FlipOperator::IsPositive(int i, int j, int k) const
+{
+  const EdgeRing& ring = this->Around;
+  const ExactVertices& vertices = this->Mesh.Vertices;
+  return vertices.Orient(ring.Points[i], ring.Points[j], ring.Points[k], ring.V) > 0 &&
+    vertices.Orient(ring.Points[j], ring.Points[i], ring.Points[k], ring.U) > 0;
+}
+
+int FlipOperator::CostOfTriangle(int i, int j, int k) const
+{
+  const std::vector<Id>& p = this->Around.Points;
+  return this->IsPositive(i, j, k) ? this->Target->CostOfFace(p[i], p[j], p[k]) : Impossible;
+}
+
+int FlipOperator::CostOfDiagonal(int i, int j) const
+{
+  const EdgeRing& ring = this->Around;
+  const Id p = ring.Points[i];
+  const Id q = ring.Points[j];
+  return this->Target->CostOfEdge(p, q) + this->Target->CostOfFace(ring.U, p, q) +
+    this->Target->CostOfFace(ring.V, p, q);
+}
+
+void FlipOperator::AppendCells(int i, int j, int k, std::vector<Tetrahedron>& fresh) const
+{
+  const EdgeRing& ring = this->Around;
+  fresh.push_back({ { ring.Points[i], ring.Points[j], ring.Points[k], ring.V } });
+  fresh.push_back({ { ring.Points[j], ring.Points[i], ring.Points[k], ring.U } });
+}
+
+void FlipOperator::CollectTriangles(int i, int j, std::vector<Tetrahedron>& fresh) const
+{
+  if (j == i + 1)
+  {
+    return;
+  }
+  const int k = this->Middle[i * static_cast<int>(this->Around.Points.size()) + j];
+  this->AppendCells(i, k, j, fresh);
+  this->CollectTriangles(i, k, fresh);
+  this->CollectTriangles(k, j, fresh);
+}
+
+bool FlipOperator::RemoveEdge(Id u, Id v, Id cell, const FlipTarget& target, const Limits& limits)
+{
+  EdgeRing& ring = this->Around;
+  this->Mesh.Ring(u, v, cell, ring);
+  const int n = static_cast<int>(ring.Points.size());
+  if (n < 3 || n > limits.LargestRing || u == this->Mesh.Infinite() || v == this->Mesh.Infinite() ||
+    this->IsLocked(ring))
+  {
+    return false;
+  }
+  const auto infinite =
+    std::find(ring.Points.begin(), ring.Points.end(), this->Mesh.Infinite()) - ring.Points.begin();
+  const bool onHull = infinite < n;
+  if (onHull)
+  {
+    std::rotate(ring.Points.begin(), ring.Points.begin() + infinite, ring.Points.end());
+    std::rotate(ring.Cells.begin(), ring.Cells.begin() + infinite, ring.Cells.end());
+    if (!this->IsHullFlip(ring))
+    {
+      return false;
+    }
+  }
+  this->Target = &target;
+  int limit = limits.Increase + target.CostOfEdge(u, v);
+  for (const Id p : ring.Points)
+  {
+    limit += target.CostOfFace(u, v, p);
+  }
+
+  // Best[i * n + j]: least cost to triangulate the ring from point i to point j, their diagonal
+  // too.
+  const int first = onHull ? 1 : 0;
+  this->Best.assign(static_cast<std::size_t>(n) * n, Impossible);
+  this->Middle.assign(static_cast<std::size_t>(n) * n, -1);
+  for (int i = first; i + 1 < n; ++i)
+  {
+    this->Best[i * n + i + 1] = 0;
+  }
+  for (int length = 2; length < n - first; ++length)
+  {
+    for (int i = first; i + length < n; ++i)
+    {
+      const int j = i + length;
+      int& best = this->Best[i * n + j];
+      for (int k = i + 1; k < j; ++k)
+      {
+        const int parts = this->Best[i * n + k] + this->Best[k * n + j];
+        if (parts > limit || parts >= best)
+        {
+          continue;
+        }
+        const int cost = parts + this->CostOfTriangle(i, k, j);
+        if (cost < best && cost <= limit)
+        {
+          best = cost;
+          this->Middle[i * n + j] = k;
+        }
+      }
+      if (best < Impossible && (onHull || length < n - 1))
+      {
+        best += this->CostOfDiagonal(i, j);
+      }
+    }
+  }
+  if (this->Best[first * n + n - 1] > limit)
+  {
+    return false;
+  }
+  std::vector<Tetrahedron> fresh;
+  this->CollectTriangles(first, n - 1, fresh);
+  if (onHull)
+  {
+    this->AppendCells(0, 1, n - 1, fresh);
+  }
+  this->Mesh.Replace(std::vector<Id>(ring.Cells), fresh);
+  return true;
+}
+
+bool FlipOperator::RemoveEdgeDeeply(
+  Id u, Id v, const FlipTarget& target, const Limits& limits, int depth, int& budget)
+{
+  const Id cell = this->Mesh.FindEdge(u, v);
+  if (cell == None || this->RemoveEdge(u, v, cell, target, limits))
+  {
+    return true;
+  }
+  if (depth == 0 || budget <= 0 || this->IsLocked(this->Around))
+  {
+    return false;
+  }
+  const std::vector<Id> points = this->Around.Points;
+  if (points.size() < 4)
+  {
+    return false;
+  }
+  for (const Id p : points)
+  {
+    if (p == this->Mesh.Infinite())
+    {
+      continue;
+    }
+    for (const Id end : { u, v })
+    {
+      if (--budget < 0)
+      {
+        return false;
+      }
+      const std::int64_t before = this->Mesh.NumberOfChanges();
+      Limits inner = limits;
+      inner.Increase = std::max(limits.Increase, 0);
+      this->RemoveEdgeDeeply(end, p, target, inner, depth - 1, budget);
+      if (this->Mesh.NumberOfChanges() != before)
+      {
+        const Id now = this->Mesh.FindEdge(u, v);
+        if (now == None || this->RemoveEdge(u, v, now, target, limits))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+} // namespace insideout

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/Types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace insideout
+{
+/** Tetrahedra with the facets among their faces. AssembleMesh tells which facets are lost. */
+struct ExactTetrahedralization
+{
+  /** The points given, bit by bit, and then Steiner points. */
+  std::vector<Point> Points;
+
+  /** Positive volumes, exactly; they fill the convex hull. */
+  std::vector<Tetrahedron> Cells;
+
+  /** Faces of cells that facets are made of. */
+  std::vector<Triangle> Faces;
+  std::vector<Id> FacetOfFaces; ///< one per face
+
+  /** How much was done for this mesh, the same on every machine: about one per predicate, 10 ns. */
+  std::int64_t Work = 0;
+};
+
+/**
+ * Tetrahedra of the convex hull of points in which every facet is a union of faces. All decisions
+ * are exact and none depends on a tolerance.
+ *
+ * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
+ * are recovered by flips (FlipOperator), then the facets between them. What flips do not recover is
+ * cut into the mesh by Steiner points that lie exactly on it, which always works. They are removed
+ * again, or moved into the volume, after each cut, and once more after flips at random around them;
+ * what is left on the surface is rounded to doubles where exact tests allow it. Facets that have
+ * points without a place in doubles are let go together with those around, and all of these
+ * recovered in another order, as long as the work on that is not more than all the rest.
+ *
+ * It ends, for work is limited. Thread-safe, and deterministic: the same input gives the same mesh
+ * on every machine, however busy, for all limits are counts of work and none is time.
+ *
+ * @param[in] points finite, spanning space. Where several are equal the first stands for all
+ * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
+ *            lie within one of their edges. What breaks this is lost
+ * @param[in] workPerElement for each point and facet (ExactTetrahedralization::Work). When it is
+ *            done nothing is cut any more, and what is missing then is lost. No surface that was
+ *            tried, real or random, took a tenth of the default
+ * @throws Error Planar, Inconsistent, Stopped
+ */
+ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, Monitor& monitor, std::int64_t workPerElement = 1000000);
+} // namespace insideout

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/ExactVertices.h"
+
+#include "Exact/DoubleDouble.h"
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+/** What a predicate takes that only exact numbers decide, in units of one that doubles do. */
+constexpr std::int64_t WorkOfExactPredicate = 100;
+
+/** The same for one that double-doubles decide. */
+constexpr std::int64_t WorkOfDoubleDoubles = 20;
+
+/** Relative error of a sum or product of doubles. */
+constexpr double DoubleEpsilon = 0x1p-53;
+
+/** Relative error of a quotient. */
+constexpr double ErrorOfQuotient = 0x1p-50;
+
+/**
+ * Make w positive, and near enough to 1 for doubles not to over- or underflow: numbers of many
+ * digits have exponents that go with them.
+ */
+void Normalize(std::array<DyadicNumber, 4>& coordinates)
+{
+  const auto multiply = [&coordinates](const DyadicNumber& factor)
+  {
+    for (DyadicNumber& x : coordinates)
+    {
+      x = factor * x;
+    }
+  };
+  const DyadicNumber large(0x1p64);
+  const DyadicNumber small(0x1p-64);
+  if (coordinates[3].sign() < 0)
+  {
+    multiply(DyadicNumber(-1));
+  }
+  while (coordinates[3] > large)
+  {
+    multiply(small);
+  }
+  while (coordinates[3] < small)
+  {
+    multiply(large);
+  }
+}
+
+/** x / y in doubles: 0 only for x = 0, and exact where a double is. */
+double Quotient(const DyadicNumber& x, const DyadicNumber& y)
+{
+  double low;
+  double high;
+  {
+    const CGAL::Protect_FPU_rounding<true> protection;
+    using Interval = CGAL::Interval_nt<false>;
+    const Interval quotient = Interval(CGAL::to_interval(x)) / Interval(CGAL::to_interval(y));
+    low = quotient.inf();
+    high = quotient.sup();
+  }
+  const double middle = 0.5 * low + 0.5 * high;
+  for (const double candidate : { middle, low, high })
+  {
+    if (std::isfinite(candidate) && DyadicNumber(candidate) * y == x)
+    {
+      return candidate;
+    }
+  }
+  // Sizes at the ends of what doubles can hold.
+  if (!std::isfinite(middle))
+  {
+    return std::isfinite(low) ? low : high;
+  }
+  return middle != 0 ? middle : low != 0 ? low : high;
+}
+
+/** Three vectors, and how far off each component is at most: the same for all three. */
+template <typename Number>
+struct Rows
+{
+  std::array<std::array<Number, 3>, 3> Entries;
+  std::array<double, 3> Errors;
+};
+
+/** Sizes between which products of three neither over- nor underflow. */
+constexpr double SmallestSize = 1e-90;
+constexpr double LargestSize = 1e90;
+
+constexpr int Undecided = 2;
+
+/** The sign of a determinant, if errors leave no doubt. */
+template <typename Number>
+int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
+{
+  const auto& m = rows.Entries;
+  std::array<double, 3> sizes;
+  for (int k = 0; k < 3; ++k)
+  {
+    sizes[k] = rows.Errors[k] +
+      std::max({ std::abs(static_cast<double>(m[0][k])), std::abs(static_cast<double>(m[1][k])),
+        std::abs(static_cast<double>(m[2][k])) });
+    if (!(sizes[k] > SmallestSize && sizes[k] < LargestSize))
+    {
+      return Undecided;
+    }
+  }
+  const double determinant = static_cast<double>(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+  // Six products, each off by an error in one of its factors and by some 16 roundings.
+  const double bound = 7 *
+      (rows.Errors[0] * sizes[1] * sizes[2] + sizes[0] * rows.Errors[1] * sizes[2] +
+        sizes[0] * sizes[1] * rows.Errors[2]) +
+    100 * epsilon * sizes[0] * sizes[1] * sizes[2];
+  return determinant > bound ? 1 : determinant < -bound ? -1 : Undecided;
+}
+} // namespace
+
+ExactVertices::ExactVertices(const std::vector<Point>& points)
+{
+  this->Places.reserve(points.size() + 1);
+  for (const Point& point : points)
+  {
+    this->Add(point);
+  }
+}
+
+Id ExactVertices::Add(const Point& point)
+{
+  this->Places.emplace_back(point[0], point[1], point[2]);
+  this->ExactOf.push_back(None);
+  return this->Size() - 1;
+}
+
+Id ExactVertices::AddBetween(
+  Id first, Id second, const DyadicNumber& a, const DyadicNumber& b, const Span& span)
+{
+  const std::array<DyadicNumber, 4> from = this->CoordinatesOf(first);
+  const std::array<DyadicNumber, 4> to = this->CoordinatesOf(second);
+  Homogeneous point;
+  for (int k = 0; k < 4; ++k)
+  {
+    point.Coordinates[k] = a * from[k] + b * to[k];
+  }
+  Normalize(point.Coordinates);
+  Point place;
+  for (int k = 0; k < 3; ++k)
+  {
+    place[k] = Quotient(point.Coordinates[k], point.Coordinates[3]);
+    const DyadicNumber rest = point.Coordinates[k] - DyadicNumber(place[k]) * point.Coordinates[3];
+    point.Beyond[k] = Quotient(rest, point.Coordinates[3]);
+  }
+  point.Within = span;
+  const Id vertex = this->Add(place);
+  if (std::any_of(
+        point.Beyond.begin(), point.Beyond.end(), [](double beyond) { return beyond != 0; }))
+  {
+    this->ExactOf[vertex] = static_cast<Id>(this->ExactPoints.size());
+    this->ExactPoints.push_back(std::move(point));
+  }
+  return vertex;
+}
+
+void ExactVertices::RemoveLast()
+{
+  if (this->ExactOf.back() != None)
+  {
+    this->ExactPoints.pop_back();
+  }
+  this->ExactOf.pop_back();
+  this->Places.pop_back();
+}
+
+std::array<DyadicNumber, 4> ExactVertices::CoordinatesOf(Id vertex) const
+{
+  if (this->ExactOf[vertex] != None)
+  {
+    return this->ExactPoints[this->ExactOf[vertex]].Coordinates;
+  }
+  const Kernel::Point_3& p = this->Places[vertex];
+  return { { DyadicNumber(p.x()), DyadicNumber(p.y()), DyadicNumber(p.z()), DyadicNumber(1) } };
+}
+
+/** Whether all four are in the affine hull of three vertices. */
+bool ExactVertices::AreInOnePlane(const Tetrahedron& cell) const
+{
+  Span span;
+  std::size_t size = 0;
+  for (const Id vertex : cell)
+  {
+    const Id exact = this->ExactOf[vertex];
+    const Span within =
+      exact == None ? Span{ { vertex, vertex, vertex } } : this->ExactPoints[exact].Within;
+    for (const Id id : within)
+    {
+      if (std::find(span.begin(), span.begin() + size, id) == span.begin() + size)
+      {
+        if (size == span.size())
+        {
+          return false;
+        }
+        span[size++] = id;
+      }
+    }
+  }
+  return true;
+}
+
+int ExactVertices::OrientExactly(const Tetrahedron& cell) const
+{
+  std::array<Point, 4> places;
+  std::array<Point, 4> beyond;
+  for (int k = 0; k < 4; ++k)
+  {
+    places[k] = this->Nearest(cell[k]);
+    const Id exact = this->ExactOf[cell[k]];
+    beyond[k] = exact == None ? Point{ { 0, 0, 0 } } : this->ExactPoints[exact].Beyond;
+  }
+  Rows<double> rows;
+  for (int k = 0; k < 3; ++k)
+  {
+    rows.Errors[k] = 0;
+    for (int row = 0; row < 3; ++row)
+    {
+      rows.Entries[row][k] = places[row + 1][k] - places[0][k];
+      rows.Errors[k] = std::max(rows.Errors[k],
+        DoubleEpsilon * std::abs(rows.Entries[row][k]) + std::abs(beyond[row + 1][k]));
+    }
+    rows.Errors[k] += std::abs(beyond[0][k]);
+  }
+  int sign = SignOfDeterminant(rows, DoubleEpsilon);
+  if (sign != Undecided)
+  {
+    return sign;
+  }
+  if (this->AreInOnePlane(cell))
+  {
+    return 0;
+  }
+  Rows<DoubleDouble> longRows;
+  for (int k = 0; k < 3; ++k)
+  {
+    longRows.Errors[k] = 0;
+    for (int row = 0; row < 3; ++row)
+    {
+      longRows.Entries[row][k] =
+        TwoSum(places[row + 1][k], -places[0][k]) + TwoSum(beyond[row + 1][k], -beyond[0][k]);
+      longRows.Errors[k] = std::max(longRows.Errors[k],
+        DoubleDoubleEpsilon * std::abs(longRows.Entries[row][k].High) +
+          ErrorOfQuotient * (std::abs(beyond[row + 1][k]) + std::abs(beyond[0][k])));
+    }
+  }
+  this->WorkDone += WorkOfDoubleDoubles;
+  sign = SignOfDeterminant(longRows, DoubleDoubleEpsilon);
+  if (sign != Undecided)
+  {
+    return sign;
+  }
+  this->WorkDone += WorkOfExactPredicate;
+  return this->Determinant(cell[0], cell[1], cell[2], cell[3]).sign();
+}
+
+DyadicNumber ExactVertices::Determinant(Id a, Id b, Id c, Id d) const
+{
+  const std::array<std::array<DyadicNumber, 4>, 4> m = { { this->CoordinatesOf(a),
+    this->CoordinatesOf(b), this->CoordinatesOf(c), this->CoordinatesOf(d) } };
+  // Laplace's expansion by the minors of the first two rows and of the last two.
+  const auto minor = [&m](int row, int i, int j) -> DyadicNumber
+  { return m[row][i] * m[row + 1][j] - m[row][j] * m[row + 1][i]; };
+  // The rows differ from the volume's by the sign of moving the column of ones to the front.
+  return minor(0, 0, 2) * minor(2, 1, 3) - minor(0, 0, 1) * minor(2, 2, 3) -
+    minor(0, 0, 3) * minor(2, 1, 2) - minor(0, 1, 2) * minor(2, 0, 3) +
+    minor(0, 1, 3) * minor(2, 0, 2) - minor(0, 2, 3) * minor(2, 0, 1);
+}
+
+ExactVertices::Plane ExactVertices::PlaneThrough(Id a, Id b, Id c, const Point& origin) const
+{
+  std::array<std::array<DyadicNumber, 4>, 3> m = { { this->CoordinatesOf(a), this->CoordinatesOf(b),
+    this->CoordinatesOf(c) } };
+  for (std::array<DyadicNumber, 4>& row : m)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      row[k] = row[k] - row[3] * DyadicNumber(origin[k]);
+    }
+  }
+  const auto minor = [&m](int i, int j, int column, int other) -> DyadicNumber
+  { return m[i][column] * m[j][other] - m[i][other] * m[j][column]; };
+  Plane plane;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int y = (k + 1) % 3;
+    const int z = (k + 2) % 3;
+    plane.Normal[k] = CGAL::to_double(DyadicNumber(
+      m[0][3] * minor(1, 2, y, z) + m[1][3] * minor(2, 0, y, z) + m[2][3] * minor(0, 1, y, z)));
+  }
+  plane.Offset = CGAL::to_double(DyadicNumber(
+    m[0][0] * minor(1, 2, 1, 2) + m[0][1] * minor(1, 2, 2, 0) + m[0][2] * minor(1, 2, 0, 1)));
+  this->WorkDone += WorkOfExactPredicate;
+  return plane;
+}
+
+Point ExactVertices::Nearest(Id vertex) const
+{
+  const Kernel::Point_3& p = this->Places[vertex];
+  return { { p.x(), p.y(), p.z() } };
+}
+
+void ExactVertices::MoveTo(Id vertex, const Place& place)
+{
+  this->Places[vertex] = place.Approximate;
+  this->ExactOf[vertex] = place.Exact;
+}
+
+void ExactVertices::MoveTo(Id vertex, const Point& point)
+{
+  this->MoveTo(vertex, Place{ Kernel::Point_3(point[0], point[1], point[2]), None });
+}
+} // namespace insideout

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mpzf.h>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace insideout
+{
+/** A whole number times a power of two, without error. */
+using DyadicNumber = CGAL::Mpzf;
+
+/**
+ * The vertices of a tetrahedralization under construction: doubles, and Steiner points that lie
+ * exactly where two lines or a line and a plane meet. The latter have homogeneous coordinates (x,
+ * y, z, w), w > 0, which sums and products suffice for, and nearly the same place in doubles and in
+ * double-doubles, which decide nearly every predicate.
+ */
+class ExactVertices
+{
+public:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  /**
+   * Up to three doubles in the affine hull of which a vertex lies, the last again in place of those
+   * that are not needed: of a Steiner point, the ends of its segment or the corners of its facet.
+   */
+  using Span = std::array<Id, 3>;
+
+  explicit ExactVertices(const std::vector<Point>& points);
+
+  Id Size() const { return static_cast<Id>(this->Places.size()); }
+
+  /** @return the new vertex */
+  Id Add(const Point& point);
+
+  /**
+   * Add the point a A + b B, with A and B the homogeneous coordinates of two vertices. It becomes a
+   * double where it is one.
+   * @param[in] a, b of one sign and not both 0, so that the point lies between the two
+   * @param[in] span where it lies, exactly
+   */
+  Id AddBetween(
+    Id first, Id second, const DyadicNumber& a, const DyadicNumber& b, const Span& span);
+
+  /** Forget the last vertex. */
+  void RemoveLast();
+
+  /**
+   * The sign of the volume of a tetrahedron, exactly; it is positive where a, b, c run
+   * counter-clockwise seen from d.
+   */
+  int Orient(Id a, Id b, Id c, Id d) const;
+
+  /**
+   * A measure of the work done that is the same on every machine, unlike time: about one per
+   * predicate, and what callers add.
+   */
+  std::int64_t Work() const { return this->WorkDone; }
+  void AddWork(std::int64_t work) const { this->WorkDone += work; }
+
+  /** Say how much may be done; IsWorkDone is when it is. */
+  void LimitWork(std::int64_t most) { this->MostWork = most; }
+  bool IsWorkDone() const { return this->WorkDone > this->MostWork; }
+
+  /** A positive multiple of the volume: the product of the four weights w times it. */
+  DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
+
+  /** The points x with Normal . (x - origin) = Offset; Normal has no certain length. */
+  struct Plane
+  {
+    std::array<double, 3> Normal;
+    double Offset;
+  };
+
+  /**
+   * The plane through three vertices, with all digits of a double, however near to each other they
+   * are; of huge and tiny coordinates not all numbers may be finite. a, b, c run counter-clockwise
+   * seen from where Normal points to.
+   */
+  Plane PlaneThrough(Id a, Id b, Id c, const Point& origin) const;
+
+  bool IsDouble(Id vertex) const { return this->ExactOf[vertex] == None; }
+
+  /** The doubles nearest to a vertex, or at most a few units in the last place beside them. */
+  Point Nearest(Id vertex) const;
+
+  /** Where a vertex is, to put it back. */
+  struct Place
+  {
+    Kernel::Point_3 Approximate;
+    Id Exact;
+  };
+  Place PlaceOf(Id vertex) const { return { this->Places[vertex], this->ExactOf[vertex] }; }
+  void MoveTo(Id vertex, const Place& place);
+  void MoveTo(Id vertex, const Point& point);
+
+private:
+  struct Homogeneous
+  {
+    std::array<DyadicNumber, 4> Coordinates;
+    std::array<double, 3> Beyond; ///< to be added to the place in doubles
+    Span Within;
+  };
+
+  std::array<DyadicNumber, 4> CoordinatesOf(Id vertex) const;
+  bool AreInOnePlane(const Tetrahedron& cell) const;
+  int OrientExactly(const Tetrahedron& cell) const;
+
+  std::vector<Kernel::Point_3> Places;
+  std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
+  std::vector<Homogeneous> ExactPoints;
+  mutable std::int64_t WorkDone = 0;
+  std::int64_t MostWork = std::numeric_limits<std::int64_t>::max();
+};
+
+inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
+{
+  ++this->WorkDone;
+  if ((this->ExactOf[a] & this->ExactOf[b] & this->ExactOf[c] & this->ExactOf[d]) == None)
+  {
+    return CGAL::orientation(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);
+  }
+  return this->OrientExactly({ { a, b, c, d } });
+}
+} // namespace insideout

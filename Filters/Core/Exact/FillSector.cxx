@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/FillSector.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+/** Steps towards a point that sees all walls of a sector from within. */
+constexpr int StepsInward = 120;
+
+/** Each step is so much shorter than the last. */
+constexpr double StepRatio = 0.9;
+
+/** A way out of a corner is good enough at this angle (its sine) to the walls. */
+constexpr double LeastRise = 0.05;
+} // namespace
+
+bool SectorFiller::SeesAll(const Sector& sector, Id apex) const
+{
+  return std::all_of(sector.Walls.begin(), sector.Walls.end(),
+    [&](const Triangle& wall)
+    {
+      return wall[0] == apex || wall[1] == apex || wall[2] == apex ||
+        this->Mesh.Vertices.Orient(wall[0], wall[1], wall[2], apex) > 0;
+    });
+}
+
+Id SectorFiller::FindApex(const Sector& sector) const
+{
+  const auto apex = std::find_if(sector.Corners.begin(), sector.Corners.end(),
+    [&](Id corner) { return this->SeesAll(sector, corner); });
+  return apex == sector.Corners.end() ? None : *apex;
+}
+
+namespace
+{
+/** The inner sides of the walls, in floating point, relative to a point. */
+struct HalfSpaces
+{
+  std::vector<Eigen::Vector3d> Normals;
+  std::vector<double> Distances; ///< of the point, negative outside
+  double Size = 0;               ///< the largest distance of a corner
+
+  /** The distance to the nearest wall from a place, negative outside; and which wall it is. */
+  double Clearance(const Eigen::Vector3d& x, std::size_t& nearest) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t w = 0; w < this->Normals.size(); ++w)
+    {
+      const double distance = this->Distances[w] + this->Normals[w].dot(x);
+      if (distance < least)
+      {
+        least = distance;
+        nearest = w;
+      }
+    }
+    return least;
+  }
+};
+
+/** Away from the nearest wall, with ever shorter steps. */
+Eigen::Vector3d WalkInward(const HalfSpaces& walls)
+{
+  Eigen::Vector3d x(0, 0, 0);
+  Eigen::Vector3d best = x;
+  double most = -std::numeric_limits<double>::infinity();
+  double step = walls.Size / 4;
+  for (int k = 0; k < StepsInward; ++k)
+  {
+    std::size_t nearest = 0;
+    const double clearance = walls.Clearance(x, nearest);
+    if (clearance > most)
+    {
+      most = clearance;
+      best = x;
+    }
+    x += step * walls.Normals[nearest];
+    step *= StepRatio;
+  }
+  return best;
+}
+
+/**
+ * Away from all walls that the point is nearer to than `near`, half as far as the others allow: the
+ * way for a point on an edge of a thin sector, where WalkInward steps over it.
+ */
+Eigen::Vector3d LeaveNearWalls(const HalfSpaces& walls, double near)
+{
+  Eigen::Vector3d direction(0, 0, 0);
+  for (std::size_t w = 0; w < walls.Normals.size(); ++w)
+  {
+    direction += walls.Distances[w] < near ? walls.Normals[w] : Eigen::Vector3d(0, 0, 0);
+  }
+  for (int k = 0; k < StepsInward; ++k)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t worst = 0;
+    for (std::size_t w = 0; w < walls.Normals.size(); ++w)
+    {
+      const double rise = walls.Normals[w].dot(direction);
+      if (walls.Distances[w] < near && rise < least)
+      {
+        least = rise;
+        worst = w;
+      }
+    }
+    if (least > LeastRise * direction.norm())
+    {
+      break;
+    }
+    direction += walls.Normals[worst];
+  }
+  direction.normalize();
+  double length = walls.Size;
+  for (std::size_t w = 0; w < walls.Normals.size(); ++w)
+  {
+    const double rise = walls.Normals[w].dot(direction);
+    if (walls.Distances[w] >= near && rise < 0)
+    {
+      length = std::min(length, -walls.Distances[w] / rise);
+    }
+  }
+  return length / 2 * direction;
+}
+
+/** A little aside, some other way each time, so that symmetric surfaces get no coplanar points. */
+Eigen::Vector3d Aside(Id vertex)
+{
+  return { std::sin(1.0 + vertex), std::sin(2.0 + 3.0 * vertex), std::sin(3.0 + 7.0 * vertex) };
+}
+} // namespace
+
+/**
+ * A new point that sees all walls. Where to look for it is a matter of floating point; whether it
+ * is one is tested exactly.
+ */
+Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
+{
+  const auto at = [this](Id p)
+  {
+    const Point x = this->Mesh.Vertices.Nearest(p);
+    return Eigen::Vector3d(x[0], x[1], x[2]);
+  };
+  const Eigen::Vector3d origin(inside[0], inside[1], inside[2]);
+  HalfSpaces walls;
+  for (const Triangle& wall : sector.Walls)
+  {
+    const ExactVertices::Plane plane =
+      this->Mesh.Vertices.PlaneThrough(wall[0], wall[1], wall[2], inside);
+    const Eigen::Vector3d normal(plane.Normal[0], plane.Normal[1], plane.Normal[2]);
+    const double length = normal.stableNorm();
+    if (length > 0 && std::isfinite(length) && std::isfinite(plane.Offset))
+    {
+      walls.Normals.push_back(normal / length);
+      walls.Distances.push_back(-plane.Offset / length);
+    }
+    for (const Id corner : wall)
+    {
+      walls.Size = std::max(walls.Size, (at(corner) - origin).norm());
+    }
+  }
+  if (walls.Normals.empty())
+  {
+    return None;
+  }
+  for (const double near : { -1.0, 1e-3, 1e-6, 1e-9, 1e-12 })
+  {
+    Eigen::Vector3d place = near < 0 ? WalkInward(walls) : LeaveNearWalls(walls, near * walls.Size);
+    std::size_t nearest = 0;
+    const double clearance = walls.Clearance(place, nearest);
+    if (!place.allFinite() || !(clearance > 0))
+    {
+      continue;
+    }
+    place += origin + clearance / 4 * Aside(this->Mesh.Vertices.Size());
+    const Id apex = this->Mesh.AddVertex({ { place[0], place[1], place[2] } });
+    if (this->SeesAll(sector, apex))
+    {
+      return apex;
+    }
+    this->Mesh.RemoveLastVertex();
+  }
+  return None;
+}
+
+bool SectorFiller::Fill(const std::vector<Sector>& sectors, const Point& inside,
+  VolumePoints volumePoints, std::vector<Tetrahedron>& fresh)
+{
+  const Id first = this->Mesh.Vertices.Size();
+  for (const Sector& sector : sectors)
+  {
+    Id apex = sector.IsInfinite ? this->Mesh.Infinite() : this->FindApex(sector);
+    if (apex == None && volumePoints == VolumePoints::AsNeeded)
+    {
+      apex = this->NewApex(sector, inside);
+    }
+    if (apex == None)
+    {
+      while (this->Mesh.Vertices.Size() > first)
+      {
+        this->Mesh.RemoveLastVertex();
+      }
+      return false;
+    }
+    for (const Triangle& wall : sector.Walls)
+    {
+      if (wall[0] != apex && wall[1] != apex && wall[2] != apex)
+      {
+        fresh.push_back({ { wall[0], wall[1], wall[2], apex } });
+      }
+    }
+  }
+  return true;
+}
+} // namespace insideout

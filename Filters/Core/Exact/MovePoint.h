@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Exact/FlippableMesh.h"
+#include "Exact/SegmentTable.h"
+
+namespace insideout
+{
+/**
+ * Moves a vertex to another place and connects it anew there, as if it were taken out and inserted
+ * (Bowyer 1981 and Watson 1981, with visibility in the place of empty spheres): the cells around
+ * it, and then each cell behind a face that does not see the new place, give way to cells between
+ * the vertex and the boundary of their union. All other vertices, facets and segments stay.
+ */
+class PointMover
+{
+public:
+  PointMover(FlippableMesh& mesh, const SegmentTable& segments)
+    : Mesh(mesh)
+    , Segments(segments)
+  {
+  }
+
+  /** @return whether it is there; else the mesh is as before */
+  bool Move(Id point, const Point& place);
+
+  /**
+   * Put a vertex that lies on no facet, segment or face of the hull out of the mesh; what was
+   * connected with it, and what is in the way, is connected with a neighbor of it.
+   * @return whether it is gone; else the mesh is as before
+   */
+  bool Collapse(Id point, Id neighbor);
+
+private:
+  bool GrowCavity(Id point, Id apex);
+  bool KeepsSurface(Id point, Id apex);
+  bool IsHullConvex(Id point, Id apex) const;
+  bool HasWallEdge(Id u, Id v) const;
+
+  FlippableMesh& Mesh;
+  const SegmentTable& Segments;
+
+  // Of the move at hand; members so that their memory is kept.
+  struct SurfaceFace
+  {
+    Id A;
+    Id B;
+    Id Facet;
+  };
+  std::vector<Id> Cavity;
+  std::vector<Tetrahedron> Fresh;
+  std::vector<std::array<Id, 2>> WallEdges;
+  std::vector<SurfaceFace> SurfaceFaces; ///< with the point
+};
+} // namespace insideout

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/PointSupport.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& segments, Id vertex)
+{
+  PointSupport support;
+  std::vector<Id> star;
+  mesh.Star(vertex, star);
+  for (const Id id : star)
+  {
+    const FlippableCell& cell = mesh.Cells[id];
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cell.Corners[k] == vertex)
+      {
+        continue;
+      }
+      if (cell.Facets[k] != None)
+      {
+        support.Facets.push_back(cell.Facets[k]);
+      }
+      if (support.Segment == None)
+      {
+        support.Segment = segments.Find(vertex, cell.Corners[k]);
+      }
+    }
+  }
+  std::sort(support.Facets.begin(), support.Facets.end());
+  support.Facets.erase(
+    std::unique(support.Facets.begin(), support.Facets.end()), support.Facets.end());
+  return support;
+}
+} // namespace insideout

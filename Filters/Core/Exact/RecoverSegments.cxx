@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/RecoverSegments.h"
+
+#include "Exact/PointSupport.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** Flips for one segment; nearly all need fewer than ten, and some would go on for ever. */
+constexpr int MostFlipsPerSegment = 50;
+
+/** So many of a segment's crossings are tried, from each end the first and then the next ones. */
+constexpr int MostCrossingsTried = 12;
+
+/** Points on one segment, and beside it; a segment that needs more passes through what it may not.
+ */
+constexpr int MostSplitsPerSegment = 1000;
+
+/** Places on a segment are tried with so many binary digits. */
+constexpr int MostDigits = 500;
+
+/** How often the monitor is asked. */
+constexpr std::size_t SegmentsPerCheck = 16;
+} // namespace
+
+std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) const
+{
+  std::vector<Id> missing;
+  for (const Id segment : segments)
+  {
+    const std::vector<Id> path = this->Segments.Path(segment);
+    if (path.size() == 2 && this->Mesh.FindEdge(path[0], path[1]) == None)
+    {
+      missing.push_back(segment);
+    }
+  }
+  return missing;
+}
+
+// --- Flips ---------------------------------------------------------------------------------------
+
+bool SegmentRecovery::Clear(
+  const Crossing& crossing, const FlipTarget& target, const FlipEffort& effort)
+{
+  int budget = effort.Budget;
+  if (crossing.Kind == Crossing::ThroughEdge)
+  {
+    return this->Flips.RemoveEdgeDeeply(
+      crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
+  }
+  const Id cell = crossing.Cell;
+  const FlippableCell& near = this->Mesh.Cells[cell];
+  if (this->Flips.RemoveFace(cell, crossing.Face, target, effort.Limits))
+  {
+    return true;
+  }
+  // Edges that the line between the two apexes passes on the outside first.
+  const Id p = near.Corners[crossing.Face];
+  const Id q = this->Mesh.Opposite(cell, crossing.Face);
+  std::array<Id, 3> f;
+  for (int k = 0; k < 3; ++k)
+  {
+    f[k] = near.Corners[FaceSeenFrom[crossing.Face][k]];
+  }
+  std::array<bool, 3> isReflex = { { false, false, false } };
+  for (int k = 0; k < 3; ++k)
+  {
+    isReflex[k] = q != this->Mesh.Infinite() && p != this->Mesh.Infinite() &&
+      this->Mesh.Vertices.Orient(q, p, f[k], f[(k + 1) % 3]) <= 0;
+  }
+  for (const bool reflex : { true, false })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (isReflex[k] != reflex)
+      {
+        continue;
+      }
+      const std::int64_t before = this->Mesh.NumberOfChanges();
+      if (this->Flips.RemoveEdgeDeeply(
+            f[k], f[(k + 1) % 3], target, effort.Limits, effort.Depth, budget) ||
+        this->Mesh.NumberOfChanges() != before)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** Take away something that the segment crosses: from one end, from the other, anywhere. */
+bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipEffort& effort)
+{
+  const std::int64_t before = this->Mesh.NumberOfChanges();
+  const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
+  const Crossing first = FirstCrossing(this->Mesh, a, b);
+  if (first.Kind == Crossing::AtVertex)
+  {
+    return false;
+  }
+  if (this->Clear(first, target, effort) || changed())
+  {
+    return true;
+  }
+  const Crossing last = FirstCrossing(this->Mesh, b, a);
+  if (last.Kind == Crossing::AtVertex)
+  {
+    return false;
+  }
+  if (this->Clear(last, target, effort) || changed())
+  {
+    return true;
+  }
+  Crossing crossing = NextCrossing(this->Mesh, a, b, first);
+  for (int k = 0; k < MostCrossingsTried &&
+       (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge);
+       ++k)
+  {
+    if (this->Clear(crossing, target, effort) || changed())
+    {
+      return true;
+    }
+    crossing = NextCrossing(this->Mesh, a, b, crossing);
+  }
+  return false;
+}
+
+bool SegmentRecovery::Recover(Id a, Id b, const FlipEffort& effort)
+{
+  const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
+  for (int flips = 0; flips < MostFlipsPerSegment; ++flips)
+  {
+    if (this->Mesh.FindEdge(a, b) != None)
+    {
+      return true;
+    }
+    if (this->Mesh.Vertices.Work() > effort.EndOfWork || !this->ClearOne(a, b, target, effort))
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+std::vector<Id> SegmentRecovery::RecoverByFlips(const std::vector<Id>& missing)
+{
+  return RecoverInRounds(missing, this->Mesh,
+    static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size(), this->Progress,
+    "recovering edges",
+    [this](Id segment, const FlipEffort& effort)
+    {
+      const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
+      return this->Recover(ends[0], ends[1], effort);
+    });
+}
+
+// --- Steiner points ------------------------------------------------------------------------------
+
+/**
+ * A point of the segment from a to b within a cell: of all such points one whose place between a
+ * and b has the fewest binary digits, by bisection. `beyondFace` is the corner of the cell across
+ * from the face through which the segment enters.
+ */
+Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
+{
+  const Tetrahedron corners = this->Mesh.Cells[cell].Corners;
+  const int entry = this->Mesh.CornerIndex(cell, beyondFace);
+  DyadicNumber low(0);
+  DyadicNumber step(0.5);
+  const DyadicNumber one(1);
+  const DyadicNumber half(0.5);
+  for (int digits = 0; digits < MostDigits; ++digits)
+  {
+    const DyadicNumber t = low + step;
+    const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t, { { a, b, b } });
+    bool beforeEntry = false;
+    bool behindExit = false;
+    for (int k = 0; k < 4; ++k)
+    {
+      Tetrahedron moved = corners;
+      moved[k] = point;
+      if (this->Mesh.Vertices.Orient(moved[0], moved[1], moved[2], moved[3]) <= 0)
+      {
+        (k == entry ? beforeEntry : behindExit) = true;
+      }
+    }
+    if (!beforeEntry && !behindExit)
+    {
+      return point;
+    }
+    if (beforeEntry)
+    {
+      low = t;
+    }
+    this->Mesh.RemoveLastVertex();
+    step = step * half;
+  }
+  return None;
+}
+
+/** Whether a vertex is a Steiner point in the volume, which may lie on the segment by rounding. */
+bool SegmentRecovery::IsFree(Id vertex) const
+{
+  if (vertex <= this->Mesh.Infinite())
+  {
+    return false;
+  }
+  const PointSupport support = FindPointSupport(this->Mesh, this->Segments, vertex);
+  return support.Segment == None && support.Facets.empty();
+}
+
+bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
+{
+  Id a = start;
+  const Id b = end;
+  for (int splits = 0; !this->Recover(a, b, PlainFlips); ++splits)
+  {
+    if (splits == MostSplitsPerSegment || this->Mesh.Vertices.IsWorkDone())
+    {
+      return false;
+    }
+    this->Progress.Check("splitting edges", 0);
+    // Points are made from the segment's own ends, which are short, not from Steiner points on it.
+    Id point = None;
+    if (FirstCrossing(this->Mesh, a, b).Kind == Crossing::ThroughEdge &&
+      this->FlatFlips.MakeEdge(a, b))
+    {
+      return true;
+    }
+    const Crossing crossing = FirstCrossing(this->Mesh, a, b);
+    if (crossing.Kind == Crossing::ThroughEdge)
+    {
+      if (this->FlatFlips.StarEdge(crossing.U, crossing.V))
+      {
+        continue;
+      }
+      const Id off = this->Mesh.VertexOffPlane(a, b, crossing.U);
+      const DyadicNumber atA = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, start);
+      const DyadicNumber atB = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, end);
+      point = this->Mesh.AddVertexBetween(
+        start, end, DyadicNumber(0) - atB, atA, { { start, end, end } });
+      EdgeRing ring;
+      this->Mesh.Ring(crossing.U, crossing.V, crossing.Cell, ring);
+      this->Mesh.SplitEdge(ring, point);
+    }
+    else if (crossing.Kind == Crossing::AtVertex && this->IsFree(crossing.U))
+    {
+      point = crossing.U;
+    }
+    else if (crossing.Kind == Crossing::ThroughFace)
+    {
+      const Id beyond = this->Mesh.Cells[crossing.Cell].Neighbors[crossing.Face];
+      const Id apex = this->Mesh.Opposite(crossing.Cell, crossing.Face);
+      if (apex == b)
+      {
+        this->Flips.RemoveFace(
+          crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
+        return this->Mesh.FindEdge(a, b) != None;
+      }
+      point = this->SteinerPointWithin(beyond, start, end, apex);
+      if (point == None)
+      {
+        return false;
+      }
+      this->Mesh.SplitCell(beyond, point);
+      this->Flips.RemoveFace(
+        crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
+    }
+    if (point == None || this->Mesh.FindEdge(a, point) == None)
+    {
+      return false;
+    }
+    this->Segments.Split(segment, a, b, point);
+    a = point;
+  }
+  return true;
+}
+
+std::vector<Id> SegmentRecovery::RecoverBySplits(
+  const std::vector<Id>& missing, From from, SteinerPoints& steiner)
+{
+  std::vector<Id> failed;
+  for (std::size_t k = 0; k < missing.size(); ++k)
+  {
+    if (k % SegmentsPerCheck == 0)
+    {
+      this->Progress.Check("splitting edges", static_cast<double>(k) / missing.size());
+    }
+    const Id first = this->Mesh.Vertices.Size();
+    const std::array<Id, 2> ends = this->Segments.EndsOf(missing[k]);
+    const bool isRecovered = from == From::LowerEnd
+      ? this->SplitAndRecover(missing[k], ends[0], ends[1])
+      : this->SplitAndRecover(missing[k], ends[1], ends[0]);
+    if (!isRecovered)
+    {
+      this->Segments.Release(missing[k]);
+      failed.push_back(missing[k]);
+    }
+    steiner.Tidy(first);
+  }
+  return failed;
+}
+} // namespace insideout

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Exact/MovePoint.h"
+
+#include <random>
+
+namespace insideout
+{
+/**
+ * Gives Steiner points that lie exactly on segments and facets coordinates in doubles. A point on a
+ * segment may go anywhere along it; off the exact place every point may go as far as rounding
+ * errors are large, and the facets around bend with it. All cells stay positive, so nothing comes
+ * to cross. Where the new place would turn cells over, others take their place (PointMover).
+ */
+class PointRounder
+{
+public:
+  PointRounder(FlippableMesh& mesh, SegmentTable& segments, Monitor& monitor)
+    : Mesh(mesh)
+    , Segments(segments)
+    , Progress(monitor)
+    , Mover(mesh, segments)
+  {
+  }
+
+  /** Round all points that can be. @return the ones that are left */
+  std::vector<Id> Round();
+
+  /** The same, of the places for each point only some at random. */
+  std::vector<Id> RoundSomehow(std::mt19937& random);
+
+  /**
+   * Put further Steiner points, in doubles, on both sides of those that lie on segments. Where a
+   * segment passes between facets that are less than rounding errors apart, no place in doubles may
+   * be there for one point, but for two, one on either side.
+   */
+  void SplitBeside(const std::vector<Id>& points, std::mt19937& random);
+
+  /** Move Steiner points around some points to other places at random: they may be in the way. */
+  void Stir(const std::vector<Id>& points, std::mt19937& random);
+
+private:
+  std::vector<Id> Unrounded() const;
+  bool SplitAt(Id segment, const EdgeRing& ring, const Point& place);
+  std::vector<Point> PlacesFor(Id point) const;
+
+  std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
+  Point RandomPlaceInVolume(Id point, std::mt19937& random) const;
+  std::vector<Point> PlacesOnSegment(Id point, Id segment, bool exactly) const;
+  std::vector<Point> PlacesBetween(Id u, Id v) const;
+  std::vector<Point> PlacesBeside(Id point, const double* steps, std::size_t numberOfSteps) const;
+
+  FlippableMesh& Mesh;
+  SegmentTable& Segments;
+  Monitor& Progress;
+  PointMover Mover;
+};
+} // namespace insideout

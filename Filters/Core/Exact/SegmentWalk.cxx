@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/SegmentWalk.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+Crossing End(Id cell)
+{
+  return { Crossing::AtEnd, cell, -1, None, None };
+}
+
+Crossing Vertex(Id cell)
+{
+  return { Crossing::AtVertex, cell, -1, None, None };
+}
+
+Crossing Edge(Id cell, Id u, Id v)
+{
+  return { Crossing::ThroughEdge, cell, -1, u, v };
+}
+
+Crossing Face(Id cell, int face)
+{
+  return { Crossing::ThroughFace, cell, face, None, None };
+}
+
+/** The way from a to b leaves `cell`, which has the corner a, across from a: where? */
+bool LeavesStarCell(const FlippableMesh& mesh, Id a, Id b, Id cell, std::array<int, 3>& sides,
+  std::array<Id, 3>& link)
+{
+  const int corner = mesh.CornerIndex(cell, a);
+  for (int k = 0; k < 3; ++k)
+  {
+    link[k] = mesh.Cells[cell].Corners[FaceSeenFrom[corner][k]];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    // Counter-clockwise seen from a: a point within the cone has all three edges on its left.
+    sides[k] = -mesh.Vertices.Orient(a, link[k], link[(k + 1) % 3], b);
+    if (sides[k] < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
+{
+  const FlippableCell& before = mesh.Cells[crossing.Cell];
+  const Id cell = before.Neighbors[crossing.Face];
+  if (mesh.Has(cell, b))
+  {
+    return End(cell);
+  }
+  const Id apex = mesh.Opposite(crossing.Cell, crossing.Face);
+  if (apex == mesh.Infinite())
+  {
+    return Vertex(cell);
+  }
+  std::array<Id, 3> f;
+  for (int k = 0; k < 3; ++k)
+  {
+    f[k] = before.Corners[FaceSeenFrom[crossing.Face][k]];
+  }
+  const int turn = mesh.Vertices.Orient(a, b, f[0], f[1]);
+  std::array<int, 3> s;
+  for (int k = 0; k < 3; ++k)
+  {
+    s[k] = turn * mesh.Vertices.Orient(a, b, f[k], apex);
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    if (s[k] == 0 && s[(k + 1) % 3] > 0)
+    {
+      return Edge(cell, f[k], apex);
+    }
+    if (s[k] < 0 && s[(k + 1) % 3] > 0)
+    {
+      return Face(cell, mesh.CornerIndex(cell, f[(k + 2) % 3]));
+    }
+  }
+  return Vertex(cell);
+}
+
+/** Beyond the edge uv the way lies in the face (u, v, p) of `cell`, whose fourth corner is q. */
+Crossing WithinFace(const FlippableMesh& mesh, Id a, Id b, Id cell, Id u, Id v, Id p, Id q)
+{
+  const int atP = mesh.Vertices.Orient(a, b, p, q);
+  if (atP == 0)
+  {
+    return Vertex(cell);
+  }
+  return Edge(cell, atP == mesh.Vertices.Orient(a, b, u, q) ? v : u, p);
+}
+
+Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
+{
+  const Id u = crossing.U;
+  const Id v = crossing.V;
+  EdgeRing ring;
+  mesh.Ring(u, v, crossing.Cell, ring);
+  const std::size_t n = ring.Points.size();
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    if (ring.Points[k] == b)
+    {
+      return End(ring.Cells[k]);
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const Id p = ring.Points[k];
+    const Id q = ring.Points[(k + 1) % n];
+    const Id cell = ring.Cells[k];
+    if (p == mesh.Infinite() || q == mesh.Infinite())
+    {
+      continue;
+    }
+    const int fromP = mesh.Vertices.Orient(u, v, p, b);
+    const int toQ = mesh.Vertices.Orient(u, v, b, q);
+    if (fromP > 0 && toQ > 0)
+    {
+      const int across = mesh.Vertices.Orient(a, b, p, q);
+      if (across == 0)
+      {
+        return Edge(cell, p, q);
+      }
+      return Face(cell, mesh.CornerIndex(cell, across == mesh.Vertices.Orient(a, b, u, p) ? v : u));
+    }
+    if (fromP == 0 && toQ > 0)
+    {
+      return WithinFace(mesh, a, b, cell, u, v, p, q);
+    }
+    if (fromP > 0 && toQ == 0)
+    {
+      return WithinFace(mesh, a, b, cell, u, v, q, p);
+    }
+  }
+  return Vertex(crossing.Cell);
+}
+} // namespace
+
+Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b)
+{
+  const Id known = mesh.FindEdge(a, b);
+  if (known != None)
+  {
+    return End(known);
+  }
+  std::vector<Id> star;
+  mesh.Star(a, star);
+  std::array<int, 3> sides;
+  std::array<Id, 3> link;
+  for (const Id cell : star)
+  {
+    if (mesh.IsInfinite(cell) || !LeavesStarCell(mesh, a, b, cell, sides, link))
+    {
+      continue;
+    }
+    const auto zeros = std::count(sides.begin(), sides.end(), 0);
+    if (zeros == 0)
+    {
+      return Face(cell, mesh.CornerIndex(cell, a));
+    }
+    if (zeros > 1)
+    {
+      const int between = sides[0] != 0 ? 2 : sides[1] != 0 ? 0 : 1;
+      return { Crossing::AtVertex, cell, -1, link[between], None };
+    }
+    const auto k = std::find(sides.begin(), sides.end(), 0) - sides.begin();
+    return Edge(cell, link[k], link[(k + 1) % 3]);
+  }
+  return Vertex(star.empty() ? None : star[0]);
+}
+
+Crossing NextCrossing(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
+{
+  return crossing.Kind == Crossing::ThroughFace ? AfterFace(mesh, a, b, crossing)
+                                                : AfterEdge(mesh, a, b, crossing);
+}
+} // namespace insideout

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/SteinerPoints.h"
+
+#include "Exact/PointSupport.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** Removing points one by one is over when fewer than one in so many goes. */
+constexpr std::size_t LeastYield = 50;
+
+constexpr int MostPasses = 1000;
+
+/** Flips at random are tried for each cell around a point, and at most around a point. */
+constexpr std::size_t ShakesPerCell = 2;
+constexpr std::size_t MostShakes = 200;
+
+template <typename Container>
+void SortUnique(Container& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+} // namespace
+
+/** The finite vertices that share an edge with a point, input points first. */
+std::vector<Id> SteinerPoints::NeighborsOf(Id point) const
+{
+  std::vector<Id> star;
+  this->Mesh.Star(point, star);
+  std::vector<Id> neighbors;
+  for (const Id cell : star)
+  {
+    for (const Id corner : this->Mesh.Cells[cell].Corners)
+    {
+      if (corner != point && corner != this->Mesh.Infinite())
+      {
+        neighbors.push_back(corner);
+      }
+    }
+  }
+  SortUnique(neighbors);
+  return neighbors;
+}
+
+/** Take away edges at a point that carry no constraint. */
+void SteinerPoints::LowerDegree(Id point)
+{
+  const FlipTarget nothing(this->Mesh);
+  const FlipOperator::Limits limits = { 0, 10 };
+  bool changed = true;
+  while (changed)
+  {
+    changed = false;
+    const std::vector<Id> neighbors = this->NeighborsOf(point);
+    for (const Id neighbor : neighbors)
+    {
+      const Id cell = this->Mesh.FindEdge(point, neighbor);
+      changed =
+        (cell != None && this->Flips.RemoveEdge(point, neighbor, cell, nothing, limits)) || changed;
+    }
+  }
+}
+
+bool SteinerPoints::RemoveOne(Id point)
+{
+  this->LowerDegree(point);
+  return this->Dissolver.Dissolve(point, VolumePoints::None) || this->Collapse(point);
+}
+
+bool SteinerPoints::Collapse(Id point)
+{
+  const PointSupport support = FindPointSupport(this->Mesh, this->Segments, point);
+  if (support.Segment != None || !support.Facets.empty())
+  {
+    return false;
+  }
+  const std::vector<Id> neighbors = this->NeighborsOf(point);
+  return std::any_of(neighbors.begin(), neighbors.end(),
+    [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
+}
+
+void SteinerPoints::Remove(Id first)
+{
+  // What failed once is tried again only when something around has changed.
+  std::vector<std::int64_t> triedAt(
+    static_cast<std::size_t>(this->Mesh.Vertices.Size() - first), -1);
+  std::size_t tried = 0;
+  std::size_t removed = 1;
+  for (int pass = 0; pass < MostPasses && removed > tried / LeastYield; ++pass)
+  {
+    tried = 0;
+    removed = 0;
+    for (Id point = this->Mesh.Vertices.Size() - 1;
+         point >= first && !this->Mesh.Vertices.IsWorkDone(); --point)
+    {
+      this->Progress.Check("removing points", 0);
+      if (this->Mesh.HasVertex(point) &&
+        this->Mesh.LastChangeAround(point) > triedAt[point - first])
+      {
+        ++tried;
+        removed += this->RemoveOne(point) ? 1 : 0;
+        triedAt[point - first] = this->Mesh.NumberOfChanges();
+      }
+    }
+  }
+}
+
+void SteinerPoints::Tidy(Id first)
+{
+  this->MoveIntoVolume(first);
+  this->Remove(first);
+}
+
+void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
+{
+  const FlipTarget nothing(this->Mesh);
+  const FlipOperator::Limits limits = { 0, 10 };
+  std::vector<Id> star;
+  this->Mesh.Star(vertex, star);
+  const std::size_t tries = std::min(ShakesPerCell * star.size(), MostShakes);
+  for (std::size_t k = 0; k < tries; ++k)
+  {
+    star.clear();
+    this->Mesh.Star(vertex, star);
+    const Id cell = star[random() % star.size()];
+    const int i = static_cast<int>(random() % 4);
+    const int j = static_cast<int>(i + 1 + random() % 3) % 4;
+    const Id u = this->Mesh.Cells[cell].Corners[i];
+    const Id v = this->Mesh.Cells[cell].Corners[j];
+    if (random() % 2 == 0 || !this->Flips.RemoveFace(cell, i, nothing, limits))
+    {
+      this->Flips.RemoveEdge(u, v, cell, nothing, limits);
+    }
+  }
+}
+
+void SteinerPoints::Shake(const std::vector<Id>& points, std::mt19937& random)
+{
+  for (const Id point : points)
+  {
+    this->Progress.Check("shaking points", 0);
+    if (this->Mesh.HasVertex(point))
+    {
+      this->FlipAround(point, random);
+      if (!this->RemoveOne(point))
+      {
+        this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
+      }
+    }
+  }
+}
+
+void SteinerPoints::MoveIntoVolume(Id first)
+{
+  for (Id point = this->Mesh.Vertices.Size() - 1;
+       point >= first && !this->Mesh.Vertices.IsWorkDone(); --point)
+  {
+    this->Progress.Check("moving points", 0);
+    if (this->Mesh.HasVertex(point))
+    {
+      this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
+    }
+  }
+}
+} // namespace insideout

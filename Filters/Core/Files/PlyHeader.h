@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Files/SurfaceReaders.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+
+/**
+ * What the header of a PLY file says: Turk, The PLY Polygon File Format (1994), with the type names
+ * that came later.
+ */
+namespace insideout
+{
+/** The types of numbers that a file may have. */
+enum class PlyType
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Float32,
+  Float64
+};
+
+/** The names, length in bytes and range of a type. */
+struct PlyTypeFacts
+{
+  const char* Name;
+  const char* OtherName;
+  std::uint64_t Length;
+  double Lowest;
+  double Highest;
+  bool IsInteger;
+};
+
+/** Of the type T, which the format calls by either name. */
+template <typename T>
+constexpr PlyTypeFacts MakePlyTypeFacts(const char* name, const char* otherName)
+{
+  using Limits = std::numeric_limits<T>;
+  return { name, otherName, sizeof(T), double(Limits::lowest()), double(Limits::max()),
+    std::is_integral_v<T> };
+}
+
+/** In the order of PlyType. */
+inline constexpr std::array<PlyTypeFacts, 8> PlyTypes = {
+  MakePlyTypeFacts<std::int8_t>("char", "int8"), MakePlyTypeFacts<std::uint8_t>("uchar", "uint8"),
+  MakePlyTypeFacts<std::int16_t>("short", "int16"),
+  MakePlyTypeFacts<std::uint16_t>("ushort", "uint16"),
+  MakePlyTypeFacts<std::int32_t>("int", "int32"), MakePlyTypeFacts<std::uint32_t>("uint", "uint32"),
+  MakePlyTypeFacts<float>("float", "float32"), MakePlyTypeFacts<double>("double", "float64")
+};
+
+/** The facts of a type. */
+constexpr const PlyTypeFacts& FactsOf(PlyType type)
+{
+  return PlyTypes[static_cast<std::size_t>(type)];
+}
+
+/** A number, or a list of numbers, that each element of a kind has. */
+struct PlyProperty
+{
+  std::string Name;
+  PlyType Type = PlyType::Float64; ///< of the number, or of each in the list
+  bool IsList = false;
+  PlyType CountType = PlyType::UInt8; ///< of the length of a list
+  std::vector<double> Values;         ///< see ReadPlyBody. Doubles hold every type.
+};
+
+/** A kind of elements, such as the vertices. */
+struct PlyElement
+{
+  std::string Name;
+  std::uint64_t Count = 0;
+  std::vector<PlyProperty> Properties; ///< in the order in which the body has them
+
+  /** Whether it has a place in a PolygonSurface. Strips of triangles have not: they become faces.
+   */
+  bool IsKept() const { return this->Name == "vertex" || this->Name == "face"; }
+
+  /** The property of this name, null if there is none. */
+  const PlyProperty* Find(std::string_view name) const;
+
+  /** Remove the property of this name, which has to be there. */
+  void Remove(std::string_view name);
+};
+
+/** How the body is written. */
+enum class PlyFormat
+{
+  Unknown,
+  Ascii,
+  LittleEndian,
+  BigEndian
+};
+
+/** The whole header: the elements in the body, and where that begins. */
+struct PlyHeader
+{
+  PlyFormat Format = PlyFormat::Unknown;
+  std::vector<PlyElement> Elements; ///< in the order in which the body has them
+  const char* Body = nullptr;       ///< the first byte behind the header
+  std::int64_t BodyLine = 0;        ///< the line of that byte, counted from 1
+  std::int64_t UnknownStatements = 0;
+  std::string FirstUnknown; ///< its line and first word, for messages
+
+  /** The element of this name, null if there is none. */
+  PlyElement* Find(std::string_view name);
+
+  /** Whether it announces at least one face. */
+  bool HasFaces() const;
+
+  /**
+   * The list of points of an element that polygons come from, `vertex_indices` or `vertex_index`:
+   * of the faces, or of strips of triangles (`tristrips`) if there are no faces. Else null.
+   */
+  const PlyProperty* PointIdsOf(const PlyElement& element) const;
+};
+
+/**
+ * Read the header. The result has a format and an element vertex with the numbers x, y and z;
+ * faces, if there are any, have their list of points; the names of elements, and of the properties
+ * of each, differ and are not empty. Values are still empty. Statements of other words than those
+ * of the format are counted and passed over.
+ * @throws Error FileMalformed where that cannot be, Stopped
+ */
+PlyHeader ReadPlyHeader(const FileContent& file, Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files/SurfaceFile.h"
+
+#include "Files/SurfaceReaders.h"
+#include "Files/TextScanner.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+namespace insideout
+{
+namespace
+{
+constexpr const char* Reading = "reading";
+
+// Of the time, loading takes about this part and understanding the rest.
+constexpr double LoadingShare = 0.2;
+
+Error Unreadable(const std::string& path, const std::string& reason)
+{
+  return Error(ErrorCode::FileUnreadable, path + ": " + reason);
+}
+
+/** The length of a file that can be loaded. */
+std::size_t LengthOf(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (error)
+  {
+    throw Unreadable(path, error.message());
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    throw Unreadable(
+      path, std::filesystem::is_directory(status) ? "is a directory" : "is not a regular file");
+  }
+  const std::uintmax_t length = std::filesystem::file_size(path, error);
+  if (error)
+  {
+    throw Unreadable(path, error.message());
+  }
+  return static_cast<std::size_t>(length);
+}
+
+/** Fill `content` in pieces between which the monitor can stop. */
+void LoadBytes(const std::string& path, FileContent& content, Monitor& monitor)
+{
+  constexpr std::size_t piece = std::size_t(1) << 24;
+  const std::size_t length = content.Size;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+    std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file)
+  {
+    throw Unreadable(path, std::generic_category().message(errno));
+  }
+  for (content.Size = 0; content.Size < length;)
+  {
+    monitor.Check(Reading, LoadingShare * double(content.Size) / double(length));
+    const std::size_t wanted = std::min(piece, length - content.Size);
+    const std::size_t got = std::fread(content.Bytes.get() + content.Size, 1, wanted, file.get());
+    content.Size += got;
+    if (got < wanted && std::ferror(file.get()))
+    {
+      throw Unreadable(path, std::generic_category().message(errno));
+    }
+    if (got < wanted)
+    {
+      return; // someone shortened the file meanwhile
+    }
+  }
+}
+
+FileContent Load(const std::string& path, Monitor& monitor)
+{
+  FileContent content;
+  content.Name = std::filesystem::path(path).filename().string();
+  content.Size = LengthOf(path);
+  content.Bytes.reset(new char[content.Size]);
+  LoadBytes(path, content, monitor);
+  if (content.Size == 0)
+  {
+    throw Malformed(content, "is empty");
+  }
+  return content;
+}
+
+PolygonSurface ReadByMarkOrEnding(
+  const FileContent& file, const std::string& ending, Monitor& monitor)
+{
+  if (IsPly(file) || EqualsIgnoringCase(ending, ".ply"))
+  {
+    return ReadPly(file, monitor);
+  }
+  if (IsOff(file, monitor))
+  {
+    return ReadOff(file, monitor);
+  }
+  if (IsStl(file) || EqualsIgnoringCase(ending, ".stl"))
+  {
+    return ReadStl(file, monitor);
+  }
+  if (EqualsIgnoringCase(ending, ".off"))
+  {
+    return ReadOff(file, monitor);
+  }
+  if (EqualsIgnoringCase(ending, ".obj"))
+  {
+    return ReadObj(file, monitor);
+  }
+  throw Malformed(file, "neither content nor ending is of .obj, .off, .ply or .stl");
+}
+} // namespace
+
+PolygonSurface ReadSurface(const std::string& path, Monitor& monitor)
+{
+  try
+  {
+    const FileContent file = Load(path, monitor);
+    PolygonSurface surface =
+      ReadByMarkOrEnding(file, std::filesystem::path(path).extension().string(), monitor);
+    monitor.Check(Reading, 1.0);
+    return surface;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::TooLarge, path + ": does not fit into memory");
+  }
+}
+
+const char* FileContent::TextBegin() const
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  const bool marked = std::string_view(this->Begin(), this->Size).substr(0, mark.size()) == mark;
+  return this->Begin() + (marked ? mark.size() : 0);
+}
+
+void FileContent::ReportPosition(const char* at, Monitor& monitor) const
+{
+  const double part = double(at - this->Begin()) / double(this->Size);
+  monitor.Check(Reading, LoadingShare + (1.0 - LoadingShare) * part);
+}
+
+Error Malformed(const FileContent& file, const std::string& what)
+{
+  return Error(ErrorCode::FileMalformed, file.Name + ": " + what);
+}
+
+void CheckCount(const FileContent& file, std::uint64_t count, const char* things)
+{
+  constexpr std::uint64_t limit = std::numeric_limits<Id>::max();
+  if (count > limit)
+  {
+    throw Error(
+      ErrorCode::TooLarge, file.Name + ": has more than " + std::to_string(limit) + " " + things);
+  }
+}
+
+bool ClosePolygon(const FileContent& file, PolygonSurface& surface)
+{
+  const auto begin = static_cast<std::size_t>(surface.Offsets.back());
+  if (surface.Corners.size() - begin < 3)
+  {
+    surface.Corners.resize(begin);
+    return false;
+  }
+  CheckCount(file, surface.Corners.size(), "corners of polygons");
+  surface.Offsets.push_back(static_cast<Id>(surface.Corners.size()));
+  return true;
+}
+
+void WarnOfDropped(const FileContent& file, std::uint64_t dropped, PolygonSurface& surface)
+{
+  if (dropped > 0)
+  {
+    surface.Warnings.push_back(file.Name + ": " + std::to_string(dropped) +
+      " faces with fewer than 3 corners were passed over");
+  }
+}
+
+void ColorColumn::Add(const std::vector<double>& color)
+{
+  this->SomeNumbers = this->SomeNumbers || !color.empty();
+  this->Components = this->Components ? this->Components : color.size();
+  this->Complete = this->Complete && color.size() == this->Components &&
+    (this->Components == 3 || this->Components == 4);
+  if (this->Complete)
+  {
+    this->Values.insert(this->Values.end(), color.begin(), color.end());
+  }
+}
+
+std::optional<Attribute> ColorColumn::ToAttribute() const
+{
+  if (!this->Complete || !this->SomeNumbers)
+  {
+    return {};
+  }
+  const std::optional<std::vector<unsigned char>> bytes = ToColorBytes(this->Values);
+  if (!bytes)
+  {
+    return {};
+  }
+  return Attribute{ "Colors", static_cast<int>(this->Components), *bytes };
+}
+
+std::optional<std::vector<unsigned char>> ToColorBytes(const std::vector<double>& numbers)
+{
+  const bool inside =
+    std::all_of(numbers.begin(), numbers.end(), [](double x) { return x >= 0.0 && x <= 255.0; });
+  if (!inside)
+  {
+    return {};
+  }
+  const bool unit = std::all_of(numbers.begin(), numbers.end(), [](double x) { return x <= 1.0; });
+  std::vector<unsigned char> bytes;
+  bytes.reserve(numbers.size());
+  for (const double x : numbers)
+  {
+    bytes.push_back(static_cast<unsigned char>(std::lround(unit ? 255.0 * x : x)));
+  }
+  return bytes;
+}
+} // namespace insideout

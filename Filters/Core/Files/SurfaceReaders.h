@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Files/SurfaceFile.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/** What the readers of the surface formats share; ReadSurface is the way in. */
+namespace insideout
+{
+/** A file in memory. */
+struct FileContent
+{
+  std::string Name; ///< without its folder, for messages
+  std::unique_ptr<char[]> Bytes;
+  std::size_t Size = 0;
+
+  const char* Begin() const { return this->Bytes.get(); }
+  const char* End() const { return this->Bytes.get() + this->Size; }
+
+  /** The beginning of a text: behind the byte order mark that some editors put first. */
+  const char* TextBegin() const;
+
+  /** Tell the monitor that the file was understood up to `at`. */
+  void ReportPosition(const char* at, Monitor& monitor) const;
+};
+
+/** Whether the first word is that of an OFF file. */
+bool IsOff(const FileContent& file, Monitor& monitor);
+
+/** Whether the first line is that of a PLY file. */
+bool IsPly(const FileContent& file);
+
+/** Whether it begins as an ascii STL file does, or is as long as a binary one has to be. */
+bool IsStl(const FileContent& file);
+
+/** The readers, with ReadSurface's errors. Each file has at least one byte. @{ */
+PolygonSurface ReadObj(const FileContent& file, Monitor& monitor);
+PolygonSurface ReadOff(const FileContent& file, Monitor& monitor);
+PolygonSurface ReadPly(const FileContent& file, Monitor& monitor);
+PolygonSurface ReadStl(const FileContent& file, Monitor& monitor);
+/** @} */
+
+/** An Error FileMalformed: the file's name, then `what`. */
+Error Malformed(const FileContent& file, const std::string& what);
+
+/** @throws Error TooLarge if Id cannot count `count` of `things` */
+void CheckCount(const FileContent& file, std::uint64_t count, const char* things);
+
+/**
+ * Make the corners behind the last polygon a polygon, or drop them where they are fewer than three.
+ * @return whether it became one
+ * @throws Error TooLarge
+ */
+bool ClosePolygon(const FileContent& file, PolygonSurface& surface);
+
+/** Say how many polygons ClosePolygon dropped, if any. */
+void WarnOfDropped(const FileContent& file, std::uint64_t dropped, PolygonSurface& surface);
+
+/** Colours that are given as numbers beside points or polygons, for all of them or not at all. */
+class ColorColumn
+{
+public:
+  /** The colour of the next point or polygon: 3 or 4 numbers; anything else is none. */
+  void Add(const std::vector<double>& color);
+
+  /** Whether any point or polygon had a colour, or something else in its place. */
+  bool Any() const { return this->SomeNumbers; }
+
+  /**
+   * The attribute `Colors`. Numbers are 0 to 1 if the largest in the file is at most 1, else 0 to
+   * 255. Nothing where a colour is missing, has another number of components or is beyond 255.
+   */
+  std::optional<Attribute> ToAttribute() const;
+
+private:
+  bool SomeNumbers = false;
+  bool Complete = true;
+  std::size_t Components = 0;
+  std::vector<double> Values;
+};
+
+/**
+ * Numbers from 0 to 1, or from 0 to 255 where one is larger than 1, as bytes. Nothing where one is
+ * outside or NaN.
+ */
+std::optional<std::vector<unsigned char>> ToColorBytes(const std::vector<double>& numbers);
+} // namespace insideout

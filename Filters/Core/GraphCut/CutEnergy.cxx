@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "GraphCut/CutEnergy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+/** The terms around a cell sum to less than two to this, so that doubles hold their sums exactly.
+ */
+constexpr int TermBits = 52;
+
+[[noreturn]] void ThrowInvalid(const std::string& message)
+{
+  throw Error(ErrorCode::InvalidParameter, message);
+}
+
+void CheckParameters(const GraphCutParameters& parameters)
+{
+  if (!std::isfinite(parameters.Gamma) || parameters.Gamma < 0)
+  {
+    ThrowInvalid("gamma is " + std::to_string(parameters.Gamma) + ", not a number of at least 0");
+  }
+  if (!std::isfinite(parameters.Sigma) || parameters.Sigma <= 0)
+  {
+    ThrowInvalid("sigma is " + std::to_string(parameters.Sigma) + ", not a number above 0");
+  }
+}
+
+void CheckCells(const CellGraph& graph, DataTerm term)
+{
+  const auto checkSize = [&](std::size_t size, const char* what)
+  {
+    if (size != graph.W.size())
+    {
+      ThrowInvalid(std::to_string(size) + " " + what + " for " + std::to_string(graph.W.size()) +
+        " winding numbers");
+    }
+  };
+  const bool weighted = term == DataTerm::VolumeWeighted;
+  checkSize(weighted ? graph.Volumes.size() : graph.W.size(), "volumes");
+  checkSize(graph.Demands.empty() ? graph.W.size() : graph.Demands.size(), "demands");
+  for (std::size_t i = 0; i < graph.W.size(); ++i)
+  {
+    if (!std::isfinite(graph.W[i]))
+    {
+      ThrowInvalid("the winding number of cell " + std::to_string(i) + " is not finite");
+    }
+    if (weighted && (!std::isfinite(graph.Volumes[i]) || graph.Volumes[i] < 0))
+    {
+      ThrowInvalid("cell " + std::to_string(i) + " has a volume that is negative or not finite");
+    }
+  }
+}
+
+void CheckFaces(const std::vector<InteriorFace>& faces, std::size_t cells)
+{
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    for (const Id cell : { faces[f].First, faces[f].Second })
+    {
+      if (cell < 0 || static_cast<std::size_t>(cell) >= cells)
+      {
+        ThrowInvalid("face " + std::to_string(f) + " refers to cell " + std::to_string(cell) +
+          " of " + std::to_string(cells));
+      }
+    }
+    if (faces[f].First == faces[f].Second)
+    {
+      ThrowInvalid("face " + std::to_string(f) + " has cell " + std::to_string(faces[f].First) +
+        " on both sides");
+    }
+    if (!std::isfinite(faces[f].Area) || faces[f].Area < 0)
+    {
+      ThrowInvalid("face " + std::to_string(f) + " has an area that is negative or not finite");
+    }
+  }
+}
+
+void CheckSize(std::size_t cells)
+{
+  if (cells > static_cast<std::size_t>(std::numeric_limits<Id>::max()))
+  {
+    throw Error(
+      ErrorCode::TooLarge, std::to_string(cells) + " cells are too many for the graph cut");
+  }
+}
+
+/** Values over their mean; all 0 if that is. Scaled first, so that the sum cannot overflow. */
+void DivideByMean(std::vector<double>& values)
+{
+  double largest = 0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, value);
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  double sum = 0;
+  for (double& value : values)
+  {
+    value = std::ldexp(value, -exponent);
+    sum += value;
+  }
+  const double mean = sum / static_cast<double>(values.size());
+  for (double& value : values)
+  {
+    value = mean > 0 ? value / mean : 0;
+  }
+}
+
+/** v_ij for different labels, per face (8.10). */
+std::vector<double> SmoothnessTerms(const CellGraph& graph, double sigma)
+{
+  std::vector<double> terms;
+  terms.reserve(graph.Faces.size());
+  for (const InteriorFace& face : graph.Faces)
+  {
+    terms.push_back(face.Area);
+  }
+  DivideByMean(terms);
+#pragma omp parallel for schedule(static)
+  for (std::size_t f = 0; f < terms.size(); ++f)
+  {
+    const double step = (graph.W[graph.Faces[f].First] - graph.W[graph.Faces[f].Second]) / sigma;
+    terms[f] *= step == 0 ? 1 : std::exp(-step * step / 2);
+  }
+  return terms;
+}
+
+double CostOutside(double w)
+{
+  return std::max(w, 0.0);
+}
+
+double CostInside(double w)
+{
+  return std::max(1 - w, 0.0);
+}
+
+/** Positive exactly where w > 1/2 and 0 where it is 1/2, for 1 - w never rounds across 1/2. */
+double GainInside(double w)
+{
+  return CostOutside(w) - CostInside(w);
+}
+
+/** A value of at least 0 times 2^shift, rounded. The result is below 2^TermBits. */
+std::int64_t ToInteger(double value, int shift)
+{
+  return static_cast<std::int64_t>(std::ldexp(value, shift) + 0.5);
+}
+} // namespace
+
+CutEnergy::CutEnergy(const CellGraph& graph, const GraphCutParameters& parameters)
+  : Graph(graph)
+  , Gamma(parameters.Gamma)
+{
+  CheckParameters(parameters);
+  CheckSize(graph.W.size());
+  CheckCells(graph, parameters.DataTerm);
+  CheckFaces(graph.Faces, graph.W.size());
+  if (parameters.DataTerm == DataTerm::VolumeWeighted)
+  {
+    this->Weights = graph.Volumes;
+    DivideByMean(this->Weights);
+  }
+  this->Smoothness = SmoothnessTerms(graph, parameters.Sigma);
+  this->MakeIntegers();
+}
+
+void CutEnergy::MakeIntegers()
+{
+  const std::vector<InteriorFace>& faces = this->Graph.Faces;
+  const std::size_t cells = this->Graph.W.size();
+  // The energy is divided by a power of two that makes gamma at most 1, so that nothing overflows.
+  int gammaExponent = 0;
+  std::frexp(this->Gamma, &gammaExponent);
+  gammaExponent = std::max(gammaExponent, 0);
+  const double scaledGamma = std::ldexp(this->Gamma, -gammaExponent);
+  std::vector<double> around(cells, 0.0); // what all of a cell's faces cost
+  double largest = std::numeric_limits<double>::min();
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const double cost = scaledGamma * this->Smoothness[f];
+    around[faces[f].First] += cost;
+    around[faces[f].Second] += cost;
+  }
+  for (const double sum : around)
+  {
+    largest = std::max(largest, sum);
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const int shift = TermBits - 3 - exponent; // a gain may be twice what is around, and all round up
+
+  std::vector<std::int64_t> costs(faces.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    costs[f] = ToInteger(scaledGamma * this->Smoothness[f], shift);
+  }
+  this->ListNeighbors(costs);
+
+  this->Gains.resize(cells);
+  for (std::size_t i = 0; i < cells; ++i)
+  {
+    const Id cell = static_cast<Id>(i);
+    std::int64_t all = 0;
+    for (const Neighbor& neighbor : this->Neighbors(cell))
+    {
+      all += neighbor.Cost;
+    }
+    const double gain = GainInside(this->W(cell));
+    const double scaled = std::ldexp(std::abs(gain), -gammaExponent) * this->Weight(cell);
+    // A preference stays one, however small: without smoothness this is an exact threshold.
+    const std::int64_t least = std::max<std::int64_t>(
+      1, scaled < 2 * around[i] ? std::min(ToInteger(scaled, shift), 2 * all) : 2 * all);
+    const int demand = this->Demand(cell);
+    this->Gains[i] = demand != 0 ? demand * (2 * all + 1)
+      : gain > 0                 ? least
+      : gain < 0                 ? -least
+                                 : 0;
+  }
+}
+
+void CutEnergy::ListNeighbors(const std::vector<std::int64_t>& costs)
+{
+  const std::vector<InteriorFace>& faces = this->Graph.Faces;
+  // Counted one cell ahead, so that filling moves each offset to where it belongs.
+  this->Offsets.assign(this->Graph.W.size() + 2, 0);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const std::size_t counted = costs[f] > 0;
+    this->Offsets[static_cast<std::size_t>(faces[f].First) + 2] += counted;
+    this->Offsets[static_cast<std::size_t>(faces[f].Second) + 2] += counted;
+  }
+  for (std::size_t i = 2; i < this->Offsets.size(); ++i)
+  {
+    this->Offsets[i] += this->Offsets[i - 1];
+  }
+  this->NeighborList.resize(this->Offsets.back());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (costs[f] > 0)
+    {
+      const auto add = [&](Id cell, Id neighbor)
+      {
+        this->NeighborList[this->Offsets[static_cast<std::size_t>(cell) + 1]++] = { neighbor,
+          costs[f] };
+      };
+      add(faces[f].First, faces[f].Second);
+      add(faces[f].Second, faces[f].First);
+    }
+  }
+}
+
+double CutEnergy::Of(const std::vector<unsigned char>& inside) const
+{
+  double data = 0;
+  for (Id i = 0; i < this->NumberOfCells(); ++i)
+  {
+    data += this->Weight(i) * (inside[i] ? CostInside(this->W(i)) : CostOutside(this->W(i)));
+  }
+  double cut = 0;
+  for (std::size_t f = 0; f < this->Smoothness.size(); ++f)
+  {
+    if (inside[this->Graph.Faces[f].First] != inside[this->Graph.Faces[f].Second])
+    {
+      cut += this->Smoothness[f];
+    }
+  }
+  return data + this->Gamma * cut;
+}
+} // namespace insideout

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "GraphCut/Seeds.h"
+
+#include "Common/BoxTree.h"
+#include "Common/Error.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 At(const Point& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+/** Whether the point lies in the cell or on its boundary. */
+bool Contains(const std::vector<Point>& points, const Tetrahedron& cell, const Point& point)
+{
+  return std::all_of(TetrahedronFaces.begin(), TetrahedronFaces.end(),
+    [&](const std::array<int, 3>& face)
+    {
+      // Seen from the point, the corners of a face run counter-clockwise from outside.
+      return CGAL::orientation(At(points[cell[face[0]]]), At(points[cell[face[1]]]),
+               At(points[cell[face[2]]]), At(point)) != CGAL::POSITIVE;
+    });
+}
+
+BoxTree MakeTree(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
+{
+  std::vector<Box> boxes;
+  for (const Tetrahedron& cell : cells)
+  {
+    boxes.push_back(BoundingBox(points, cell));
+  }
+  return BoxTree(std::move(boxes));
+}
+
+const char* NameOf(bool inside)
+{
+  return inside ? "inside" : "outside";
+}
+} // namespace
+
+SeededCells FindSeededCells(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
+  const std::vector<Seed>& seeds)
+{
+  SeededCells result;
+  if (seeds.empty())
+  {
+    return result;
+  }
+  result.Demands.assign(cells.size(), 0);
+  result.Seeds.assign(cells.size(), None);
+  const BoxTree tree = MakeTree(points, cells);
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+  {
+    const Point& place = seeds[s].Position;
+    const std::string name = "seed " + std::to_string(s);
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+    {
+      throw Error(ErrorCode::PointNotFinite, name + " is not finite");
+    }
+    Id found = None;
+    tree.Visit({ place, place },
+      [&](Id cell)
+      {
+        if ((found == None || cell < found) && Contains(points, cells[cell], place))
+        {
+          found = cell;
+        }
+      });
+    if (found == None)
+    {
+      if (seeds[s].Inside)
+      {
+        ++result.Conflicts;
+        result.Warnings.push_back(
+          name + " is to be inside, but lies beyond all cells: it does not count");
+      }
+      continue;
+    }
+    const std::int8_t demand = seeds[s].Inside ? 1 : -1;
+    if (result.Demands[found] == 0)
+    {
+      result.Demands[found] = demand;
+      result.Seeds[found] = static_cast<Id>(s);
+    }
+    else if (result.Demands[found] != demand)
+    {
+      ++result.Conflicts;
+      result.Warnings.push_back(name + " is to be " + NameOf(seeds[s].Inside) +
+        ", but lies in one cell with seed " + std::to_string(result.Seeds[found]) +
+        ", which is to be " + NameOf(!seeds[s].Inside) + " and comes first: it does not count");
+    }
+  }
+  return result;
+}
+} // namespace insideout

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/TetrahedralMesh.h"
+
+#include <string>
+
+namespace insideout
+{
+/** A place that somebody says is inside or outside. */
+struct Seed
+{
+  Point Position;
+  bool Inside;
+};
+
+struct SeededCells
+{
+  std::vector<std::int8_t> Demands;  ///< per cell 1 inside, -1 outside, 0 no seed; see CellGraph
+  std::vector<Id> Seeds;             ///< per cell the seed that counts there, None for none
+  Id Conflicts = 0;                  ///< seeds that do not count
+  std::vector<std::string> Warnings; ///< that name them
+};
+
+/**
+ * The cells that contain the seeds, by exact predicates; of several that share the seed's place,
+ * the one of the lowest id. Of several seeds in one cell the first counts, and the others are
+ * conflicts where they ask for the opposite; so is a seed that is to be inside and lies outside all
+ * cells.
+ *
+ * @param[in] cells positively oriented
+ * @throws Error PointNotFinite, which names the seed
+ */
+SeededCells FindSeededCells(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
+  const std::vector<Seed>& seeds);
+} // namespace insideout

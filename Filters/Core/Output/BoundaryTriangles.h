@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Output/InsideBoundary.h"
+
+namespace insideout
+{
+/** A triangle of the solid's boundary, on its way to a surface of its own. */
+struct BoundaryTriangle
+{
+  Triangle Corners; ///< points of the mesh, counter-clockwise seen from outside the solid
+  Id Source;        ///< the input triangle that it lies on, None where a hole was closed
+};
+
+/**
+ * The faces with the input triangles that they lie on: of several the lowest that faces outward,
+ * else the lowest.
+ *
+ * @throws Error Stopped
+ */
+std::vector<BoundaryTriangle> BoundaryTriangles(const FacetComplex& surface,
+  const TetrahedralMesh& mesh, const std::vector<BoundaryFace>& faces, Monitor& monitor,
+  const ProgressRange& progress);
+
+/**
+ * The input triangles by points of the mesh.
+ *
+ * @param[in] mergedInto as CountedChain's
+ * @return one per input triangle, with None for points that no facet uses
+ */
+std::vector<Triangle> TrianglesInMesh(
+  const TriangleSoup& soup, const std::vector<Id>& mergedInto, const TetrahedralMesh& mesh);
+} // namespace insideout

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+
+#include <optional>
+#include <vector>
+
+/** Points where facets meet: named by what meets there, evaluated in intervals, and exactly where
+ * those do not decide. */
+namespace insideout
+{
+/** Facets whose points are constructed from. */
+struct FacetList
+{
+  const std::vector<Point>& Points;
+  const std::vector<Triangle>& Facets;
+};
+
+/**
+ * A point by what it is. Points with equal names are equal; the reverse need not hold, for an edge
+ * may cross two facets in one point of both.
+ */
+struct ConstructedPoint
+{
+  enum class Type : char
+  {
+    Corner,      ///< point Ids[0]
+    EdgeOnFacet, ///< where the edge from point Ids[0] to Ids[1] meets the plane of facet Ids[2]
+    TwoEdges,    ///< where, seen along Axis, edge Ids[0], Ids[1] crosses edge Ids[2], Ids[3]
+    ThreeFacets  ///< where the planes of facets Ids[0], Ids[1] and Ids[2] meet
+  };
+
+  Type Kind = Type::Corner;
+  signed char Axis = None;
+  std::array<Id, 4> Ids{ { None, None, None, None } };
+
+  static ConstructedPoint Corner(Id point);
+  static ConstructedPoint EdgeOnFacet(const std::array<Id, 2>& edge, Id facet);
+  static ConstructedPoint TwoEdges(
+    const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis);
+  static ConstructedPoint ThreeFacets(Id a, Id b, Id c);
+
+  bool operator==(const ConstructedPoint& other) const;
+  bool operator<(const ConstructedPoint& other) const;
+};
+
+/** The nearest doubles of the exact point; of two equally near ones the even. Equal points give
+ * equal doubles, whatever their names. */
+Point Nearest(const ConstructedPoint& point, const FacetList& surface);
+
+/** Sums, differences and products of doubles, exactly. */
+using ExactNumber = CGAL::Mpzf;
+
+/** The double nearest to a / b, of two equally near ones the even. */
+double NearestQuotient(const ExactNumber& a, const ExactNumber& b);
+
+/** A point X / W, with W > 0. */
+template <class Number>
+struct Homogeneous
+{
+  std::array<Number, 3> X;
+  Number W;
+};
+
+/** A constructed point with its coordinates relative to an origin: in intervals at once, exactly
+ * when it is asked. Not for two threads at a time. */
+class LazyPoint
+{
+public:
+  using Interval = CGAL::Interval_nt<false>;
+
+  LazyPoint(const ConstructedPoint& name, const FacetList& surface, const Point& origin);
+
+  const ConstructedPoint& Name() const { return this->What; }
+  const Homogeneous<Interval>& Approximate() const { return this->Bounds; }
+  const Homogeneous<ExactNumber>& Exact() const;
+
+  /** An interval that contains the coordinate. */
+  std::array<double, 2> Range(int coordinate) const;
+
+private:
+  ConstructedPoint What;
+  const FacetList* Surface;
+  Point Origin;
+  Homogeneous<Interval> Bounds;
+  mutable std::optional<Homogeneous<ExactNumber>> Value;
+};
+
+/** Orders by one coordinate, exactly: -1, 0 or 1. Both have the same origin. */
+int Compare(const LazyPoint& p, const LazyPoint& q, int coordinate);
+
+/** Orders by x, then y, then z, exactly. */
+int Compare(const LazyPoint& p, const LazyPoint& q);
+
+/** The side of r seen from p to q, along an axis: 1 left, 0 on the line, -1 right. Exact. */
+int Orientation(const LazyPoint& p, const LazyPoint& q, const LazyPoint& r, int axis);
+} // namespace insideout

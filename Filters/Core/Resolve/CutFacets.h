@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/ParallelLoop.h"
+#include "Resolve/PlanarSubdivision.h"
+
+namespace insideout
+{
+/**
+ * Cuts facets where they meet: every facet of a pair becomes pieces, which meet the pieces of the
+ * others in common points and edges. Exact: points of different subdivisions may be the same under
+ * two names, and are then equal when they are rounded.
+ *
+ * @param[in] pairs what FindIntersections gives, or a part of it
+ * @return one subdivision for every group of facets that overlap in a plane (mostly single facets),
+ *         by lowest facet; sources are facet ids. Facets in no pair are not there.
+ * @throws Error (Stopped)
+ */
+std::vector<PlanarSubdivision> CutFacets(const FacetList& surface,
+  const std::vector<std::array<Id, 2>>& pairs, Monitor& monitor, const ProgressRange& progress);
+} // namespace insideout

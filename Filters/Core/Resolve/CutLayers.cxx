@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Resolve/CutLayers.h"
+
+#include "Common/BoxTree.h"
+#include "Common/DisjointSets.h"
+#include "Common/TrianglePredicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace insideout
+{
+namespace
+{
+/** A facet tells its plane if it is at least this many times as high as layers are thick. */
+constexpr double LeastHeight = 256;
+
+/** Facets of a group are this much along the axis that they are seen along: cosine of the angle. */
+constexpr double LeastAlongAxis = 0.3;
+
+using Vector = std::array<double, 3>;
+
+Vector Difference(const Point& p, const Point& q)
+{
+  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double Length(const Vector& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+/** A facet and its unit normal, in doubles. */
+struct Slab
+{
+  Slab(const FacetList& surface, Id facet)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Corners[k] = surface.Points[surface.Facets[facet][k]];
+    }
+    const Vector a = Difference(this->Corners[1], this->Corners[0]);
+    const Vector b = Difference(this->Corners[2], this->Corners[0]);
+    const double longest =
+      std::max({ Length(a), Length(b), Length(Difference(this->Corners[2], this->Corners[1])) });
+    this->Normal = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+      a[0] * b[1] - a[1] * b[0] };
+    const double doubleArea = Length(this->Normal);
+    for (double& x : this->Normal)
+    {
+      x /= doubleArea;
+    }
+    this->Height = doubleArea / longest;
+  }
+
+  /** Whether all corners of the other lie within `radius` of this one's plane. */
+  bool Holds(const Slab& other, double radius) const
+  {
+    return std::all_of(other.Corners.begin(), other.Corners.end(),
+      [&](const Point& p)
+      { return std::abs(Dot(this->Normal, Difference(p, this->Corners[0]))) <= radius; });
+  }
+
+  std::array<Point, 3> Corners;
+  Vector Normal;
+  double Height;
+};
+
+FilteredTriangle Filtered(const Slab& slab)
+{
+  FilteredTriangle triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    triangle[k] = FilteredPoint(slab.Corners[k][0], slab.Corners[k][1], slab.Corners[k][2]);
+  }
+  return triangle;
+}
+
+bool AreLayers(const FacetList& surface, Id a, Id b, double radius)
+{
+  const Slab first(surface, a);
+  const Slab last(surface, b);
+  return first.Height >= LeastHeight * radius && last.Height >= LeastHeight * radius &&
+    (first.Holds(last, radius) || last.Holds(first, radius)) &&
+    OverlapInPlane(Filtered(first), Filtered(last));
+}
+
+bool AreInOnePlane(const FacetList& surface, Id a, Id b)
+{
+  const std::array<int, 3> sides =
+    SidesOfPlane(Filtered(Slab(surface, a)), Filtered(Slab(surface, b)));
+  return sides[0] == 0 && sides[1] == 0 && sides[2] == 0;
+}
+
+/** Whether all facets can be seen well along the axis that suits the first one. */
+bool ShareAnAxis(const FacetList& surface, const std::vector<Id>& facets)
+{
+  const int axis = ProjectionAxis(Filtered(Slab(surface, facets[0])));
+  return std::all_of(facets.begin(), facets.end(),
+    [&](Id f) { return std::abs(Slab(surface, f).Normal[axis]) >= LeastAlongAxis; });
+}
+
+Box Around(const FacetList& surface, Id facet, double radius)
+{
+  Box box = BoundingBox(surface.Points, surface.Facets[facet]);
+  for (int k = 0; k < 3; ++k)
+  {
+    box.Low[k] -= radius;
+    box.High[k] += radius;
+  }
+  return box;
+}
+
+/** Facets of the pairs that cross where they should coincide: not exactly in one plane. */
+std::vector<Id> FacetsOfLayers(
+  const FacetList& surface, const std::vector<std::array<Id, 2>>& pairs, double radius)
+{
+  std::vector<Id> facets;
+  for (const auto& pair : pairs)
+  {
+    if (AreLayers(surface, pair[0], pair[1], radius) && !AreInOnePlane(surface, pair[0], pair[1]))
+    {
+      facets.push_back(pair[0]);
+    }
+  }
+  return facets;
+}
+
+/**
+ * The layers that these facets are in, to their ends: were only the facets that cross made one, the
+ * next would cross after that.
+ */
+std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vector<Id> front,
+  double radius, Monitor& monitor, const ProgressRange& progress)
+{
+  const Id count = static_cast<Id>(surface.Facets.size());
+  std::vector<Box> boxes;
+  for (Id f = 0; f < count; ++f)
+  {
+    boxes.push_back(Around(surface, f, radius));
+  }
+  const BoxTree tree(boxes);
+  DisjointSets sets(count);
+  std::vector<char> isReached(count, 0);
+  for (const Id f : front)
+  {
+    isReached[f] = 1;
+  }
+  while (!front.empty())
+  {
+    monitor.Check(progress.Stage, progress.Begin);
+    const Id f = front.back();
+    front.pop_back();
+    tree.Visit(boxes[f],
+      [&](Id other)
+      {
+        if (other != f && AreLayers(surface, f, other, radius))
+        {
+          sets.Join(f, other);
+          if (!isReached[other])
+          {
+            isReached[other] = 1;
+            front.push_back(other);
+          }
+        }
+      });
+  }
+  std::map<Id, std::vector<Id>> byLowest;
+  for (Id f = 0; f < count; ++f)
+  {
+    if (isReached[f])
+    {
+      byLowest[sets.Find(f)].push_back(f);
+    }
+  }
+  std::vector<std::vector<Id>> groups;
+  for (auto& group : byLowest)
+  {
+    if (ShareAnAxis(surface, group.second))
+    {
+      groups.push_back(std::move(group.second));
+    }
+  }
+  return groups;
+}
+} // namespace
+
+std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
+  const std::vector<std::array<Id, 2>>& pairs, double radius, Monitor& monitor,
+  const ProgressRange& progress)
+{
+  const std::vector<Id> facets = FacetsOfLayers(surface, pairs, radius);
+  if (facets.empty())
+  {
+    return {};
+  }
+  const std::vector<std::vector<Id>> groups =
+    SpreadOverLayers(surface, facets, radius, monitor, progress);
+  std::vector<PlanarSubdivision> subdivisions(groups.size());
+  ParallelLoop(static_cast<Id>(groups.size()), monitor, progress,
+    [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i], {}); });
+  return subdivisions;
+}
+} // namespace insideout

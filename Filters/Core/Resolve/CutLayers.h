@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/ParallelLoop.h"
+#include "Resolve/PlanarSubdivision.h"
+
+namespace insideout
+{
+/**
+ * Cuts layers: facets that overlap nearly in one plane, nearer to it than `radius`. Where rounding
+ * turned what was meant to coincide a little, such facets cross along lines that mean nothing, the
+ * next cut along others. Here they are cut along each other's edges as if they were in one plane;
+ * their pieces then have the same corners, and become one facet when these are placed.
+ *
+ * Facets too narrow to tell their plane are passed over. Facets in other planes that share an edge
+ * of a layer have to be split there as its pieces are (SplitAlike).
+ *
+ * @param[in] pairs facets that cross
+ * @param[in] radius in units of the points
+ * @return one subdivision for every group of layers, by lowest facet; sources are facet ids
+ * @throws Error (Stopped)
+ */
+std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
+  const std::vector<std::array<Id, 2>>& pairs, double radius, Monitor& monitor,
+  const ProgressRange& progress);
+} // namespace insideout

@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Resolve/PlanarSubdivision.h"
+
+#include "Common/TrianglePredicates.h"
+
+#include <CGAL/Constrained_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <numeric>
+
+namespace insideout
+{
+namespace
+{
+/** A point of the plane and the lines (by index of the constraint) that it is known to lie on. */
+struct Site
+{
+  Site(const ConstructedPoint& name, const FacetList& surface, const Point& origin, int axis)
+    : Position(name, surface, origin)
+    , Range{ { this->Position.Range((axis + 1) % 3), this->Position.Range((axis + 2) % 3) } }
+  {
+  }
+
+  void PutOn(Id line)
+  {
+    if (line != None && !this->LiesOn(line))
+    {
+      this->Lines.push_back(line);
+    }
+  }
+
+  bool LiesOn(Id line) const
+  {
+    return std::find(this->Lines.begin(), this->Lines.end(), line) != this->Lines.end();
+  }
+
+  LazyPoint Position;
+  std::array<std::array<double, 2>, 2> Range; ///< surely around the point, seen along the axis
+  std::vector<Id> Lines;
+};
+
+/** Whether three points lie on a line by construction, which no arithmetic need confirm. */
+bool ShareALine(const Site& p, const Site& q, const Site& r)
+{
+  return std::any_of(
+    p.Lines.begin(), p.Lines.end(), [&](Id line) { return q.LiesOn(line) && r.LiesOn(line); });
+}
+
+/** What the triangulation knows of a point: enough to ask exact questions. */
+struct SitePoint
+{
+  Site* Where = nullptr;
+  int Axis = 0;
+
+  bool operator==(const SitePoint& other) const { return this->Where == other.Where; }
+};
+
+CGAL::Orientation Orient(const SitePoint& p, const SitePoint& q, const SitePoint& r)
+{
+  const bool known = p == q || q == r || p == r || ShareALine(*p.Where, *q.Where, *r.Where);
+  return known ? CGAL::COLLINEAR
+               : CGAL::enum_cast<CGAL::Orientation>(CGAL::Sign(
+                   Orientation(p.Where->Position, q.Where->Position, r.Where->Position, p.Axis)));
+}
+
+CGAL::Comparison_result CompareAlong(const SitePoint& p, const SitePoint& q, int coordinate)
+{
+  return p == q ? CGAL::EQUAL
+                : CGAL::Comparison_result(
+                    Compare(p.Where->Position, q.Where->Position, (p.Axis + coordinate) % 3));
+}
+
+/** The predicates that CGAL's triangulations ask for, on sites. */
+struct SiteTraits
+{
+  using Point_2 = SitePoint;
+  struct Segment_2
+  {
+  };
+  struct Triangle_2
+  {
+  };
+  struct Orientation_2
+  {
+    CGAL::Orientation operator()(const SitePoint& p, const SitePoint& q, const SitePoint& r) const
+    {
+      return Orient(p, q, r);
+    }
+  };
+  struct Compare_x_2
+  {
+    CGAL::Comparison_result operator()(const SitePoint& p, const SitePoint& q) const
+    {
+      return CompareAlong(p, q, 1);
+    }
+  };
+  struct Compare_y_2
+  {
+    CGAL::Comparison_result operator()(const SitePoint& p, const SitePoint& q) const
+    {
+      return CompareAlong(p, q, 2);
+    }
+  };
+  struct Construct_point_2
+  {
+    const SitePoint& operator()(const SitePoint& p) const { return p; }
+  };
+
+  Orientation_2 orientation_2_object() const { return {}; }
+  Compare_x_2 compare_x_2_object() const { return {}; }
+  Compare_y_2 compare_y_2_object() const { return {}; }
+  Construct_point_2 construct_point_2_object() const { return {}; }
+};
+
+/** The index of a vertex or piece; unlike a bare Id it begins as None. */
+struct Index
+{
+  Id Value = None;
+};
+
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, SiteTraits>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<Index, SiteTraits,
+  CGAL::Constrained_triangulation_face_base_2<SiteTraits>>;
+using Triangulation = CGAL::Constrained_triangulation_2<SiteTraits,
+  CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+  CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using VertexHandle = Triangulation::Vertex_handle;
+using FaceHandle = Triangulation::Face_handle;
+using Corners = std::array<VertexHandle, 3>;
+
+/** Flips towards Delaunay end by themselves but where doubles contradict one another. */
+constexpr std::size_t FlipsPerEdge = 20;
+
+/** A segment between two vertices: an edge of a facet, or the section with one. */
+struct Constraint
+{
+  VertexHandle First;
+  VertexHandle Last;
+  Id Facet;               ///< None for one between corners:
+  std::array<Id, 2> Edge; ///< these
+  std::array<double, 2> Low;
+  std::array<double, 2> High;
+
+  bool BoxMeets(const Constraint& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1];
+  }
+};
+
+class Subdivider
+{
+public:
+  Subdivider(const FacetList& surface, Id host);
+
+  void AddFacet(Id facet);
+  void AddCut(const Cut& cut);
+  PlanarSubdivision Subdivide();
+
+private:
+  VertexHandle AddPoint(const ConstructedPoint& point, std::initializer_list<Id> lines);
+  void AddConstraint(
+    VertexHandle first, VertexHandle last, Id facet, const std::array<Id, 2>& edge);
+  Id LineOfEdge(const ConstructedPoint& point) const;
+  void AddCrossings();
+  void AddCrossing(Id a, Id b);
+  ConstructedPoint NameOfCrossing(const Constraint& a, const Constraint& b) const;
+  void Smooth();
+  bool WantsFlip(FaceHandle face, int index) const;
+  void Flip(FaceHandle face, int index);
+  void FindPieces();
+  FaceHandle FirstFaceInside(const Corners& triangle) const;
+  void AddSource(FaceHandle face, const PieceSource& source);
+
+  const FacetList& Surface;
+  const Id Host; ///< the facet whose plane this is
+  const int Axis;
+  Triangulation Cells;
+  std::deque<Site> Sites;
+  std::map<ConstructedPoint, VertexHandle> Vertices;
+  std::vector<Corners> Triangles;
+  std::vector<Id> Facets; ///< one per triangle
+  std::vector<Constraint> Constraints;
+  std::map<std::array<Id, 2>, Id> Edges; ///< of the facets, by their points, to their constraints
+  PlanarSubdivision Result;
+};
+
+FilteredTriangle CornersOf(const FacetList& surface, Id facet)
+{
+  const Triangle& corners = surface.Facets[facet];
+  FilteredTriangle triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point& p = surface.Points[corners[k]];
+    triangle[k] = FilteredPoint(p[0], p[1], p[2]);
+  }
+  return triangle;
+}
+
+CGAL::Orientation OrientationOf(const Corners& triangle)
+{
+  return Orient(triangle[0]->point(), triangle[1]->point(), triangle[2]->point());
+}
+
+/** Whether a face, which no edge of the triangle cuts, lies in the triangle. */
+bool IsInside(FaceHandle face, const Corners& triangle, CGAL::Orientation orientation)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int v = 0; v < 3; ++v)
+    {
+      if (Orient(triangle[k]->point(), triangle[(k + 1) % 3]->point(), face->vertex(v)->point()) ==
+        -orientation)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+Subdivider::Subdivider(const FacetList& surface, Id host)
+  : Surface(surface)
+  , Host(host)
+  , Axis(ProjectionAxis(CornersOf(surface, host)))
+{
+}
+
+/** The vertex at a point, which lies on these lines, some of which may be None. */
+VertexHandle Subdivider::AddPoint(const ConstructedPoint& point, std::initializer_list<Id> lines)
+{
+  VertexHandle vertex;
+  const auto known = this->Vertices.find(point);
+  if (known != this->Vertices.end())
+  {
+    vertex = known->second;
+  }
+  else
+  {
+    const Point& origin = this->Surface.Points[this->Surface.Facets[this->Host][0]];
+    this->Sites.emplace_back(point, this->Surface, origin, this->Axis);
+    Site& site = this->Sites.back();
+    for (const Id line : lines)
+    {
+      site.PutOn(line);
+    }
+    vertex = this->Cells.insert(SitePoint{ &site, this->Axis });
+    this->Vertices.insert({ point, vertex });
+    if (vertex->info().Value == None)
+    {
+      vertex->info().Value = static_cast<Id>(this->Result.Points.size());
+      this->Result.Points.push_back(point);
+    }
+  }
+  for (const Id line : lines)
+  {
+    vertex->point().Where->PutOn(line);
+  }
+  return vertex;
+}
+
+/** The line of a facet's edge that the point is on by its name, None for none. */
+Id Subdivider::LineOfEdge(const ConstructedPoint& point) const
+{
+  if (point.Kind != ConstructedPoint::Type::EdgeOnFacet)
+  {
+    return None;
+  }
+  const auto edge = this->Edges.find({ point.Ids[0], point.Ids[1] });
+  return edge == this->Edges.end() ? None : edge->second;
+}
+
+void Subdivider::AddConstraint(
+  VertexHandle first, VertexHandle last, Id facet, const std::array<Id, 2>& edge)
+{
+  Constraint constraint{ first, last, facet, edge, {}, {} };
+  for (int k = 0; k < 2; ++k)
+  {
+    const std::array<double, 2>& p = first->point().Where->Range[k];
+    const std::array<double, 2>& q = last->point().Where->Range[k];
+    constraint.Low[k] = std::min(p[0], q[0]);
+    constraint.High[k] = std::max(p[1], q[1]);
+  }
+  this->Constraints.push_back(constraint);
+}
+
+void Subdivider::AddFacet(Id facet)
+{
+  Corners corners;
+  const Triangle& ids = this->Surface.Facets[facet];
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[k] = this->AddPoint(ConstructedPoint::Corner(ids[k]), {});
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    const std::array<Id, 2> edge{ { std::min(ids[k], ids[next]), std::max(ids[k], ids[next]) } };
+    const Id line = static_cast<Id>(this->Constraints.size());
+    if (this->Edges.insert({ edge, line }).second)
+    {
+      this->AddConstraint(corners[k], corners[next], None, edge);
+      corners[k]->point().Where->PutOn(line);
+      corners[next]->point().Where->PutOn(line);
+    }
+  }
+  this->Result.Facets.push_back({ facet, ids,
+    { corners[0]->info().Value, corners[1]->info().Value, corners[2]->info().Value } });
+  this->Triangles.push_back(corners);
+  this->Facets.push_back(facet);
+}
+
+void Subdivider::AddCut(const Cut& cut)
+{
+  const Id line = static_cast<Id>(this->Constraints.size());
+  const VertexHandle first = this->AddPoint(cut.First, { line, this->LineOfEdge(cut.First) });
+  const VertexHandle last = this->AddPoint(cut.Last, { line, this->LineOfEdge(cut.Last) });
+  this->AddConstraint(first, last, cut.Facet, { { cut.First.Ids[0], cut.Last.Ids[0] } });
+}
+
+/**
+ * Adds the points where two constraints cross in their interiors. Named after the facets and edges
+ * that meet there and not after parts of them, which keeps the numbers short. After that the
+ * triangulation need not construct a point any more: it splits constraints at vertices by itself.
+ */
+void Subdivider::AddCrossings()
+{
+  const Id count = static_cast<Id>(this->Constraints.size());
+  std::vector<Id> byLow(count);
+  std::iota(byLow.begin(), byLow.end(), 0);
+  std::stable_sort(byLow.begin(), byLow.end(),
+    [&](Id a, Id b) { return this->Constraints[a].Low[0] < this->Constraints[b].Low[0]; });
+  for (Id i = 0; i < count; ++i)
+  {
+    const Constraint& a = this->Constraints[byLow[i]];
+    for (Id j = i + 1; j < count && this->Constraints[byLow[j]].Low[0] <= a.High[0]; ++j)
+    {
+      if (a.BoxMeets(this->Constraints[byLow[j]]))
+      {
+        this->AddCrossing(byLow[i], byLow[j]);
+      }
+    }
+  }
+}
+
+void Subdivider::AddCrossing(Id first, Id last)
+{
+  const Constraint& a = this->Constraints[first];
+  const Constraint& b = this->Constraints[last];
+  const SitePoint& p = a.First->point();
+  const SitePoint& q = a.Last->point();
+  const SitePoint& r = b.First->point();
+  const SitePoint& s = b.Last->point();
+  if (Orient(r, s, p) * Orient(r, s, q) < 0 && Orient(p, q, r) * Orient(p, q, s) < 0)
+  {
+    this->AddPoint(this->NameOfCrossing(a, b), { first, last });
+  }
+}
+
+ConstructedPoint Subdivider::NameOfCrossing(const Constraint& a, const Constraint& b) const
+{
+  if (a.Facet != None && b.Facet != None)
+  {
+    return ConstructedPoint::ThreeFacets(this->Host, a.Facet, b.Facet);
+  }
+  if (a.Facet == None && b.Facet == None)
+  {
+    return ConstructedPoint::TwoEdges(a.Edge, b.Edge, this->Axis);
+  }
+  return a.Facet == None ? ConstructedPoint::EdgeOnFacet(a.Edge, b.Facet)
+                         : ConstructedPoint::EdgeOnFacet(b.Edge, a.Facet);
+}
+
+/** The middle of the bounds of a site. */
+std::array<double, 2> Near(VertexHandle vertex)
+{
+  const auto& range = vertex->point().Where->Range;
+  return { range[0][0] / 2 + range[0][1] / 2, range[1][0] / 2 + range[1][1] / 2 };
+}
+
+/** Whether s lies in the circle through p, q and r, which run counter-clockwise, as far as doubles
+ * tell. */
+bool SeemsInCircle(const std::array<double, 2>& p, const std::array<double, 2>& q,
+  const std::array<double, 2>& r, const std::array<double, 2>& s)
+{
+  double rows[3][3];
+  const std::array<double, 2>* corners[3] = { &p, &q, &r };
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double x = (*corners[i])[0] - s[0];
+    const double y = (*corners[i])[1] - s[1];
+    rows[i][0] = x;
+    rows[i][1] = y;
+    rows[i][2] = x * x + y * y;
+  }
+  double determinant = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* a = rows[(i + 1) % 3];
+    const double* b = rows[(i + 2) % 3];
+    determinant += rows[i][2] * (a[0] * b[1] - a[1] * b[0]);
+    size += rows[i][2] * (std::abs(a[0] * b[1]) + std::abs(a[1] * b[0]));
+  }
+  return determinant > 1e-12 * size;
+}
+
+/** Whether the edge opposite to a face's corner is to be flipped, and can be. */
+bool Subdivider::WantsFlip(FaceHandle face, int index) const
+{
+  const FaceHandle neighbor = face->neighbor(index);
+  if (this->Cells.is_infinite(face) || this->Cells.is_infinite(neighbor) ||
+    face->is_constrained(index))
+  {
+    return false;
+  }
+  const VertexHandle apex = face->vertex(index);
+  const VertexHandle left = face->vertex((index + 1) % 3);
+  const VertexHandle right = face->vertex((index + 2) % 3);
+  const VertexHandle opposite = neighbor->vertex(neighbor->index(face));
+  return SeemsInCircle(Near(apex), Near(left), Near(right), Near(opposite)) &&
+    Orient(apex->point(), left->point(), opposite->point()) == CGAL::LEFT_TURN &&
+    Orient(apex->point(), opposite->point(), right->point()) == CGAL::LEFT_TURN;
+}
+
+/** Flips the edge opposite to a face's corner. The outer edges stay constrained or free. */
+void Subdivider::Flip(FaceHandle face, int index)
+{
+  const FaceHandle neighbor = face->neighbor(index);
+  this->Cells.flip(face, index);
+  for (const FaceHandle& changed : { face, neighbor })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const FaceHandle beyond = changed->neighbor(k);
+      const bool isInner = beyond == face || beyond == neighbor;
+      changed->set_constraint(
+        k, !isInner && beyond->is_constrained(this->Cells.mirror_index(changed, k)));
+    }
+  }
+}
+
+/** Flips edges towards Delaunay. Doubles may disagree with themselves, so the flips are counted. */
+void Subdivider::Smooth()
+{
+  // Not by CGAL's iterator over edges, whose order depends on addresses.
+  std::vector<Triangulation::Edge> edges;
+  for (const FaceHandle face : this->Cells.finite_face_handles())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.emplace_back(face, k);
+    }
+  }
+  std::size_t flips = FlipsPerEdge * edges.size();
+  while (!edges.empty() && flips > 0)
+  {
+    const FaceHandle face = edges.back().first;
+    const int index = edges.back().second;
+    edges.pop_back();
+    if (!this->WantsFlip(face, index))
+    {
+      continue;
+    }
+    const FaceHandle neighbor = face->neighbor(index);
+    this->Flip(face, index);
+    --flips;
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.emplace_back(face, k);
+      edges.emplace_back(neighbor, k);
+    }
+  }
+}
+
+FaceHandle Subdivider::FirstFaceInside(const Corners& triangle) const
+{
+  const CGAL::Orientation orientation = OrientationOf(triangle);
+  Triangulation::Face_circulator face = this->Cells.incident_faces(triangle[0]);
+  while (this->Cells.is_infinite(face) || !IsInside(face, triangle, orientation))
+  {
+    ++face;
+  }
+  return face;
+}
+
+void Subdivider::AddSource(FaceHandle face, const PieceSource& source)
+{
+  Id& piece = face->info().Value;
+  if (piece == None)
+  {
+    piece = static_cast<Id>(this->Result.Pieces.size());
+    Triangle corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = face->vertex(k)->info().Value;
+    }
+    this->Result.Pieces.push_back({ corners, {} });
+  }
+  this->Result.Pieces[piece].Sources.push_back(source);
+}
+
+/** Spreads over each triangle from a face at its first corner. */
+void Subdivider::FindPieces()
+{
+  std::vector<FaceHandle> front;
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const Corners& triangle = this->Triangles[t];
+    const CGAL::Orientation orientation = OrientationOf(triangle);
+    const PieceSource source{ this->Facets[t], orientation == CGAL::CLOCKWISE };
+    const auto isTaken = [&](FaceHandle face)
+    {
+      return face->info().Value != None &&
+        this->Result.Pieces[face->info().Value].Sources.back().Facet == source.Facet;
+    };
+    front.push_back(this->FirstFaceInside(triangle));
+    this->AddSource(front.back(), source);
+    while (!front.empty())
+    {
+      const FaceHandle face = front.back();
+      front.pop_back();
+      for (int k = 0; k < 3; ++k)
+      {
+        const FaceHandle neighbor = face->neighbor(k);
+        if (!this->Cells.is_infinite(neighbor) && !isTaken(neighbor) &&
+          IsInside(neighbor, triangle, orientation))
+        {
+          this->AddSource(neighbor, source);
+          front.push_back(neighbor);
+        }
+      }
+    }
+  }
+}
+
+PlanarSubdivision Subdivider::Subdivide()
+{
+  this->AddCrossings();
+  for (const Constraint& constraint : this->Constraints)
+  {
+    if (constraint.First != constraint.Last)
+    {
+      this->Cells.insert_constraint(constraint.First, constraint.Last);
+    }
+  }
+  this->Smooth();
+  this->FindPieces();
+  for (Piece& piece : this->Result.Pieces)
+  {
+    if (piece.Sources[0].Reversed)
+    {
+      std::swap(piece.Corners[1], piece.Corners[2]);
+      for (PieceSource& source : piece.Sources)
+      {
+        source.Reversed = !source.Reversed;
+      }
+    }
+  }
+  return std::move(this->Result);
+}
+} // namespace
+
+PlanarSubdivision SubdividePlane(
+  const FacetList& surface, const std::vector<Id>& facets, const std::vector<Cut>& cuts)
+{
+  Subdivider subdivider(surface, facets[0]);
+  for (const Id facet : facets)
+  {
+    subdivider.AddFacet(facet);
+  }
+  for (const Cut& cut : cuts)
+  {
+    subdivider.AddCut(cut);
+  }
+  return subdivider.Subdivide();
+}
+} // namespace insideout

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Resolve/ConstructedPoint.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** A segment along which a facet is cut. */
+struct Cut
+{
+  ConstructedPoint First;
+  ConstructedPoint Last; ///< equal to First for a single point
+  Id Facet = None;       ///< whose plane the segment is in; None where it joins two corners
+};
+
+/** A facet that a piece is part of, and whether the piece runs the other way. */
+struct PieceSource
+{
+  Id Facet;
+  bool Reversed;
+};
+
+/** A triangle of a subdivision. Its corners run as those of its first source do. */
+struct Piece
+{
+  Triangle Corners;
+  std::vector<PieceSource> Sources; ///< by ascending Facet
+};
+
+/** A facet that is subdivided. */
+struct SubdividedFacet
+{
+  Id Facet;
+  Triangle Corners; ///< points of the surface
+  Triangle Places;  ///< the same corners as points of the subdivision
+};
+
+struct PlanarSubdivision
+{
+  std::vector<ConstructedPoint> Points;
+  std::vector<SubdividedFacet> Facets; ///< by ascending Facet
+  std::vector<Piece> Pieces;           ///< corners index Points
+};
+
+/**
+ * Facets of one plane cut along each other's edges and along segments: a constrained
+ * triangulation in which every edge and segment is a union of edges. Exact; as near to Delaunay as
+ * doubles tell.
+ *
+ * @param[in] facets ascending, exactly in one plane; they may overlap. Without cuts it is enough if
+ *   no facet turns its side to the axis that suits the first one: what counts is how they look from
+ *   there
+ * @param[in] cuts each in one of the facets, boundary included
+ */
+PlanarSubdivision SubdividePlane(
+  const FacetList& surface, const std::vector<Id>& facets, const std::vector<Cut>& cuts);
+} // namespace insideout

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Resolve/ResolveSelfIntersections.h"
+
+#include "Common/ParallelLoop.h"
+#include "Resolve/CollapseSlivers.h"
+#include "Resolve/CutFacets.h"
+#include "Resolve/CutLayers.h"
+#include "Resolve/PointIndex.h"
+#include "Resolve/SplitAlike.h"
+#include "Resolve/SplitAtLoosePoints.h"
+#include "Resolve/WorkingSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+namespace insideout
+{
+namespace
+{
+constexpr const char* Stage = "resolving self-intersections";
+
+/** Rounds after which what still crosses is left out. Most real models take one to three. */
+constexpr int MaximumRounds = 10;
+
+/** Rounds without fewer crossings than ever before, after which no more are tried. */
+constexpr int Patience = 6;
+
+/** Where crossings become this many times more than they once were, cutting makes things worse:
+ * facets in nearly one plane, that cross along ever more lines. */
+constexpr std::size_t Divergence = 4;
+
+/**
+ * How near two points, a point and an edge, or layers are at most taken for one: some spacings of
+ * the doubles, because what lies nearer makes slivers that cross again. Three times that in each
+ * round stays below 1e-12 of the largest coordinate.
+ */
+double SnappingRadius(double largestCoordinate)
+{
+  return std::ldexp(largestCoordinate, -45);
+}
+
+double LargestCoordinate(const std::vector<Point>& points)
+{
+  double largest = 0;
+  for (const Point& p : points)
+  {
+    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  return largest;
+}
+
+/**
+ * Facets to leave out so that none of the pairs is left whole: again and again the one in most
+ * pairs, of several the last.
+ */
+std::vector<Id> CoverOf(std::vector<std::array<Id, 2>> pairs)
+{
+  std::vector<Id> cover;
+  while (!pairs.empty())
+  {
+    std::map<Id, int> counts;
+    for (const auto& pair : pairs)
+    {
+      ++counts[pair[0]];
+      ++counts[pair[1]];
+    }
+    const Id worst = std::max_element(counts.begin(), counts.end(),
+      [](const auto& a, const auto& b) {
+        return a.second <= b.second;
+      })->first;
+    cover.push_back(worst);
+    const auto isCovered = [&](const std::array<Id, 2>& pair)
+    { return pair[0] == worst || pair[1] == worst; };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isCovered), pairs.end());
+  }
+  std::sort(cover.begin(), cover.end());
+  return cover;
+}
+
+class Resolver
+{
+public:
+  Resolver(const FacetComplex& surface, Monitor& monitor);
+  Resolution Resolve();
+
+private:
+  void CutRepeatedly();
+  void Cut(const ProgressRange& progress);
+  void MergeLayers();
+  std::vector<std::vector<Id>> TakePieces(
+    const std::vector<PlanarSubdivision>& subdivisions, double radius);
+  void PrepareSnapping(const std::vector<char>& isCut, double radius);
+  std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
+  Id PlacePoint(const Point& p, Id root);
+  void MergePoints(const std::vector<Id>& candidates);
+  void Collapse(const std::vector<Id>& candidates);
+  std::vector<MeantFacet> PlacedPieces(const std::vector<PlanarSubdivision>& subdivisions,
+    const std::vector<std::vector<Id>>& ids) const;
+
+  Monitor& Watch;
+  const double Size; ///< the largest coordinate
+  int Round = 0;
+
+  WorkingSurface Now;
+
+  PointIndex Positions{ 0 }; ///< of all points
+  PointIndex Nearby{ 0 };    ///< the points that new ones of this round may snap to
+  PointIndex Moved{ 0 };     ///< by where they were: the points that were snapped in this round
+};
+
+Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
+  : Watch(monitor)
+  , Size(LargestCoordinate(surface.Points))
+  , Now(surface)
+{
+}
+
+Resolution Resolver::Resolve()
+{
+  this->Now.FindCrossings(this->Watch);
+  Resolution resolution;
+  resolution.IntersectingPairs = this->Now.Crossings;
+  if (!this->Now.Crossings.empty())
+  {
+    for (Id p = 0; p < static_cast<Id>(this->Now.Points.size()); ++p)
+    {
+      this->Positions.Add(this->Now.Points[p], p);
+    }
+    this->CutRepeatedly();
+  }
+  resolution.Rounds = this->Round;
+  resolution.Surface = SplitAtLoosePoints(
+    this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch), this->Watch, { Stage, 1, 1 });
+  this->Watch.Check(Stage, 1);
+  return resolution;
+}
+
+/** Cuts until nothing crosses, or else goes back to where the fewest facets crossed. */
+void Resolver::CutRepeatedly()
+{
+  std::optional<WorkingSurface> best;
+  int bestRound = 0;
+  while (!this->Now.Crossings.empty() && this->Round < MaximumRounds)
+  {
+    ++this->Round;
+    // How many rounds there will be is unknown: each takes half of the progress that is left.
+    const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
+    const double end = 1 - std::ldexp(1.0, -this->Round);
+    this->MergeLayers();
+    this->Cut({ Stage, begin, end });
+    this->Collapse(this->Now.DegenerateFacets());
+    this->Now.FindCrossings(this->Watch);
+    this->MergePoints(this->Now.CrossingFacets());
+    this->Now.FindCrossings(this->Watch);
+    this->Collapse(this->Now.CrossingFacets());
+    this->Now.FindCrossings(this->Watch);
+    const std::size_t count = this->Now.Crossings.size();
+    if (count == 0)
+    {
+      return;
+    }
+    if (!best || count < best->Crossings.size())
+    {
+      best = this->Now;
+      bestRound = this->Round;
+    }
+    if (count > Divergence * best->Crossings.size() || this->Round - bestRound == Patience)
+    {
+      break;
+    }
+  }
+  if (best)
+  {
+    this->Now = std::move(*best);
+  }
+}
+
+/** Makes layers, which cross in nearly one plane, one. */
+void Resolver::MergeLayers()
+{
+  const double radius = SnappingRadius(this->Size);
+  const std::vector<PlanarSubdivision> subdivisions =
+    CutLayers({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, radius, this->Watch,
+      { Stage, 0, 0 });
+  if (!subdivisions.empty())
+  {
+    const std::vector<std::vector<Id>> ids = this->TakePieces(subdivisions, radius);
+    std::vector<EdgeChain> chains;
+    for (std::size_t s = 0; s < subdivisions.size(); ++s)
+    {
+      const std::vector<EdgeChain> more = ChainsOf(subdivisions[s], ids[s]);
+      chains.insert(chains.end(), more.begin(), more.end());
+    }
+    this->Now.Apply(SplitAlike(this->Now.Points, this->Now.Facets, chains));
+    this->Collapse(this->Now.DegenerateFacets());
+    this->Now.FindCrossings(this->Watch);
+  }
+}
+
+/** Cuts the facets that cross. */
+void Resolver::Cut(const ProgressRange& progress)
+{
+  this->Watch.Check(Stage, progress.Begin);
+  const std::vector<PlanarSubdivision> subdivisions =
+    CutFacets({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, this->Watch, progress);
+  this->TakePieces(subdivisions, this->Round == 1 ? 0 : SnappingRadius(this->Size));
+  this->Watch.Check(Stage, progress.End);
+}
+
+/**
+ * Puts pieces in the places of the facets that are subdivided. New points within the radius of a
+ * facet's corner, or of one another, become one.
+ * @return the ids of the points, by subdivision
+ */
+std::vector<std::vector<Id>> Resolver::TakePieces(
+  const std::vector<PlanarSubdivision>& subdivisions, double radius)
+{
+  std::vector<char> isCut(this->Now.Facets.size(), 0);
+  for (const PlanarSubdivision& subdivision : subdivisions)
+  {
+    for (const SubdividedFacet& facet : subdivision.Facets)
+    {
+      isCut[facet.Facet] = 1;
+    }
+  }
+  this->PrepareSnapping(isCut, radius);
+  std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
+  this->Now.Replace(std::move(isCut), this->PlacedPieces(subdivisions, ids));
+  return ids;
+}
+
+void Resolver::PrepareSnapping(const std::vector<char>& isCut, double radius)
+{
+  this->Moved = PointIndex(0);
+  this->Nearby = PointIndex(radius);
+  std::vector<char> added(this->Now.Points.size(), 0);
+  for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
+  {
+    for (const Id p : this->Now.Facets[f])
+    {
+      if (isCut[f] && !added[p])
+      {
+        this->Nearby.Add(this->Now.Points[p], p);
+        added[p] = 1;
+      }
+    }
+  }
+}
+
+/**
+ * Gives every point of the subdivisions a place: each name is rounded once.
+ * @return the ids of the points, by subdivision
+ */
+std::vector<std::vector<Id>> Resolver::PlacePoints(
+  const std::vector<PlanarSubdivision>& subdivisions)
+{
+  std::vector<ConstructedPoint> names;
+  for (const PlanarSubdivision& subdivision : subdivisions)
+  {
+    names.insert(names.end(), subdivision.Points.begin(), subdivision.Points.end());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+
+  std::vector<Point> rounded(names.size());
+  const FacetList facets{ this->Now.Points, this->Now.Facets };
+  ParallelLoop(static_cast<Id>(names.size()), this->Watch, { Stage, 0, 0 },
+    [&](Id i) { rounded[i] = Nearest(names[i], facets); });
+
+  std::vector<Id> placed(names.size(), None);
+  std::vector<std::vector<Id>> ids;
+  for (const PlanarSubdivision& subdivision : subdivisions)
+  {
+    ids.emplace_back(subdivision.Points.size(), None);
+    for (const Piece& piece : subdivision.Pieces)
+    {
+      const Id root = this->Now.RootOf(piece.Sources[0].Facet);
+      for (const Id p : piece.Corners)
+      {
+        if (ids.back()[p] != None)
+        {
+          continue;
+        }
+        const auto at =
+          std::lower_bound(names.begin(), names.end(), subdivision.Points[p]) - names.begin();
+        if (placed[at] == None)
+        {
+          placed[at] = this->PlacePoint(rounded[at], root);
+        }
+        ids.back()[p] = placed[at];
+      }
+    }
+  }
+  return ids;
+}
+
+/** The id of the point at p: one that stands there, or in later rounds near there, or a new one. */
+Id Resolver::PlacePoint(const Point& p, Id root)
+{
+  const Id known = this->Positions.Find(p);
+  if (known != None)
+  {
+    return known;
+  }
+  const Id moved = this->Moved.Find(p);
+  if (moved != None)
+  {
+    return moved;
+  }
+  const Id near = this->Nearby.Find(p);
+  if (near != None)
+  {
+    this->Moved.Add(p, near);
+    return near;
+  }
+  const Id id = this->Now.AddPoint(p, root);
+  this->Positions.Add(p, id);
+  this->Nearby.Add(p, id);
+  return id;
+}
+
+/** The pieces with their points placed; those that have one twice are nothing. */
+std::vector<MeantFacet> Resolver::PlacedPieces(
+  const std::vector<PlanarSubdivision>& subdivisions, const std::vector<std::vector<Id>>& ids) const
+{
+  std::vector<MeantFacet> facets;
+  for (std::size_t s = 0; s < subdivisions.size(); ++s)
+  {
+    for (const Piece& piece : subdivisions[s].Pieces)
+    {
+      MeantFacet facet;
+      for (int k = 0; k < 3; ++k)
+      {
+        facet.Corners[k] = ids[s][piece.Corners[k]];
+      }
+      if (facet.Corners[0] == facet.Corners[1] || facet.Corners[1] == facet.Corners[2] ||
+        facet.Corners[2] == facet.Corners[0])
+      {
+        continue;
+      }
+      facet.Means.Root = this->Now.RootOf(piece.Sources[0].Facet);
+      for (const PieceSource& source : piece.Sources)
+      {
+        Add(facet.Means, this->Now.MeaningOf(source.Facet), source.Reversed);
+      }
+      facets.push_back(std::move(facet));
+    }
+  }
+  return facets;
+}
+
+/** Makes new points of some facets one with corners of them that are too near. */
+void Resolver::MergePoints(const std::vector<Id>& candidates)
+{
+  std::vector<Id> points;
+  for (const Id f : candidates)
+  {
+    points.insert(points.end(), this->Now.Facets[f].begin(), this->Now.Facets[f].end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  // Input points come first, and stay.
+  PointIndex nearby(SnappingRadius(this->Size));
+  std::unordered_map<Id, Id> merged;
+  for (const Id p : points)
+  {
+    const Id near = nearby.Find(this->Now.Points[p]);
+    if (near != None && p >= this->Now.NumberOfGivenPoints())
+    {
+      merged[p] = near;
+    }
+    else
+    {
+      nearby.Add(this->Now.Points[p], p);
+    }
+  }
+  if (merged.empty())
+  {
+    return;
+  }
+  Replacement replacement;
+  for (Id f = 0; f < static_cast<Id>(this->Now.Facets.size()); ++f)
+  {
+    Triangle corners = this->Now.Facets[f];
+    for (Id& p : corners)
+    {
+      const auto found = merged.find(p);
+      p = found == merged.end() ? p : found->second;
+    }
+    if (corners != this->Now.Facets[f])
+    {
+      replacement.Removed.push_back(f);
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      {
+        replacement.Added.push_back({ corners, f });
+      }
+    }
+  }
+  this->Now.Apply(replacement);
+  this->Collapse(this->Now.DegenerateFacets());
+}
+
+/** Collapses slivers among some facets. */
+void Resolver::Collapse(const std::vector<Id>& candidates)
+{
+  if (candidates.empty())
+  {
+    return;
+  }
+  this->Now.Apply(
+    CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size)));
+}
+} // namespace
+
+Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor)
+{
+  return Resolver(surface, monitor).Resolve();
+}
+} // namespace insideout

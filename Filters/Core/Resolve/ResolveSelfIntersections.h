@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+#include "Common/Monitor.h"
+
+namespace insideout
+{
+struct Resolution
+{
+  FacetComplex Surface;
+  std::vector<std::array<Id, 2>> IntersectingPairs; ///< facets of the input complex, sorted
+  int Rounds = 0; ///< how often facets were cut: more than 1 where rounding made new crossings
+};
+
+/**
+ * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
+ * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
+ * doubles, slivers that have no room left are collapsed, and what crosses after that is cut again.
+ * Layers that cross because they coincide only up to rounding become one before. Input points keep
+ * their coordinates and come first, in their order. No point lies within a constraint or an edge of
+ * one, not even a point that no facet has any more.
+ *
+ * Pieces that coincide become one facet with all sources and the sum of the multiplicities; where
+ * rounding folded a triangle onto itself, its piece and the reverse of that cancel. Facets that
+ * still cross after the last round stand behind Surface.NumberOfConstraints.
+ *
+ * @param[in] surface a validated complex
+ * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
+ */
+Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <map>
+#include <vector>
+
+namespace insideout
+{
+/** The ends of an edge, the lower first. */
+using Edge = std::array<Id, 2>;
+
+Edge EdgeBetween(Id p, Id q);
+
+bool HasCorner(const Triangle& corners, Id point);
+
+/** A facet that takes the place of a part of another one. */
+struct ReplacedFacet
+{
+  Triangle Corners; ///< running as the parent does
+  Id Parent;
+};
+
+/** What became of a list of facets. */
+struct Replacement
+{
+  std::vector<Id> Removed; ///< ascending
+  std::vector<ReplacedFacet> Added;
+};
+
+/**
+ * Facets that can be split at their edges, all along an edge at once, so that what was closed stays
+ * so. Parts are numbered on after the given facets.
+ */
+class SplittableFacets
+{
+public:
+  /** Refers to the facets, which are to stay. */
+  SplittableFacets(std::size_t numberOfPoints, const std::vector<Triangle>& facets);
+
+  const Triangle& CornersOf(Id f) const;
+
+  /** Whether it was neither split nor removed. */
+  bool IsThere(Id f) const { return this->IsAlive[f] != 0; }
+
+  /** The parts that the facets along an edge would have. One with a corner there has none. */
+  std::vector<ReplacedFacet> PartsOfSplit(const Edge& edge, Id point) const;
+
+  /** Split the facets along an edge. @return the number of the first part; the last is the last */
+  Id Split(const Edge& edge, Id point);
+
+  void Remove(Id f) { this->IsAlive[f] = 0; }
+
+  Id Count() const { return static_cast<Id>(this->IsAlive.size()); }
+
+  Replacement Result() const;
+
+private:
+  std::vector<Id> FacetsAlong(const Edge& edge) const;
+  Id ParentOf(Id f) const;
+
+  const std::vector<Triangle>& Given;
+  std::vector<Id> FirstAtPoint; ///< where a point's facets begin in AtPoints
+  std::vector<Id> AtPoints;
+  std::vector<ReplacedFacet> Added;
+  std::vector<char> IsAlive;
+  std::map<Edge, std::vector<Id>> AddedAlong;
+};
+} // namespace insideout

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Resolve/WorkingSurface.h"
+
+#include "Common/ParallelLoop.h"
+#include "Common/SortedTriangle.h"
+#include "Common/TrianglePredicates.h"
+#include "Resolve/FindIntersections.h"
+#include "Resolve/Interpolation.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <unordered_map>
+
+namespace insideout
+{
+namespace
+{
+Meaning MeaningOfGiven(const FacetComplex& surface, Id facet)
+{
+  const auto sources = surface.Sources.begin();
+  return { facet, surface.Multiplicity[facet],
+    { sources + surface.SourceOffsets[facet], sources + surface.SourceOffsets[facet + 1] } };
+}
+
+std::int16_t CheckedMultiplicity(const Meaning& meaning)
+{
+  if (std::abs(meaning.Multiplicity) > std::numeric_limits<std::int16_t>::max())
+  {
+    throw Error(ErrorCode::TooLarge,
+      "triangle " + std::to_string(meaning.Sources[0].Triangle) + " lies in a face that counts " +
+        std::to_string(meaning.Multiplicity) + " times; at most 32767 can be counted");
+  }
+  return static_cast<std::int16_t>(meaning.Multiplicity);
+}
+
+void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meaning)
+{
+  surface.Facets.push_back(corners);
+  surface.Multiplicity.push_back(CheckedMultiplicity(meaning));
+  // Several pieces of one triangle may lie on each other; it is named once.
+  std::unique_copy(meaning.Sources.begin(), meaning.Sources.end(),
+    std::back_inserter(surface.Sources),
+    [](const FacetSource& a, const FacetSource& b) { return a.Triangle == b.Triangle; });
+  surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
+}
+} // namespace
+
+void Add(Meaning& meaning, const Meaning& other, bool reversed)
+{
+  meaning.Multiplicity += reversed ? -other.Multiplicity : other.Multiplicity;
+  for (const FacetSource& source : other.Sources)
+  {
+    const FacetSource added = { source.Triangle, source.Reversed != reversed };
+    const auto place = std::lower_bound(meaning.Sources.begin(), meaning.Sources.end(), added,
+      [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
+    if (place != meaning.Sources.end() && place->Triangle == added.Triangle &&
+      place->Reversed != added.Reversed)
+    {
+      meaning.Sources.erase(place);
+    }
+    else
+    {
+      meaning.Sources.insert(place, added);
+    }
+  }
+}
+
+WorkingSurface::WorkingSurface(const FacetComplex& given)
+  : Points(given.Points)
+  , Facets(given.Facets.begin(), given.Facets.begin() + given.NumberOfConstraints)
+  , Given(&given)
+  , MeaningIds(given.NumberOfConstraints)
+{
+  std::iota(this->MeaningIds.begin(), this->MeaningIds.end(), 0);
+}
+
+Id WorkingSurface::RootOf(Id facet) const
+{
+  const Id meaning = this->MeaningIds[facet];
+  const Id given = this->Given->NumberOfFacets();
+  return meaning < given ? meaning : this->Meanings[meaning - given].Root;
+}
+
+Meaning WorkingSurface::MeaningOf(Id facet) const
+{
+  const Id meaning = this->MeaningIds[facet];
+  const Id given = this->Given->NumberOfFacets();
+  return meaning < given ? MeaningOfGiven(*this->Given, meaning) : this->Meanings[meaning - given];
+}
+
+Id WorkingSurface::AddMeaning(Meaning meaning)
+{
+  this->Meanings.push_back(std::move(meaning));
+  return static_cast<Id>(this->Given->Facets.size() + this->Meanings.size() - 1);
+}
+
+Id WorkingSurface::AddPoint(const Point& p, Id root)
+{
+  this->Points.push_back(p);
+  this->Roots.push_back(root);
+  return static_cast<Id>(this->Points.size() - 1);
+}
+
+/** The facets that rounding made degenerate: they come right out of a cut. */
+std::vector<Id> WorkingSurface::DegenerateFacets() const
+{
+  std::vector<Id> degenerate;
+  for (Id f = this->FirstUnchecked; f < static_cast<Id>(this->Facets.size()); ++f)
+  {
+    const Triangle& t = this->Facets[f];
+    if (IsDegenerate(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]))
+    {
+      degenerate.push_back(f);
+    }
+  }
+  return degenerate;
+}
+
+std::vector<Id> WorkingSurface::CrossingFacets() const
+{
+  std::vector<Id> crossing;
+  for (const auto& pair : this->Crossings)
+  {
+    crossing.insert(crossing.end(), pair.begin(), pair.end());
+  }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return crossing;
+}
+
+void WorkingSurface::Apply(const Replacement& replacement)
+{
+  std::vector<char> isRemoved(this->Facets.size(), 0);
+  for (const Id f : replacement.Removed)
+  {
+    isRemoved[f] = 1;
+  }
+  std::vector<MeantFacet> parts;
+  for (const ReplacedFacet& part : replacement.Added)
+  {
+    parts.push_back({ part.Corners, this->MeaningOf(part.Parent) });
+  }
+  this->Replace(std::move(isRemoved), parts);
+}
+
+/** Takes facets away and adds others, behind those that stay. */
+void WorkingSurface::Replace(std::vector<char> isRemoved, const std::vector<MeantFacet>& added)
+{
+  this->AddFacets(added, isRemoved);
+  std::vector<Id> kept(this->Facets.size(), None);
+  Id count = 0;
+  Id firstUnchecked = 0;
+  for (std::size_t f = 0; f < this->Facets.size(); ++f)
+  {
+    if (isRemoved[f])
+    {
+      continue;
+    }
+    this->Facets[count] = this->Facets[f];
+    this->MeaningIds[count] = this->MeaningIds[f];
+    kept[f] = count++;
+    firstUnchecked = static_cast<Id>(f) < this->FirstUnchecked ? count : firstUnchecked;
+  }
+  this->Facets.resize(count);
+  this->MeaningIds.resize(count);
+  this->FirstUnchecked = firstUnchecked;
+  std::vector<std::array<Id, 2>> crossings;
+  for (const auto& pair : this->Crossings)
+  {
+    if (kept[pair[0]] != None && kept[pair[1]] != None)
+    {
+      crossings.push_back({ kept[pair[0]], kept[pair[1]] });
+    }
+  }
+  this->Crossings = std::move(crossings);
+}
+
+/** Finds the crossings of the facets that were not searched yet. */
+void WorkingSurface::FindCrossings(Monitor& monitor)
+{
+  const std::vector<std::array<Id, 2>> found =
+    FindIntersections(this->Points, this->Facets, this->FirstUnchecked, monitor);
+  this->Crossings.insert(this->Crossings.end(), found.begin(), found.end());
+  std::sort(this->Crossings.begin(), this->Crossings.end());
+  this->FirstUnchecked = static_cast<Id>(this->Facets.size());
+}
+
+/**
+ * Adds facets, or what they mean to the ones with the same corners. What is left without a meaning
+ * is marked as removed, too.
+ */
+void WorkingSurface::AddFacets(const std::vector<MeantFacet>& facets, std::vector<char>& isRemoved)
+{
+  std::vector<char> touched(this->Points.size(), 0);
+  for (const MeantFacet& facet : facets)
+  {
+    touched[facet.Corners[0]] = touched[facet.Corners[1]] = touched[facet.Corners[2]] = 1;
+  }
+  std::unordered_map<Triangle, Id, HashOfTriangle> known;
+  for (Id f = 0; f < static_cast<Id>(this->Facets.size()); ++f)
+  {
+    const Triangle& corners = this->Facets[f];
+    if (!isRemoved[f] && touched[corners[0]] && touched[corners[1]] && touched[corners[2]])
+    {
+      known.insert({ SortedTriangle(corners).Points, f });
+    }
+  }
+  for (const MeantFacet& facet : facets)
+  {
+    const SortedTriangle sorted(facet.Corners);
+    const Id next = static_cast<Id>(this->Facets.size());
+    const auto inserted = known.insert({ sorted.Points, next });
+    if (inserted.second)
+    {
+      this->Facets.push_back(facet.Corners);
+      isRemoved.push_back(facet.Means.Sources.empty());
+      this->MeaningIds.push_back(this->AddMeaning(facet.Means));
+      continue;
+    }
+    const Id same = inserted.first->second;
+    Meaning sum = this->MeaningOf(same);
+    Add(sum, facet.Means, SortedTriangle(this->Facets[same]).Turned != sorted.Turned);
+    isRemoved[same] = sum.Sources.empty();
+    this->MeaningIds[same] = this->AddMeaning(std::move(sum));
+  }
+}
+
+/** Drops new points that no facet has any more. */
+void WorkingSurface::DropUnusedPoints()
+{
+  const std::size_t given = this->Given->Points.size();
+  std::vector<Id> places(this->Points.size(), None);
+  for (const Triangle& t : this->Facets)
+  {
+    places[t[0]] = places[t[1]] = places[t[2]] = 0;
+  }
+  std::size_t count = given;
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    if (p < given)
+    {
+      places[p] = static_cast<Id>(p);
+    }
+    else if (places[p] != None)
+    {
+      this->Points[count] = this->Points[p];
+      this->Roots[count - given] = this->Roots[p - given];
+      places[p] = static_cast<Id>(count++);
+    }
+  }
+  this->Points.resize(count);
+  for (Triangle& t : this->Facets)
+  {
+    t = { places[t[0]], places[t[1]], places[t[2]] };
+  }
+}
+
+/** The constraints, then what is left out of them, then what the given complex had left out. */
+FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& monitor)
+{
+  this->DropUnusedPoints();
+  FacetComplex surface;
+  auto next = leftOut.begin();
+  for (Id f = 0; f < static_cast<Id>(this->Facets.size()); ++f)
+  {
+    if (next != leftOut.end() && *next == f)
+    {
+      ++next;
+      continue;
+    }
+    Append(surface, this->Facets[f], this->MeaningOf(f));
+  }
+  surface.NumberOfConstraints = surface.NumberOfFacets();
+  for (const Id f : leftOut)
+  {
+    Append(surface, this->Facets[f], this->MeaningOf(f));
+  }
+  for (Id f = this->Given->NumberOfConstraints; f < this->Given->NumberOfFacets(); ++f)
+  {
+    Append(surface, this->Given->Facets[f], MeaningOfGiven(*this->Given, f));
+  }
+  surface.Origins = this->OriginsOfPoints(monitor);
+  surface.Points = std::move(this->Points);
+  return surface;
+}
+
+/** Where points come from: the given ones as they were, new ones from the facet they lie on. */
+std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
+{
+  std::vector<PointOrigin> origins = this->Given->Origins;
+  const Id given = static_cast<Id>(origins.size());
+  origins.resize(this->Points.size());
+  ParallelLoop(static_cast<Id>(this->Points.size()) - given, monitor,
+    { "resolving self-intersections", 1, 1 },
+    [&](Id i)
+    {
+      const Triangle& corners = this->Given->Facets[this->Roots[i]];
+      PointOrigin& origin = origins[given + i];
+      std::array<Point, 3> triangle;
+      for (int k = 0; k < 3; ++k)
+      {
+        origin.Points[k] = this->Given->Origins[corners[k]].Points[0];
+        triangle[k] = this->Given->Points[corners[k]];
+      }
+      origin.Weights = BarycentricWeights(triangle, this->Points[given + i]);
+    });
+  return origins;
+}
+} // namespace insideout

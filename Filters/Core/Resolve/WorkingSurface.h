@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+#include "Common/Monitor.h"
+#include "Resolve/SplittableFacets.h"
+
+namespace insideout
+{
+/** What a facet stands for, beside its corners. */
+struct Meaning
+{
+  Id Root = None;                   ///< a facet of the given complex that it is a piece of
+  int Multiplicity = 0;             ///< along its own orientation
+  std::vector<FacetSource> Sources; ///< by triangle; one triangle's are all turned alike
+};
+
+/** A facet to be added. */
+struct MeantFacet
+{
+  Triangle Corners;
+  Meaning Means;
+};
+
+/**
+ * The surface between two rounds of resolving: points and facets that change, and for each facet
+ * what it stands for in the given complex. That refers to the complex, which is to stay.
+ */
+class WorkingSurface
+{
+public:
+  /** Begins with the constraints of the complex. */
+  explicit WorkingSurface(const FacetComplex& given);
+
+  std::vector<Point> Points;                ///< the given ones first; new ones are added
+  std::vector<Triangle> Facets;             ///< changed by what follows only
+  std::vector<std::array<Id, 2>> Crossings; ///< pairs of facets that cross, as far as searched
+
+  Id NumberOfGivenPoints() const { return static_cast<Id>(this->Given->Points.size()); }
+
+  /** A facet of the given complex that a facet is a piece of. */
+  Id RootOf(Id facet) const;
+
+  Meaning MeaningOf(Id facet) const;
+
+  /** Add a point that lies on a facet of the given complex. @return its id */
+  Id AddPoint(const Point& p, Id root);
+
+  /**
+   * Take facets away and add others, behind those that stay. One with the corners of another adds
+   * its meaning to that; what is left without a meaning is taken away, too.
+   */
+  void Replace(std::vector<char> isRemoved, const std::vector<MeantFacet>& added);
+
+  /** Replace facets by parts, which mean what those did. */
+  void Apply(const Replacement& replacement);
+
+  /** Search what was added since the last time for crossings. @throws Error (Stopped) */
+  void FindCrossings(Monitor& monitor);
+
+  /** The degenerate ones among the facets that were not searched for crossings yet. */
+  std::vector<Id> DegenerateFacets() const;
+
+  std::vector<Id> CrossingFacets() const;
+
+  /**
+   * The complex: facets that are to be constraints, then those left out, then what was no
+   * constraint in the given one. New points that nothing uses are dropped; the origins of the
+   * others are those of the facets that they lie on.
+   * @throws Error TooLarge, Stopped
+   */
+  FacetComplex Assemble(const std::vector<Id>& leftOut, Monitor& monitor);
+
+private:
+  void AddFacets(const std::vector<MeantFacet>& facets, std::vector<char>& isRemoved);
+  Id AddMeaning(Meaning meaning);
+  void DropUnusedPoints();
+  std::vector<PointOrigin> OriginsOfPoints(Monitor& monitor) const;
+
+  const FacetComplex* Given;
+  std::vector<Id> MeaningIds;    ///< per facet: a given facet, or beyond those a piece's meaning
+  std::vector<Meaning> Meanings; ///< of pieces, also of those that are gone
+  std::vector<Id> Roots;         ///< of new points: the given facet that they lie on
+  Id FirstUnchecked = 0;         ///< facets from here on were not searched for crossings
+};
+
+/**
+ * Add the sources and multiplicity of a coinciding facet, or of the reverse of one. Where rounding
+ * folded a triangle onto itself, its piece and the reverse of that cancel.
+ */
+void Add(Meaning& meaning, const Meaning& other, bool reversed);
+} // namespace insideout

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/TetrahedralMesh.h"
+
+#include <string>
+
+namespace insideout
+{
+/** What makes the tetrahedra. */
+enum class TetrahedralizationEngine
+{
+  Automatic, ///< exact flips and cuts, TetGen should they lose a facet; whatever loses least
+  Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
+  TetGen     ///< TetGen alone
+};
+
+/** Who works, and what it may use up. Beyond it the next rung has its turn. */
+struct ConstrainedDelaunayParameters
+{
+  /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
+   * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
+   * however busy the machine is; and ten times as much by the clock. The exact way has
+   * five times as much as each of the others. */
+  double TimeBudget = 0;
+
+  /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
+   * but at most three quarters of the machine's memory. TetGen's process is watched for it, the
+   * exact rung is not. */
+  double MemoryBudget = 0;
+
+  TetrahedralizationEngine Engine = TetrahedralizationEngine::Automatic;
+};
+
+/** Tetrahedra and how they were found. */
+struct Tetrahedralization
+{
+  TetrahedralMesh Mesh;
+  int Rung = 0;                      ///< that the mesh comes from, counted from 1 (RungName)
+  std::vector<std::string> Failures; ///< why rungs before it, or after it, were not good enough
+};
+
+/** What tetrahedralizes in rung 1, 2 ... as words for a user; nullptr where there is none. */
+const char* RungName(int rung);
+
+/**
+ * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
+ * faces (thesis, chapter 8).
+ *
+ * TetrahedralizeExactly kept all facets of 145 real surfaces, most of them chosen because they are
+ * difficult, with Steiner points of 0.09 % of the points at the median and below 1.9 % on nine in
+ * ten. TetGen's first way failed on 16 of these. On the other 129 both take about as long, at
+ * the median and in sum; the exact way takes up to eight times as long where flips leave many edges
+ * to be cut, a quarter of an hour for one surface of 600,000 facets that TetGen cannot do. TetGen
+ * works in a program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs.
+ * What comes back from either is checked before it is believed (AssembleMesh.h): points in place,
+ * exact positive volumes, every face shared by at most two cells, the hull convex, facets present.
+ *
+ * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
+ * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.
+ * Of meshes that lose facets the one that loses fewest is taken; it names them in LostFacets.
+ *
+ * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
+ *
+ * The same input gives the same mesh, unless a rung takes about as long as it may.
+ *
+ * @param[in] surface a complex whose constraints do not cross, with no point in the interior of a
+ *            constraint or of its edges; if they do cross facets are lost
+ * @throws Error EmptySurface, PointOutOfRange, PointNotFinite, Planar, InvalidParameter, Stopped;
+ *         TetrahedralizerFailed when even the points alone take more than the memory budget
+ */
+Tetrahedralization ConstrainedDelaunay(
+  const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters, Monitor& monitor);
+
+/** The mesh alone, with the default budgets. */
+TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Tetrahedralize/TetgenProcess.h"
+
+namespace insideout
+{
+/**
+ * The Delaunay tetrahedra of points alone (CGAL's, with exact predicates; cospherical points as
+ * CGAL's symbolic perturbation decides, which leaves no flat cell). Of points at one place the
+ * first is used. Cells are sorted, so that the same points give the same answer.
+ *
+ * @param[in] points at least four that are not in one plane
+ * @param[in] mebibytes memory that the tetrahedra may take: few points have many, in unlucky places
+ *            one for each pair of points
+ * @return cells, with no point added and no face marked
+ * @throws Error TetrahedralizerFailed beyond the memory, Stopped
+ */
+TetgenAnswer DelaunayOfPoints(const std::vector<Point>& points, double mebibytes, Monitor& monitor);
+} // namespace insideout

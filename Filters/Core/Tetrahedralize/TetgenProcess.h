@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/Types.h"
+
+#include <cmath>
+#include <vector>
+
+namespace insideout
+{
+/** Whether TetGen may put points on facets and their edges. */
+enum class SurfaceSteinerPoints
+{
+  Avoid, ///< only where TetGen cannot move them into the volume
+  Leave, ///< where it needs them to recover a facet, without trying to take them away again
+  Allow  ///< wherever it makes an edge or a facet Delaunay
+};
+
+/** How TetGen goes to work. Where it crashes or gives up one way it may not in another. */
+struct TetgenOptions
+{
+  SurfaceSteinerPoints Steiner = SurfaceSteinerPoints::Avoid;
+  bool FlipIncrementally = false; ///< the first Delaunay tetrahedra by flips, not by cavities
+  bool KeepOrderOfPoints = false; ///< insert points in the order given, not sorted in space
+};
+
+/** What the helper may use up before it is ended. */
+struct TetgenBudget
+{
+  double Seconds = HUGE_VAL;          ///< wall-clock time, with sending and receiving
+  double ProcessorSeconds = HUGE_VAL; ///< on a busy machine the fairer measure
+  double Mebibytes = HUGE_VAL;        ///< memory held at a time; watched where there is /proc
+};
+
+/** What TetGen made, ids in range and coordinates as they came; nothing else is checked. */
+struct TetgenAnswer
+{
+  std::vector<Point> Points; ///< as many as were sent and then Steiner points
+  std::vector<Tetrahedron> Cells;
+  std::vector<Triangle> Faces;  ///< faces of cells that lie on facets
+  std::vector<Id> FacetOfFaces; ///< one per face
+};
+
+/**
+ * Run TetGen on points and facets in a process of its own, the program insideout-tetgen: the one
+ * that the environment variable INSIDEOUT_TETGEN names, else libexec/insideout-tetgen in the folder
+ * of the library or program that holds this code, or in one of the five folders above it. Nothing
+ * that TetGen does harms the caller, and no process, file, descriptor or signal handler is left
+ * behind, not even where the caller's process is killed: the helper ends with it. May be called
+ * from several threads at once.
+ *
+ * The monitor is asked every 50 ms. When it says stop, or the budget is used up, the helper is
+ * killed and reaped. An answer of more bytes than the memory budget is refused before it is read.
+ *
+ * @param[in] points at least 4, finite
+ * @param[in] facets ids in range
+ * @throws Error TetrahedralizerDied, TetrahedralizerFailed (TetGen says so, or the budget is used
+ *         up), TooLarge, Stopped
+ */
+TetgenAnswer RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const TetgenOptions& options, const TetgenBudget& budget, Monitor& monitor);
+} // namespace insideout

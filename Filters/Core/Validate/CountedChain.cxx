@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Validate/CountedChain.h"
+
+#include "Common/SortedTriangle.h"
+#include "Validate/FacetEdges.h"
+#include "Validate/TwoSidedComponents.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace insideout
+{
+namespace
+{
+const char* const StageName = "validating";
+
+void CheckTriangles(const TriangleSoup& soup)
+{
+  if (soup.Triangles.empty())
+  {
+    throw Error(ErrorCode::EmptySurface, "the surface has no polygons");
+  }
+  if (!soup.Multiplicity.empty() && soup.Multiplicity.size() != soup.Triangles.size())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::to_string(soup.Multiplicity.size()) + " multiplicities are given for " +
+        std::to_string(soup.Triangles.size()) + " triangles");
+  }
+  if (!soup.NonParticipating.empty() && soup.NonParticipating.size() != soup.Triangles.size())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "whether they participate is given for " + std::to_string(soup.NonParticipating.size()) +
+        " of " + std::to_string(soup.Triangles.size()) + " triangles");
+  }
+  const Id numberOfPoints = static_cast<Id>(soup.Points.size());
+  for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
+  {
+    for (const Id p : soup.Triangles[t])
+    {
+      if (p < 0 || p >= numberOfPoints)
+      {
+        throw Error(ErrorCode::PointOutOfRange,
+          "triangle " + std::to_string(t) + " refers to point " + std::to_string(p) + " of " +
+            std::to_string(numberOfPoints));
+      }
+      const Point& x = soup.Points[p];
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(p) + " is not finite");
+      }
+    }
+  }
+}
+
+/** For each point the lowest point with equal coordinates. */
+std::vector<Id> MergeEqualPoints(const std::vector<Point>& points)
+{
+  std::vector<Id> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  // NaN, which only an unused point can hold here, would break the order: those stand aside.
+  const auto isNaN = [&](Id p)
+  { return std::isnan(points[p][0]) || std::isnan(points[p][1]) || std::isnan(points[p][2]); };
+  order.erase(std::remove_if(order.begin(), order.end(), isNaN), order.end());
+  std::sort(order.begin(), order.end(),
+    [&](Id a, Id b) { return std::tie(points[a], a) < std::tie(points[b], b); });
+
+  std::vector<Id> merged(points.size());
+  std::iota(merged.begin(), merged.end(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    if (points[order[i]] == points[order[i - 1]])
+    {
+      merged[order[i]] = merged[order[i - 1]];
+    }
+  }
+  return merged;
+}
+
+/** Merge further: each point joins the lowest point not yet joined to another within `tolerance`.
+ */
+void MergeNearPoints(const std::vector<Point>& points, double tolerance, std::vector<Id>& merged)
+{
+  using GridCell = std::array<double, 3>;
+  const auto gridCell = [&](const Point& x)
+  {
+    return GridCell{ { std::floor(x[0] / tolerance), std::floor(x[1] / tolerance),
+      std::floor(x[2] / tolerance) } };
+  };
+  std::map<GridCell, std::vector<Id>> kept;
+  for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
+  {
+    if (merged[p] != p)
+    {
+      merged[p] = merged[merged[p]];
+      continue;
+    }
+    if (!std::isfinite(points[p][0]) || !std::isfinite(points[p][1]) ||
+      !std::isfinite(points[p][2]))
+    {
+      continue; // no facet uses it
+    }
+    const GridCell centre = gridCell(points[p]);
+    for (int neighbor = 0; neighbor < 27; ++neighbor)
+    {
+      const auto found = kept.find({ { centre[0] + neighbor % 3 - 1,
+        centre[1] + neighbor / 3 % 3 - 1, centre[2] + neighbor / 9 - 1 } });
+      if (found == kept.end())
+      {
+        continue;
+      }
+      for (const Id q : found->second)
+      {
+        const double distance = std::hypot(
+          points[p][0] - points[q][0], points[p][1] - points[q][1], points[p][2] - points[q][2]);
+        if (distance <= tolerance && q < merged[p])
+        {
+          merged[p] = q;
+        }
+      }
+    }
+    if (merged[p] == p)
+    {
+      kept[centre].push_back(p);
+    }
+  }
+}
+
+bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto corner = [&](int k)
+  {
+    const Point& x = points[t[k]];
+    return Kernel::Point_3(x[0], x[1], x[2]);
+  };
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+    CGAL::collinear(corner(0), corner(1), corner(2));
+}
+
+bool Participates(const TriangleSoup& soup, Id triangle)
+{
+  return soup.NonParticipating.empty() || soup.NonParticipating[triangle] == 0;
+}
+
+/** A triangle of the soup, by its merged corners. */
+struct GivenTriangle
+{
+  SortedTriangle Sorted;
+  Id Index;
+};
+
+/** One facet per set of three corners, in the order of their first triangles. */
+void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool countDuplicates,
+  CountedChain& chain)
+{
+  FacetComplex& surface = chain.Surface;
+  SurfaceCounts& counts = chain.Counts;
+  std::vector<GivenTriangle> triangles;
+  triangles.reserve(soup.Triangles.size());
+  for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
+  {
+    const Triangle& given = soup.Triangles[t];
+    const Triangle corners{ { merged[given[0]], merged[given[1]], merged[given[2]] } };
+    if (IsDegenerate(soup.Points, corners))
+    {
+      chain.DegenerateTriangles.push_back(t);
+    }
+    else
+    {
+      triangles.push_back({ SortedTriangle(corners), t });
+    }
+  }
+
+  counts.DegenerateFacets = static_cast<Id>(chain.DegenerateTriangles.size());
+
+  const auto byCorners = [](const GivenTriangle& a, const GivenTriangle& b)
+  { return std::tie(a.Sorted.Points, a.Index) < std::tie(b.Sorted.Points, b.Index); };
+  std::sort(triangles.begin(), triangles.end(), byCorners);
+  std::vector<std::array<std::size_t, 2>> groups;
+  for (std::size_t first = 0, last = 0; first < triangles.size(); first = last)
+  {
+    while (
+      last < triangles.size() && triangles[last].Sorted.Points == triangles[first].Sorted.Points)
+    {
+      ++last;
+    }
+    groups.push_back({ { first, last } });
+  }
+  std::sort(groups.begin(), groups.end(),
+    [&](const auto& a, const auto& b) { return triangles[a[0]].Index < triangles[b[0]].Index; });
+
+  for (const auto& [first, last] : groups)
+  {
+    const GivenTriangle& leader = triangles[first];
+    const Triangle& given = soup.Triangles[leader.Index];
+    surface.Facets.push_back({ { merged[given[0]], merged[given[1]], merged[given[2]] } });
+    std::array<long, 2> count{ { 0, 0 } }; // along the facet's orientation, and against it
+    Id participants = 0;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const bool reversed = triangles[i].Sorted.Turned != leader.Sorted.Turned;
+      if (Participates(soup, triangles[i].Index))
+      {
+        count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangles[i].Index];
+        ++participants;
+      }
+      surface.Sources.push_back({ triangles[i].Index, reversed });
+    }
+    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
+    const bool oncePerOrientation = soup.Multiplicity.empty() && !countDuplicates;
+    const long multiplicity =
+      oncePerOrientation ? (count[0] > 0) - (count[1] > 0) : count[0] - count[1];
+    if (std::abs(multiplicity) > std::numeric_limits<std::int16_t>::max())
+    {
+      throw Error(ErrorCode::TooLarge,
+        "triangle " + std::to_string(leader.Index) + " is given " + std::to_string(last - first) +
+          " times, more than can be counted");
+    }
+    surface.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
+    counts.DuplicateFacets += static_cast<Id>(last - first - 1);
+    counts.CancelledFacets += participants > 1 && multiplicity == 0;
+    counts.NonParticipatingFacets += participants == 0;
+  }
+  surface.NumberOfConstraints = surface.NumberOfFacets();
+}
+
+/** Keep the points that facets use, in the input's order. */
+void CompactPoints(const std::vector<Point>& points, const std::vector<Id>& merged,
+  FacetComplex& surface, SurfaceCounts& counts)
+{
+  std::vector<Id> index(points.size(), None);
+  for (const Triangle& facet : surface.Facets)
+  {
+    for (const Id p : facet)
+    {
+      index[p] = 0;
+    }
+  }
+  for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
+  {
+    counts.MergedPoints += merged[p] != p;
+    if (index[p] != None)
+    {
+      index[p] = static_cast<Id>(surface.Points.size());
+      surface.Points.push_back(points[p]);
+      surface.Origins.push_back(PointOrigin::Input(p));
+    }
+  }
+  for (Triangle& facet : surface.Facets)
+  {
+    for (Id& p : facet)
+    {
+      p = index[p];
+    }
+  }
+}
+
+/** The facets that an input triangle which participates is a part of. */
+std::vector<Id> ParticipatingFacets(const TriangleSoup& soup, const FacetComplex& surface)
+{
+  std::vector<Id> facets;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    const auto begin = surface.Sources.begin();
+    if (std::any_of(begin + surface.SourceOffsets[f], begin + surface.SourceOffsets[f + 1],
+          [&](const FacetSource& source) { return Participates(soup, source.Triangle); }))
+    {
+      facets.push_back(f);
+    }
+  }
+  return facets;
+}
+
+/** Apply the rule of two-sided components to some facets, as if there were no others. */
+TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetComplex& surface)
+{
+  FacetComplex part;
+  part.Points = surface.Points;
+  for (const Id f : facets)
+  {
+    part.Facets.push_back(surface.Facets[f]);
+    part.Multiplicity.push_back(surface.Multiplicity[f]);
+  }
+  const std::vector<FacetEdge> edges = SortedFacetEdges(part.Facets);
+  const TwoSidedComponents twoSided =
+    KeepTwoSidedSolids(part, edges, ComponentsOfFacets(part.NumberOfFacets(), edges));
+  for (std::size_t i = 0; i < facets.size(); ++i)
+  {
+    surface.Multiplicity[facets[i]] = part.Multiplicity[i];
+  }
+  return twoSided;
+}
+
+void CountEdges(const std::vector<FacetEdge>& edges, SurfaceCounts& counts)
+{
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      counts.OpenEdges += last - first == 1;
+      counts.NonManifoldEdges += last - first > 2;
+    });
+}
+
+std::vector<std::string> WarningsAbout(const SurfaceCounts& counts)
+{
+  std::vector<std::string> warnings;
+  if (counts.DegenerateFacets > 0)
+  {
+    warnings.push_back(
+      std::to_string(counts.DegenerateFacets) + " degenerate facets (without area) are left out");
+  }
+  if (counts.TwoSidedSolids > 0)
+  {
+    warnings.push_back(std::to_string(counts.TwoSidedSolids) +
+      " two-sided components that enclose a volume are kept once, turned outward");
+  }
+  if (counts.TwoSidedSheets > 0)
+  {
+    warnings.push_back(std::to_string(counts.TwoSidedSheets) +
+      " two-sided sheets enclose no volume: they shape the mesh, but do not count");
+  }
+  return warnings;
+}
+} // namespace
+
+CountedChain CountFacets(
+  const TriangleSoup& soup, const CountedChainParameters& parameters, Monitor& monitor)
+{
+  if (!(parameters.MergeTolerance >= 0) || std::isinf(parameters.MergeTolerance))
+  {
+    throw Error(ErrorCode::InvalidParameter, "MergeTolerance must be finite and at least 0");
+  }
+  CheckTriangles(soup);
+  CountedChain chain;
+  chain.Counts.InputPoints = static_cast<Id>(soup.Points.size());
+  chain.Counts.InputTriangles = static_cast<Id>(soup.Triangles.size());
+
+  monitor.Check(StageName, 0.1);
+  std::vector<Id>& merged = chain.MergedInto;
+  merged = MergeEqualPoints(soup.Points);
+  if (parameters.MergeTolerance > 0)
+  {
+    MergeNearPoints(soup.Points, parameters.MergeTolerance, merged);
+  }
+
+  monitor.Check(StageName, 0.4);
+  CollectFacets(soup, merged, parameters.CountDuplicates, chain);
+  if (chain.Surface.Facets.empty())
+  {
+    throw Error(ErrorCode::AllDegenerate,
+      "all " + std::to_string(soup.Triangles.size()) + " triangles are degenerate (without area)");
+  }
+  CompactPoints(soup.Points, merged, chain.Surface, chain.Counts);
+  chain.Counts.Points = static_cast<Id>(chain.Surface.Points.size());
+  chain.Counts.Facets = chain.Surface.NumberOfFacets();
+
+  monitor.Check(StageName, 0.7);
+  const std::vector<FacetEdge> edges = SortedFacetEdges(chain.Surface.Facets);
+  const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
+  chain.Counts.Components = components.Count;
+  CountEdges(edges, chain.Counts);
+  if (soup.Multiplicity.empty())
+  {
+    const TwoSidedComponents twoSided = chain.Counts.NonParticipatingFacets == 0
+      ? KeepTwoSidedSolids(chain.Surface, edges, components)
+      : KeepTwoSidedSolidsAmong(ParticipatingFacets(soup, chain.Surface), chain.Surface);
+    chain.Counts.TwoSidedSolids = twoSided.Solids;
+    chain.Counts.TwoSidedSheets = twoSided.Sheets;
+  }
+  chain.Warnings = WarningsAbout(chain.Counts);
+  monitor.Check(StageName, 1);
+  return chain;
+}
+
+void AddCounts(const SurfaceCounts& counts, Statistics& statistics)
+{
+  statistics.emplace_back("InputPoints", counts.InputPoints);
+  statistics.emplace_back("InputTriangles", counts.InputTriangles);
+  statistics.emplace_back("Points", counts.Points);
+  statistics.emplace_back("Facets", counts.Facets);
+  statistics.emplace_back("OpenEdges", counts.OpenEdges);
+  statistics.emplace_back("NonManifoldEdges", counts.NonManifoldEdges);
+  statistics.emplace_back("Components", counts.Components);
+  statistics.emplace_back("MergedPoints", counts.MergedPoints);
+  statistics.emplace_back("DegenerateFacets", counts.DegenerateFacets);
+  statistics.emplace_back("DuplicateFacets", counts.DuplicateFacets);
+  statistics.emplace_back("CancelledFacets", counts.CancelledFacets);
+  statistics.emplace_back("TwoSidedSolids", counts.TwoSidedSolids);
+  statistics.emplace_back("TwoSidedSheets", counts.TwoSidedSheets);
+  statistics.emplace_back("NonParticipatingFacets", counts.NonParticipatingFacets);
+}
+} // namespace insideout

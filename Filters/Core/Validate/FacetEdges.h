@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** An edge as one facet runs along it: Direction is +1 from Low to High, -1 from High to Low. */
+struct FacetEdge
+{
+  Id Low;
+  Id High;
+  Id Facet;
+  int Direction;
+};
+
+/** The three edges of every facet, sorted so that those of one edge stand together, by facet. */
+std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets);
+
+/** Call visit(first, last) with the range of FacetEdge of every edge, in order. */
+template <typename Visitor>
+void ForEachEdge(const std::vector<FacetEdge>& edges, Visitor visit)
+{
+  const FacetEdge* const end = edges.data() + edges.size();
+  for (const FacetEdge* first = edges.data(); first != end;)
+  {
+    const FacetEdge* last = first + 1;
+    while (last != end && last->Low == first->Low && last->High == first->High)
+    {
+      ++last;
+    }
+    visit(first, last);
+    first = last;
+  }
+}
+
+/** Components of facets that are joined through edges. */
+struct FacetComponents
+{
+  std::vector<Id> Component; ///< per facet, numbered from 0 by their lowest facet
+  Id Count = 0;
+};
+
+FacetComponents ComponentsOfFacets(Id numberOfFacets, const std::vector<FacetEdge>& edges);
+} // namespace insideout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindingNumber/FacetTree.h"
+
+namespace insideout
+{
+/**
+ * The winding number by a far-field expansion (Barill, Dickson, Schmidt, Levin and Jacobson 2018):
+ * a tree of facets in which a node that is far enough away counts as the first terms of the Taylor
+ * series about its centre. Within the leaves that are near, facets count exactly. Errs by some 1e-3
+ * at the usual setting, second order and accuracy 2; the error shrinks about as
+ * accuracy^-(order + 1).
+ */
+class ApproximateWindingNumber
+{
+public:
+  /**
+   * @param[in] points below 1 in each coordinate; has to live as long as this object
+   * @param[in] order of the expansion, 1 to 3
+   * @param[in] accuracy how many of its radii away from its centre a node is far, at least 1
+   * @throws Error (InvalidParameter)
+   */
+  ApproximateWindingNumber(const std::vector<Point>& points,
+    const std::vector<CountedTriangle>& triangles, int order, double accuracy);
+
+  double At(const Point& p) const;
+
+private:
+  struct Expansion
+  {
+    Point Centre;
+    double SquaredReach;          ///< of (radius times accuracy)
+    Point First;                  ///< integral of the normal n
+    std::array<double, 9> Second; ///< integral of n_i d_j, d from the centre
+    std::array<double, 18> Third; ///< integral of n_i d_j d_k, for jk = 00 11 22 01 12 20
+  };
+
+  Expansion Expand(const FacetTree::Node& node) const;
+  double Evaluate(const Expansion& expansion, const Point& r, double squaredDistance) const;
+
+  const std::vector<Point>& Points;
+  const int Order;
+  const double Accuracy;
+  const FacetTree Tree;
+  std::vector<Expansion> Expansions; ///< one per node
+};
+} // namespace insideout

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/CountedBoundary.h"
+
+#include <algorithm>
+#include <omp.h>
+#include <unordered_map>
+
+namespace insideout
+{
+namespace
+{
+/** Half of an edge's record: the bucket of its lower point says the rest. */
+struct HigherEnd
+{
+  Id High;
+  int Count;
+};
+
+constexpr std::size_t SmallSize = 4096; // not worth a second thread
+
+/** The edges whose lower point is in a range, in buckets by that point. */
+class EdgeBuckets
+{
+public:
+  EdgeBuckets(const std::vector<CountedTriangle>& triangles, Id first, Id last)
+    : First(first)
+    , Last(last)
+    , Begin(static_cast<std::size_t>(last - first) + 2, 0)
+  {
+    // Counted one bucket ahead, so that filling moves each Begin to where it belongs.
+    this->ForEach(triangles, [&](std::size_t bucket, Id, int) { ++this->Begin[bucket + 2]; });
+    for (std::size_t p = 2; p < this->Begin.size(); ++p)
+    {
+      this->Begin[p] += this->Begin[p - 1];
+    }
+    this->Ends.resize(this->Begin.back());
+    this->ForEach(triangles,
+      [&](std::size_t bucket, Id high, int count) {
+        this->Ends[this->Begin[bucket + 1]++] = { high, count };
+      });
+  }
+
+  HigherEnd* BeginOf(Id low) { return this->Ends.data() + this->Begin[this->BucketOf(low)]; }
+  HigherEnd* EndOf(Id low) { return this->Ends.data() + this->Begin[this->BucketOf(low) + 1]; }
+
+private:
+  std::size_t BucketOf(Id low) const { return static_cast<std::size_t>(low - this->First); }
+
+  template <typename Visit>
+  void ForEach(const std::vector<CountedTriangle>& triangles, Visit visit) const
+  {
+    for (const CountedTriangle& triangle : triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Id from = triangle.Corners[k];
+        const Id to = triangle.Corners[(k + 1) % 3];
+        const Id low = std::min(from, to);
+        if (low >= this->First && low < this->Last)
+        {
+          visit(
+            this->BucketOf(low), std::max(from, to), from < to ? triangle.Count : -triangle.Count);
+        }
+      }
+    }
+  }
+
+  Id First;
+  Id Last;
+  std::vector<std::size_t> Begin;
+  std::vector<HigherEnd> Ends;
+};
+
+/** The part of the boundary whose lower points are in a range. */
+std::vector<CountedEdge> PartOfBoundary(
+  const std::vector<CountedTriangle>& triangles, Id first, Id last)
+{
+  EdgeBuckets buckets(triangles, first, last);
+  std::vector<CountedEdge> boundary;
+  for (Id low = first; low < last; ++low)
+  {
+    HigherEnd* const end = buckets.EndOf(low);
+    std::sort(buckets.BeginOf(low), end,
+      [](const HigherEnd& a, const HigherEnd& b) { return a.High < b.High; });
+    for (const HigherEnd* edge = buckets.BeginOf(low); edge != end;)
+    {
+      CountedEdge sum = { low, edge->High, 0 };
+      for (; edge != end && edge->High == sum.To; ++edge)
+      {
+        sum.Count += edge->Count;
+      }
+      if (sum.Count != 0)
+      {
+        boundary.push_back(sum);
+      }
+    }
+  }
+  return boundary;
+}
+} // namespace
+
+std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
+{
+  std::vector<CountedTriangle> counted;
+  counted.reserve(surface.Facets.size());
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    if (surface.Multiplicity[f] != 0)
+    {
+      counted.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+    }
+  }
+  return counted;
+}
+
+std::vector<CountedEdge> CountedBoundary(
+  const std::vector<CountedTriangle>& triangles, Id numberOfPoints)
+{
+  // As many parts as threads, for each of them reads all triangles.
+  const int parts = triangles.size() < SmallSize ? 1 : omp_get_max_threads();
+  std::vector<std::vector<CountedEdge>> found(static_cast<std::size_t>(parts));
+  const auto beginOf = [&](int part)
+  { return static_cast<Id>(static_cast<std::int64_t>(numberOfPoints) * part / parts); };
+#pragma omp parallel for schedule(static) if (parts > 1)
+  for (int part = 0; part < parts; ++part)
+  {
+    found[part] = PartOfBoundary(triangles, beginOf(part), beginOf(part + 1));
+  }
+  std::vector<CountedEdge> boundary = std::move(found.front());
+  for (int part = 1; part < parts; ++part)
+  {
+    boundary.insert(boundary.end(), found[part].begin(), found[part].end());
+  }
+  return boundary;
+}
+
+std::vector<Loop> LoopsOf(const std::vector<CountedEdge>& boundary)
+{
+  std::unordered_map<Id, std::vector<Id>> successors;
+  std::vector<Id> starts;
+  for (const CountedEdge& edge : boundary)
+  {
+    const Id from = edge.Count > 0 ? edge.From : edge.To;
+    const Id to = edge.Count > 0 ? edge.To : edge.From;
+    for (std::int64_t i = 0; i < std::abs(edge.Count); ++i)
+    {
+      successors[from].push_back(to);
+    }
+    starts.push_back(from);
+  }
+
+  std::vector<Loop> loops;
+  std::unordered_map<Id, std::size_t> place; // of the points on the current walk
+  for (const Id start : starts)
+  {
+    std::vector<Id> walk = { start };
+    while (!successors[walk.back()].empty())
+    {
+      const Id here = walk.back();
+      const Id next = successors[here].back();
+      successors[here].pop_back();
+      place[here] = walk.size() - 1;
+      const auto seen = place.find(next);
+      if (seen == place.end())
+      {
+        walk.push_back(next);
+        continue;
+      }
+      // Cut off the loop that has just been closed, and walk on from where it began.
+      const std::size_t first = seen->second;
+      loops.emplace_back(walk.begin() + static_cast<std::ptrdiff_t>(first), walk.end());
+      for (std::size_t i = first; i < walk.size(); ++i)
+      {
+        place.erase(walk[i]);
+      }
+      walk.resize(first + 1);
+    }
+    place.clear();
+  }
+  return loops;
+}
+} // namespace insideout

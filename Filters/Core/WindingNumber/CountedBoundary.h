@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace insideout
+{
+/** A triangle between points of some list, and how often it counts along its orientation. */
+struct CountedTriangle
+{
+  Triangle Corners;
+  int Count;
+};
+
+/** The facets of a complex that count, in its order. */
+std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface);
+
+/** An edge from one point to another, and how often it counts that way. */
+struct CountedEdge
+{
+  Id From;
+  Id To;
+  std::int64_t Count;
+};
+
+/**
+ * The boundary of a chain of triangles: every edge on which the signed sum is not zero, once, from
+ * its lower to its higher point. Sorted by From, then To.
+ *
+ * @param[in] numberOfPoints that the corners are below
+ */
+std::vector<CountedEdge> CountedBoundary(
+  const std::vector<CountedTriangle>& triangles, Id numberOfPoints);
+
+/** A closed walk along edges; the first point is not repeated at the end. */
+using Loop = std::vector<Id>;
+
+/**
+ * Cut a boundary into loops that pass no point twice; an edge that counts n times is in n of them.
+ *
+ * @param[in] boundary of a chain, so that as many edges enter each point as leave it
+ */
+std::vector<Loop> LoopsOf(const std::vector<CountedEdge>& boundary);
+} // namespace insideout

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindingNumber/ClosedChainTree.h"
+#include "WindingNumber/WindingNumberOfCaps.h"
+
+namespace insideout
+{
+/**
+ * The winding number of any chain of triangles at any place, exact but for the rounding of its
+ * fraction.
+ *
+ * The chain's holes are closed with caps (HoleCaps.h). Then
+ *
+ *   w = winding number of (chain - caps) + winding number of caps
+ *
+ * where the first is a whole number, found in a tree (ClosedChainTree.h) in time that grows with
+ * the logarithm of the number of triangles, and the second costs a few operations per open edge
+ * (WindingNumberOfCaps.h), nothing where the chain is closed.
+ *
+ * On the chain w is the mean of its values around the place, weighted by solid angle.
+ */
+class ExactWindingNumber
+{
+public:
+  /**
+   * @param[in] points below 1 in each coordinate; has to live as long as this object
+   * @param[in] triangles not degenerate
+   * @param[in] boundary theirs
+   * @throws Error (Stopped)
+   */
+  ExactWindingNumber(const std::vector<Point>& points, std::vector<CountedTriangle> triangles,
+    const std::vector<CountedEdge>& boundary, Monitor& monitor, const ProgressRange& progress);
+  ExactWindingNumber(const ExactWindingNumber&) = delete;
+  void operator=(const ExactWindingNumber&) = delete;
+
+  /**
+   * The winding number at each point, on all threads; the values do not depend on their number.
+   *
+   * @param[in] at below 2^50 in each coordinate
+   * @throws Error (Stopped)
+   */
+  std::vector<double> Evaluate(
+    const std::vector<Point>& at, Monitor& monitor, const ProgressRange& progress) const;
+
+  /** The winding number at one point. Safe to call from several threads. */
+  double At(const Point& point) const;
+
+private:
+  const std::vector<std::vector<CountedTriangle>> Caps;
+  const ClosedChainTree Tree;
+  const WindingNumberOfCaps SumOfCaps;
+};
+} // namespace insideout

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/HoleCaps.h"
+
+#include "Common/SortedTriangle.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+// Of longer loops only so many corners are tried, evenly spread.
+constexpr std::size_t MostApexes = 16;
+
+bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto corner = [&](int k)
+  { return Kernel::Point_3(points[t[k]][0], points[t[k]][1], points[t[k]][2]); };
+  return CGAL::collinear(corner(0), corner(1), corner(2));
+}
+
+double Area(const std::vector<Point>& points, const Triangle& t)
+{
+  const Point& a = points[t[0]];
+  const Point& b = points[t[1]];
+  const Point& c = points[t[2]];
+  const Point e = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+  const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
+  return std::hypot(
+    e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]);
+}
+
+Triangle FanTriangle(const Loop& loop, std::size_t apex, std::size_t i)
+{
+  const std::size_t size = loop.size();
+  return { loop[apex], loop[(apex + i) % size], loop[(apex + i + 1) % size] };
+}
+
+std::size_t BestApex(const std::vector<Point>& points, const Loop& loop)
+{
+  std::size_t best = 0;
+  double leastArea = std::numeric_limits<double>::infinity();
+  const std::size_t step = 1 + (loop.size() - 1) / MostApexes;
+  for (std::size_t apex = 0; loop.size() > 3 && apex < loop.size(); apex += step)
+  {
+    double area = 0;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    {
+      area += Area(points, FanTriangle(loop, apex, i));
+    }
+    if (area < leastArea)
+    {
+      leastArea = area;
+      best = apex;
+    }
+  }
+  return best;
+}
+/** Triangles with the same corners become one, or none where they cancel. */
+std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& triangles)
+{
+  std::vector<CountedTriangle> sorted;
+  sorted.reserve(triangles.size());
+  for (const CountedTriangle& triangle : triangles)
+  {
+    const SortedTriangle corners(triangle.Corners);
+    sorted.push_back({ corners.Points, corners.Turned ? -triangle.Count : triangle.Count });
+  }
+  std::sort(sorted.begin(), sorted.end(),
+    [](const CountedTriangle& a, const CountedTriangle& b) { return a.Corners < b.Corners; });
+  std::vector<CountedTriangle> sum;
+  for (std::size_t first = 0, next = 0; first < sorted.size(); first = next)
+  {
+    CountedTriangle one = { sorted[first].Corners, 0 };
+    for (; next < sorted.size() && sorted[next].Corners == one.Corners; ++next)
+    {
+      one.Count += sorted[next].Count;
+    }
+    if (one.Count != 0)
+    {
+      sum.push_back(one);
+    }
+  }
+  return sum;
+}
+} // namespace
+
+std::vector<std::vector<CountedTriangle>> CapHoles(
+  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
+{
+  std::vector<std::vector<CountedTriangle>> caps;
+  for (const Loop& loop : LoopsOf(boundary))
+  {
+    const std::size_t apex = BestApex(points, loop);
+    std::vector<CountedTriangle> cap;
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    {
+      const Triangle triangle = FanTriangle(loop, apex, i);
+      if (!IsDegenerate(points, triangle))
+      {
+        cap.push_back({ triangle, 1 });
+      }
+    }
+    caps.push_back(std::move(cap));
+  }
+  return caps;
+}
+
+std::vector<CountedTriangle> CloseChain(
+  std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps)
+{
+  if (caps.empty())
+  {
+    return triangles;
+  }
+  // Only triangles between corners of caps can be the same as one of a cap.
+  std::vector<CountedTriangle> between;
+  Id last = -1;
+  for (const std::vector<CountedTriangle>& cap : caps)
+  {
+    for (const CountedTriangle& triangle : cap)
+    {
+      between.push_back({ triangle.Corners, -triangle.Count });
+      last = std::max({ last, triangle.Corners[0], triangle.Corners[1], triangle.Corners[2] });
+    }
+  }
+  std::vector<char> isCorner(static_cast<std::size_t>(last) + 1, 0);
+  for (const CountedTriangle& triangle : between)
+  {
+    for (const Id p : triangle.Corners)
+    {
+      isCorner[p] = 1;
+    }
+  }
+  std::vector<CountedTriangle> closed;
+  closed.reserve(triangles.size() + between.size());
+  for (const CountedTriangle& triangle : triangles)
+  {
+    const bool isBetween = std::all_of(triangle.Corners.begin(), triangle.Corners.end(),
+      [&](Id p) { return p <= last && isCorner[p]; });
+    (isBetween ? between : closed).push_back(triangle);
+  }
+  const std::vector<CountedTriangle> sum = AddChains(between);
+  closed.insert(closed.end(), sum.begin(), sum.end());
+  return closed;
+}
+} // namespace insideout

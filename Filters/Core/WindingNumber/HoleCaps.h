@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindingNumber/CountedBoundary.h"
+
+namespace insideout
+{
+/**
+ * Caps with a given boundary: a fan for each of its loops, from the corner of the loop that gives
+ * the fan the least area. Where a part of a surface is a single triangle, or in general has fewer
+ * triangles than edges of its own, its cap is no larger than that part.
+ *
+ * @param[in] boundary of a chain of triangles
+ * @return per loop the triangles that are not degenerate
+ */
+std::vector<std::vector<CountedTriangle>> CapHoles(
+  const std::vector<Point>& points, const std::vector<CountedEdge>& boundary);
+
+/** The chain less its caps, which has no boundary. Triangles that cancel are left out. */
+std::vector<CountedTriangle> CloseChain(
+  std::vector<CountedTriangle> triangles, const std::vector<std::vector<CountedTriangle>>& caps);
+} // namespace insideout

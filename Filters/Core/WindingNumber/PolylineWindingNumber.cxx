@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/PolylineWindingNumber.h"
+
+#include "Common/ChunkedLoop.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+constexpr double TwoPi = 6.28318530717958647692;
+constexpr std::size_t LeafSize = 8;
+
+/** +1 where p lies to the left of the line from a to b, -1 to its right, 0 on it; exact. */
+int Side(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& p)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto point = [](const PlanarPoint& x) { return Kernel::Point_2(x[0], x[1]); };
+  return static_cast<int>(CGAL::orientation(point(a), point(b), point(p)));
+}
+} // namespace
+
+PolylineWindingNumber::PolylineWindingNumber(
+  std::vector<PlanarPoint> points, const std::vector<CountedSegment>& segments)
+  : Points(std::move(points))
+{
+  for (const CountedSegment& segment : segments)
+  {
+    if (this->Points[segment.From] != this->Points[segment.To] && segment.Count != 0)
+    {
+      this->Segments.push_back(segment);
+    }
+  }
+  this->LooseEnds = this->LooseEndsOf(0, this->Segments.size());
+  if (!this->Segments.empty())
+  {
+    this->Build(0, this->Segments.size());
+  }
+}
+
+std::vector<PolylineWindingNumber::LooseEnd> PolylineWindingNumber::LooseEndsOf(
+  std::size_t begin, std::size_t end) const
+{
+  std::vector<LooseEnd> ends;
+  for (std::size_t s = begin; s < end; ++s)
+  {
+    ends.push_back({ this->Segments[s].From, -this->Segments[s].Count });
+    ends.push_back({ this->Segments[s].To, this->Segments[s].Count });
+  }
+  // Points of equal coordinates are one.
+  std::sort(ends.begin(), ends.end(),
+    [&](const LooseEnd& a, const LooseEnd& b)
+    { return this->Points[a.Point] < this->Points[b.Point]; });
+  std::vector<LooseEnd> loose;
+  for (std::size_t first = 0, next = 0; first < ends.size(); first = next)
+  {
+    LooseEnd sum = { ends[first].Point, 0 };
+    for (; next < ends.size() && this->Points[ends[next].Point] == this->Points[sum.Point]; ++next)
+    {
+      sum.Count += ends[next].Count;
+    }
+    if (sum.Count != 0)
+    {
+      loose.push_back(sum);
+    }
+  }
+  return loose;
+}
+
+void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
+{
+  const std::size_t index = this->Nodes.size();
+  Node node;
+  node.Low = node.High = this->Points[this->Segments[begin].From];
+  for (std::size_t s = begin; s < end; ++s)
+  {
+    for (const Id p : { this->Segments[s].From, this->Segments[s].To })
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        node.Low[axis] = std::min(node.Low[axis], this->Points[p][axis]);
+        node.High[axis] = std::max(node.High[axis], this->Points[p][axis]);
+      }
+    }
+  }
+  node.Begin = begin;
+  node.End = end;
+  node.Right = 0;
+  node.LooseEnds = this->LooseEndsOf(begin, end);
+  this->Nodes.push_back(node);
+  if (end - begin <= LeafSize)
+  {
+    return;
+  }
+  const int axis = node.High[0] - node.Low[0] > node.High[1] - node.Low[1] ? 0 : 1;
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto first = this->Segments.begin();
+  const auto twiceCentre = [&](const CountedSegment& s)
+  { return this->Points[s.From][axis] + this->Points[s.To][axis]; };
+  std::nth_element(first + static_cast<std::ptrdiff_t>(begin),
+    first + static_cast<std::ptrdiff_t>(middle), first + static_cast<std::ptrdiff_t>(end),
+    [&](const CountedSegment& a, const CountedSegment& b)
+    { return twiceCentre(a) < twiceCentre(b); });
+  this->Build(begin, middle);
+  this->Nodes[index].Right = this->Nodes.size();
+  this->Build(middle, end);
+}
+
+/** Of the direction from p to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal. */
+double PolylineWindingNumber::Argument(Id point, const PlanarPoint& p) const
+{
+  // Adding 0 makes -0 positive.
+  return std::atan2(this->Points[point][1] - p[1] + 0.0, this->Points[point][0] - p[0] + 0.0) /
+    TwoPi;
+}
+
+/** The crossings of segments that all pass to the left of p follow from their loose ends. */
+double PolylineWindingNumber::WhollyLeft(const Node& node, const PlanarPoint& p) const
+{
+  std::int64_t sum = 0;
+  for (const LooseEnd& end : node.LooseEnds)
+  {
+    sum -= this->Points[end.Point][1] >= p[1] ? end.Count : 0;
+  }
+  return static_cast<double>(sum);
+}
+
+/** What the segment adds to the differences of arguments; where p lies on it, these cancel. */
+double PolylineWindingNumber::Crossing(const CountedSegment& segment, const PlanarPoint& p) const
+{
+  const PlanarPoint& a = this->Points[segment.From];
+  const PlanarPoint& b = this->Points[segment.To];
+  const bool fromAbove = a[1] >= p[1];
+  const bool toAbove = b[1] >= p[1];
+  const bool inBox = std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
+    std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
+  if (fromAbove == toAbove && !inBox)
+  {
+    return 0;
+  }
+  const int side = Side(a, b, p);
+  if (side == 0 && inBox)
+  {
+    return -segment.Count * (this->Argument(segment.To, p) - this->Argument(segment.From, p));
+  }
+  if (fromAbove && !toAbove && side > 0)
+  {
+    return segment.Count;
+  }
+  return !fromAbove && toAbove && side < 0 ? -segment.Count : 0;
+}
+
+double PolylineWindingNumber::At(const PlanarPoint& p) const
+{
+  double w = 0;
+  for (const LooseEnd& end : this->LooseEnds)
+  {
+    w += static_cast<double>(end.Count) * this->Argument(end.Point, p);
+  }
+  std::vector<std::size_t> stack;
+  if (!this->Nodes.empty())
+  {
+    stack.push_back(0);
+  }
+  while (!stack.empty())
+  {
+    const std::size_t index = stack.back();
+    stack.pop_back();
+    const Node& node = this->Nodes[index];
+    if (node.Low[0] > p[0] || node.Low[1] > p[1] || node.High[1] < p[1])
+    {
+      continue;
+    }
+    if (node.High[0] < p[0] && node.LooseEnds.size() < 2 * (node.End - node.Begin))
+    {
+      w += this->WhollyLeft(node, p);
+    }
+    else if (node.Right == 0)
+    {
+      for (std::size_t s = node.Begin; s < node.End; ++s)
+      {
+        w += this->Crossing(this->Segments[s], p);
+      }
+    }
+    else
+    {
+      stack.push_back(node.Right);
+      stack.push_back(index + 1);
+    }
+  }
+  return w;
+}
+
+std::vector<double> PolylineWindingNumber::At(
+  const std::vector<PlanarPoint>& points, Monitor& monitor) const
+{
+  std::vector<double> w(points.size(), 0.0);
+  const double nanosecondsPerPoint = 1000;
+  ChunkedLoop(static_cast<Id>(points.size()), nanosecondsPerPoint, monitor,
+    { "winding numbers", 0, 1 }, [&](Id i) { w[i] = this->At(points[i]); });
+  monitor.Check("winding numbers", 1);
+  return w;
+}
+} // namespace insideout

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/Types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace insideout
+{
+using PlanarPoint = std::array<double, 2>;
+
+/** A line from one point to another, and how often it counts that way. */
+struct CountedSegment
+{
+  Id From;
+  Id To;
+  int Count;
+};
+
+/**
+ * The winding number of polylines in the plane, closed or open, at any point (thesis, section 8.2):
+ * positive where they run counter-clockwise around it.
+ *
+ * An angle between two directions is the difference of their arguments and, where the segment
+ * crosses the ray to the left of the point, a whole turn. Summed over the segments the differences
+ * leave one argument per loose end, so that a closed polyline needs none: its winding number is a
+ * count of crossings, decided by exact predicates and found in a tree whose nodes know their own
+ * loose ends.
+ *
+ * On a segment w is the mean of both sides, in a closed polygon's corner the angle over 2 pi.
+ */
+class PolylineWindingNumber
+{
+public:
+  /** @param[in] points finite, also their differences */
+  PolylineWindingNumber(
+    std::vector<PlanarPoint> points, const std::vector<CountedSegment>& segments);
+
+  /** At one finite point. Safe to call from several threads. */
+  double At(const PlanarPoint& p) const;
+
+  /**
+   * One value per point, on all threads.
+   * @throws Error (Stopped)
+   */
+  std::vector<double> At(const std::vector<PlanarPoint>& points, Monitor& monitor) const;
+
+  /** Whether w is a whole number away from the polylines. */
+  bool IsClosed() const { return this->LooseEnds.empty(); }
+
+private:
+  /** A point at which so many more segments end than begin. */
+  struct LooseEnd
+  {
+    Id Point;
+    std::int64_t Count;
+  };
+  struct Node
+  {
+    PlanarPoint Low;
+    PlanarPoint High;
+    std::size_t Begin; ///< of its segments
+    std::size_t End;
+    std::size_t Right; ///< its second child, 0 for a leaf; the first one is the next node
+    std::vector<LooseEnd> LooseEnds;
+  };
+
+  void Build(std::size_t begin, std::size_t end);
+  std::vector<LooseEnd> LooseEndsOf(std::size_t begin, std::size_t end) const;
+  double Argument(Id point, const PlanarPoint& p) const;
+  double WhollyLeft(const Node& node, const PlanarPoint& p) const;
+  double Crossing(const CountedSegment& segment, const PlanarPoint& p) const;
+
+  std::vector<PlanarPoint> Points;
+  std::vector<CountedSegment> Segments;
+  std::vector<LooseEnd> LooseEnds;
+  std::vector<Node> Nodes;
+};
+} // namespace insideout

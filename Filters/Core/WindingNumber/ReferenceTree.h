@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/ParallelLoop.h"
+#include "WindingNumber/ChainFacets.h"
+
+namespace insideout
+{
+/**
+ * Where a closed chain's winding number is known: at a reference place in a box. At another place
+ * in the box it differs by the count of the facets between.
+ */
+struct KnownBox
+{
+  Box Bounds;
+  Point Reference;
+  double Value; ///< NaN where no site is wanted
+  const SidedFacet* FirstFacet;
+  const SidedFacet* LastFacet;
+};
+
+/**
+ * A box cut in two again and again, until its parts hold few facets each. The winding number is
+ * carried to a reference place in every part: exact predicates decide, and where the line between
+ * two references meets an edge or a corner another place is taken. Time grows with the logarithm of
+ * the number of facets.
+ */
+class ReferenceTree
+{
+public:
+  /** A box with the facets that may meet it, and where the winding number is known. */
+  struct Region
+  {
+    Box Bounds;
+    Point Reference; ///< on no facet; need not be in the box
+    double Value;
+    std::vector<Id> Facets;
+    std::vector<Id> Wanted = {};
+    double Budget = 0; ///< how many facets its leaves may have together
+    int Depth = 0;
+    int FruitlessSplits = 0; ///< in a row
+  };
+
+  /**
+   * @param[in] wanted where sites are, of which the region wants some; null for any place. At
+   * places that are not wanted the winding number may be unknown.
+   * @param[in] monitor asked where the region is large, whose parts are built on all threads
+   * @throws Error (Stopped)
+   */
+  ReferenceTree(const ChainFacets& facets, const std::vector<Point>* wanted, Region region,
+    Monitor& monitor, const ProgressRange& progress);
+
+  /** What is known around a site in the box. */
+  KnownBox At(const RoundedSite& site) const;
+
+private:
+  /** Inner nodes are split across an axis; leaves have Axis -1 and their index in Children[0]. */
+  struct Node
+  {
+    double Split;
+    std::int32_t Axis;
+    std::array<std::int32_t, 2> Children;
+  };
+  struct Leaf
+  {
+    Box Bounds;
+    Point Reference;
+    double Value;
+    std::size_t FirstFacet;
+    std::size_t LastFacet;
+  };
+  struct Arena
+  {
+    std::vector<Node> Nodes;
+    std::vector<Leaf> Leaves;
+    std::vector<SidedFacet> LeafFacets;
+  };
+  struct Job
+  {
+    std::int32_t Node;
+    Region Work;
+  };
+  struct Split
+  {
+    int Axis;
+    double Place;
+  };
+  class Builder;
+
+  void Append(const Arena& arena, std::int32_t node);
+
+  Arena Tree;
+};
+} // namespace insideout

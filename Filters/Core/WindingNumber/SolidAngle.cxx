@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/SolidAngle.h"
+
+#include <CGAL/Mpzf.h>
+#include <CGAL/determinant.h>
+#include <CGAL/number_utils.h>
+#include <boost/multiprecision/mpfr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+template <int Digits>
+using Precise = boost::multiprecision::number<
+  boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+  boost::multiprecision::et_off>;
+
+// Enough where the site is not nearer than some 1e-30 sizes to a corner or to an edge.
+constexpr int FewDigits = 50;
+
+// Enough for all sites. Vectors from a site are multiples of 2^-1134, a double's least bit times
+// that of a weight, so their determinant is a multiple of 2^-3402: both are exact, and |z|, which
+// is not less than the determinant, has 50 digits beyond.
+constexpr int ManyDigits = 1080;
+
+// How well z has to be known, against |z|; and how many times a single rounding's effect that of
+// all is at most.
+constexpr double RelativeError = 0x1p-60;
+constexpr double RoundingErrors = 0x1p8;
+
+// Relative to the product of the three distances; see SolidAngleProduct.cxx.
+constexpr double LeastSquaredModulus = 0x1p-12;
+constexpr double UndecidedDeterminant = 0x1p-47;
+
+// Above it, a product of three distances and its square are far from underflow.
+constexpr double LeastProduct = 1e-100;
+
+// The same for long doubles of 64 bits, and the squared distance from which on the two doubles of a
+// rounded site have all of these bits. Coordinates are below 1.
+constexpr double LeastLongModulus = 0x1p-14;
+constexpr double UndecidedLongDeterminant = 0x1p-56;
+constexpr double LeastSquaredDistance = 0x1p-70;
+
+template <typename Number>
+using Vector = std::array<Number, 3>;
+
+/** From the site to `corner`; as the weights sum to 1, differences can be taken first. */
+template <typename Number>
+Vector<Number> FromSite(const Site& site, const Point& corner)
+{
+  Vector<Number> result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      result[axis] +=
+        Number(site.Weights[k]) * (Number(corner[axis]) - Number(site.Corners[k][axis]));
+    }
+  }
+  return result;
+}
+
+template <typename Number>
+Number Determinant(const Vector<Number>& a, const Vector<Number>& b, const Vector<Number>& c)
+{
+  return CGAL::determinant<Number>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
+}
+
+template <typename Number>
+Number Dot(const Vector<Number>& a, const Vector<Number>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/** The largest difference of coordinates that FromSite takes. */
+double Extent(const std::array<Point, 3>& triangle, const Site& site)
+{
+  double extent = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const Point& from : site.Corners)
+    {
+      for (const Point& to : triangle)
+      {
+        extent = std::max(extent, std::abs(to[axis] - from[axis]));
+      }
+    }
+  }
+  return extent;
+}
+
+Point Minus(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+/** From a site to a point as a unit vector; false where too near for long doubles. */
+bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>& unit)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    unit[axis] = (static_cast<long double>(point[axis]) - site.High[axis]) - site.Low[axis];
+  }
+  const long double squared = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
+  for (long double& x : unit)
+  {
+    x /= std::sqrt(squared);
+  }
+  return squared > LeastSquaredDistance && std::numeric_limits<long double>::digits >= 64;
+}
+
+/** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
+int Side(const std::array<Point, 3>& triangle, const Site& site)
+{
+  using Exact = CGAL::Mpzf;
+  return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
+    FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
+}
+
+/** z of modulus 1 from its real part and the size of its imaginary one; 1 in the triangle's plane.
+ */
+std::complex<double> OnSide(int side, double real, double imaginary)
+{
+  if (side == 0)
+  {
+    return 1.0;
+  }
+  // A side that is known must not get lost by underflow on the way to double.
+  const double least = 1e-180;
+  return { real, side * std::max(imaginary, least) };
+}
+
+/**
+ * In long doubles, of 64 bits, which know z but close to 0 to 40 * 2^-64. The side, where that does
+ * not tell it, is decided exactly.
+ *
+ * @return whether they know z to 1e-13 of its modulus
+ */
+bool QuickHalfSolidAngle(
+  const std::array<Point, 3>& triangle, const Site& site, std::complex<double>& z)
+{
+  const RoundedSite rounded(site);
+  Vector<long double> a, b, c;
+  if (!UnitVector(rounded, triangle[0], a) || !UnitVector(rounded, triangle[1], b) ||
+    !UnitVector(rounded, triangle[2], c))
+  {
+    return false;
+  }
+  const auto dot = [](const Vector<long double>& u, const Vector<long double>& v)
+  { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+  const long double real = 1 + ((dot(a, b) + dot(c, a)) + dot(b, c));
+  const long double imaginary = a[0] * (b[1] * c[2] - b[2] * c[1]) +
+    a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const long double modulus = std::sqrt(real * real + imaginary * imaginary);
+  if (!(modulus > LeastLongModulus))
+  {
+    return false;
+  }
+  const int side = std::abs(imaginary) > UndecidedLongDeterminant ? (imaginary > 0 ? 1 : -1)
+                                                                  : Side(triangle, site);
+  z = OnSide(
+    side, static_cast<double>(real / modulus), static_cast<double>(std::abs(imaginary) / modulus));
+  return true;
+}
+
+/**
+ * In numbers of so many digits, on a side that is not 0.
+ *
+ * @return whether they know z to RelativeError
+ */
+template <int Digits>
+bool PreciseHalfSolidAngle(
+  const std::array<Point, 3>& triangle, const Site& site, int side, std::complex<double>& z)
+{
+  using Number = Precise<Digits>;
+  const Vector<Number> a = FromSite<Number>(site, triangle[0]);
+  const Vector<Number> b = FromSite<Number>(site, triangle[1]);
+  const Vector<Number> c = FromSite<Number>(site, triangle[2]);
+  const Number lengthA = sqrt(Dot(a, a));
+  const Number lengthB = sqrt(Dot(b, b));
+  const Number lengthC = sqrt(Dot(c, c));
+  const Number all = lengthA * lengthB * lengthC;
+  const Number real = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
+  const Number imaginary = abs(Determinant(a, b, c));
+  const Number modulus = sqrt(real * real + imaginary * imaginary);
+  if (modulus == 0)
+  {
+    return false;
+  }
+  z = OnSide(side, static_cast<double>(Number(real / modulus)),
+    static_cast<double>(Number(imaginary / modulus)));
+
+  // The error of a vector is relative to the extent, not to its own length.
+  const Number least = std::min({ lengthA, lengthB, lengthC });
+  const Number error =
+    std::numeric_limits<Number>::epsilon() * RoundingErrors * Extent(triangle, site) * all;
+  return modulus * least * RelativeError > error;
+}
+} // namespace
+
+std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const Site& site)
+{
+  std::complex<double> z;
+  if (QuickHalfSolidAngle(triangle, site, z))
+  {
+    return z;
+  }
+  const int side = Side(triangle, site);
+  if (side != 0 && !PreciseHalfSolidAngle<FewDigits>(triangle, site, side, z))
+  {
+    // So many always know it.
+    PreciseHalfSolidAngle<ManyDigits>(triangle, site, side, z);
+  }
+  return side == 0 ? 1.0 : z;
+}
+
+double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)
+{
+  const double pi = 3.14159265358979323846;
+  const Point a = Minus(triangle[0], p);
+  const Point b = Minus(triangle[1], p);
+  const Point c = Minus(triangle[2], p);
+  const double lengthA = std::sqrt(Dot(a, a));
+  const double lengthB = std::sqrt(Dot(b, b));
+  const double lengthC = std::sqrt(Dot(c, c));
+  const double all = lengthA * lengthB * lengthC;
+  const double div = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
+  const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const bool isClear =
+    div * div + det * det >= LeastSquaredModulus * all * all && all > LeastProduct;
+  if (isClear && (div > 0 || std::abs(det) > UndecidedDeterminant * all))
+  {
+    return std::atan2(det, div) / (2 * pi);
+  }
+  return std::arg(HalfSolidAngle(triangle, SiteAt(p))) / (2 * pi);
+}
+} // namespace insideout

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/SolidAngleProduct.h"
+
+#include "WindingNumber/VectorClones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+// Products are normalized every so many facets: (2^-6)^32 to 4^32, times LeastImaginary, is far
+// from overflow and underflow.
+constexpr int FacetsToNormalize = 32;
+
+// z is trusted where |z|^2 is at least this: its error is below 30 * 2^-53, which turns it by less
+// than 3e-13 there and by some 1e-16 nearly always.
+constexpr double LeastSquaredModulus = 0x1p-12;
+
+// The forward error of u . normal is below 16 u |edge| |edge| with u = 2^-53: 3 from the unit
+// vector's components, 6 from the normal and 3 from the product, with room to spare.
+constexpr double SideError = 0x1p-48;
+
+// The imaginary part is u . normal over the product of the other two distances, and wrong by its
+// error over that: where a site is much nearer to two corners than the edges are long, as at the
+// short side of a needle, by digits that count. This bound allows it some 1e-14.
+constexpr double MostImaginaryError = 0x1p-42;
+
+// Imaginary parts below are zero: far less than rounding, and far from underflow in products. Where
+// the real part is negative this is out of reach, for there u . normal is above LeastSide.
+constexpr double LeastImaginary = 1e-200;
+constexpr double LeastSide = 1e-180;
+
+// Unit vectors to points nearer than 2^-48 are not trusted. Sites are known to some 2^-104,
+// so that from there on they have full precision.
+constexpr double LeastSquaredDistance = 0x1p-96;
+
+/**
+ * Multiply one site's product by z.
+ *
+ * Arguments are in (-pi, pi], and an imaginary part of -0 counts as 0. The argument of a product
+ * wraps around only if both factors have it in [0, pi] and the product has not, or both have not
+ * and the product has. The one exception, two negative real factors, cannot happen, for z never is
+ * one. Rounding does no harm: where the arguments add up to nearly 0 or 2 pi, both summands of the
+ * imaginary part have the same sign, so it cannot come out on the wrong side of the real axis;
+ * where they add up to nearly pi it can, but then the turn is counted along with it.
+ */
+INSIDEOUT_ALWAYS_INLINE void Multiply(Products& products, int lane, double zReal, double zImaginary)
+{
+  const double pReal = products.Real[lane];
+  const double pImaginary = products.Imaginary[lane];
+  const double qReal = pReal * zReal - pImaginary * zImaginary;
+  const double qImaginary = pReal * zImaginary + pImaginary * zReal;
+  const double pBelow = pImaginary < 0 ? 1 : 0;
+  const double zBelow = zImaginary < 0 ? 1 : 0;
+  const double qBelow = qImaginary < 0 ? 1 : 0;
+  products.Turns[lane] += pBelow == zBelow ? qBelow - pBelow : 0;
+  products.Real[lane] = qReal;
+  products.Imaginary[lane] = qImaginary;
+}
+
+/**
+ * Multiply each site's product by the facet's z, except in the sites where doubles do not decide
+ * it: those get a 1 in `undecided`, the others a 0.
+ *
+ * @return whether any site is undecided
+ */
+INSIDEOUT_ALWAYS_INLINE bool MultiplyByFacet(const SummedFacet& facet, const UnitVectors& a,
+  const UnitVectors& b, const UnitVectors& c, Products& products, double (&undecided)[Lanes])
+{
+  double any = 0;
+#pragma omp simd reduction(max : any)
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const double ab = a.X[lane] * b.X[lane] + a.Y[lane] * b.Y[lane] + a.Z[lane] * b.Z[lane];
+    const double bc = b.X[lane] * c.X[lane] + b.Y[lane] * c.Y[lane] + b.Z[lane] * c.Z[lane];
+    const double ca = a.X[lane] * c.X[lane] + a.Y[lane] * c.Y[lane] + a.Z[lane] * c.Z[lane];
+    const double side =
+      a.X[lane] * facet.Normal[0] + a.Y[lane] * facet.Normal[1] + a.Z[lane] * facet.Normal[2];
+    const double real = 1 + ((ab + ca) + bc); // the same when b and c change places
+    const double inverse = b.InverseDistance[lane] * c.InverseDistance[lane];
+    const double unflushed = side * inverse;
+    const double imaginary = std::abs(unflushed) > LeastImaginary ? unflushed : 0;
+
+    // In this form, NaN is undecided.
+    const double exact = facet.UndecidedSide * inverse <= MostImaginaryError ? 1 : 0;
+    const double clear = real * real + imaginary * imaginary >= LeastSquaredModulus ? exact : 0;
+    const double sided = std::abs(side) > facet.UndecidedSide ? 1 : 0;
+    const double decided = real > 0 ? clear : clear * sided;
+    Multiply(products, lane, decided > 0 ? real : 1, decided > 0 ? imaginary : 0);
+    undecided[lane] = 1 - decided;
+    any = std::max(any, undecided[lane]);
+  }
+  return any > 0;
+}
+
+INSIDEOUT_ALWAYS_INLINE void Normalize(Products& products)
+{
+#pragma omp simd
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const double inverse = 1 /
+      std::sqrt(products.Real[lane] * products.Real[lane] +
+        products.Imaginary[lane] * products.Imaginary[lane]);
+    products.Real[lane] *= inverse;
+    products.Imaginary[lane] *= inverse;
+  }
+}
+
+/** a + b = sum + the value returned, exactly (Knuth). */
+INSIDEOUT_ALWAYS_INLINE double TwoSum(double a, double b, double& sum)
+{
+  const double s = a + b;
+  const double bRounded = s - a;
+  const double aRounded = s - bRounded;
+  sum = s;
+  return (a - aRounded) + (b - bRounded);
+}
+} // namespace
+
+void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c)
+{
+  const Point e = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+  const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
+  facet.Normal = { e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
+    e[0] * f[1] - e[1] * f[0] };
+  facet.UndecidedSide =
+    SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
+}
+
+INSIDEOUT_VECTOR_CLONES
+void SetSites(SiteBlock& block, const SiteCorners& corners, const SiteWeights& weights)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double high[Lanes] = {};
+    double low[Lanes] = {};
+    for (int k = 0; k < 4; ++k)
+    {
+      const double weight = weights[k];
+      const double* const corner = corners.Of[k][axis];
+      if (weight != 0.25) // which loses no digit
+      {
+        for (int lane = 0; lane < Lanes; ++lane)
+        {
+          low[lane] += std::fma(weight, corner[lane], -(weight * corner[lane]));
+        }
+      }
+#pragma omp simd
+      for (int lane = 0; lane < Lanes; ++lane)
+      {
+        low[lane] += TwoSum(high[lane], weight * corner[lane], high[lane]);
+      }
+    }
+#pragma omp simd
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      block.Low[axis][lane] = TwoSum(high[lane], low[lane], block.High[axis][lane]);
+    }
+  }
+}
+
+INSIDEOUT_VECTOR_CLONES
+void ComputeUnitVectors(
+  const Point* points, std::size_t count, const SiteBlock& from, UnitVectors* vectors)
+{
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    const double px = points[p][0], py = points[p][1], pz = points[p][2];
+    UnitVectors& to = vectors[p];
+#pragma omp simd
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      // The first difference is exact where it is small, so each component has full precision.
+      const double x = (px - from.High[0][lane]) - from.Low[0][lane];
+      const double y = (py - from.High[1][lane]) - from.Low[1][lane];
+      const double z = (pz - from.High[2][lane]) - from.Low[2][lane];
+      const double squared = x * x + y * y + z * z;
+      const double inverse = squared > LeastSquaredDistance
+        ? 1 / std::sqrt(squared)
+        : std::numeric_limits<double>::quiet_NaN();
+      to.X[lane] = x * inverse;
+      to.Y[lane] = y * inverse;
+      to.Z[lane] = z * inverse;
+      to.InverseDistance[lane] = inverse;
+    }
+  }
+}
+
+INSIDEOUT_VECTOR_CLONES
+const SummedFacet* MultiplyByFacets(const SummedFacet* first, const SummedFacet* last,
+  const UnitVectors* vectors, Products& products, double (&undecided)[Lanes])
+{
+  // Kept apart from the argument, so that nothing else can refer to it.
+  Products local = products;
+  const SummedFacet* facet = first;
+  bool any = false;
+  while (facet != last && !any)
+  {
+    const SummedFacet* stop = std::min(last, facet + FacetsToNormalize);
+    for (; facet != stop && !any; ++facet)
+    {
+      any = MultiplyByFacet(*facet, vectors[facet->Local[0]], vectors[facet->Local[1]],
+        vectors[facet->Local[2]], local, undecided);
+    }
+    Normalize(local);
+  }
+  products = local;
+  return facet;
+}
+
+void MultiplyBy(Products& products, int lane, double real, double imaginary)
+{
+  Multiply(products, lane, real, imaginary);
+}
+
+double WindingNumber(const Products& products, int lane)
+{
+  const double pi = 3.14159265358979323846;
+  // Adding 0 makes -0 positive, so that a negative real number has the argument pi.
+  const double argument = std::atan2(products.Imaginary[lane] + 0.0, products.Real[lane]);
+  return products.Turns[lane] + argument / (2 * pi);
+}
+} // namespace insideout

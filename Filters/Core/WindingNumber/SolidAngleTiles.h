@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindingNumber/CountedBoundary.h"
+#include "WindingNumber/SolidAngleProduct.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** A block of sites, and the product of what was multiplied to it so far. */
+struct SiteProducts
+{
+  std::array<std::size_t, Lanes> Index; ///< of the sites, in the list that they come from
+  SiteBlock Rounded;
+  Products Product;
+};
+
+/** A part of the tiles. */
+struct TileRange
+{
+  std::size_t First = 0;
+  std::size_t Last = 0;
+};
+
+/** The block of the sites from `first` on of `order`, the last again and again where these end. */
+SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first);
+
+/**
+ * Triangles prepared for the product of SolidAngleProduct.h. Those that share points stand together
+ * in a tile, whose unit vectors fit in the first cache: a block of sites computes them once per
+ * tile.
+ */
+class SolidAngleTiles
+{
+public:
+  /**
+   * @param[in] points of all triangles, below 1 in each coordinate; has to live as long as the
+   * tiles
+   */
+  explicit SolidAngleTiles(const std::vector<Point>& points);
+
+  /** Put these triangles into new tiles, turned over where their count is negative and repeated
+   * where it is above 1. Triangles next to each other in space should be next to each other. */
+  TileRange Add(const std::vector<CountedTriangle>& triangles);
+
+  /** Multiply each site's product by the triangles of some tiles. The block is made of `sites`. */
+  void Multiply(TileRange tiles, const Sites& sites, SiteProducts& block) const;
+
+  std::size_t NumberOfTriangles() const { return this->Facets.size(); }
+
+private:
+  struct Tile
+  {
+    std::size_t FirstPoint, LastPoint;
+    std::size_t FirstFacet, LastFacet;
+  };
+
+  void CloseTile(std::size_t firstFacet);
+  void MultiplyByUndecided(const SummedFacet& facet, const Sites& sites,
+    const double (&undecided)[Lanes], SiteProducts& block) const;
+
+  const std::vector<Point>& Points;
+  std::vector<Tile> Tiles;
+  std::vector<SummedFacet> Facets;
+  std::vector<Point> TilePoints; // of tile after tile
+};
+} // namespace insideout

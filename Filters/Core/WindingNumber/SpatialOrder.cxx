@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/SpatialOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace insideout
+{
+namespace
+{
+constexpr std::size_t SmallSize = 4096; // not worth a second thread
+constexpr int BitsPerAxis = 10;
+constexpr std::uint32_t CellsPerAxis = 1u << BitsPerAxis;
+
+/** Spread 10 bits out to every third. */
+std::uint32_t Spread(std::uint32_t x)
+{
+  x = (x | (x << 16)) & 0x030000ffu;
+  x = (x | (x << 8)) & 0x0300f00fu;
+  x = (x | (x << 4)) & 0x030c30c3u;
+  x = (x | (x << 2)) & 0x09249249u;
+  return x;
+}
+
+struct Key
+{
+  std::uint32_t Code;
+  Id Index;
+};
+
+/** Stable, by 15 bits at a time. */
+void SortByCode(std::vector<Key>& keys)
+{
+  constexpr int digitBits = 3 * BitsPerAxis / 2;
+  constexpr std::uint32_t digits = 1u << digitBits;
+  std::vector<Key> sorted(keys.size());
+  for (int shift : { 0, digitBits })
+  {
+    std::vector<std::size_t> begin(digits + 1, 0);
+    for (const Key& key : keys)
+    {
+      ++begin[((key.Code >> shift) & (digits - 1)) + 1];
+    }
+    for (std::uint32_t digit = 0; digit < digits; ++digit)
+    {
+      begin[digit + 1] += begin[digit];
+    }
+    for (const Key& key : keys)
+    {
+      sorted[begin[(key.Code >> shift) & (digits - 1)]++] = key;
+    }
+    keys.swap(sorted);
+  }
+}
+} // namespace
+
+std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  Point low = { infinity, infinity, infinity };
+  Point high = { -infinity, -infinity, -infinity };
+  for (const Point& p : positions)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  }
+  // The same scale on all axes; halves, for the extent itself may overflow.
+  double halfExtent = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    halfExtent = std::max(halfExtent, high[axis] / 2 - low[axis] / 2);
+  }
+  const auto digit = [&](double x, double least) -> std::uint32_t
+  {
+    const double part = halfExtent > 0 ? (x / 2 - least / 2) / halfExtent : 0;
+    return std::min(CellsPerAxis - 1, static_cast<std::uint32_t>(part * CellsPerAxis));
+  };
+  std::vector<Key> keys(positions.size());
+#pragma omp parallel for if (positions.size() > SmallSize)
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    const Point& p = positions[i];
+    keys[i] = { Spread(digit(p[0], low[0])) | Spread(digit(p[1], low[1])) << 1 |
+        Spread(digit(p[2], low[2])) << 2,
+      static_cast<Id>(i) };
+  }
+  SortByCode(keys);
+  std::vector<Id> order(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    order[i] = keys[i].Index;
+  }
+  return order;
+}
+
+std::vector<Id> SpatialOrder(const Sites& sites)
+{
+  std::vector<Point> positions(sites.Cells.size());
+#pragma omp parallel for if (positions.size() > SmallSize)
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    const Site site = sites[i];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      positions[i][axis] = 0;
+      for (int k = 0; k < 4; ++k)
+      {
+        positions[i][axis] += site.Weights[k] * site.Corners[k][axis];
+      }
+    }
+  }
+  return SpatialOrder(positions);
+}
+} // namespace insideout

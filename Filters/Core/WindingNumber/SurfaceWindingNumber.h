@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+#include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
+
+#include <memory>
+
+namespace insideout
+{
+enum class WindingNumberMethod
+{
+  Exact,        ///< right to rounding, and the fastest (ExactWindingNumber.h)
+  Naive,        ///< the sum over all facets, right to rounding (WindingNumberSum.h)
+  Hierarchical, ///< the thesis's, right to rounding (HierarchicalWindingNumber.h)
+  Approximate   ///< the far-field expansion (ApproximateWindingNumber.h)
+};
+
+struct WindingNumberParameters
+{
+  WindingNumberMethod Method = WindingNumberMethod::Exact;
+  int ApproximationOrder = 2; ///< 1 to 3, of Approximate
+  double Accuracy = 2;        ///< at least 1, of Approximate: how many radii away is far
+};
+
+/**
+ * The winding number of a surface anywhere: facets may cross each other and need no mesh.
+ *
+ * On the surface, Exact, Naive and Hierarchical give the mean of the values around the point,
+ * weighted by solid angle: on a facet the mean of both sides, on a closed surface's edge the
+ * dihedral angle over 2 pi. Points that are not finite have w = NaN.
+ */
+class SurfaceWindingNumber
+{
+public:
+  /**
+   * @param[in] surface every facet counts, none is degenerate; it need not live on
+   * @throws Error (Stopped), (InvalidParameter)
+   */
+  SurfaceWindingNumber(
+    const FacetComplex& surface, const WindingNumberParameters& parameters, Monitor& monitor);
+  ~SurfaceWindingNumber();
+
+  /**
+   * One value per point, on all threads; the values do not depend on their number.
+   *
+   * @param[in] progress what part of the work these points are
+   * @throws Error (Stopped)
+   */
+  std::vector<double> At(const std::vector<Point>& points, Monitor& monitor,
+    const ProgressRange& progress = { "winding numbers", 0, 1 }) const;
+
+  /** At one point. Safe to call from several threads. */
+  double At(const Point& point) const;
+
+  /**
+   * The gradient of w, by the Biot-Savart integral over the open edges: w is smooth away from the
+   * surface and jumps by whole numbers across it, so that facets add nothing, and on a closed
+   * surface the gradient is 0 everywhere. 0 on an open edge itself. Safe to call from several
+   * threads.
+   */
+  Point Gradient(const Point& point) const;
+
+  /** Whether w is a whole number away from the surface. */
+  bool IsClosed() const;
+
+private:
+  class Implementation;
+  std::unique_ptr<const Implementation> Internals;
+};
+} // namespace insideout

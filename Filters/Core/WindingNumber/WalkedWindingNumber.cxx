@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/WalkedWindingNumber.h"
+
+#include "WindingNumber/Prefetch.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace insideout
+{
+namespace
+{
+constexpr int Unknown = std::numeric_limits<int>::min();
+
+[[noreturn]] void ThrowDifferent(Id from, Id to)
+{
+  throw Error(ErrorCode::Inconsistent,
+    "the winding number does not rise by the facets' count between cell " +
+      (from == None ? std::string("(outside)") : std::to_string(from)) + " and cell " +
+      std::to_string(to));
+}
+
+// Cells are scattered over memory. Those that come so many steps later are fetched ahead.
+constexpr std::size_t StepsAhead = 8;
+
+void PrefetchFaces(const TetrahedralMesh& mesh, Id cell)
+{
+  Prefetch(&mesh.Neighbors[cell]);
+  Prefetch(&mesh.Facets[cell]);
+  Prefetch(&mesh.FacetSides[cell]);
+}
+
+/**
+ * Carry the winding number from the hull into every cell that can be reached, and compare it
+ * wherever a cell is met again. Cells that cannot be reached stay Unknown.
+ */
+class Walk
+{
+public:
+  Walk(const FacetComplex& surface, const TetrahedralMesh& mesh)
+    : Mesh(mesh)
+    , W(mesh.Cells.size(), Unknown)
+  {
+    this->Reached.reserve(mesh.Cells.size());
+    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        if (mesh.Neighbors[cell][k] == None)
+        {
+          this->Reach(None, cell, MultiplicityOnEntering(surface, mesh, cell, k));
+        }
+      }
+    }
+    for (std::size_t next = 0; next < this->Reached.size(); ++next)
+    {
+      if (next + StepsAhead < this->Reached.size())
+      {
+        this->PrefetchNeighbors(this->Reached[next + StepsAhead]);
+      }
+      const Id cell = this->Reached[next];
+      for (int k = 0; k < 4; ++k)
+      {
+        if (mesh.Neighbors[cell][k] != None)
+        {
+          this->Reach(cell, mesh.Neighbors[cell][k],
+            this->W[cell] - MultiplicityOnEntering(surface, mesh, cell, k));
+        }
+      }
+    }
+  }
+
+  const std::vector<int>& Values() const { return this->W; }
+
+private:
+  void Reach(Id from, Id to, int value)
+  {
+    if (this->W[to] == Unknown)
+    {
+      this->W[to] = value;
+      this->Reached.push_back(to);
+      PrefetchFaces(this->Mesh, to);
+    }
+    else if (this->W[to] != value)
+    {
+      ThrowDifferent(from, to);
+    }
+  }
+
+  void PrefetchNeighbors(Id cell) const
+  {
+    for (const Id neighbor : this->Mesh.Neighbors[cell])
+    {
+      if (neighbor != None)
+      {
+        Prefetch(&this->W[neighbor]);
+      }
+    }
+  }
+
+  const TetrahedralMesh& Mesh;
+  std::vector<int> W;
+  std::vector<Id> Reached;
+};
+
+/** Walk from a part's first cell to all others. */
+void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
+  const std::vector<char>& touched, Id first, UntouchedParts& parts)
+{
+  const Id part = static_cast<Id>(parts.FirstCell.size());
+  parts.FirstCell.push_back(first);
+  parts.OfCell[first].Part = part;
+  std::vector<Id> reached = { first };
+  for (std::size_t next = 0; next < reached.size(); ++next)
+  {
+    for (int k = 0; next + StepsAhead < reached.size() && k < 4; ++k)
+    {
+      const Id ahead = mesh.Neighbors[reached[next + StepsAhead]][k];
+      if (ahead != None)
+      {
+        Prefetch(&touched[ahead]);
+        Prefetch(&parts.OfCell[ahead]);
+      }
+    }
+    const Id cell = reached[next];
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = mesh.Neighbors[cell][k];
+      if (neighbor == None || touched[neighbor])
+      {
+        continue;
+      }
+      const int rise = parts.OfCell[cell].Rise - counts.OnEntering(cell, k);
+      UntouchedParts::Place& place = parts.OfCell[neighbor];
+      if (place.Part == None)
+      {
+        place = { part, rise };
+        reached.push_back(neighbor);
+        PrefetchFaces(mesh, neighbor);
+      }
+      else if (place.Rise != rise)
+      {
+        ThrowDifferent(cell, neighbor);
+      }
+    }
+  }
+}
+} // namespace
+
+std::vector<double> WalkedWindingNumbers(
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, const char* stage)
+{
+  monitor.Check(stage, 0);
+  const Walk walk(surface, mesh);
+  const std::vector<int>& walked = walk.Values();
+  monitor.Check(stage, 0.5);
+  const auto missing = std::find(walked.begin(), walked.end(), Unknown);
+  if (missing != walked.end())
+  {
+    throw Error(ErrorCode::Inconsistent,
+      "cell " + std::to_string(missing - walked.begin()) + " cannot be reached from the hull");
+  }
+  monitor.Check(stage, 1);
+  return std::vector<double>(walked.begin(), walked.end());
+}
+
+FaceCounts::FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh)
+  : Mesh(mesh)
+  , Count(surface.Multiplicity.begin(), surface.Multiplicity.end())
+{
+  for (const Id facet : mesh.LostFacets)
+  {
+    this->Count[facet] = 0;
+  }
+}
+
+std::vector<CountedTriangle> FaceCounts::Chain() const
+{
+  std::vector<CountedTriangle> faces;
+  for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+  {
+    const Tetrahedron& t = this->Mesh.Cells[cell];
+    for (int k = 0; k < 4; ++k)
+    {
+      const int count = this->OnEntering(cell, k);
+      if (count != 0 && this->Mesh.Neighbors[cell][k] < cell)
+      {
+        const std::array<int, 3>& corners = TetrahedronFaces[k];
+        faces.push_back({ { { t[corners[0]], t[corners[1]], t[corners[2]] } }, count });
+      }
+    }
+  }
+  return faces;
+}
+
+UntouchedParts WalkParts(
+  const FaceCounts& counts, const TetrahedralMesh& mesh, const std::vector<char>& touched)
+{
+  UntouchedParts parts;
+  parts.OfCell.assign(mesh.Cells.size(), { None, 0 });
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    if (!touched[cell] && parts.OfCell[cell].Part == None)
+    {
+      WalkPart(counts, mesh, touched, cell, parts);
+    }
+  }
+  return parts;
+}
+} // namespace insideout

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/TetrahedralMesh.h"
+#include "WindingNumber/CountedBoundary.h"
+
+namespace insideout
+{
+/**
+ * Winding numbers carried from the hull into every cell: entering a cell through a face adds the
+ * multiplicity there, and nothing else if the complex is closed and its facets are all in the mesh.
+ *
+ * @return one whole number per cell
+ * @throws Error (Stopped), (Inconsistent) when two ways to a cell give different numbers or there
+ * is none
+ */
+std::vector<double> WalkedWindingNumbers(
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, const char* stage);
+
+/** What every face of the mesh counts for, as far as the facets in it are whole. */
+class FaceCounts
+{
+public:
+  /** @param[in] surface, mesh of which the facets that the mesh lost count nothing; both have to
+   * live as long as this object */
+  FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh);
+
+  /** By how much w rises when entering the cell through the face; 0 for pieces of lost facets. */
+  int OnEntering(Id cell, int face) const
+  {
+    const Id facet = this->Mesh.Facets[cell][face];
+    return facet == None ? 0 : this->Mesh.FacetSides[cell][face] * this->Count[facet];
+  }
+
+  /** The faces that count, each once, along the outward normal of one of its cells. */
+  std::vector<CountedTriangle> Chain() const;
+
+private:
+  const TetrahedralMesh& Mesh;
+  std::vector<int> Count; // per facet
+};
+
+/** Parts of the mesh, joined through faces, of the cells that nothing but its faces touches. */
+struct UntouchedParts
+{
+  struct Place
+  {
+    Id Part;  ///< None for touched cells
+    int Rise; ///< from the part's first cell
+  };
+
+  std::vector<Place> OfCell;
+  std::vector<Id> FirstCell; ///< of each part
+};
+
+/**
+ * Walk within each part, from its first cell to all others.
+ *
+ * @param[in] touched one per cell, not 0 for those that belong to no part
+ * @throws Error (Inconsistent) when two ways to a cell give different numbers
+ */
+UntouchedParts WalkParts(
+  const FaceCounts& counts, const TetrahedralMesh& mesh, const std::vector<char>& touched);
+} // namespace insideout

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/ParallelLoop.h"
+#include "WindingNumber/BoundaryProduct.h"
+#include "WindingNumber/SolidAngleTiles.h"
+
+namespace insideout
+{
+/**
+ * The winding number of a chain of triangles that is small against the region where it is wanted:
+ * the caps that close the holes of a surface.
+ *
+ * The chain is given in parts, its caps. A site that is so far from some caps that their winding
+ * numbers together are below 1/2 by their areas gets these from the boundaries alone
+ * (BoundaryProduct.h), which say it modulo 1. The other caps are summed, triangle by triangle, with
+ * exact decisions on which side of a triangle the site lies (SolidAngleProduct.h). Either way the
+ * value is right to rounding and never off by one. Neighbouring caps make a bunch, so that where it
+ * is far many small caps cost no more than a large one with as many edges.
+ */
+class WindingNumberOfCaps
+{
+public:
+  /**
+   * @param[in] points of the caps, below 1 in each coordinate; has to live as long as this object
+   * @param[in] caps each a chain of triangles that are not degenerate; connected ones serve best
+   */
+  WindingNumberOfCaps(
+    const std::vector<Point>& points, const std::vector<std::vector<CountedTriangle>>& caps);
+
+  /**
+   * Add the winding number at site order[i] to w[order[i]], for all i, on all threads. Fastest
+   * where neighbours in `order` are neighbours in space; the values do not depend on the number of
+   * threads.
+   *
+   * @param[in] sites below 2^50 in each coordinate
+   * @throws Error (Stopped)
+   */
+  void Add(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
+    Monitor& monitor, const ProgressRange& progress) const;
+
+  /** The winding number at one point. Safe to call from several threads. */
+  double At(const Point& point) const;
+
+  bool IsEmpty() const { return this->Caps.empty(); }
+
+  struct Ball
+  {
+    Point Centre;
+    double Radius;
+  };
+
+private:
+  using Chain = std::vector<CountedTriangle>;
+
+  /** A cap or several. */
+  struct Part
+  {
+    Ball Around;
+    double Area; ///< counted as often as the triangles
+    TileRange Triangles;
+    std::size_t FirstPoint; ///< of the boundary, in LoopPoints
+    std::size_t FirstSize;  ///< of its loops, in LoopSizes
+    std::size_t LastSize;
+  };
+  /** Neighbouring caps. */
+  struct Bunch
+  {
+    Part Whole;
+    std::size_t FirstCap;
+    std::size_t LastCap;
+  };
+  struct BoundedPart
+  {
+    const Part* Taken;
+    double Bound; ///< of |w| at the sites
+  };
+
+  void AddBunches(const Chain** first, const Chain** last);
+  void AddBunch(const Chain* const* first, const Chain* const* last);
+  void Measure(const Chain& triangles, Part& part) const;
+  void AddLoops(const std::vector<Loop>& loops, Part& cap);
+  void Choose(const Ball& sites, std::vector<BoundedPart>& parts) const;
+  void MultiplyByFar(
+    const Part& part, const Ball& ball, const SiteBlock& sites, PhaseProducts& products) const;
+  void AddBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first,
+    std::vector<BoundedPart>& parts, std::vector<double>& w) const;
+
+  const std::vector<Point>& Points;
+  SolidAngleTiles Triangles;
+  std::vector<Bunch> Bunches;
+  std::vector<Part> Caps;
+  std::vector<Point> LoopPoints; // of loop after loop
+  std::vector<std::int32_t> LoopSizes;
+};
+} // namespace insideout

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/ExactVertices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace insideout;
+
+namespace
+{
+/** Doubles, and Steiner points on edges and in planes of them, some of them a rounding error apart.
+ */
+class Vertices
+{
+public:
+  /** @param[in] exponents of two that coordinates have at most, up and down */
+  Vertices(unsigned seed, int exponents)
+    : Random(seed)
+    , Exact(Points(exponents))
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      this->AddOnEdge();
+      this->AddInPlane();
+    }
+    for (int k = 0; k < 20; ++k)
+    {
+      this->AddBeside(this->Any());
+    }
+  }
+
+  ExactVertices& Get() { return this->Exact; }
+
+  Id Any() { return this->Any(this->Exact.Size()); }
+
+  /** Any four vertices, or of those that lie nearly in one plane. */
+  Tetrahedron Four()
+  {
+    const std::vector<Id>* group =
+      this->Random() % 2 == 0 ? &this->Groups[this->Random() % this->Groups.size()] : nullptr;
+    Tetrahedron four;
+    for (Id& v : four)
+    {
+      v = group == nullptr ? this->Any() : (*group)[this->Random() % group->size()];
+    }
+    return four;
+  }
+
+private:
+  static constexpr Id NumberOfDoubles = 12;
+
+  std::vector<Point> Points(int exponents)
+  {
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    std::uniform_int_distribution<int> exponent(-exponents, exponents);
+    std::vector<Point> points;
+    for (Id p = 0; p < NumberOfDoubles; ++p)
+    {
+      points.emplace_back();
+      for (double& x : points.back())
+      {
+        x = std::ldexp(coordinate(this->Random), exponent(this->Random));
+      }
+      if (p % 4 == 3)
+      {
+        points.back()[p % 3] = points[p - 1][p % 3];
+      }
+    }
+    return points;
+  }
+
+  Id Any(Id below) { return static_cast<Id>(this->Random() % static_cast<unsigned>(below)); }
+
+  DyadicNumber Part() { return DyadicNumber(static_cast<double>(1 + this->Random() % 1000000)); }
+
+  void AddOnEdge()
+  {
+    const Id a = this->Any(NumberOfDoubles);
+    const Id b = (a + 1 + this->Any(NumberOfDoubles - 1)) % NumberOfDoubles;
+    this->Exact.AddBetween(a, b, this->Part(), this->Part(), { { a, b, b } });
+  }
+
+  void AddInPlane()
+  {
+    const Id f = this->Any(NumberOfDoubles - 2);
+    const Id u = this->Any();
+    const Id v = this->Any();
+    const DyadicNumber atU = this->Exact.Determinant(f, f + 1, f + 2, u);
+    const DyadicNumber atV = this->Exact.Determinant(f, f + 1, f + 2, v);
+    if (atU.sign() * atV.sign() < 0)
+    {
+      this->Exact.AddBetween(u, v, DyadicNumber(0) - atV, atU, { { f, f + 1, f + 2 } });
+    }
+  }
+
+  /** A vertex's nearest double, points of edges from there, and what all of them lie beside. */
+  void AddBeside(Id vertex)
+  {
+    const Id near = this->Exact.Add(this->Exact.Nearest(vertex));
+    const Id f = this->Any(NumberOfDoubles - 2);
+    std::vector<Id> group = { f, f + 1, f + 2, vertex, near };
+    for (Id corner = f; corner < f + 3; ++corner)
+    {
+      group.push_back(this->Exact.AddBetween(
+        near, corner, this->Part(), this->Part(), { { near, corner, corner } }));
+      group.push_back(this->Exact.Add(this->Exact.Nearest(group.back())));
+    }
+    this->Groups.push_back(group);
+  }
+
+  std::mt19937 Random;
+  ExactVertices Exact;
+  std::vector<std::vector<Id>> Groups;
+};
+
+/** @return how often the four were in one plane */
+int CheckOrientations(unsigned seed, int exponents)
+{
+  Vertices vertices(seed, exponents);
+  const ExactVertices& exact = vertices.Get();
+  int coplanar = 0;
+  for (int trial = 0; trial < 4000; ++trial)
+  {
+    const Tetrahedron v = vertices.Four();
+    const int expected = exact.Determinant(v[0], v[1], v[2], v[3]).sign();
+    EXPECT_EQ(exact.Orient(v[0], v[1], v[2], v[3]), expected)
+      << "seed " << seed << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3];
+    coplanar += expected == 0 ? 1 : 0;
+  }
+  return coplanar;
+}
+} // namespace
+
+TEST(ExactVertices, OrientIsTheSignOfTheDeterminantOfPointsOnEdgesAndPlanesAndBesideThem)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    const int coplanar = CheckOrientations(seed, 0);
+    EXPECT_GT(coplanar, 100);
+    EXPECT_LT(coplanar, 3500);
+  }
+}
+
+TEST(ExactVertices, OrientIsTheSignOfTheDeterminantHoweverLargeOrSmallCoordinatesAre)
+{
+  for (const int exponents : { 10, 60, 200, 330 })
+  {
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+      CheckOrientations(seed, exponents);
+    }
+  }
+}
+
+TEST(ExactVertices, OrientsPointsOfTheSmallestDoubles)
+{
+  constexpr double Least = 5e-324;
+  ExactVertices exact({ { { 0, 0, 0 } }, { { Least, 0, 0 } }, { { 0, Least, 0 } },
+    { { 0, 0, Least } }, { { 0, 1, 0 } } });
+  const Id third = exact.AddBetween(0, 1, DyadicNumber(2), DyadicNumber(1), { { 0, 1, 1 } });
+  const Id high = exact.AddBetween(0, 3, DyadicNumber(2), DyadicNumber(1), { { 0, 3, 3 } });
+  EXPECT_FALSE(exact.IsDouble(third));
+  EXPECT_EQ(exact.Orient(0, third, 4, high), exact.Determinant(0, third, 4, high).sign());
+  EXPECT_NE(exact.Orient(0, third, 4, high), 0);
+}
+
+TEST(ExactVertices, APointThatIsADoubleBecomesOne)
+{
+  ExactVertices exact({ { { 0, 0, 0 } }, { { 3, 1, -5 } } });
+  const Id middle = exact.AddBetween(0, 1, DyadicNumber(7), DyadicNumber(7), { { 0, 1, 1 } });
+  EXPECT_TRUE(exact.IsDouble(middle));
+  EXPECT_EQ(exact.Nearest(middle), (Point{ { 1.5, 0.5, -2.5 } }));
+  const Id third = exact.AddBetween(0, 1, DyadicNumber(2), DyadicNumber(1), { { 0, 1, 1 } });
+  EXPECT_FALSE(exact.IsDouble(third));
+  EXPECT_DOUBLE_EQ(exact.Nearest(third)[1], 1.0 / 3);
+}
+
+TEST(ExactVertices, OrientsPointsWithMoreDigitsThanDoublesHaveExponentsFor)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::vector<Point> points(6);
+  for (Point& p : points)
+  {
+    p = { { coordinate(random), coordinate(random), coordinate(random) } };
+  }
+  for (const double size : { 0x1p300, 0x1p-300 })
+  {
+    ExactVertices exact(points);
+    Id last = 0;
+    for (Id k = 0; k < 24; ++k)
+    {
+      // Weights that are long, and beyond all doubles after a few steps.
+      const DyadicNumber a = DyadicNumber(size) * DyadicNumber(1 + k % 5) + DyadicNumber(1);
+      const DyadicNumber b = DyadicNumber(size) * DyadicNumber(3);
+      const Id corner = 1 + k % 2;
+      last = exact.AddBetween(last, corner, a, b, { { 0, 1, 2 } });
+      EXPECT_EQ(exact.Orient(0, 1, 2, last), 0);
+      for (Id p = 0; p < 5; ++p)
+      {
+        const Tetrahedron v = { { p, p + 1, k % 3, last } };
+        EXPECT_EQ(
+          exact.Orient(v[0], v[1], v[2], v[3]), exact.Determinant(v[0], v[1], v[2], v[3]).sign());
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_LE(std::abs(exact.Nearest(last)[axis]), 1);
+      }
+    }
+  }
+}

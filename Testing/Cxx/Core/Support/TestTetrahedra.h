@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/TetrahedralMesh.h"
+
+#include <random>
+
+/** Tetrahedral meshes without a tetrahedralizer, and facets chosen among their faces. */
+namespace testtetrahedra
+{
+using namespace insideout;
+
+/**
+ * size^3 cubes of six tetrahedra each (Kuhn), 100 apart, every point moved by a random whole number
+ * below 10 along each axis. Coordinates are integers, cells positive.
+ */
+TetrahedralMesh Grid(unsigned seed, int size);
+
+/** Whether every cell has a positive volume, exactly. */
+bool AllPositive(const TetrahedralMesh& mesh);
+
+/** Multiply all coordinates along one axis. */
+void Squeeze(TetrahedralMesh& mesh, int axis, double factor);
+
+/**
+ * Move inner points to within a few units in the last place of the opposite face of one of their
+ * cells, where all cells stay positive.
+ * @return how many points were moved
+ */
+int Flatten(TetrahedralMesh& mesh, unsigned seed);
+
+/**
+ * A complex whose facets are faces of the mesh, entered into the mesh: the faces where `labels`
+ * (one per cell, 0 beyond the hull) jump, by as much, turned over at random; and a few others of
+ * multiplicity 0. It is closed, and the labels are its winding numbers.
+ */
+FacetComplex BoundaryOfLabels(TetrahedralMesh& mesh, const std::vector<int>& labels, unsigned seed);
+
+/** The same of random faces with multiplicities from -2 to 2: a complex with open edges. */
+FacetComplex RandomFaces(TetrahedralMesh& mesh, unsigned seed);
+
+/** Random labels from -3 to 3, one per cell. */
+std::vector<int> RandomLabels(const TetrahedralMesh& mesh, unsigned seed);
+
+/** Random inside (1) or outside (0), one per cell; by the seed a quarter to all are inside. */
+std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed);
+} // namespace testtetrahedra

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+#include "WindingNumber/Sites.h"
+
+namespace testmeshes
+{
+/**
+ * The winding number of a complex at a site by brute force, to compare with: the sum of all solid
+ * angles in quadruple precision. A facet that the site is so close to that quadruple precision
+ * lacks digits is looked at with enough of them to be exact, so that one in whose plane the site
+ * lies counts 0.
+ *
+ * @param[in] site a barycentre, or a point by SiteAt
+ * @return NaN if coordinates differ so much in size that even those digits were too few
+ */
+double WindingNumberInQuads(const insideout::FacetComplex& surface, const insideout::Site& site);
+} // namespace testmeshes
