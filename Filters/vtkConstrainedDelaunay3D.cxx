@@ -4,6 +4,7 @@
 #include "HullMesh.h"
 #include "Resolve/FindIntersections.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
+#include "Tetrahedralize/Ladder.h"
 #include "vtkInsideOutConversion.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutWholeInput.h"

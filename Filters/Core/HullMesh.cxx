@@ -45,36 +45,6 @@ bool Orient(HullMesh& hull, Orientation orientation)
 }
 } // namespace
 
-void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics)
-{
-  const TetrahedralMesh& mesh = result.Mesh;
-  statistics.emplace_back("Rung", result.Rung);
-  statistics.emplace_back("HullPoints", mesh.Points.size());
-  statistics.emplace_back("HullCells", mesh.Cells.size());
-  statistics.emplace_back("SteinerPoints", mesh.NumberOfSteinerPoints);
-  statistics.emplace_back("SurfaceSteinerPoints", mesh.NumberOfSurfaceSteinerPoints);
-  statistics.emplace_back("LostFacets", mesh.LostFacets.size());
-}
-
-void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings)
-{
-  warnings.insert(warnings.end(), result.Failures.begin(), result.Failures.end());
-  if (!result.Failures.empty())
-  {
-    warnings.push_back(std::string("the tetrahedra come from: ") + RungName(result.Rung));
-  }
-  if (!result.Mesh.LostFacets.empty())
-  {
-    warnings.push_back(std::to_string(result.Mesh.LostFacets.size()) +
-      " facets are not in the mesh as faces: they count, but do not shape it");
-  }
-  if (result.Mesh.NumberOfSurfaceSteinerPoints > 0)
-  {
-    warnings.push_back(std::to_string(result.Mesh.NumberOfSurfaceSteinerPoints) +
-      " points were added on facets or their edges");
-  }
-}
-
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
 {
   HullMesh hull;

@@ -44,11 +44,4 @@ struct HullMesh
  * @throws Error whatever the stages throw
  */
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
-
-/** Where the mesh comes from and its sizes, for `statistics`. */
-void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics);
-
-/** Say in a line each which rungs failed and why, and where the mesh comes from; nothing when the
- * first rung was good enough. */
-void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings);
 } // namespace insideout

@@ -3,6 +3,7 @@
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Support/ReadTriangles.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
+#include "Tetrahedralize/Ladder.h"
 #include "Tetrahedralize/TetgenProcess.h"
 #include "Validate/CountedChain.h"
 

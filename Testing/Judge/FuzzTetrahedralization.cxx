@@ -58,8 +58,7 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
       surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
     Deadline deadline;
     const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, deadline);
-    const TetrahedralMesh mesh = AssembleMesh(
-      surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces }, patient);
+    const TetrahedralMesh mesh = AssembleMesh(surface, exact.Tetrahedra, patient);
     testing::TestPartResultArray violations;
     {
       const testing::ScopedFakeTestPartResultReporter reporter(&violations);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Common/Monitor.h"
-#include "Common/ProgressRange.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -39,8 +38,7 @@ public:
   void CheckNow(std::size_t turn) const
   {
     const double part = std::min(static_cast<double>(turn) / std::max(this->Turns, 1.0), 1.0);
-    this->Watch.Check(
-      this->Range.Stage, this->Range.Begin + part * (this->Range.End - this->Range.Begin));
+    this->Watch.Check(this->Range, part);
   }
 
 private:

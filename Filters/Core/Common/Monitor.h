@@ -2,6 +2,9 @@
 #pragma once
 
 #include "Common/Error.h"
+#include "Common/ProgressRange.h"
+
+#include <algorithm>
 
 namespace insideout
 {
@@ -27,7 +30,30 @@ public:
     }
   }
 
+  /** The same where `part` (0 to 1) of a step of a stage is done. */
+  void Check(const ProgressRange& step, double part) { this->Check(step.Stage, step.At(part)); }
+
   /** The same without exception, for loops that have to tidy up first: true to go on. */
   virtual bool Continue(const char* /*stage*/, double /*fraction*/) { return true; }
+};
+
+/** Passes on what is reported, but no step back: for work that may begin anew. */
+class ForwardMonitor : public Monitor
+{
+public:
+  explicit ForwardMonitor(Monitor& caller)
+    : Caller(caller)
+  {
+  }
+
+  bool Continue(const char* stage, double fraction) override
+  {
+    this->Furthest = std::max(this->Furthest, fraction);
+    return this->Caller.Continue(stage, this->Furthest);
+  }
+
+private:
+  Monitor& Caller;
+  double Furthest = 0;
 };
 } // namespace insideout

@@ -9,5 +9,8 @@ struct ProgressRange
   const char* Stage;
   double Begin;
   double End;
+
+  /** The progress when a part of the step, from 0 to 1, is done. */
+  constexpr double At(double part) const { return this->Begin + part * (this->End - this->Begin); }
 };
 } // namespace insideout

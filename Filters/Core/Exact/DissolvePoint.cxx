@@ -14,7 +14,7 @@ constexpr int WaysToTriangulate = 3;
 bool IsEven(const FlippableMesh& mesh, Id cell, Id a, Id b, Id c)
 {
   const auto& others = OtherCorners[mesh.CornerIndex(cell, a)][mesh.CornerIndex(cell, b)];
-  return mesh.Cells[cell].Corners[others[0]] == c;
+  return mesh.Cell(cell).Corners[others[0]] == c;
 }
 } // namespace
 
@@ -27,7 +27,7 @@ void PointDissolver::FindSupport(Id point)
   this->Segment = None;
   for (const Id cell : this->Star)
   {
-    for (const Id corner : this->Mesh.Cells[cell].Corners)
+    for (const Id corner : this->Mesh.Cell(cell).Corners)
     {
       if (this->Segment == None && corner != point)
       {
@@ -51,7 +51,7 @@ void PointDissolver::FindSupport(Id point)
 bool PointDissolver::IsHullFace(Id cell, int face) const
 {
   return this->Mesh.IsInfinite(cell) !=
-    this->Mesh.IsInfinite(this->Mesh.Cells[cell].Neighbors[face]);
+    this->Mesh.IsInfinite(this->Mesh.Cell(cell).Neighbors[face]);
 }
 
 /** Continue a fan of two points. */
@@ -70,7 +70,7 @@ bool PointDissolver::FollowFan(Id point, bool onHull, Fan& fan) const
       const Id cell = ring.Cells[k];
       const Id p = ring.Points[k];
       const int face = this->Mesh.CornerIndex(cell, ring.Points[(k + 1) % ring.Points.size()]);
-      const bool belongs = fan.Facet != None ? this->Mesh.Cells[cell].Facets[face] == fan.Facet
+      const bool belongs = fan.Facet != None ? this->Mesh.Cell(cell).Facets[face] == fan.Facet
                                              : onHull && this->IsHullFace(cell, face);
       if (belongs && p != before)
       {
@@ -102,7 +102,7 @@ bool PointDissolver::FindFans(Id point)
     {
       const Id cell = ring.Cells[k];
       const int face = this->Mesh.CornerIndex(cell, ring.Points[(k + 1) % ring.Points.size()]);
-      const Id facet = this->Mesh.Cells[cell].Facets[face];
+      const Id facet = this->Mesh.Cell(cell).Facets[face];
       const bool onHull = this->IsHullFace(cell, face);
       if (facet != None || onHull)
       {
@@ -120,7 +120,7 @@ bool PointDissolver::FindFans(Id point)
     for (std::size_t k = 0; k < this->Star.size() && this->Fans.empty(); ++k)
     {
       const Id id = this->Star[k];
-      const FlippableCell& cell = this->Mesh.Cells[id];
+      const FlippableCell& cell = this->Mesh.Cell(id);
       const int corner = this->Mesh.CornerIndex(id, point);
       for (int face = 0; face < 4 && this->Fans.empty(); ++face)
       {
@@ -170,7 +170,7 @@ void PointDissolver::AddSeparators(Id point)
 
 bool PointDissolver::IsWall(Id point, Id cell, int face) const
 {
-  if (this->Mesh.Cells[cell].Facets[face] != None || this->IsHullFace(cell, face))
+  if (this->Mesh.Cell(cell).Facets[face] != None || this->IsHullFace(cell, face))
   {
     return true;
   }
@@ -183,7 +183,7 @@ bool PointDissolver::IsWall(Id point, Id cell, int face) const
   bool onSegment = false;
   for (int k = 0; k < 4; ++k)
   {
-    const Id corner = this->Mesh.Cells[cell].Corners[k];
+    const Id corner = this->Mesh.Cell(cell).Corners[k];
     if (k == face || corner == point)
     {
       continue;
@@ -206,7 +206,7 @@ bool PointDissolver::IsWall(Id point, Id cell, int face) const
 
 bool PointDissolver::CutEars(Id off, int side, Fan& fan, int start) const
 {
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   std::vector<Id> rest = fan.Points;
   std::rotate(rest.begin(), rest.begin() + start % static_cast<int>(rest.size()), rest.end());
   while (rest.size() > 3)
@@ -250,11 +250,11 @@ bool PointDissolver::TriangulateFans(Id point, int way)
     {
       return false;
     }
-    const int side = this->Mesh.Vertices.Orient(point, fan.Points[0], fan.Points[1], off);
+    const int side = this->Mesh.Vertices().Orient(point, fan.Points[0], fan.Points[1], off);
     const std::size_t n = fan.Points.size();
     const bool isFlat = std::all_of(fan.Points.begin(), fan.Points.end(),
       [&](Id p)
-      { return this->Mesh.Vertices.Orient(point, fan.Points[0], fan.Points[1], p) == 0; });
+      { return this->Mesh.Vertices().Orient(point, fan.Points[0], fan.Points[1], p) == 0; });
     if (n < 3 || !isFlat)
     {
       return false;
@@ -271,7 +271,7 @@ bool PointDissolver::TriangulateFans(Id point, int way)
     for (std::size_t k = way == 0 ? 1 : 0; k + (way == 0 ? 1 : 2) < n; ++k)
     {
       const Triangle piece = { { fan.Points[k], fan.Points[k + 1], fan.Points[center] } };
-      if (side * this->Mesh.Vertices.Orient(piece[0], piece[1], piece[2], off) <= 0)
+      if (side * this->Mesh.Vertices().Orient(piece[0], piece[1], piece[2], off) <= 0)
       {
         return false;
       }
@@ -309,7 +309,7 @@ bool PointDissolver::FindSectors(Id point)
       this->AddOuterWall(point, id, sector);
       for (int k = 0; k < 4; ++k)
       {
-        const FlippableCell& cell = this->Mesh.Cells[id];
+        const FlippableCell& cell = this->Mesh.Cell(id);
         if (cell.Corners[k] == point)
         {
           continue;
@@ -340,7 +340,7 @@ void PointDissolver::AddOuterWall(Id point, Id cell, Sector& sector) const
   Triangle wall;
   for (int j = 0; j < 3; ++j)
   {
-    wall[j] = this->Mesh.Cells[cell].Corners[FaceSeenFrom[corner][j]];
+    wall[j] = this->Mesh.Cell(cell).Corners[FaceSeenFrom[corner][j]];
     sector.Corners.push_back(wall[j]);
   }
   sector.Walls.push_back(wall);
@@ -363,7 +363,7 @@ bool PointDissolver::AddFanWalls(
     {
       return false;
     }
-    const Id other = this->Mesh.Cells[cell].Neighbors[face];
+    const Id other = this->Mesh.Cell(cell).Neighbors[face];
     if (sectorOfCell(cell) == sectorOfCell(other))
     {
       return false;
@@ -416,7 +416,7 @@ bool PointDissolver::Fill(Id point, VolumePoints volumePoints)
     }
   }
   std::vector<Tetrahedron> fresh;
-  if (!this->Filler.Fill(this->Sectors, this->Mesh.Vertices.Nearest(point), volumePoints, fresh))
+  if (!this->Filler.Fill(this->Sectors, this->Mesh.Vertices().Nearest(point), volumePoints, fresh))
   {
     return false;
   }

@@ -13,7 +13,7 @@ constexpr int Impossible = std::numeric_limits<int>::max() / 4;
 
 bool FlipOperator::RemoveFace(Id cell, int face, const FlipTarget& target, const Limits& limits)
 {
-  const FlippableCell& near = this->Mesh.Cells[cell];
+  const FlippableCell& near = this->Mesh.Cell(cell);
   const Id other = near.Neighbors[face];
   if (near.Facets[face] != None || this->Mesh.IsInfinite(cell) || this->Mesh.IsInfinite(other))
   {
@@ -29,7 +29,7 @@ bool FlipOperator::RemoveFace(Id cell, int face, const FlipTarget& target, const
   std::vector<Tetrahedron> fresh;
   for (int k = 0; k < 3; ++k)
   {
-    if (this->Mesh.Vertices.Orient(q, p, f[k], f[(k + 1) % 3]) <= 0)
+    if (this->Mesh.Vertices().Orient(q, p, f[k], f[(k + 1) % 3]) <= 0)
     {
       return false;
     }
@@ -54,7 +54,7 @@ bool FlipOperator::IsLocked(const EdgeRing& ring) const
   {
     const Id cell = ring.Cells[k];
     const Id next = ring.Points[(k + 1) % ring.Points.size()];
-    if (this->Mesh.Cells[cell].Facets[this->Mesh.CornerIndex(cell, next)] != None)
+    if (this->Mesh.Cell(cell).Facets[this->Mesh.CornerIndex(cell, next)] != None)
     {
       return true;
     }
@@ -68,7 +68,7 @@ bool FlipOperator::IsLocked(const EdgeRing& ring) const
  */
 bool FlipOperator::IsHullFlip(const EdgeRing& ring) const
 {
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   const Id p = ring.Points[1];
   const Id q = ring.Points.back();
   if (ring.Points.size() < 4 || vertices.Orient(ring.U, ring.V, p, q) != 0)
@@ -84,7 +84,7 @@ bool FlipOperator::IsHullFlip(const EdgeRing& ring) const
 bool FlipOperator::IsPositive(int i, int j, int k) const
 {
   const EdgeRing& ring = this->Around;
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   return vertices.Orient(ring.Points[i], ring.Points[j], ring.Points[k], ring.V) > 0 &&
     vertices.Orient(ring.Points[j], ring.Points[i], ring.Points[k], ring.U) > 0;
 }

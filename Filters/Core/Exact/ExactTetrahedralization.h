@@ -2,33 +2,26 @@
 #pragma once
 
 #include "Common/Monitor.h"
-#include "Common/Types.h"
+#include "Common/RawTetrahedra.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace insideout
 {
-/** Tetrahedra with the facets among their faces. AssembleMesh tells which facets are lost. */
+/** What TetrahedralizeExactly gives; AssembleMesh tells which facets are lost. */
 struct ExactTetrahedralization
 {
-  /** The points given, bit by bit, and then Steiner points. */
-  std::vector<Point> Points;
+  /** Cells of positive volume, exactly, that fill the convex hull. */
+  RawTetrahedra Tetrahedra;
 
-  /** Positive volumes, exactly; they fill the convex hull. */
-  std::vector<Tetrahedron> Cells;
-
-  /** Faces of cells that facets are made of. */
-  std::vector<Triangle> Faces;
-  std::vector<Id> FacetOfFaces; ///< one per face
-
-  /** How much was done for this mesh, the same on every machine: about one per predicate, 10 ns. */
+  /** How much was done for this mesh, the same on every machine (WorkBudget). */
   std::int64_t Work = 0;
 };
 
 /**
  * Tetrahedra of the convex hull of points in which every facet is a union of faces. All decisions
- * are exact and none depends on a tolerance.
+ * are exact and none depends on a tolerance. README.md beside this file tells the steps, and why
+ * they end.
  *
  * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
  * are recovered by flips (FlipOperator), then the facets between them. What flips do not recover is
@@ -44,9 +37,10 @@ struct ExactTetrahedralization
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
  *            lie within one of their edges. What breaks this is lost
- * @param[in] workPerElement for each point and facet (ExactTetrahedralization::Work). When it is
- *            done nothing is cut any more, and what is missing then is lost. No surface that was
- *            tried, real or random, took a tenth of the default
+ * @param[in] monitor hears the phases by name (Phases.h), and a fraction that only grows
+ * @param[in] workPerElement for each point and facet (WorkBudget). When it is done nothing is cut
+ *            any more, and what is missing then is lost. No surface that was tried, real or random,
+ *            took a tenth of the default
  * @throws Error Planar, Inconsistent, Stopped
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,

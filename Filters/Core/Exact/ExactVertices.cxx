@@ -123,7 +123,8 @@ int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
 }
 } // namespace
 
-ExactVertices::ExactVertices(const std::vector<Point>& points)
+ExactVertices::ExactVertices(const std::vector<Point>& points, WorkBudget& work)
+  : Budget(&work)
 {
   this->Places.reserve(points.size() + 1);
   for (const Point& point : points)
@@ -257,13 +258,13 @@ int ExactVertices::OrientExactly(const Tetrahedron& cell) const
           ErrorOfQuotient * (std::abs(beyond[row + 1][k]) + std::abs(beyond[0][k])));
     }
   }
-  this->WorkDone += WorkOfDoubleDoubles;
+  this->Budget->Spend(WorkOfDoubleDoubles);
   sign = SignOfDeterminant(longRows, DoubleDoubleEpsilon);
   if (sign != Undecided)
   {
     return sign;
   }
-  this->WorkDone += WorkOfExactPredicate;
+  this->Budget->Spend(WorkOfExactPredicate);
   return this->Determinant(cell[0], cell[1], cell[2], cell[3]).sign();
 }
 
@@ -303,7 +304,7 @@ ExactVertices::Plane ExactVertices::PlaneThrough(Id a, Id b, Id c, const Point& 
   }
   plane.Offset = CGAL::to_double(DyadicNumber(
     m[0][0] * minor(1, 2, 1, 2) + m[0][1] * minor(1, 2, 2, 0) + m[0][2] * minor(1, 2, 0, 1)));
-  this->WorkDone += WorkOfExactPredicate;
+  this->Budget->Spend(WorkOfExactPredicate);
   return plane;
 }
 
@@ -313,14 +314,9 @@ Point ExactVertices::Nearest(Id vertex) const
   return { { p.x(), p.y(), p.z() } };
 }
 
-void ExactVertices::MoveTo(Id vertex, const Place& place)
-{
-  this->Places[vertex] = place.Approximate;
-  this->ExactOf[vertex] = place.Exact;
-}
-
 void ExactVertices::MoveTo(Id vertex, const Point& point)
 {
-  this->MoveTo(vertex, Place{ Kernel::Point_3(point[0], point[1], point[2]), None });
+  this->Places[vertex] = Kernel::Point_3(point[0], point[1], point[2]);
+  this->ExactOf[vertex] = None;
 }
 } // namespace insideout

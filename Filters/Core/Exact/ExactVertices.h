@@ -2,12 +2,11 @@
 #pragma once
 
 #include "Common/Types.h"
+#include "Exact/WorkBudget.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mpzf.h>
 
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace insideout
@@ -32,7 +31,11 @@ public:
    */
   using Span = std::array<Id, 3>;
 
-  explicit ExactVertices(const std::vector<Point>& points);
+  /** @param[in] work what predicates are counted in; it has to live as long as the vertices do */
+  ExactVertices(const std::vector<Point>& points, WorkBudget& work);
+
+  /** What is spent on predicates; callers add what they do besides. */
+  WorkBudget& Work() const { return *this->Budget; }
 
   Id Size() const { return static_cast<Id>(this->Places.size()); }
 
@@ -57,17 +60,6 @@ public:
    */
   int Orient(Id a, Id b, Id c, Id d) const;
 
-  /**
-   * A measure of the work done that is the same on every machine, unlike time: about one per
-   * predicate, and what callers add.
-   */
-  std::int64_t Work() const { return this->WorkDone; }
-  void AddWork(std::int64_t work) const { this->WorkDone += work; }
-
-  /** Say how much may be done; IsWorkDone is when it is. */
-  void LimitWork(std::int64_t most) { this->MostWork = most; }
-  bool IsWorkDone() const { return this->WorkDone > this->MostWork; }
-
   /** A positive multiple of the volume: the product of the four weights w times it. */
   DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
 
@@ -90,14 +82,6 @@ public:
   /** The doubles nearest to a vertex, or at most a few units in the last place beside them. */
   Point Nearest(Id vertex) const;
 
-  /** Where a vertex is, to put it back. */
-  struct Place
-  {
-    Kernel::Point_3 Approximate;
-    Id Exact;
-  };
-  Place PlaceOf(Id vertex) const { return { this->Places[vertex], this->ExactOf[vertex] }; }
-  void MoveTo(Id vertex, const Place& place);
   void MoveTo(Id vertex, const Point& point);
 
 private:
@@ -115,13 +99,12 @@ private:
   std::vector<Kernel::Point_3> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
   std::vector<Homogeneous> ExactPoints;
-  mutable std::int64_t WorkDone = 0;
-  std::int64_t MostWork = std::numeric_limits<std::int64_t>::max();
+  WorkBudget* Budget;
 };
 
 inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
 {
-  ++this->WorkDone;
+  this->Budget->Spend(1);
   if ((this->ExactOf[a] & this->ExactOf[b] & this->ExactOf[c] & this->ExactOf[d]) == None)
   {
     return CGAL::orientation(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);

@@ -27,7 +27,7 @@ bool SectorFiller::SeesAll(const Sector& sector, Id apex) const
     [&](const Triangle& wall)
     {
       return wall[0] == apex || wall[1] == apex || wall[2] == apex ||
-        this->Mesh.Vertices.Orient(wall[0], wall[1], wall[2], apex) > 0;
+        this->Mesh.Vertices().Orient(wall[0], wall[1], wall[2], apex) > 0;
     });
 }
 
@@ -144,7 +144,7 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
 {
   const auto at = [this](Id p)
   {
-    const Point x = this->Mesh.Vertices.Nearest(p);
+    const Point x = this->Mesh.Vertices().Nearest(p);
     return Eigen::Vector3d(x[0], x[1], x[2]);
   };
   const Eigen::Vector3d origin(inside[0], inside[1], inside[2]);
@@ -152,7 +152,7 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
   for (const Triangle& wall : sector.Walls)
   {
     const ExactVertices::Plane plane =
-      this->Mesh.Vertices.PlaneThrough(wall[0], wall[1], wall[2], inside);
+      this->Mesh.Vertices().PlaneThrough(wall[0], wall[1], wall[2], inside);
     const Eigen::Vector3d normal(plane.Normal[0], plane.Normal[1], plane.Normal[2]);
     const double length = normal.stableNorm();
     if (length > 0 && std::isfinite(length) && std::isfinite(plane.Offset))
@@ -178,7 +178,7 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
     {
       continue;
     }
-    place += origin + clearance / 4 * Aside(this->Mesh.Vertices.Size());
+    place += origin + clearance / 4 * Aside(this->Mesh.Vertices().Size());
     const Id apex = this->Mesh.AddVertex({ { place[0], place[1], place[2] } });
     if (this->SeesAll(sector, apex))
     {
@@ -192,7 +192,7 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
 bool SectorFiller::Fill(const std::vector<Sector>& sectors, const Point& inside,
   VolumePoints volumePoints, std::vector<Tetrahedron>& fresh)
 {
-  const Id first = this->Mesh.Vertices.Size();
+  const Id first = this->Mesh.Vertices().Size();
   for (const Sector& sector : sectors)
   {
     Id apex = sector.IsInfinite ? this->Mesh.Infinite() : this->FindApex(sector);
@@ -202,7 +202,7 @@ bool SectorFiller::Fill(const std::vector<Sector>& sectors, const Point& inside,
     }
     if (apex == None)
     {
-      while (this->Mesh.Vertices.Size() > first)
+      while (this->Mesh.Vertices().Size() > first)
       {
         this->Mesh.RemoveLastVertex();
       }

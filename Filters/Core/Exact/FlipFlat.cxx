@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/FlipFlat.h"
 
+#include "Exact/EngineLimits.h"
 #include "Exact/FlipTarget.h"
 #include "Exact/SegmentWalk.h"
 
@@ -9,19 +10,13 @@
 
 namespace insideout
 {
-namespace
-{
-/** Flips per edge that is crossed. Where the plane is triangulated all over, few are needed. */
-constexpr std::size_t MostFlipsPerCrossing = 8;
-} // namespace
-
 /**
  * Find two points of the edge's ring in one plane with it, on its two sides, that are a strictly
  * convex quadrilateral with it, and turn the ring so that it begins with the first.
  */
 bool FlatFlipper::FindQuadrilateral(Id u, Id v)
 {
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   EdgeRing& ring = this->Ring;
   const std::size_t n = ring.Points.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -64,7 +59,7 @@ bool FlatFlipper::FindRing(Id u, Id v)
   for (std::size_t k = 0; k < ring.Points.size(); ++k)
   {
     const Id next = ring.Points[(k + 1) % ring.Points.size()];
-    if (this->Mesh.Cells[ring.Cells[k]].Facets[this->Mesh.CornerIndex(ring.Cells[k], next)] != None)
+    if (this->Mesh.Cell(ring.Cells[k]).Facets[this->Mesh.CornerIndex(ring.Cells[k], next)] != None)
     {
       return false;
     }
@@ -89,8 +84,8 @@ bool FlatFlipper::AddWalls(std::size_t k, Sector& sector) const
 
 Point FlatFlipper::MiddleOfEdge() const
 {
-  const Point a = this->Mesh.Vertices.Nearest(this->Ring.U);
-  const Point b = this->Mesh.Vertices.Nearest(this->Ring.V);
+  const Point a = this->Mesh.Vertices().Nearest(this->Ring.U);
+  const Point b = this->Mesh.Vertices().Nearest(this->Ring.V);
   return { { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 } };
 }
 
@@ -171,7 +166,7 @@ bool FlatFlipper::MakeEdge(Id a, Id b)
     return false;
   }
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
-  std::size_t flips = MostFlipsPerCrossing * crossed.size();
+  std::size_t flips = EngineLimits::FlatFlipsPerCrossing * crossed.size();
   while (!crossed.empty() && flips > 0)
   {
     --flips;

@@ -39,7 +39,7 @@ int FlipTarget::CostOfFace(Id x, Id y, Id z) const
   {
     return 0;
   }
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   if (vertices.Orient(x, y, z, a) * vertices.Orient(x, y, z, b) >= 0)
   {
     return 0;
@@ -69,7 +69,7 @@ bool FlipTarget::SegmentCrosses(Id x, Id y) const
 {
   const Id a = this->Corners[0];
   const Id b = this->Corners[1];
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   if (x == a || x == b || y == a || y == b || vertices.Orient(a, b, x, y) != 0)
   {
     return false;
@@ -82,7 +82,7 @@ bool FlipTarget::SegmentCrosses(Id x, Id y) const
 bool FlipTarget::FacetCrosses(Id x, Id y) const
 {
   const Triangle& f = this->Corners;
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   if (vertices.Orient(f[0], f[1], f[2], x) * vertices.Orient(f[0], f[1], f[2], y) >= 0)
   {
     return false;

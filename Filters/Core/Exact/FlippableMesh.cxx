@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 #include "Common/SortedTriangle.h"
 #include "Exact/InsertPoints.h"
+#include "Exact/Phases.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
@@ -47,13 +48,13 @@ const std::array<std::array<std::int8_t, 3>, 4> FaceSeenFrom = { { { { 1, 3, 2 }
   { { 0, 3, 1 } }, { { 0, 1, 2 } } } };
 
 FlippableMesh::FlippableMesh(
-  const std::vector<Point>& points, std::vector<Id>& same, Monitor& monitor)
-  : Vertices(points)
+  const std::vector<Point>& points, std::vector<Id>& same, WorkBudget& work, Monitor& monitor)
+  : AllVertices(points, work)
 {
-  this->InfiniteVertex = this->Vertices.Add({ { 0, 0, 0 } });
+  this->InfiniteVertex = this->AllVertices.Add({ { 0, 0, 0 } });
   Delaunay delaunay;
   InsertPoints(
-    points, delaunay, [&](double fraction) { monitor.Check("inserting points", fraction); });
+    points, delaunay, [&](double fraction) { monitor.Check(Phases::InsertingPoints, fraction); });
   if (delaunay.dimension() < 3)
   {
     throw Error(ErrorCode::Planar, "the points lie in one plane");
@@ -96,7 +97,7 @@ FlippableMesh::FlippableMesh(
       copy.Corners[k] = vertexOf(cell->vertex(k));
       copy.Neighbors[k] = cell->neighbor(k)->info();
       copy.Facets[k] = None;
-      this->CellOf[copy.Corners[k]] = static_cast<Id>(this->Cells.size());
+      this->CellOf[copy.Corners[k]] = this->NumberOfCells();
     }
     if (!delaunay.is_infinite(cell))
     {
@@ -130,7 +131,7 @@ void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
       }
     }
   }
-  this->Vertices.AddWork(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
+  this->Work().Spend(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
 }
 
 Id FlippableMesh::FindEdge(Id u, Id v) const
@@ -179,7 +180,7 @@ Id FlippableMesh::FindEdge(Id u, Id v) const
       }
     }
   }
-  this->Vertices.AddWork(static_cast<std::int64_t>(2 * next) / CellsPerWork);
+  this->Work().Spend(static_cast<std::int64_t>(2 * next) / CellsPerWork);
   return found;
 }
 
@@ -254,7 +255,7 @@ void FlippableMesh::FindFacesInAllCells(
     const Triangle t = SortedTriangle(triangles[i]).Points;
     wanted[begin[static_cast<std::size_t>(t[0]) + 1]++] = { t[1], t[2], i };
   }
-  for (Id cell = 0; cell < static_cast<Id>(this->Cells.size()); ++cell)
+  for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
   {
     for (int k = 0; k < 4 && !this->IsDead(cell); ++k)
     {
@@ -272,7 +273,7 @@ void FlippableMesh::FindFacesInAllCells(
       }
     }
   }
-  this->Vertices.AddWork(static_cast<std::int64_t>(this->Cells.size()) / CellsPerWork);
+  this->Work().Spend(static_cast<std::int64_t>(this->Cells.size()) / CellsPerWork);
 }
 
 void FlippableMesh::Ring(Id u, Id v, Id cell, EdgeRing& ring) const
@@ -423,7 +424,7 @@ Id FlippableMesh::VertexOffPlane(Id a, Id b, Id c) const
 {
   for (const Id vertex : this->Spanning)
   {
-    if (this->Vertices.Orient(a, b, c, vertex) != 0)
+    if (this->AllVertices.Orient(a, b, c, vertex) != 0)
     {
       return vertex;
     }
@@ -435,14 +436,14 @@ Id FlippableMesh::AddVertex(const Point& point)
 {
   this->CellOf.push_back(None);
   this->ChangeAround.push_back(this->Changes);
-  return this->Vertices.Add(point);
+  return this->AllVertices.Add(point);
 }
 
 void FlippableMesh::RemoveLastVertex()
 {
   this->CellOf.pop_back();
   this->ChangeAround.pop_back();
-  this->Vertices.RemoveLast();
+  this->AllVertices.RemoveLast();
 }
 
 Id FlippableMesh::AddVertexBetween(Id first, Id second, const DyadicNumber& a,
@@ -450,6 +451,6 @@ Id FlippableMesh::AddVertexBetween(Id first, Id second, const DyadicNumber& a,
 {
   this->CellOf.push_back(None);
   this->ChangeAround.push_back(this->Changes);
-  return this->Vertices.AddBetween(first, second, a, b, span);
+  return this->AllVertices.AddBetween(first, second, a, b, span);
 }
 } // namespace insideout

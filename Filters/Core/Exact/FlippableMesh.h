@@ -47,16 +47,25 @@ public:
   /**
    * The Delaunay tetrahedralization of points that span space.
    * @param[out] same for each point the first one at the same place: the vertex that stands for it
+   * @param[in] work what is done with the mesh is counted there; it has to live as long as the mesh
    * @throws Error Planar, Stopped
    */
-  FlippableMesh(const std::vector<Point>& points, std::vector<Id>& same, Monitor& monitor);
+  FlippableMesh(
+    const std::vector<Point>& points, std::vector<Id>& same, WorkBudget& work, Monitor& monitor);
 
-  ExactVertices Vertices;
-  std::vector<FlippableCell> Cells;
+  const ExactVertices& Vertices() const { return this->AllVertices; }
+  WorkBudget& Work() const { return this->AllVertices.Work(); }
 
   /** The vertex at infinity. Those below it are the points, those above it Steiner points. */
   Id Infinite() const { return this->InfiniteVertex; }
 
+  /** Of all cells, dead ones too: their ids are below this. */
+  Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
+
+  /** Good until the next Replace. */
+  const FlippableCell& Cell(Id cell) const { return this->Cells[cell]; }
+
+  /** Whether the cell was replaced; its id is given to another one day. */
   bool IsDead(Id cell) const { return this->Cells[cell].Corners[0] == None; }
   bool IsInfinite(Id cell) const;
   int CornerIndex(Id cell, Id vertex) const;
@@ -92,7 +101,10 @@ public:
   /** Connect a vertex that lies within a cell with its corners. */
   void SplitCell(Id cell, Id vertex);
 
-  /** Connect a vertex that lies on an edge with what is around the edge. No facet may be there. */
+  /**
+   * Connect a vertex that lies on an edge with what is around the edge. The faces at the edge are
+   * pieces of no facet then: where they were, whoever splits says so anew (SetFacet).
+   */
   void SplitEdge(const EdgeRing& ring, Id vertex);
 
   /** Let a face be a piece of a facet, or of none. */
@@ -101,10 +113,14 @@ public:
   /** Of four vertices that span space, one that is not in the plane of three others. */
   Id VertexOffPlane(Id a, Id b, Id c) const;
 
+  /** A vertex in no cell yet. */
   Id AddVertex(const Point& point);
   void RemoveLastVertex();
   Id AddVertexBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b,
     const ExactVertices::Span& span);
+
+  /** Give a vertex another place, where all cells around it have to stay positive. */
+  void MoveVertex(Id vertex, const Point& place) { this->AllVertices.MoveTo(vertex, place); }
 
   /** A mark per cell for one search after the other: cells are unmarked until Mark is called. */
   void StartMarking() const { ++this->Epoch; }
@@ -134,6 +150,8 @@ private:
   Id NewCell();
   PendingFace& Slot(const std::array<Id, 3>& corners);
 
+  ExactVertices AllVertices;
+  std::vector<FlippableCell> Cells;
   Id InfiniteVertex;
   std::vector<Id> CellOf;                 ///< per vertex, None for none
   std::vector<std::int64_t> ChangeAround; ///< per vertex

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/MovePoint.h"
 
+#include "Exact/EngineLimits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,9 +10,6 @@ namespace insideout
 {
 namespace
 {
-/** Nearly all moves change fewer cells than this. */
-constexpr std::size_t LargestCavity = 400;
-
 /** Whether a vertex is one of the corners other than corner k. */
 bool HasOther(const Tetrahedron& corners, int k, Id vertex)
 {
@@ -27,14 +26,14 @@ bool PointMover::IsHullConvex(Id point, Id apex) const
     const int infinite = this->Mesh.CornerIndex(cell, this->Mesh.Infinite());
     for (int k = 0; infinite >= 0 && k < 4; ++k)
     {
-      Tetrahedron t = this->Mesh.Cells[cell].Corners;
+      Tetrahedron t = this->Mesh.Cell(cell).Corners;
       if (k == infinite)
       {
         continue;
       }
       t[infinite] = this->Mesh.Opposite(cell, k);
       std::replace(t.begin(), t.end(), point, apex);
-      if (this->Mesh.Vertices.Orient(t[0], t[1], t[2], t[3]) > 0)
+      if (this->Mesh.Vertices().Orient(t[0], t[1], t[2], t[3]) > 0)
       {
         return false;
       }
@@ -64,7 +63,7 @@ bool PointMover::GrowCavity(Id point, Id apex)
   }
   for (std::size_t next = 0; next < this->Cavity.size(); ++next)
   {
-    const FlippableCell& cell = this->Mesh.Cells[this->Cavity[next]];
+    const FlippableCell& cell = this->Mesh.Cell(this->Cavity[next]);
     for (int k = 0; k < 4; ++k)
     {
       const bool hasPoint = cell.Corners[k] != point && this->Mesh.Has(this->Cavity[next], point);
@@ -74,12 +73,13 @@ bool PointMover::GrowCavity(Id point, Id apex)
       }
       Tetrahedron t = cell.Corners;
       t[k] = apex;
-      if (HasOther(cell.Corners, k, apex) || this->Mesh.Vertices.Orient(t[0], t[1], t[2], t[3]) > 0)
+      if (HasOther(cell.Corners, k, apex) ||
+        this->Mesh.Vertices().Orient(t[0], t[1], t[2], t[3]) > 0)
       {
         continue;
       }
       if (cell.Facets[k] != None || this->Mesh.IsInfinite(cell.Neighbors[k]) ||
-        this->Cavity.size() == LargestCavity)
+        this->Cavity.size() == EngineLimits::LargestCavity)
       {
         return false;
       }
@@ -105,7 +105,7 @@ bool PointMover::KeepsSurface(Id point, Id apex)
   std::vector<Id> corners;
   for (const Id id : this->Cavity)
   {
-    const FlippableCell& cell = this->Mesh.Cells[id];
+    const FlippableCell& cell = this->Mesh.Cell(id);
     for (int k = 0; k < 4; ++k)
     {
       const auto& f = FaceSeenFrom[k];
@@ -132,7 +132,7 @@ bool PointMover::KeepsSurface(Id point, Id apex)
   std::sort(this->WallEdges.begin(), this->WallEdges.end());
   for (const Id id : this->Cavity)
   {
-    const FlippableCell& cell = this->Mesh.Cells[id];
+    const FlippableCell& cell = this->Mesh.Cell(id);
     for (int k = 0; k < 4; ++k)
     {
       const Id u = cell.Corners[k];
@@ -185,7 +185,7 @@ bool PointMover::Move(Id point, const Point& place)
     return false;
   }
   this->Mesh.Replace(this->Cavity, this->Fresh);
-  this->Mesh.Vertices.MoveTo(point, place);
+  this->Mesh.MoveVertex(point, place);
   for (const SurfaceFace& face : this->SurfaceFaces)
   {
     Id cell;

@@ -12,7 +12,7 @@ PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& seg
   mesh.Star(vertex, star);
   for (const Id id : star)
   {
-    const FlippableCell& cell = mesh.Cells[id];
+    const FlippableCell& cell = mesh.Cell(id);
     for (int k = 0; k < 4; ++k)
     {
       if (cell.Corners[k] == vertex)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverFacets.h"
 
+#include "Exact/EngineLimits.h"
+#include "Exact/Phases.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -9,9 +12,6 @@ namespace insideout
 {
 namespace
 {
-/** Passes over all edges that cross a facet: each leaves fewer, or other ones. */
-constexpr int MostPassesPerFacet = 20;
-
 /** How often the monitor is asked. */
 constexpr std::size_t FacetsPerCheck = 4;
 } // namespace
@@ -42,7 +42,7 @@ std::vector<FacetRecovery::MeshEdge> FacetRecovery::BoundaryOf(Id facet) const
 FacetRecovery::Search FacetRecovery::FaceBeside(
   Id facet, Id x, Id y, Id off, MeshFace& face, Id& apex, MeshEdge& crossing) const
 {
-  const ExactVertices& vertices = this->Mesh.Vertices;
+  const ExactVertices& vertices = this->Mesh.Vertices();
   const Triangle& corners = this->Facets[facet];
   const Id cell = this->Mesh.FindEdge(x, y);
   if (cell == None)
@@ -205,9 +205,9 @@ bool FacetRecovery::Recover(Id facet, const FlipEffort& effort)
   const FlipTarget target = FlipTarget::Facet(this->Mesh, this->Facets[facet]);
   std::vector<MeshFace> faces;
   MeshEdge first;
-  for (int pass = 0; pass < MostPassesPerFacet; ++pass)
+  for (int pass = 0; pass < EngineLimits::PassesPerFacet; ++pass)
   {
-    this->Progress.Check("recovering facets", 0);
+    this->Progress.Check(Phases::RecoveringFacets, 0);
     const Search search = this->FindFaces(facet, faces, first);
     if (search == Search::Found)
     {
@@ -221,7 +221,7 @@ bool FacetRecovery::Recover(Id facet, const FlipEffort& effort)
     const std::int64_t before = this->Mesh.NumberOfChanges();
     for (const MeshEdge& crossing : this->AllCrossings(facet, first))
     {
-      if (this->Mesh.Vertices.Work() > effort.EndOfWork)
+      if (this->Mesh.Work().Spent() > effort.EndOfWork)
       {
         return false;
       }
@@ -242,7 +242,7 @@ std::vector<Id> FacetRecovery::RecoverByFlips(const std::vector<Id>& missing)
   return RecoverInRounds(missing, this->Mesh,
     static_cast<std::int64_t>(this->Mesh.Infinite()) +
       static_cast<std::int64_t>(this->Facets.size()),
-    this->Progress, "recovering facets",
+    this->Progress, Phases::RecoveringFacets,
     [this](Id facet, const FlipEffort& effort) { return this->Recover(facet, effort); });
 }
 
@@ -250,8 +250,8 @@ std::vector<Id> FacetRecovery::RecoverByFlips(const std::vector<Id>& missing)
 bool FacetRecovery::SplitOnFacet(Id facet, const MeshEdge& edge)
 {
   const Triangle& f = this->Facets[facet];
-  const DyadicNumber atU = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], edge.U);
-  const DyadicNumber atV = this->Mesh.Vertices.Determinant(f[0], f[1], f[2], edge.V);
+  const DyadicNumber atU = this->Mesh.Vertices().Determinant(f[0], f[1], f[2], edge.U);
+  const DyadicNumber atV = this->Mesh.Vertices().Determinant(f[0], f[1], f[2], edge.V);
   const Id cell = this->Mesh.FindEdge(edge.U, edge.V);
   if (cell == None || atU.sign() * atV.sign() >= 0)
   {
@@ -274,12 +274,12 @@ std::vector<Id> FacetRecovery::RecoverBySplits(
   {
     if (k % FacetsPerCheck == 0)
     {
-      this->Progress.Check("splitting facets", static_cast<double>(k) / missing.size());
+      this->Progress.Check(Phases::SplittingFacets, static_cast<double>(k) / missing.size());
     }
-    const Id first = this->Mesh.Vertices.Size();
+    const Id first = this->Mesh.Vertices().Size();
     const Id facet = missing[k];
     Search search = this->FindFaces(facet, faces, crossing);
-    while (search == Search::Crossed && !this->Mesh.Vertices.IsWorkDone())
+    while (search == Search::Crossed && !this->Mesh.Work().IsUsedUp())
     {
       // None of the edges that cross the facet goes because of the others' points, and none comes.
       const std::vector<MeshEdge> crossings = this->AllCrossings(facet, crossing);
@@ -293,7 +293,7 @@ std::vector<Id> FacetRecovery::RecoverBySplits(
       }
       if (search == Search::Crossed)
       {
-        this->Progress.Check("splitting facets", static_cast<double>(k) / missing.size());
+        this->Progress.Check(Phases::SplittingFacets, static_cast<double>(k) / missing.size());
         search = this->FindFaces(facet, faces, crossing);
       }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/RecoverSegments.h"
 
+#include "Exact/EngineLimits.h"
+#include "Exact/Phases.h"
 #include "Exact/PointSupport.h"
 
 #include <algorithm>
@@ -9,19 +11,6 @@ namespace insideout
 {
 namespace
 {
-/** Flips for one segment; nearly all need fewer than ten, and some would go on for ever. */
-constexpr int MostFlipsPerSegment = 50;
-
-/** So many of a segment's crossings are tried, from each end the first and then the next ones. */
-constexpr int MostCrossingsTried = 12;
-
-/** Points on one segment, and beside it; a segment that needs more passes through what it may not.
- */
-constexpr int MostSplitsPerSegment = 1000;
-
-/** Places on a segment are tried with so many binary digits. */
-constexpr int MostDigits = 500;
-
 /** How often the monitor is asked. */
 constexpr std::size_t SegmentsPerCheck = 16;
 } // namespace
@@ -52,7 +41,7 @@ bool SegmentRecovery::Clear(
       crossing.U, crossing.V, target, effort.Limits, effort.Depth, budget);
   }
   const Id cell = crossing.Cell;
-  const FlippableCell& near = this->Mesh.Cells[cell];
+  const FlippableCell& near = this->Mesh.Cell(cell);
   if (this->Flips.RemoveFace(cell, crossing.Face, target, effort.Limits))
   {
     return true;
@@ -69,7 +58,7 @@ bool SegmentRecovery::Clear(
   for (int k = 0; k < 3; ++k)
   {
     isReflex[k] = q != this->Mesh.Infinite() && p != this->Mesh.Infinite() &&
-      this->Mesh.Vertices.Orient(q, p, f[k], f[(k + 1) % 3]) <= 0;
+      this->Mesh.Vertices().Orient(q, p, f[k], f[(k + 1) % 3]) <= 0;
   }
   for (const bool reflex : { true, false })
   {
@@ -115,7 +104,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipE
     return true;
   }
   Crossing crossing = NextCrossing(this->Mesh, a, b, first);
-  for (int k = 0; k < MostCrossingsTried &&
+  for (int k = 0; k < EngineLimits::CrossingsTried &&
        (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge);
        ++k)
   {
@@ -131,13 +120,13 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipE
 bool SegmentRecovery::Recover(Id a, Id b, const FlipEffort& effort)
 {
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
-  for (int flips = 0; flips < MostFlipsPerSegment; ++flips)
+  for (int flips = 0; flips < EngineLimits::FlipsPerSegment; ++flips)
   {
     if (this->Mesh.FindEdge(a, b) != None)
     {
       return true;
     }
-    if (this->Mesh.Vertices.Work() > effort.EndOfWork || !this->ClearOne(a, b, target, effort))
+    if (this->Mesh.Work().Spent() > effort.EndOfWork || !this->ClearOne(a, b, target, effort))
     {
       return false;
     }
@@ -149,7 +138,7 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(const std::vector<Id>& missing)
 {
   return RecoverInRounds(missing, this->Mesh,
     static_cast<std::int64_t>(this->Mesh.Infinite()) + this->Segments.Size(), this->Progress,
-    "recovering edges",
+    Phases::RecoveringSegments,
     [this](Id segment, const FlipEffort& effort)
     {
       const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
@@ -166,13 +155,13 @@ std::vector<Id> SegmentRecovery::RecoverByFlips(const std::vector<Id>& missing)
  */
 Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
 {
-  const Tetrahedron corners = this->Mesh.Cells[cell].Corners;
+  const Tetrahedron corners = this->Mesh.Cell(cell).Corners;
   const int entry = this->Mesh.CornerIndex(cell, beyondFace);
   DyadicNumber low(0);
   DyadicNumber step(0.5);
   const DyadicNumber one(1);
   const DyadicNumber half(0.5);
-  for (int digits = 0; digits < MostDigits; ++digits)
+  for (int digits = 0; digits < EngineLimits::DigitsOnSegment; ++digits)
   {
     const DyadicNumber t = low + step;
     const Id point = this->Mesh.AddVertexBetween(a, b, one - t, t, { { a, b, b } });
@@ -182,7 +171,7 @@ Id SegmentRecovery::SteinerPointWithin(Id cell, Id a, Id b, Id beyondFace)
     {
       Tetrahedron moved = corners;
       moved[k] = point;
-      if (this->Mesh.Vertices.Orient(moved[0], moved[1], moved[2], moved[3]) <= 0)
+      if (this->Mesh.Vertices().Orient(moved[0], moved[1], moved[2], moved[3]) <= 0)
       {
         (k == entry ? beforeEntry : behindExit) = true;
       }
@@ -216,13 +205,13 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
 {
   Id a = start;
   const Id b = end;
-  for (int splits = 0; !this->Recover(a, b, PlainFlips); ++splits)
+  for (int splits = 0; !this->Recover(a, b, EngineLimits::PlainFlips); ++splits)
   {
-    if (splits == MostSplitsPerSegment || this->Mesh.Vertices.IsWorkDone())
+    if (splits == EngineLimits::SplitsPerSegment || this->Mesh.Work().IsUsedUp())
     {
       return false;
     }
-    this->Progress.Check("splitting edges", 0);
+    this->Progress.Check(Phases::SplittingSegments, 0);
     // Points are made from the segment's own ends, which are short, not from Steiner points on it.
     Id point = None;
     if (FirstCrossing(this->Mesh, a, b).Kind == Crossing::ThroughEdge &&
@@ -238,8 +227,9 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
         continue;
       }
       const Id off = this->Mesh.VertexOffPlane(a, b, crossing.U);
-      const DyadicNumber atA = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, start);
-      const DyadicNumber atB = this->Mesh.Vertices.Determinant(crossing.U, crossing.V, off, end);
+      const DyadicNumber atA =
+        this->Mesh.Vertices().Determinant(crossing.U, crossing.V, off, start);
+      const DyadicNumber atB = this->Mesh.Vertices().Determinant(crossing.U, crossing.V, off, end);
       point = this->Mesh.AddVertexBetween(
         start, end, DyadicNumber(0) - atB, atA, { { start, end, end } });
       EdgeRing ring;
@@ -252,12 +242,12 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
     }
     else if (crossing.Kind == Crossing::ThroughFace)
     {
-      const Id beyond = this->Mesh.Cells[crossing.Cell].Neighbors[crossing.Face];
+      const Id beyond = this->Mesh.Cell(crossing.Cell).Neighbors[crossing.Face];
       const Id apex = this->Mesh.Opposite(crossing.Cell, crossing.Face);
       if (apex == b)
       {
         this->Flips.RemoveFace(
-          crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
+          crossing.Cell, crossing.Face, FlipTarget(this->Mesh), EngineLimits::AnyFlip);
         return this->Mesh.FindEdge(a, b) != None;
       }
       point = this->SteinerPointWithin(beyond, start, end, apex);
@@ -267,7 +257,7 @@ bool SegmentRecovery::SplitAndRecover(Id segment, Id start, Id end)
       }
       this->Mesh.SplitCell(beyond, point);
       this->Flips.RemoveFace(
-        crossing.Cell, crossing.Face, FlipTarget(this->Mesh), FlipOperator::Limits{ 0, 3 });
+        crossing.Cell, crossing.Face, FlipTarget(this->Mesh), EngineLimits::AnyFlip);
     }
     if (point == None || this->Mesh.FindEdge(a, point) == None)
     {
@@ -287,9 +277,9 @@ std::vector<Id> SegmentRecovery::RecoverBySplits(
   {
     if (k % SegmentsPerCheck == 0)
     {
-      this->Progress.Check("splitting edges", static_cast<double>(k) / missing.size());
+      this->Progress.Check(Phases::SplittingSegments, static_cast<double>(k) / missing.size());
     }
-    const Id first = this->Mesh.Vertices.Size();
+    const Id first = this->Mesh.Vertices().Size();
     const std::array<Id, 2> ends = this->Segments.EndsOf(missing[k]);
     const bool isRecovered = from == From::LowerEnd
       ? this->SplitAndRecover(missing[k], ends[0], ends[1])

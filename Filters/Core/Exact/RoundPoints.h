@@ -3,6 +3,7 @@
 
 #include "Common/Monitor.h"
 #include "Exact/MovePoint.h"
+#include "Exact/SteinerPoints.h"
 
 #include <random>
 
@@ -22,39 +23,32 @@ public:
     , Segments(segments)
     , Progress(monitor)
     , Mover(mesh, segments)
+    , Steiner(mesh, segments, monitor)
   {
   }
 
-  /** Round all points that can be. @return the ones that are left */
-  std::vector<Id> Round();
-
-  /** The same, of the places for each point only some at random. */
-  std::vector<Id> RoundSomehow(std::mt19937& random);
-
   /**
-   * Put further Steiner points, in doubles, on both sides of those that lie on segments. Where a
-   * segment passes between facets that are less than rounding errors apart, no place in doubles may
-   * be there for one point, but for two, one on either side.
+   * Round all points that can be, and try to do without those that cannot, first in order and then
+   * at random, as long as there get fewer.
+   * @param[in] maySplitBeside whether further points may come in the end (SplitBeside)
+   * @return the ones that are left
    */
-  void SplitBeside(const std::vector<Id>& points, std::mt19937& random);
-
-  /** Move Steiner points around some points to other places at random: they may be in the way. */
-  void Stir(const std::vector<Id>& points, std::mt19937& random);
+  std::vector<Id> RoundAll(bool maySplitBeside, std::mt19937& random);
 
 private:
-  std::vector<Id> Unrounded() const;
+  std::vector<Id> Round();
+  std::vector<Id> RoundSomehow(std::mt19937& random);
+  void SplitBeside(const std::vector<Id>& points, std::mt19937& random);
   bool SplitAt(Id segment, const EdgeRing& ring, const Point& place);
-  std::vector<Point> PlacesFor(Id point) const;
-
-  std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
+  void Stir(const std::vector<Id>& points, std::mt19937& random);
   Point RandomPlaceInVolume(Id point, std::mt19937& random) const;
-  std::vector<Point> PlacesOnSegment(Id point, Id segment, bool exactly) const;
-  std::vector<Point> PlacesBetween(Id u, Id v) const;
-  std::vector<Point> PlacesBeside(Id point, const double* steps, std::size_t numberOfSteps) const;
+  std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
+  std::vector<Id> Unrounded() const;
 
   FlippableMesh& Mesh;
   SegmentTable& Segments;
   Monitor& Progress;
   PointMover Mover;
+  SteinerPoints Steiner;
 };
 } // namespace insideout

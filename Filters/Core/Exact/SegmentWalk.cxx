@@ -34,12 +34,12 @@ bool LeavesStarCell(const FlippableMesh& mesh, Id a, Id b, Id cell, std::array<i
   const int corner = mesh.CornerIndex(cell, a);
   for (int k = 0; k < 3; ++k)
   {
-    link[k] = mesh.Cells[cell].Corners[FaceSeenFrom[corner][k]];
+    link[k] = mesh.Cell(cell).Corners[FaceSeenFrom[corner][k]];
   }
   for (int k = 0; k < 3; ++k)
   {
     // Counter-clockwise seen from a: a point within the cone has all three edges on its left.
-    sides[k] = -mesh.Vertices.Orient(a, link[k], link[(k + 1) % 3], b);
+    sides[k] = -mesh.Vertices().Orient(a, link[k], link[(k + 1) % 3], b);
     if (sides[k] < 0)
     {
       return false;
@@ -50,7 +50,7 @@ bool LeavesStarCell(const FlippableMesh& mesh, Id a, Id b, Id cell, std::array<i
 
 Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
 {
-  const FlippableCell& before = mesh.Cells[crossing.Cell];
+  const FlippableCell& before = mesh.Cell(crossing.Cell);
   const Id cell = before.Neighbors[crossing.Face];
   if (mesh.Has(cell, b))
   {
@@ -66,11 +66,11 @@ Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
   {
     f[k] = before.Corners[FaceSeenFrom[crossing.Face][k]];
   }
-  const int turn = mesh.Vertices.Orient(a, b, f[0], f[1]);
+  const int turn = mesh.Vertices().Orient(a, b, f[0], f[1]);
   std::array<int, 3> s;
   for (int k = 0; k < 3; ++k)
   {
-    s[k] = turn * mesh.Vertices.Orient(a, b, f[k], apex);
+    s[k] = turn * mesh.Vertices().Orient(a, b, f[k], apex);
   }
   for (int k = 0; k < 3; ++k)
   {
@@ -89,12 +89,12 @@ Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
 /** Beyond the edge uv the way lies in the face (u, v, p) of `cell`, whose fourth corner is q. */
 Crossing WithinFace(const FlippableMesh& mesh, Id a, Id b, Id cell, Id u, Id v, Id p, Id q)
 {
-  const int atP = mesh.Vertices.Orient(a, b, p, q);
+  const int atP = mesh.Vertices().Orient(a, b, p, q);
   if (atP == 0)
   {
     return Vertex(cell);
   }
-  return Edge(cell, atP == mesh.Vertices.Orient(a, b, u, q) ? v : u, p);
+  return Edge(cell, atP == mesh.Vertices().Orient(a, b, u, q) ? v : u, p);
 }
 
 Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
@@ -120,16 +120,17 @@ Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
     {
       continue;
     }
-    const int fromP = mesh.Vertices.Orient(u, v, p, b);
-    const int toQ = mesh.Vertices.Orient(u, v, b, q);
+    const int fromP = mesh.Vertices().Orient(u, v, p, b);
+    const int toQ = mesh.Vertices().Orient(u, v, b, q);
     if (fromP > 0 && toQ > 0)
     {
-      const int across = mesh.Vertices.Orient(a, b, p, q);
+      const int across = mesh.Vertices().Orient(a, b, p, q);
       if (across == 0)
       {
         return Edge(cell, p, q);
       }
-      return Face(cell, mesh.CornerIndex(cell, across == mesh.Vertices.Orient(a, b, u, p) ? v : u));
+      return Face(
+        cell, mesh.CornerIndex(cell, across == mesh.Vertices().Orient(a, b, u, p) ? v : u));
     }
     if (fromP == 0 && toQ > 0)
     {

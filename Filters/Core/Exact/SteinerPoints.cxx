@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/SteinerPoints.h"
 
+#include "Exact/EngineLimits.h"
+#include "Exact/Phases.h"
 #include "Exact/PointSupport.h"
 
 #include <algorithm>
@@ -9,15 +11,6 @@ namespace insideout
 {
 namespace
 {
-/** Removing points one by one is over when fewer than one in so many goes. */
-constexpr std::size_t LeastYield = 50;
-
-constexpr int MostPasses = 1000;
-
-/** Flips at random are tried for each cell around a point, and at most around a point. */
-constexpr std::size_t ShakesPerCell = 2;
-constexpr std::size_t MostShakes = 200;
-
 template <typename Container>
 void SortUnique(Container& ids)
 {
@@ -34,7 +27,7 @@ std::vector<Id> SteinerPoints::NeighborsOf(Id point) const
   std::vector<Id> neighbors;
   for (const Id cell : star)
   {
-    for (const Id corner : this->Mesh.Cells[cell].Corners)
+    for (const Id corner : this->Mesh.Cell(cell).Corners)
     {
       if (corner != point && corner != this->Mesh.Infinite())
       {
@@ -50,7 +43,6 @@ std::vector<Id> SteinerPoints::NeighborsOf(Id point) const
 void SteinerPoints::LowerDegree(Id point)
 {
   const FlipTarget nothing(this->Mesh);
-  const FlipOperator::Limits limits = { 0, 10 };
   bool changed = true;
   while (changed)
   {
@@ -59,8 +51,9 @@ void SteinerPoints::LowerDegree(Id point)
     for (const Id neighbor : neighbors)
     {
       const Id cell = this->Mesh.FindEdge(point, neighbor);
-      changed =
-        (cell != None && this->Flips.RemoveEdge(point, neighbor, cell, nothing, limits)) || changed;
+      changed = (cell != None &&
+                  this->Flips.RemoveEdge(point, neighbor, cell, nothing, EngineLimits::AnyFlip)) ||
+        changed;
     }
   }
 }
@@ -87,17 +80,18 @@ void SteinerPoints::Remove(Id first)
 {
   // What failed once is tried again only when something around has changed.
   std::vector<std::int64_t> triedAt(
-    static_cast<std::size_t>(this->Mesh.Vertices.Size() - first), -1);
+    static_cast<std::size_t>(this->Mesh.Vertices().Size() - first), -1);
   std::size_t tried = 0;
   std::size_t removed = 1;
-  for (int pass = 0; pass < MostPasses && removed > tried / LeastYield; ++pass)
+  for (int pass = 0;
+       pass < EngineLimits::RemovingPasses && removed > tried / EngineLimits::LeastYield; ++pass)
   {
     tried = 0;
     removed = 0;
-    for (Id point = this->Mesh.Vertices.Size() - 1;
-         point >= first && !this->Mesh.Vertices.IsWorkDone(); --point)
+    for (Id point = this->Mesh.Vertices().Size() - 1;
+         point >= first && !this->Mesh.Work().IsUsedUp(); --point)
     {
-      this->Progress.Check("removing points", 0);
+      this->Progress.Check(Phases::RemovingPoints, 0);
       if (this->Mesh.HasVertex(point) &&
         this->Mesh.LastChangeAround(point) > triedAt[point - first])
       {
@@ -118,10 +112,10 @@ void SteinerPoints::Tidy(Id first)
 void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
 {
   const FlipTarget nothing(this->Mesh);
-  const FlipOperator::Limits limits = { 0, 10 };
   std::vector<Id> star;
   this->Mesh.Star(vertex, star);
-  const std::size_t tries = std::min(ShakesPerCell * star.size(), MostShakes);
+  const std::size_t tries =
+    std::min(EngineLimits::FlipsPerCell * star.size(), std::size_t(EngineLimits::FlipsPerShake));
   for (std::size_t k = 0; k < tries; ++k)
   {
     star.clear();
@@ -129,11 +123,11 @@ void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
     const Id cell = star[random() % star.size()];
     const int i = static_cast<int>(random() % 4);
     const int j = static_cast<int>(i + 1 + random() % 3) % 4;
-    const Id u = this->Mesh.Cells[cell].Corners[i];
-    const Id v = this->Mesh.Cells[cell].Corners[j];
-    if (random() % 2 == 0 || !this->Flips.RemoveFace(cell, i, nothing, limits))
+    const Id u = this->Mesh.Cell(cell).Corners[i];
+    const Id v = this->Mesh.Cell(cell).Corners[j];
+    if (random() % 2 == 0 || !this->Flips.RemoveFace(cell, i, nothing, EngineLimits::AnyFlip))
     {
-      this->Flips.RemoveEdge(u, v, cell, nothing, limits);
+      this->Flips.RemoveEdge(u, v, cell, nothing, EngineLimits::AnyFlip);
     }
   }
 }
@@ -142,7 +136,7 @@ void SteinerPoints::Shake(const std::vector<Id>& points, std::mt19937& random)
 {
   for (const Id point : points)
   {
-    this->Progress.Check("shaking points", 0);
+    this->Progress.Check(Phases::ShakingPoints, 0);
     if (this->Mesh.HasVertex(point))
     {
       this->FlipAround(point, random);
@@ -156,10 +150,10 @@ void SteinerPoints::Shake(const std::vector<Id>& points, std::mt19937& random)
 
 void SteinerPoints::MoveIntoVolume(Id first)
 {
-  for (Id point = this->Mesh.Vertices.Size() - 1;
-       point >= first && !this->Mesh.Vertices.IsWorkDone(); --point)
+  for (Id point = this->Mesh.Vertices().Size() - 1; point >= first && !this->Mesh.Work().IsUsedUp();
+       --point)
   {
-    this->Progress.Check("moving points", 0);
+    this->Progress.Check(Phases::MovingPoints, 0);
     if (this->Mesh.HasVertex(point))
     {
       this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);

@@ -84,25 +84,26 @@ void CheckPointsAreUsed(
   }
 }
 
-/** Steiner points that TetGen added and took back are still in its list: leave them out. */
+/** Steiner points that were added and taken back may still be in the list (TetGen's are): leave
+ * them out. */
 void RemoveUnusedSteinerPoints(
-  std::size_t inputPoints, const std::vector<bool>& used, TetgenAnswer& answer)
+  std::size_t inputPoints, const std::vector<bool>& used, RawTetrahedra& raw)
 {
-  std::vector<Id> renamed(answer.Points.size(), None);
+  std::vector<Id> renamed(raw.Points.size(), None);
   std::size_t kept = 0;
-  for (std::size_t p = 0; p < answer.Points.size(); ++p)
+  for (std::size_t p = 0; p < raw.Points.size(); ++p)
   {
     if (p < inputPoints || used[p])
     {
-      answer.Points[kept] = answer.Points[p];
+      raw.Points[kept] = raw.Points[p];
       renamed[p] = static_cast<Id>(kept++);
     }
   }
-  if (kept == answer.Points.size())
+  if (kept == raw.Points.size())
   {
     return;
   }
-  answer.Points.resize(kept);
+  raw.Points.resize(kept);
   const auto rename = [&](auto& elements)
   {
     for (auto& element : elements)
@@ -113,11 +114,11 @@ void RemoveUnusedSteinerPoints(
       }
     }
   };
-  rename(answer.Cells);
-  rename(answer.Faces);
+  rename(raw.Cells);
+  rename(raw.Faces);
 }
 
-/** TetGen's cells are oriented the other way than VTK's. */
+/** Whatever the tetrahedralizer's own orientation is: TetGen's is the other way than VTK's. */
 void OrientCells(const std::vector<Point>& points, std::vector<Tetrahedron>& cells)
 {
   const auto at = [&](Id p) { return Kernel::Point_3(points[p][0], points[p][1], points[p][2]); };
@@ -171,18 +172,18 @@ void MatchNeighbors(const FaceTable& faces, TetrahedralMesh& mesh)
 }
 } // namespace
 
-TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer, Monitor& monitor)
+TetrahedralMesh AssembleMesh(const FacetComplex& surface, RawTetrahedra raw, Monitor& monitor)
 {
   monitor.Check(Stage, 0.9);
-  CheckInputPoints(surface.Points, answer.Points);
-  const std::vector<bool> used = PointsInCells(answer.Points.size(), answer.Cells);
-  CheckPointsAreUsed(answer.Points, surface.Points.size(), used);
-  RemoveUnusedSteinerPoints(surface.Points.size(), used, answer);
-  OrientCells(answer.Points, answer.Cells);
+  CheckInputPoints(surface.Points, raw.Points);
+  const std::vector<bool> used = PointsInCells(raw.Points.size(), raw.Cells);
+  CheckPointsAreUsed(raw.Points, surface.Points.size(), used);
+  RemoveUnusedSteinerPoints(surface.Points.size(), used, raw);
+  OrientCells(raw.Points, raw.Cells);
   monitor.Check(Stage, 0.93);
   TetrahedralMesh mesh;
-  mesh.Points = std::move(answer.Points);
-  mesh.Cells = std::move(answer.Cells);
+  mesh.Points = std::move(raw.Points);
+  mesh.Cells = std::move(raw.Cells);
   mesh.Origins = surface.Origins;
   mesh.Origins.resize(mesh.Points.size());
   mesh.NumberOfSteinerPoints = static_cast<Id>(mesh.Points.size() - surface.Points.size());
@@ -190,7 +191,7 @@ TetrahedralMesh AssembleMesh(const FacetComplex& surface, TetgenAnswer answer, M
   MatchNeighbors(faces, mesh);
   CheckConvexHull(mesh, surface.Points.size());
   monitor.Check(Stage, 0.96);
-  PlaceFacets(surface, faces, answer.Faces, answer.FacetOfFaces, mesh);
+  PlaceFacets(surface, faces, raw.Faces, raw.FacetOfFaces, mesh);
   return mesh;
 }
 } // namespace insideout

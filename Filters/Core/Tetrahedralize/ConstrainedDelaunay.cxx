@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/ConstrainedDelaunay.h"
 
-#include "Common/Statistics.h"
-#include "Exact/ExactTetrahedralization.h"
-#include "Tetrahedralize/AssembleMesh.h"
-#include "Tetrahedralize/DelaunayOfPoints.h"
-#include "Tetrahedralize/TetgenProcess.h"
+#include "Tetrahedralize/Ladder.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,9 +20,9 @@ namespace
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /**
- * TetGen squares and cubes lengths, and its predicates (Shewchuk 1997) are exact only while
- * products of five coordinates neither over- nor underflow: sizes beyond 2 to this power (up or
- * down) are brought to 1 for it.
+ * Sizes beyond 2 to this power, up or down, are brought to 1 for all rungs. TetGen needs it: it
+ * squares and cubes lengths, and its predicates (Shewchuk 1997) are exact only while products of
+ * five coordinates neither over- nor underflow.
  */
 constexpr int LargestExponent = 32;
 
@@ -71,7 +66,8 @@ void CheckIdsAndCoordinates(const FacetComplex& surface)
   }
 }
 
-/** Points in general position so far, one more for each dimension they span. */
+/** Collects points in general position, one for each dimension they span and one more, until there
+ * are four. */
 void CheckSpansSpace(const std::vector<Point>& points)
 {
   std::vector<Kernel::Point_3> base;
@@ -95,7 +91,7 @@ void CheckSpansSpace(const std::vector<Point>& points)
     std::string("all facets lie ") + where[base.size() - 1] + ", so there is no volume to fill");
 }
 
-/** The power of two that all coordinates are below; 0 for sizes that TetGen copes with. */
+/** The power of two that all coordinates are below; 0 for sizes that every rung copes with. */
 int ExponentToRemove(const std::vector<Point>& points)
 {
   double largest = 0;
@@ -121,158 +117,6 @@ void Scale(std::vector<Point>& points, int exponent)
   }
 }
 
-constexpr const char* Stage = "tetrahedralizing";
-
-// --- The ladder ----------------------------------------------------------------------------------
-
-/** What a rung has to go by. */
-struct Attempt
-{
-  const FacetComplex& Surface;
-  TetgenBudget Budget;
-  Monitor& Caller;
-};
-
-TetrahedralMesh UseTetgen(const Attempt& attempt, const TetgenOptions& options)
-{
-  const FacetComplex& surface = attempt.Surface;
-  const std::vector<Triangle> constraints(
-    surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-  return AssembleMesh(surface,
-    RunTetgen(surface.Points, constraints, options, attempt.Budget, attempt.Caller),
-    attempt.Caller);
-}
-
-TetrahedralMesh KeepPointsOffFacets(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid });
-}
-
-TetrahedralMesh FlipInGivenOrder(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid, true, true });
-}
-
-TetrahedralMesh LeavePointsOnFacets(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave });
-}
-
-TetrahedralMesh LeavePointsAndFlipInGivenOrder(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave, true, true });
-}
-
-TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Allow });
-}
-
-/** Ends the exact rung when its time is over: it has no process of its own to be killed. */
-class DeadlineMonitor : public Monitor
-{
-public:
-  DeadlineMonitor(const TetgenBudget& budget, Monitor& caller)
-    : Budget(budget)
-    , Caller(caller)
-    , ProcessorStart(ProcessorSeconds())
-  {
-  }
-
-  bool Continue(const char*, double) override
-  {
-    this->Elapsed += this->Watch.Lap();
-    if (this->Elapsed > this->Budget.Seconds ||
-      ProcessorSeconds() - this->ProcessorStart > this->Budget.ProcessorSeconds)
-    {
-      throw Error(ErrorCode::TetrahedralizerFailed, "it took more than the time it may");
-    }
-    return this->Caller.Continue(Stage, 0);
-  }
-
-private:
-  static double ProcessorSeconds()
-  {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-
-  const TetgenBudget& Budget;
-  Monitor& Caller;
-  Stopwatch Watch;
-  double Elapsed = 0;
-  const double ProcessorStart;
-};
-
-TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
-{
-  /** Nearly all surfaces need much less, and those for which the other rungs are worse need it. */
-  constexpr double Patience = 5;
-  TetgenBudget budget = attempt.Budget;
-  budget.ProcessorSeconds *= Patience;
-  DeadlineMonitor deadline(budget, attempt.Caller);
-  const FacetComplex& surface = attempt.Surface;
-  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
-    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline);
-  return AssembleMesh(surface,
-    { std::move(exact.Points), std::move(exact.Cells), std::move(exact.Faces),
-      std::move(exact.FacetOfFaces) },
-    attempt.Caller);
-}
-
-TetrahedralMesh IgnoreFacets(const Attempt& attempt)
-{
-  return AssembleMesh(attempt.Surface,
-    DelaunayOfPoints(attempt.Surface.Points, attempt.Budget.Mebibytes, attempt.Caller),
-    attempt.Caller);
-}
-
-using Engine = TetrahedralizationEngine;
-
-struct Rung
-{
-  const char* Name;
-  TetrahedralMesh (*Try)(const Attempt&);
-  std::vector<Engine> Engines; ///< that have it
-};
-
-/**
- * The exact way comes first by what was measured (ConstrainedDelaunay.h). TetGen crashes most often
- * where it takes Steiner points out of facets again. Only its first two rungs try that: else some
- * tens of them are left. Where else it crashes depends on the tetrahedra that it begins with, so
- * that another way to these helps. With points wherever it likes there are ten times as many as the
- * facets have corners.
- */
-const Rung Ladder[] = {
-  { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },
-  { "TetGen, points kept off facets", KeepPointsOffFacets, { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
-    { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points left on facets", LeavePointsOnFacets, { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
-    { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points put on facets", PutPointsOnFacets, { Engine::Automatic, Engine::TetGen } },
-  { "Delaunay tetrahedra of the points alone", IgnoreFacets,
-    { Engine::Automatic, Engine::Exact, Engine::TetGen } },
-};
-constexpr int NumberOfRungs = sizeof(Ladder) / sizeof(Ladder[0]);
-
-/** The rungs that an engine has, counted from 1. */
-std::vector<int> RungsOf(Engine engine)
-{
-  std::vector<int> rungs;
-  for (int rung = 1; rung <= NumberOfRungs; ++rung)
-  {
-    const std::vector<Engine>& engines = Ladder[rung - 1].Engines;
-    if (std::find(engines.begin(), engines.end(), engine) != engines.end())
-    {
-      rungs.push_back(rung);
-    }
-  }
-  return rungs;
-}
-
 /** Whether another rung may do better where this was thrown. */
 bool IsFailureOfARung(const Error& error)
 {
@@ -281,28 +125,8 @@ bool IsFailureOfARung(const Error& error)
     error.Code == ErrorCode::TooLarge;
 }
 
-/** Later rungs begin anew; whoever watches sees no step back. */
-class ForwardMonitor : public Monitor
-{
-public:
-  explicit ForwardMonitor(Monitor& caller)
-    : Caller(caller)
-  {
-  }
-
-  bool Continue(const char* stage, double fraction) override
-  {
-    this->Furthest = std::max(this->Furthest, fraction);
-    return this->Caller.Continue(stage, this->Furthest);
-  }
-
-private:
-  Monitor& Caller;
-  double Furthest = 0;
-};
-
 /** What each rung may use up. */
-TetgenBudget BudgetOfARung(
+TetrahedralizerBudget BudgetOfARung(
   const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters)
 {
   constexpr double MinimumSeconds = 4;
@@ -312,7 +136,7 @@ TetgenBudget BudgetOfARung(
   constexpr double MebibytesPerElement = 1.0 / 64;
   constexpr double ShareOfMachine = 0.75;
   const double elements = static_cast<double>(surface.Points.size() + surface.Facets.size());
-  TetgenBudget budget;
+  TetrahedralizerBudget budget;
   if (parameters.TimeBudget > 0)
   {
     budget.Seconds = parameters.TimeBudget / static_cast<double>(RungsOf(parameters.Engine).size());
@@ -332,7 +156,7 @@ TetgenBudget BudgetOfARung(
 
 /** Down the ladder until a mesh has every facet. */
 Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine engine,
-  const TetgenBudget& budget, Monitor& monitor)
+  const TetrahedralizerBudget& budget, Monitor& monitor)
 {
   ForwardMonitor forward(monitor);
   Tetrahedralization best;
@@ -342,7 +166,7 @@ Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine e
     std::string failure;
     try
     {
-      TetrahedralMesh mesh = Ladder[rung - 1].Try({ surface, budget, forward });
+      TetrahedralMesh mesh = TryRung(rung, surface, budget, forward);
       const std::size_t lost = mesh.LostFacets.size();
       if (best.Rung == 0 || lost < best.Mesh.LostFacets.size())
       {
@@ -364,7 +188,7 @@ Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine e
       failure = error.what();
       lastError.emplace(error);
     }
-    best.Failures.push_back(std::string(Ladder[rung - 1].Name) + ": " + failure);
+    best.Failures.push_back(std::string(RungName(rung)) + ": " + failure);
   }
   if (best.Rung == 0)
   {
@@ -374,18 +198,13 @@ Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine e
 }
 } // namespace
 
-const char* RungName(int rung)
-{
-  return rung >= 1 && rung <= NumberOfRungs ? Ladder[rung - 1].Name : nullptr;
-}
-
 Tetrahedralization ConstrainedDelaunay(
   const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters, Monitor& monitor)
 {
   CheckParameters(parameters);
   CheckIdsAndCoordinates(surface);
   CheckSpansSpace(surface.Points);
-  const TetgenBudget budget = BudgetOfARung(surface, parameters);
+  const TetrahedralizerBudget budget = BudgetOfARung(surface, parameters);
   const int exponent = ExponentToRemove(surface.Points);
   FacetComplex scaled;
   if (exponent != 0)
@@ -408,5 +227,35 @@ Tetrahedralization ConstrainedDelaunay(
 TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor)
 {
   return ConstrainedDelaunay(surface, {}, monitor).Mesh;
+}
+
+void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics)
+{
+  const TetrahedralMesh& mesh = result.Mesh;
+  statistics.emplace_back("Rung", result.Rung);
+  statistics.emplace_back("HullPoints", mesh.Points.size());
+  statistics.emplace_back("HullCells", mesh.Cells.size());
+  statistics.emplace_back("SteinerPoints", mesh.NumberOfSteinerPoints);
+  statistics.emplace_back("SurfaceSteinerPoints", mesh.NumberOfSurfaceSteinerPoints);
+  statistics.emplace_back("LostFacets", mesh.LostFacets.size());
+}
+
+void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings)
+{
+  warnings.insert(warnings.end(), result.Failures.begin(), result.Failures.end());
+  if (!result.Failures.empty())
+  {
+    warnings.push_back(std::string("the tetrahedra come from: ") + RungName(result.Rung));
+  }
+  if (!result.Mesh.LostFacets.empty())
+  {
+    warnings.push_back(std::to_string(result.Mesh.LostFacets.size()) +
+      " facets are not in the mesh as faces: they count, but do not shape it");
+  }
+  if (result.Mesh.NumberOfSurfaceSteinerPoints > 0)
+  {
+    warnings.push_back(std::to_string(result.Mesh.NumberOfSurfaceSteinerPoints) +
+      " points were added on facets or their edges");
+  }
 }
 } // namespace insideout

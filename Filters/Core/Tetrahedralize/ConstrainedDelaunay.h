@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Common/Statistics.h"
 #include "Common/TetrahedralMesh.h"
 
 #include <string>
@@ -22,7 +23,7 @@ struct ConstrainedDelaunayParameters
   /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
    * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
    * however busy the machine is; and ten times as much by the clock. The exact way has
-   * five times as much as each of the others. */
+   * five times as much processor time as each of the others, and as much by the clock. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
@@ -37,12 +38,9 @@ struct ConstrainedDelaunayParameters
 struct Tetrahedralization
 {
   TetrahedralMesh Mesh;
-  int Rung = 0;                      ///< that the mesh comes from, counted from 1 (RungName)
+  int Rung = 0; ///< that the mesh comes from, counted from 1 (RungName in Ladder.h)
   std::vector<std::string> Failures; ///< why rungs before it, or after it, were not good enough
 };
-
-/** What tetrahedralizes in rung 1, 2 ... as words for a user; nullptr where there is none. */
-const char* RungName(int rung);
 
 /**
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
@@ -57,9 +55,9 @@ const char* RungName(int rung);
  * What comes back from either is checked before it is believed (AssembleMesh.h): points in place,
  * exact positive volumes, every face shared by at most two cells, the hull convex, facets present.
  *
- * Where one way fails the next is tried, a rung further down the ladder (ConstrainedDelaunay.cxx
- * lists them). The last is the Delaunay tetrahedralization of the points without regard to facets.
- * Of meshes that lose facets the one that loses fewest is taken; it names them in LostFacets.
+ * Where one way fails the next is tried, a rung further down the ladder (Ladder.cxx lists them).
+ * The last is the Delaunay tetrahedralization of the points without regard to facets. Of meshes
+ * that lose facets the one that loses fewest is taken; it names them in LostFacets.
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
  *
@@ -75,4 +73,11 @@ Tetrahedralization ConstrainedDelaunay(
 
 /** The mesh alone, with the default budgets. */
 TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monitor);
+
+/** Where the mesh comes from and its sizes, for `statistics`. */
+void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics);
+
+/** Say in a line each which rungs failed and why, and where the mesh comes from; nothing when the
+ * first rung was good enough. */
+void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings);
 } // namespace insideout

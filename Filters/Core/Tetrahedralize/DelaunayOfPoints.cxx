@@ -35,7 +35,7 @@ void CheckMemory(std::size_t cells, double mebibytes)
 }
 } // namespace
 
-TetgenAnswer DelaunayOfPoints(const std::vector<Point>& points, double mebibytes, Monitor& monitor)
+RawTetrahedra DelaunayOfPoints(const std::vector<Point>& points, double mebibytes, Monitor& monitor)
 {
   Delaunay delaunay;
   InsertPoints(points, delaunay,
@@ -44,9 +44,9 @@ TetgenAnswer DelaunayOfPoints(const std::vector<Point>& points, double mebibytes
       monitor.Check(Stage, fraction);
       CheckMemory(delaunay.tds().number_of_cells(), mebibytes);
     });
-  TetgenAnswer answer;
-  answer.Points = points;
-  answer.Cells.reserve(delaunay.number_of_finite_cells());
+  RawTetrahedra raw;
+  raw.Points = points;
+  raw.Cells.reserve(delaunay.number_of_finite_cells());
   for (const auto& cell : delaunay.finite_cell_handles())
   {
     Tetrahedron corners;
@@ -55,9 +55,9 @@ TetgenAnswer DelaunayOfPoints(const std::vector<Point>& points, double mebibytes
       corners[k] = cell->vertex(k)->info();
     }
     std::sort(corners.begin(), corners.end());
-    answer.Cells.push_back(corners);
+    raw.Cells.push_back(corners);
   }
-  std::sort(answer.Cells.begin(), answer.Cells.end());
-  return answer;
+  std::sort(raw.Cells.begin(), raw.Cells.end());
+  return raw;
 }
 } // namespace insideout

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Tetrahedralize/TetgenProcess.h"
+#include "Common/Monitor.h"
+#include "Common/RawTetrahedra.h"
 
 namespace insideout
 {
@@ -16,5 +17,6 @@ namespace insideout
  * @return cells, with no point added and no face marked
  * @throws Error TetrahedralizerFailed beyond the memory, Stopped
  */
-TetgenAnswer DelaunayOfPoints(const std::vector<Point>& points, double mebibytes, Monitor& monitor);
+RawTetrahedra DelaunayOfPoints(
+  const std::vector<Point>& points, double mebibytes, Monitor& monitor);
 } // namespace insideout

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** A facet as a union of smaller triangles, which TetGen makes where it puts points on facets. */
+/** A facet as a union of smaller triangles, which it is where Steiner points lie on it. */
 struct PiecesOfFacet
 {
   /** The pieces, turned to the facet's orientation, in the order given. */

@@ -296,8 +296,8 @@ struct Bytes
 class Conversation
 {
 public:
-  Conversation(int socket, Helper& helper, std::vector<Bytes> request, const TetgenBudget& budget,
-    double expectedSeconds, Monitor& monitor)
+  Conversation(int socket, Helper& helper, std::vector<Bytes> request,
+    const TetrahedralizerBudget& budget, double expectedSeconds, Monitor& monitor)
     : Socket(socket)
     , Child(helper)
     , Unsent(std::move(request))
@@ -414,7 +414,7 @@ private:
   const int Socket;
   Helper& Child;
   std::vector<Bytes> Unsent;
-  const TetgenBudget Budget;
+  const TetrahedralizerBudget Budget;
   const double ExpectedSeconds;
   Monitor& Caller;
   const Clock::time_point Start = Clock::now();
@@ -490,8 +490,8 @@ void CheckSizeOfAnswer(const AnswerHeader& header, double mebibytes)
   }
 }
 
-TetgenAnswer ReceiveAnswer(Conversation& conversation, std::size_t sentPoints,
-  std::size_t sentFacets, const TetgenBudget& budget)
+RawTetrahedra ReceiveAnswer(Conversation& conversation, std::size_t sentPoints,
+  std::size_t sentFacets, const TetrahedralizerBudget& budget)
 {
   AnswerHeader header;
   conversation.Receive(&header, sizeof(header));
@@ -504,7 +504,7 @@ TetgenAnswer ReceiveAnswer(Conversation& conversation, std::size_t sentPoints,
     throw Error(
       ErrorCode::TetrahedralizerFailed, "TetGen cannot tetrahedralize the surface: " + message);
   }
-  TetgenAnswer answer;
+  RawTetrahedra answer;
   conversation.Receive(answer.Points, header.NumberOfPoints);
   conversation.Receive(answer.Cells, header.NumberOfCells);
   conversation.Receive(answer.Faces, header.NumberOfFaces);
@@ -540,8 +540,8 @@ std::int64_t BitsOf(const TetgenOptions& options)
 }
 } // namespace
 
-TetgenAnswer RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  const TetgenOptions& options, const TetgenBudget& budget, Monitor& monitor)
+RawTetrahedra RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const TetgenOptions& options, const TetrahedralizerBudget& budget, Monitor& monitor)
 {
   CheckSize("points", points.size());
   CheckSize("facets", facets.size());

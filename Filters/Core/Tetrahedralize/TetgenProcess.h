@@ -2,10 +2,8 @@
 #pragma once
 
 #include "Common/Monitor.h"
-#include "Common/Types.h"
-
-#include <cmath>
-#include <vector>
+#include "Common/RawTetrahedra.h"
+#include "Tetrahedralize/TetrahedralizerBudget.h"
 
 namespace insideout
 {
@@ -25,23 +23,6 @@ struct TetgenOptions
   bool KeepOrderOfPoints = false; ///< insert points in the order given, not sorted in space
 };
 
-/** What the helper may use up before it is ended. */
-struct TetgenBudget
-{
-  double Seconds = HUGE_VAL;          ///< wall-clock time, with sending and receiving
-  double ProcessorSeconds = HUGE_VAL; ///< on a busy machine the fairer measure
-  double Mebibytes = HUGE_VAL;        ///< memory held at a time; watched where there is /proc
-};
-
-/** What TetGen made, ids in range and coordinates as they came; nothing else is checked. */
-struct TetgenAnswer
-{
-  std::vector<Point> Points; ///< as many as were sent and then Steiner points
-  std::vector<Tetrahedron> Cells;
-  std::vector<Triangle> Faces;  ///< faces of cells that lie on facets
-  std::vector<Id> FacetOfFaces; ///< one per face
-};
-
 /**
  * Run TetGen on points and facets in a process of its own, the program insideout-tetgen: the one
  * that the environment variable INSIDEOUT_TETGEN names, else libexec/insideout-tetgen in the folder
@@ -55,9 +36,11 @@ struct TetgenAnswer
  *
  * @param[in] points at least 4, finite
  * @param[in] facets ids in range
+ * @return as many points as were sent and then Steiner points; ids in range and coordinates as they
+ *         came. Nothing else is checked
  * @throws Error TetrahedralizerDied, TetrahedralizerFailed (TetGen says so, or the budget is used
  *         up), TooLarge, Stopped
  */
-TetgenAnswer RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  const TetgenOptions& options, const TetgenBudget& budget, Monitor& monitor);
+RawTetrahedra RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  const TetgenOptions& options, const TetrahedralizerBudget& budget, Monitor& monitor);
 } // namespace insideout

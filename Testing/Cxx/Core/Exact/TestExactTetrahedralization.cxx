@@ -2,6 +2,7 @@
 #include "Exact/ExactTetrahedralization.h"
 
 #include "Common/SortedTriangle.h"
+#include "Exact/Phases.h"
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Support/MeshLaws.h"
 #include "Support/TestMeshes.h"
@@ -12,7 +13,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <map>
+#include <set>
+#include <string>
 #include <thread>
 
 using namespace insideout;
@@ -34,8 +39,7 @@ ExactTetrahedralization Tetrahedralize(const FacetComplex& surface)
 TetrahedralMesh LawfulMesh(const FacetComplex& surface, const ExactTetrahedralization& exact)
 {
   Monitor monitor;
-  const TetrahedralMesh mesh =
-    AssembleMesh(surface, { exact.Points, exact.Cells, exact.Faces, exact.FacetOfFaces }, monitor);
+  const TetrahedralMesh mesh = AssembleMesh(surface, exact.Tetrahedra, monitor);
   testmeshes::ExpectMeshLaws(surface, mesh);
   return mesh;
 }
@@ -45,9 +49,10 @@ using FacetsByFace = std::map<Triangle, Id>;
 FacetsByFace FacetsIn(const ExactTetrahedralization& exact)
 {
   FacetsByFace facets;
-  for (std::size_t face = 0; face < exact.Faces.size(); ++face)
+  for (std::size_t face = 0; face < exact.Tetrahedra.Faces.size(); ++face)
   {
-    facets[SortedTriangle(exact.Faces[face]).Points] = exact.FacetOfFaces[face];
+    facets[SortedTriangle(exact.Tetrahedra.Faces[face]).Points] =
+      exact.Tetrahedra.FacetOfFaces[face];
   }
   return facets;
 }
@@ -228,9 +233,9 @@ TEST(ExactTetrahedralization, GivesTheSameEachTime)
     TetrahedralizeExactly(surface.Points, surface.Facets, monitor);
   const ExactTetrahedralization second =
     TetrahedralizeExactly(surface.Points, surface.Facets, monitor);
-  EXPECT_EQ(first.Points, second.Points);
-  EXPECT_EQ(first.Cells, second.Cells);
-  EXPECT_EQ(first.Faces, second.Faces);
+  EXPECT_EQ(first.Tetrahedra.Points, second.Tetrahedra.Points);
+  EXPECT_EQ(first.Tetrahedra.Cells, second.Tetrahedra.Cells);
+  EXPECT_EQ(first.Tetrahedra.Faces, second.Tetrahedra.Faces);
 }
 
 TEST(ExactTetrahedralization, GivesTheSameInThreadsSideBySide)
@@ -257,26 +262,87 @@ TEST(ExactTetrahedralization, GivesTheSameInThreadsSideBySide)
     Monitor monitor;
     const ExactTetrahedralization alone =
       TetrahedralizeExactly(surfaces[k % 2].Points, surfaces[k % 2].Facets, monitor);
-    EXPECT_EQ(found[k].Points, alone.Points);
-    EXPECT_EQ(found[k].Cells, alone.Cells);
-    EXPECT_EQ(found[k].Faces, alone.Faces);
+    EXPECT_EQ(found[k].Tetrahedra.Points, alone.Tetrahedra.Points);
+    EXPECT_EQ(found[k].Tetrahedra.Cells, alone.Tetrahedra.Cells);
+    EXPECT_EQ(found[k].Tetrahedra.Faces, alone.Tetrahedra.Faces);
   }
 }
 
-TEST(ExactTetrahedralization, StopsWhenAsked)
+namespace
 {
-  struct Stopper : Monitor
+/** Notes the phases that are reported, and stops after so many reports. */
+struct PhaseMonitor : Monitor
+{
+  explicit PhaseMonitor(int allowed = std::numeric_limits<int>::max())
+    : Allowed(allowed)
   {
-    bool Continue(const char*, double) override { return --this->Left > 0; }
-    int Left = 0;
-  };
-  const FacetComplex surface = Resolved(testmeshes::RandomSoup(5, 40));
-  for (int checks = 1; checks < 6; ++checks)
-  {
-    Stopper stopper;
-    stopper.Left = checks;
-    EXPECT_THROW(TetrahedralizeExactly(surface.Points, surface.Facets, stopper), Error);
   }
+
+  bool Continue(const char* phase, double fraction) override
+  {
+    this->Phases.insert(phase);
+    EXPECT_GE(fraction, this->Fractions.empty() ? 0 : this->Fractions.back());
+    EXPECT_LE(fraction, 1);
+    this->Fractions.push_back(fraction);
+    return static_cast<int>(this->Fractions.size()) <= this->Allowed;
+  }
+
+  std::set<std::string> Phases;
+  std::vector<double> Fractions;
+
+private:
+  const int Allowed;
+};
+
+} // namespace
+
+TEST(ExactTetrahedralization, NamesItsPhasesAndTheirProgressGrows)
+{
+  std::set<std::string> known;
+  for (const ProgressRange& phase : { Phases::InsertingPoints, Phases::RecoveringSegments,
+         Phases::SplittingSegments, Phases::RecoveringFacets, Phases::SplittingFacets,
+         Phases::RecoveringLostFacets, Phases::MovingPoints, Phases::RemovingPoints,
+         Phases::ShakingPoints, Phases::FindingCrossings, Phases::RoundingPoints })
+  {
+    known.insert(phase.Stage);
+  }
+  PhaseMonitor monitor;
+  for (const FacetComplex& surface : { testmeshes::ToComplex(testmeshes::Chazelle(12)),
+         testmeshes::ToComplex(testmeshes::RandomSoup(1, 20)),
+         Resolved(testmeshes::GridSoup(80412, 40, 5)) })
+  {
+    monitor.Fractions.clear();
+    TetrahedralizeExactly(surface.Points, ConstraintsOf(surface), monitor);
+    const std::set<double> distinct(monitor.Fractions.begin(), monitor.Fractions.end());
+    EXPECT_GE(distinct.size(), 10u);
+    EXPECT_GE(monitor.Fractions.back(), Phases::SplittingSegments.End);
+  }
+  EXPECT_EQ(monitor.Phases, known);
+}
+
+TEST(ExactTetrahedralization, StopsAtEveryReportOfEachPhase)
+{
+  const FacetComplex surface = Resolved(testmeshes::Chazelle(2));
+  PhaseMonitor patient;
+  TetrahedralizeExactly(surface.Points, ConstraintsOf(surface), patient);
+  std::set<std::string> stoppedIn;
+  for (int allowed = 0; allowed < static_cast<int>(patient.Fractions.size()); ++allowed)
+  {
+    PhaseMonitor monitor(allowed);
+    try
+    {
+      TetrahedralizeExactly(surface.Points, ConstraintsOf(surface), monitor);
+      ADD_FAILURE() << "went on after report " << allowed;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.Code, ErrorCode::Stopped);
+      stoppedIn.insert(std::string(error.what()).substr(std::strlen("stopped while ")));
+    }
+    EXPECT_EQ(static_cast<int>(monitor.Fractions.size()), allowed + 1);
+  }
+  EXPECT_EQ(stoppedIn, patient.Phases);
+  EXPECT_GE(stoppedIn.size(), 6u);
 }
 
 TEST(ExactTetrahedralization, FindsPlacesWhereFacetsNearlyTouch)

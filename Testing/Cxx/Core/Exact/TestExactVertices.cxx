@@ -18,7 +18,7 @@ public:
   /** @param[in] exponents of two that coordinates have at most, up and down */
   Vertices(unsigned seed, int exponents)
     : Random(seed)
-    , Exact(Points(exponents))
+    , Exact(Points(exponents), this->Work)
   {
     for (int k = 0; k < 8; ++k)
     {
@@ -111,6 +111,7 @@ private:
   }
 
   std::mt19937 Random;
+  WorkBudget Work;
   ExactVertices Exact;
   std::vector<std::vector<Id>> Groups;
 };
@@ -157,8 +158,10 @@ TEST(ExactVertices, OrientIsTheSignOfTheDeterminantHoweverLargeOrSmallCoordinate
 TEST(ExactVertices, OrientsPointsOfTheSmallestDoubles)
 {
   constexpr double Least = 5e-324;
+  WorkBudget work;
   ExactVertices exact({ { { 0, 0, 0 } }, { { Least, 0, 0 } }, { { 0, Least, 0 } },
-    { { 0, 0, Least } }, { { 0, 1, 0 } } });
+                        { { 0, 0, Least } }, { { 0, 1, 0 } } },
+    work);
   const Id third = exact.AddBetween(0, 1, DyadicNumber(2), DyadicNumber(1), { { 0, 1, 1 } });
   const Id high = exact.AddBetween(0, 3, DyadicNumber(2), DyadicNumber(1), { { 0, 3, 3 } });
   EXPECT_FALSE(exact.IsDouble(third));
@@ -168,7 +171,8 @@ TEST(ExactVertices, OrientsPointsOfTheSmallestDoubles)
 
 TEST(ExactVertices, APointThatIsADoubleBecomesOne)
 {
-  ExactVertices exact({ { { 0, 0, 0 } }, { { 3, 1, -5 } } });
+  WorkBudget work;
+  ExactVertices exact({ { { 0, 0, 0 } }, { { 3, 1, -5 } } }, work);
   const Id middle = exact.AddBetween(0, 1, DyadicNumber(7), DyadicNumber(7), { { 0, 1, 1 } });
   EXPECT_TRUE(exact.IsDouble(middle));
   EXPECT_EQ(exact.Nearest(middle), (Point{ { 1.5, 0.5, -2.5 } }));
@@ -188,7 +192,8 @@ TEST(ExactVertices, OrientsPointsWithMoreDigitsThanDoublesHaveExponentsFor)
   }
   for (const double size : { 0x1p300, 0x1p-300 })
   {
-    ExactVertices exact(points);
+    WorkBudget work;
+    ExactVertices exact(points, work);
     Id last = 0;
     for (Id k = 0; k < 24; ++k)
     {

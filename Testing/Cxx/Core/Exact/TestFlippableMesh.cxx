@@ -34,12 +34,14 @@ std::vector<Point> BallWithCentre(int size)
 TEST(FlippableMesh, FindsAnEdgeWhereAndOnlyWhereACellHasBothEnds)
 {
   Monitor monitor;
+  WorkBudget work;
   std::vector<Id> same;
-  const FlippableMesh mesh(BallWithCentre(150), same, monitor);
+  const FlippableMesh mesh(BallWithCentre(150), same, work, monitor);
   std::set<std::array<Id, 2>> edges;
-  for (const FlippableCell& cell : mesh.Cells)
+  for (Id id = 0; id < mesh.NumberOfCells(); ++id)
   {
-    for (int i = 0; cell.Corners[0] != None && i < 4; ++i)
+    const FlippableCell& cell = mesh.Cell(id);
+    for (int i = 0; !mesh.IsDead(id) && i < 4; ++i)
     {
       for (int j = 0; j < 4; ++j)
       {
@@ -67,8 +69,9 @@ TEST(FlippableMesh, FindsAnEdgeWhereAndOnlyWhereACellHasBothEnds)
 TEST(FlippableMesh, FindsManyFacesAsItFindsEachAlone)
 {
   Monitor monitor;
+  WorkBudget work;
   std::vector<Id> same;
-  const FlippableMesh mesh(BallWithCentre(40), same, monitor);
+  const FlippableMesh mesh(BallWithCentre(40), same, work, monitor);
   std::vector<Triangle> triangles;
   for (Id a = 0; a < mesh.Infinite(); ++a)
   {
@@ -96,14 +99,14 @@ TEST(FlippableMesh, FindsManyFacesAsItFindsEachAlone)
       for (const Id corner : t)
       {
         ASSERT_TRUE(!isFace || mesh.Has(one.Cell, corner));
-        ASSERT_TRUE(!isFace || mesh.Cells[one.Cell].Corners[one.Face] != corner);
+        ASSERT_TRUE(!isFace || mesh.Cell(one.Cell).Corners[one.Face] != corner);
       }
     }
     found += isFace ? 1 : 0;
   }
   // Of each cell four faces, half of which are another's, twice each; and not the infinite ones.
   int faces = 0;
-  for (Id cell = 0; cell < static_cast<Id>(mesh.Cells.size()); ++cell)
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
     faces += mesh.IsDead(cell) ? 0 : mesh.IsInfinite(cell) ? 1 : 4;
   }

@@ -3,6 +3,7 @@
 
 #include "Support/MeshLaws.h"
 #include "Support/TestMeshes.h"
+#include "Tetrahedralize/TetgenProcess.h"
 
 #include <gtest/gtest.h>
 
@@ -24,13 +25,13 @@ FacetComplex CrosswiseCube()
   return testmeshes::ToComplex(cube);
 }
 
-TetgenAnswer Answer(const FacetComplex& surface, SurfaceSteinerPoints steiner)
+RawTetrahedra Answer(const FacetComplex& surface, SurfaceSteinerPoints steiner)
 {
   Monitor monitor;
   return RunTetgen(surface.Points, surface.Facets, { steiner }, {}, monitor);
 }
 
-TetrahedralMesh Assembled(const FacetComplex& surface, const TetgenAnswer& answer)
+TetrahedralMesh Assembled(const FacetComplex& surface, const RawTetrahedra& answer)
 {
   Monitor monitor;
   return AssembleMesh(surface, answer, monitor);
@@ -42,7 +43,7 @@ FacetComplex BoxComplex()
 }
 
 void ExpectInconsistent(
-  const FacetComplex& surface, const TetgenAnswer& answer, const std::string& part)
+  const FacetComplex& surface, const RawTetrahedra& answer, const std::string& part)
 {
   try
   {
@@ -93,7 +94,7 @@ struct SplitAnswer
   }
 
   const FacetComplex Surface;
-  const TetgenAnswer Whole;
+  const RawTetrahedra Whole;
   Id Facet;
 };
 } // namespace
@@ -132,7 +133,7 @@ TEST(AssembleMesh, InterpolatesPointsOnFacets)
 TEST(AssembleMesh, LosesAFacetWithAPieceMissing)
 {
   const SplitAnswer answer;
-  TetgenAnswer damaged = answer.Whole;
+  RawTetrahedra damaged = answer.Whole;
   const auto at =
     std::find(damaged.FacetOfFaces.begin(), damaged.FacetOfFaces.end(), answer.Facet) -
     damaged.FacetOfFaces.begin();
@@ -146,7 +147,7 @@ TEST(AssembleMesh, LosesAFacetWithAPieceMissing)
 TEST(AssembleMesh, LosesAFacetWithAPieceThatIsNoFace)
 {
   const SplitAnswer answer;
-  TetgenAnswer damaged = answer.Whole;
+  RawTetrahedra damaged = answer.Whole;
   damaged.Faces.push_back({ { 0, 6, 3 } });
   damaged.FacetOfFaces.push_back(answer.Facet);
   const TetrahedralMesh mesh = Assembled(answer.Surface, damaged);
@@ -188,7 +189,7 @@ TEST(AssembleMesh, TakesTheWholeFaceWhereANeighborIsNotSplit)
 TEST(AssembleMesh, LosesFacetsWhoseNewPointsLieElsewhere)
 {
   const SplitAnswer answer;
-  TetgenAnswer damaged = answer.Whole;
+  RawTetrahedra damaged = answer.Whole;
   // Outwards, so that the cells around stay as they should.
   for (std::size_t p = 8; p < damaged.Points.size(); ++p)
   {
@@ -216,7 +217,7 @@ TEST(AssembleMesh, KeepsAFacetInPiecesAroundInputPointsThatLieOnItExactly)
       testmeshes::ToComplex({ { { { -2, -1, 0 } }, { { 2, -1, 0 } }, { { 0, 2, 0 } },
                                 { { 0, 0, height } }, { { 0, 0, 1 } }, { { 0, 0, -1 } } },
         { { { 0, 1, 2 } } } });
-    TetgenAnswer answer;
+    RawTetrahedra answer;
     answer.Points = surface.Points;
     answer.Faces = around;
     answer.FacetOfFaces = { 0, 0, 0 };
@@ -240,7 +241,7 @@ TEST(AssembleMesh, KeepsFacetsInPiecesAroundInputPointsThatLieOnTheirEdgeExactly
     const FacetComplex surface = testmeshes::ToComplex(
       { { { { -2, -1, 0 } }, { { 2, -1, 0 } }, { { 0, 2, 0 } }, { { 0, y, 0 } }, { { 0, -1, 1 } } },
         { { { 0, 1, 2 } }, { { 1, 0, 4 } } } });
-    TetgenAnswer answer;
+    RawTetrahedra answer;
     answer.Points = surface.Points;
     answer.Cells = { { { 0, 3, 2, 4 } }, { { 3, 1, 2, 4 } } };
     answer.Faces = { { { 0, 3, 2 } }, { { 3, 1, 2 } }, { { 0, 3, 4 } }, { { 3, 1, 4 } } };
@@ -254,7 +255,7 @@ TEST(AssembleMesh, KeepsFacetsInPiecesAroundInputPointsThatLieOnTheirEdgeExactly
 TEST(AssembleMesh, LosesAFacetThatIsNoFace)
 {
   FacetComplex surface = BoxComplex();
-  const TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  const RawTetrahedra answer = Answer(surface, SurfaceSteinerPoints::Avoid);
   // The other diagonal of a side.
   surface.Facets[0] = { { 0, 2, 1 } };
   surface.Facets[1] = { { 1, 2, 3 } };
@@ -266,7 +267,7 @@ TEST(AssembleMesh, LosesAFacetThatIsNoFace)
 TEST(AssembleMesh, DropsSteinerPointsThatNoCellUses)
 {
   const SplitAnswer answer;
-  TetgenAnswer padded = answer.Whole;
+  RawTetrahedra padded = answer.Whole;
   padded.Points.insert(padded.Points.begin() + 8, { { 0.1, 0.2, 0.3 } });
   padded.Points.push_back({ { 0.1, 0.2, 0.3 } });
   const auto shift = [](auto& elements)
@@ -295,7 +296,7 @@ TEST(AssembleMesh, DropsSteinerPointsThatNoCellUses)
 TEST(AssembleMesh, RefusesPointsThatMoved)
 {
   const FacetComplex surface = BoxComplex();
-  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  RawTetrahedra answer = Answer(surface, SurfaceSteinerPoints::Avoid);
   answer.Points[5][2] = -answer.Points[5][2];
   ExpectInconsistent(surface, answer, "point 5 ");
   answer.Points[5][2] = std::nextafter(surface.Points[5][2], 2);
@@ -305,7 +306,7 @@ TEST(AssembleMesh, RefusesPointsThatMoved)
 TEST(AssembleMesh, RefusesASteinerPointThatIsNotFinite)
 {
   const SplitAnswer answer;
-  TetgenAnswer damaged = answer.Whole;
+  RawTetrahedra damaged = answer.Whole;
   damaged.Points.back()[1] = std::nan("");
   ExpectInconsistent(answer.Surface, damaged,
     "Steiner point " + std::to_string(damaged.Points.size() - 1) + " is not finite");
@@ -314,7 +315,7 @@ TEST(AssembleMesh, RefusesASteinerPointThatIsNotFinite)
 TEST(AssembleMesh, RefusesAPointInNoCell)
 {
   FacetComplex surface = BoxComplex();
-  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  RawTetrahedra answer = Answer(surface, SurfaceSteinerPoints::Avoid);
   surface.Points.push_back({ { 0.5, 0.5, 0.5 } });
   surface.Origins.push_back(PointOrigin::Input(8));
   answer.Points.push_back(surface.Points.back());
@@ -324,7 +325,7 @@ TEST(AssembleMesh, RefusesAPointInNoCell)
 TEST(AssembleMesh, RefusesAFlatCell)
 {
   const FacetComplex surface = BoxComplex();
-  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  RawTetrahedra answer = Answer(surface, SurfaceSteinerPoints::Avoid);
   answer.Cells.push_back({ { 0, 1, 2, 3 } });
   ExpectInconsistent(surface, answer,
     "cell " + std::to_string(answer.Cells.size() - 1) + " (points 0 1 2 3) is flat");
@@ -333,8 +334,8 @@ TEST(AssembleMesh, RefusesAFlatCell)
 TEST(AssembleMesh, RefusesCellsThatOverlap)
 {
   const FacetComplex surface = BoxComplex();
-  TetgenAnswer answer = Answer(surface, SurfaceSteinerPoints::Avoid);
-  TetgenAnswer twice = answer;
+  RawTetrahedra answer = Answer(surface, SurfaceSteinerPoints::Avoid);
+  RawTetrahedra twice = answer;
   twice.Cells.push_back(twice.Cells[0]);
   ExpectInconsistent(surface, twice, "face ");
   // On a hull face that one cell has, a second one on the same side.
@@ -351,7 +352,7 @@ TEST(AssembleMesh, RefusesCellsThatOverlap)
       const std::array<int, 3>& corners = TetrahedronFaces[k];
       for (Id apex = 0; apex < 8; ++apex)
       {
-        TetgenAnswer damaged = answer;
+        RawTetrahedra damaged = answer;
         damaged.Cells.push_back({ { cell[corners[0]], cell[corners[1]], cell[corners[2]], apex } });
         EXPECT_THROW(Assembled(surface, damaged), Error);
       }

@@ -12,7 +12,8 @@ using namespace standin;
 
 namespace
 {
-TetgenAnswer RunOn(const TriangleSoup& soup, Monitor& monitor, const TetgenBudget& budget = {})
+RawTetrahedra RunOn(
+  const TriangleSoup& soup, Monitor& monitor, const TetrahedralizerBudget& budget = {})
 {
   return RunTetgen(soup.Points, soup.Triangles, {}, budget, monitor);
 }
@@ -24,7 +25,7 @@ const TriangleSoup& UnitBox()
 }
 
 void ExpectError(ErrorCode code, const std::string& part, const TriangleSoup& soup = UnitBox(),
-  const TetgenBudget& budget = {})
+  const TetrahedralizerBudget& budget = {})
 {
   const NothingIsLeft check;
   Monitor monitor;
@@ -94,7 +95,7 @@ TEST(TetgenProcess, FindsTheHelperByItself)
 {
   const NothingIsLeft check;
   Monitor monitor;
-  const TetgenAnswer answer = RunOn(UnitBox(), monitor);
+  const RawTetrahedra answer = RunOn(UnitBox(), monitor);
   EXPECT_EQ(answer.Points, UnitBox().Points);
   EXPECT_EQ(answer.Faces.size(), 12u);
   EXPECT_GE(answer.Cells.size(), 5u);
@@ -348,7 +349,7 @@ TEST(TetgenProcess, NeedsNoStandardInputOrOutput)
   close(STDIN_FILENO);
   close(STDOUT_FILENO);
   Monitor monitor;
-  TetgenAnswer answer;
+  RawTetrahedra answer;
   std::string problem;
   try
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
+#include "Tetrahedralize/Ladder.h"
 #include "Tetrahedralize/TetgenProcess.h"
 #include "Validate/CountedChain.h"
 
@@ -79,7 +80,7 @@ FacetComplex UnitBox()
   return testmeshes::ToComplex(testmeshes::Box({ 0, 0, 0 }, { 1, 1, 1 }));
 }
 
-std::string BytesOf(const TetgenAnswer& answer)
+std::string BytesOf(const RawTetrahedra& answer)
 {
   return standin::BytesOf(
            AnswerHeader{ AnswerMagic, 0, 0, static_cast<std::int64_t>(answer.Points.size()),
@@ -89,7 +90,7 @@ std::string BytesOf(const TetgenAnswer& answer)
     standin::BytesOf(answer.Faces) + standin::BytesOf(answer.FacetOfFaces);
 }
 
-TetgenAnswer AnswerToUnitBox()
+RawTetrahedra AnswerToUnitBox()
 {
   Monitor monitor;
   const FacetComplex box = UnitBox();
@@ -274,22 +275,22 @@ TEST(TetrahedralizerFaults, HelperThatLeavesAChildWithTheSocket)
 
 TEST(TetrahedralizerFaults, CellsThatOverlapOrLeaveGaps)
 {
-  const TetgenAnswer good = AnswerToUnitBox();
-  const auto expect = [](const TetgenAnswer& answer, const std::string& reason)
+  const RawTetrahedra good = AnswerToUnitBox();
+  const auto expect = [](const RawTetrahedra& answer, const std::string& reason)
   {
     const StandInAnswer standIn(BytesOf(answer));
     ExpectAnswerWithoutTetgen(reason);
   };
-  TetgenAnswer missing = good;
+  RawTetrahedra missing = good;
   missing.Cells.pop_back();
   expect(missing, "inconsistent");
-  TetgenAnswer twice = good;
+  RawTetrahedra twice = good;
   twice.Cells.push_back(good.Cells[0]);
   expect(twice, "inconsistent");
-  TetgenAnswer flat = good;
+  RawTetrahedra flat = good;
   flat.Cells[0][0] = flat.Cells[0][1];
   expect(flat, "flat");
-  TetgenAnswer moved = good;
+  RawTetrahedra moved = good;
   moved.Points[3][0] += 1;
   expect(moved, "moved");
 }
@@ -297,7 +298,7 @@ TEST(TetrahedralizerFaults, CellsThatOverlapOrLeaveGaps)
 TEST(TetrahedralizerFaults, InvertedCells)
 {
   // Turned over alone, each cell is as good as before: ids say nothing of how it was meant.
-  TetgenAnswer turned = AnswerToUnitBox();
+  RawTetrahedra turned = AnswerToUnitBox();
   for (std::size_t c = 0; c < turned.Cells.size(); c += 2)
   {
     std::swap(turned.Cells[c][0], turned.Cells[c][1]);
@@ -313,7 +314,7 @@ TEST(TetrahedralizerFaults, InvertedCells)
   TriangleSoup soup = testmeshes::Box({ 0, 0, 0 }, { 1, 1, 1 });
   soup.Points.push_back({ { 0.5, 0.5, 0.5 } });
   const FacetComplex withMiddle = testmeshes::ToComplex(soup);
-  TetgenAnswer folded = RunTetgen(withMiddle.Points, withMiddle.Facets, {}, {}, monitor);
+  RawTetrahedra folded = RunTetgen(withMiddle.Points, withMiddle.Facets, {}, {}, monitor);
   folded.Points.push_back({ { 3, 0.5, 0.5 } });
   for (Tetrahedron& cell : folded.Cells)
   {
@@ -351,7 +352,7 @@ TEST(TetrahedralizerFaults, FacetsThatTheAnswerLacks)
     { { 0, 0, -9 } } };
   soup.Triangles = { { { 0, 1, 2 } }, { { 0, 1, 3 } } };
   const FacetComplex surface = testmeshes::ToComplex(soup);
-  TetgenAnswer answer;
+  RawTetrahedra answer;
   answer.Points = surface.Points;
   answer.Cells = { { { 3, 4, 0, 1 } }, { { 3, 4, 1, 2 } }, { { 3, 4, 2, 0 } } };
   const StandInAnswer standIn(BytesOf(answer));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Exact/FlippableMesh.h"
+#include "Exact/SegmentTable.h"
+
+#include <set>
+#include <vector>
+
+namespace insideout
+{
+/**
+ * A mesh on its way to having facets: the mesh, the facets between its vertices, and their
+ * segments. A facet is *there* when faces of the mesh are marked as its pieces, *lost* when none
+ * is. A copy is a state to go back to; the work that was done is not undone by that.
+ */
+class ConstrainedMesh
+{
+public:
+  /** The Delaunay tetrahedralization, without any facet. @throws Error Planar, Stopped */
+  ConstrainedMesh(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+    WorkBudget& work, Monitor& monitor);
+
+  FlippableMesh Mesh;
+  std::vector<Triangle> Facets;
+  SegmentTable Segments;
+
+  /** The facets that are not there, after a look whether one is a face by chance. */
+  std::vector<Id> FindLost(Monitor& monitor);
+
+  /** The segments of facets, each once, ascending. */
+  std::vector<Id> SegmentsOf(const std::vector<Id>& facets) const;
+
+  /** The Steiner points that are in the mesh, ascending. */
+  std::vector<Id> SteinerPoints() const;
+
+  /** The facets that have one of the points, or a cell so many cells away from it. */
+  std::set<Id> FacetsAround(const std::vector<Id>& points, int rings) const;
+
+  /** Let facets go: no face is a piece of them any more, and flips may change what was. So are the
+   * segments that no facet has which is there. */
+  void LetGo(const std::set<Id>& facets);
+
+private:
+  ConstrainedMesh(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+    std::vector<Id> same, WorkBudget& work, Monitor& monitor);
+
+  std::vector<bool> AreThere() const;
+};
+} // namespace insideout

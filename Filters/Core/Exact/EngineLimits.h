@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Exact/EdgeRemoval.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace insideout
+{
+/** How hard flips try to take an edge away. */
+struct FlipEffort
+{
+  FlipOperator::Limits Limits;
+  int Depth;  ///< levels of edges that may go before it, to make its ring smaller
+  int Budget; ///< how many of these are tried
+
+  /** The work (WorkBudget) beyond which none is tried any more. */
+  std::int64_t EndOfWork = std::numeric_limits<std::int64_t>::max();
+};
+
+/**
+ * Where the engine stops trying. None of these decides what is right, for predicates are exact:
+ * they decide when it tries something else, and so that it ends. All are counts, of tries or of
+ * work (WorkBudget: 100 million units are about a second), none is time or length.
+ */
+struct EngineLimits
+{
+  // --- Flips (FlipRounds.h, RecoverSegments.h, RecoverFacets.h) ---
+
+  /** Only flips that leave less in the way than before. Of larger rings few can be triangulated. */
+  static constexpr FlipEffort PlainFlips = { { -1, 10 }, 0, 0 };
+
+  /** For a round of plain flips, per point and constraint: some 0.02 ms. Surfaces of which flips
+   * recover nearly all take a tenth. */
+  static constexpr std::int64_t WorkPerElement = 1000;
+
+  /** The deeper flips that follow, each of which gains less for more work. */
+  static constexpr std::array<FlipEffort, 3> DeepFlips = { { { { -1, 10 }, 1, 40 },
+    { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
+
+  /** For each of these: some ms, for the surfaces on which they do without any cut. What they do
+   * not get, cuts recover in less time. */
+  static constexpr std::int64_t WorkOnDeepFlips = 300000;
+
+  /** Nearly all segments need fewer than ten flips, and some would go on for ever. */
+  static constexpr int FlipsPerSegment = 50;
+
+  /** Crossings of a segment that are tried, after the first one from each end. */
+  static constexpr int CrossingsTried = 12;
+
+  /** Passes over all edges that cross a facet: each leaves fewer, or other ones. */
+  static constexpr int PassesPerFacet = 20;
+
+  /** Flips in a plane for each edge crossed. Where the plane is triangulated all over, few are
+   * needed. */
+  static constexpr std::size_t FlatFlipsPerCrossing = 8;
+
+  /** Any flip, where nothing is in the way of anything; of larger rings hardly one gains. */
+  static constexpr FlipOperator::Limits AnyFlip = { 0, 10 };
+
+  // --- Steiner points (RecoverSegments.h, SteinerPoints.h, MovePoint.h) ---
+
+  /** On one segment, and beside it: one that needs more passes through what it may not. */
+  static constexpr int SplitsPerSegment = 1000;
+
+  /** Binary digits of a place on a segment: cells are not thinner, for doubles have 1074. */
+  static constexpr int DigitsOnSegment = 500;
+
+  /** Of cells that give way to a point that moves: nearly all moves change fewer. */
+  static constexpr std::size_t LargestCavity = 400;
+
+  /** Removing points one by one is over when fewer than one in so many goes, or after so many
+   * passes, which none was seen to take. */
+  static constexpr std::size_t LeastYield = 50;
+  static constexpr int RemovingPasses = 1000;
+
+  // --- Shaking (RecoverConstraints.h, SteinerPoints.h) ---
+
+  /** Flips at random for each cell around a point, and at most around a point. */
+  static constexpr std::size_t FlipsPerCell = 2;
+  static constexpr std::size_t FlipsPerShake = 200;
+
+  /** Points are shaken so often without getting fewer. */
+  static constexpr int ShakesWithoutGain = 12;
+
+  /** Steiner points that have places are shaken for one part in so many of the work so far, and
+   * some ms. */
+  static constexpr std::int64_t WorkPerShake = 10;
+  static constexpr std::int64_t WorkOnShaking = 1000000;
+
+  // --- Rounding (RoundPoints.h) ---
+
+  /** Where many points are tried again and again, so many of their hundreds of places are. */
+  static constexpr int PlacesAtRandom = 60;
+
+  /** Other places that are tried for a point which is in the way, or for one more. */
+  static constexpr int PlacesPerStir = 8;
+
+  // --- Taking out and recovering anew (RecoverConstraints.h, RecoverLostFacets.h) ---
+
+  /** Facets are given up in so many rings of cells around points that find no place. */
+  static constexpr int RingsGivenUp = 5;
+
+  /** Facets that are taken out are fewer than so many rings of cells around a lost one. */
+  static constexpr unsigned RingsOfRuins = 3;
+
+  /** Nearly all facets that are lost at first are there after fewer tries, without more points. */
+  static constexpr int TriesBeforeSplitting = 4;
+
+  /** On facets that are lost, beside as much as all before took: a second or two. */
+  static constexpr std::int64_t WorkOnLostFacets = 100000000;
+
+  /** Edges that are tried to flip a face away that is a facet's twin. There are few of these, so
+   * that they may be tried hard. */
+  static constexpr FlipEffort TwinFlips = { { 0, 12 }, 2, 200 };
+
+  /** The mesh is begun anew so often, before it is made without any facet. */
+  static constexpr int Attempts = 8;
+};
+} // namespace insideout

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace insideout
+{
+/**
+ * How much work is done, and how much may be. Its unit is about one predicate that doubles decide,
+ * some 10 ns. Unlike time it is the same on every machine, however busy: what ends by it ends with
+ * the same mesh each time.
+ */
+class WorkBudget
+{
+public:
+  explicit WorkBudget(std::int64_t most = std::numeric_limits<std::int64_t>::max())
+    : Most(most)
+  {
+  }
+
+  void Spend(std::int64_t work) { this->Done += work; }
+
+  std::int64_t Spent() const { return this->Done; }
+
+  bool IsUsedUp() const { return this->Done > this->Most; }
+
+private:
+  std::int64_t Done = 0;
+  std::int64_t Most;
+};
+} // namespace insideout

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Tetrahedralize/Ladder.h"
+
+#include "Common/Statistics.h"
+#include "Exact/ExactTetrahedralization.h"
+#include "Tetrahedralize/AssembleMesh.h"
+#include "Tetrahedralize/DelaunayOfPoints.h"
+#include "Tetrahedralize/TetgenProcess.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace insideout
+{
+namespace
+{
+constexpr const char* Stage = "tetrahedralizing";
+
+/** What a rung has to go by. */
+struct Attempt
+{
+  const FacetComplex& Surface;
+  TetrahedralizerBudget Budget;
+  Monitor& Caller;
+};
+
+TetrahedralMesh UseTetgen(const Attempt& attempt, const TetgenOptions& options)
+{
+  const FacetComplex& surface = attempt.Surface;
+  const std::vector<Triangle> constraints(
+    surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
+  return AssembleMesh(surface,
+    RunTetgen(surface.Points, constraints, options, attempt.Budget, attempt.Caller),
+    attempt.Caller);
+}
+
+TetrahedralMesh KeepPointsOffFacets(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid });
+}
+
+TetrahedralMesh FlipInGivenOrder(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid, true, true });
+}
+
+TetrahedralMesh LeavePointsOnFacets(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave });
+}
+
+TetrahedralMesh LeavePointsAndFlipInGivenOrder(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave, true, true });
+}
+
+TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
+{
+  return UseTetgen(attempt, { SurfaceSteinerPoints::Allow });
+}
+
+/** Ends the exact rung when its time is over: it has no process of its own to be killed. */
+class DeadlineMonitor : public Monitor
+{
+public:
+  DeadlineMonitor(const TetrahedralizerBudget& budget, Monitor& caller)
+    : Budget(budget)
+    , Caller(caller)
+    , ProcessorStart(ProcessorSeconds())
+  {
+  }
+
+  bool Continue(const char*, double fraction) override
+  {
+    this->Elapsed += this->Watch.Lap();
+    if (this->Elapsed > this->Budget.Seconds ||
+      ProcessorSeconds() - this->ProcessorStart > this->Budget.ProcessorSeconds)
+    {
+      throw Error(ErrorCode::TetrahedralizerFailed, "it took more than the time it may");
+    }
+    return this->Caller.Continue(Stage, ShareOfProgress * fraction);
+  }
+
+private:
+  static constexpr double ShareOfProgress = 0.9; ///< the rest is AssembleMesh's
+
+  static double ProcessorSeconds()
+  {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  const TetrahedralizerBudget& Budget;
+  Monitor& Caller;
+  Stopwatch Watch;
+  double Elapsed = 0;
+  const double ProcessorStart;
+};
+
+TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
+{
+  /** Nearly all surfaces need much less, and those for which the other rungs are worse need it. */
+  constexpr double Patience = 5;
+  TetrahedralizerBudget budget = attempt.Budget;
+  budget.ProcessorSeconds *= Patience;
+  DeadlineMonitor deadline(budget, attempt.Caller);
+  const FacetComplex& surface = attempt.Surface;
+  ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
+    { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline);
+  return AssembleMesh(surface, std::move(exact.Tetrahedra), attempt.Caller);
+}
+
+TetrahedralMesh IgnoreFacets(const Attempt& attempt)
+{
+  return AssembleMesh(attempt.Surface,
+    DelaunayOfPoints(attempt.Surface.Points, attempt.Budget.Mebibytes, attempt.Caller),
+    attempt.Caller);
+}
+
+using Engine = TetrahedralizationEngine;
+
+struct Rung
+{
+  const char* Name;
+  TetrahedralMesh (*Try)(const Attempt&);
+  std::vector<Engine> Engines; ///< that have it
+};
+
+/**
+ * The exact way comes first by what was measured (ConstrainedDelaunay.h). TetGen crashes most often
+ * where it takes Steiner points out of facets again. Only its first two rungs, the
+ * second and the third, try that: else some tens of them are left. Where else it crashes depends on
+ * the tetrahedra that it begins with, so that another way to these helps. With points wherever it
+ * likes there are ten times as many as the facets have corners.
+ */
+const Rung Ladder[] = {
+  { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },
+  { "TetGen, points kept off facets", KeepPointsOffFacets, { Engine::Automatic, Engine::TetGen } },
+  { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
+    { Engine::Automatic, Engine::TetGen } },
+  { "TetGen, points left on facets", LeavePointsOnFacets, { Engine::Automatic, Engine::TetGen } },
+  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
+    { Engine::Automatic, Engine::TetGen } },
+  { "TetGen, points put on facets", PutPointsOnFacets, { Engine::Automatic, Engine::TetGen } },
+  { "Delaunay tetrahedra of the points alone", IgnoreFacets,
+    { Engine::Automatic, Engine::Exact, Engine::TetGen } },
+};
+constexpr int NumberOfRungs = sizeof(Ladder) / sizeof(Ladder[0]);
+} // namespace
+
+const char* RungName(int rung)
+{
+  return rung >= 1 && rung <= NumberOfRungs ? Ladder[rung - 1].Name : nullptr;
+}
+
+std::vector<int> RungsOf(Engine engine)
+{
+  std::vector<int> rungs;
+  for (int rung = 1; rung <= NumberOfRungs; ++rung)
+  {
+    const std::vector<Engine>& engines = Ladder[rung - 1].Engines;
+    if (std::find(engines.begin(), engines.end(), engine) != engines.end())
+    {
+      rungs.push_back(rung);
+    }
+  }
+  return rungs;
+}
+
+TetrahedralMesh TryRung(
+  int rung, const FacetComplex& surface, const TetrahedralizerBudget& budget, Monitor& monitor)
+{
+  return Ladder[rung - 1].Try({ surface, budget, monitor });
+}
+} // namespace insideout

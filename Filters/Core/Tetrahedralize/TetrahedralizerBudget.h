@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace insideout
+{
+/** What one way to tetrahedralize may use up before the next has its turn. */
+struct TetrahedralizerBudget
+{
+  double Seconds = HUGE_VAL;          ///< wall-clock time
+  double ProcessorSeconds = HUGE_VAL; ///< on a busy machine the fairer measure
+  double Mebibytes = HUGE_VAL;        ///< memory held at a time, where it is watched
+};
+} // namespace insideout
