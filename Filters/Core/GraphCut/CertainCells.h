@@ -15,7 +15,7 @@ namespace insideout
  * more. The largest such R comes from all cells that are better inside, by taking away those that
  * their faces outweigh until there are none. Likewise for the outside, where equality will do, for
  * the smallest minimum is wanted. What a certain cell costs its neighbours is then no longer open,
- * and the same is done again with those that are left, until nothing more is certain.
+ * and the same is done again with those that are left, as long as that settles most of them.
  */
 class CertainCells
 {

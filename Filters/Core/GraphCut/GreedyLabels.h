@@ -24,7 +24,7 @@ public:
 /**
  * A labelling that constraints change cell by cell (thesis, section 8.5.2): cells that one of them
  * needs are labelled inside, and after each such step the energy is improved greedily. Energies are
- * compared as integers, so that every improvement is one and there can be no end of them.
+ * compared as integers, so that every improvement is one, and there cannot be endlessly many.
  */
 class GreedyLabels
 {

@@ -41,10 +41,11 @@ public:
 
   /**
    * March over the edges, then the points; where one is not manifold label cells around it inside
-   * in descending order of w, the lowest of equal ones first, until it is, and improve greedily.
-   * The first cell of each such step is kept inside, so that this ends. Whatever a step breaks
-   * elsewhere is marched over again, edges first. When nothing is left to do the kept cells are
-   * released and the energy is improved once more, which takes back what is not needed any more.
+   * in descending order of w, the lowest of equal ones first, until it is; take back those, the
+   * last first, that it can do without; and improve greedily. The first cell that is left of each
+   * such step is kept inside, so that this ends. Whatever a step breaks elsewhere is marched over
+   * again, edges first. When nothing is left to do the kept cells are released and the energy is
+   * improved once more, which takes back what is not needed any more.
    *
    * @throws Error Stopped; progress is reported from `begin` to `end`
    */

@@ -26,7 +26,7 @@ bool Contains(const std::vector<Point>& points, const Tetrahedron& cell, const P
   return std::all_of(TetrahedronFaces.begin(), TetrahedronFaces.end(),
     [&](const std::array<int, 3>& face)
     {
-      // Seen from the point, the corners of a face run counter-clockwise from outside.
+      // Seen from outside a face's corners run counter-clockwise, and there is the positive side.
       return CGAL::orientation(At(points[cell[face[0]]]), At(points[cell[face[1]]]),
                At(points[cell[face[2]]]), At(point)) != CGAL::POSITIVE;
     });

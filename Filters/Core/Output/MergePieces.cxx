@@ -159,8 +159,8 @@ void Merger::FindCandidates()
   }
 }
 
-/** Where rounding left a flat cell on a facet the whole is a face as well: two would be no solid.
- */
+/** Where rounding left a thin cell on a facet, the whole may be a face of the boundary as well: the
+ * same triangle twice would bound no solid. */
 void Merger::LeaveOutTwins()
 {
   std::unordered_map<Triangle, int, HashOfTriangle> count;

@@ -9,8 +9,8 @@ namespace insideout
 {
 namespace
 {
-// Factors are from 2^-97 to 48, those ahead from 2^-20 to 2^10, so that this many of them neither
-// overflow nor underflow.
+// Factors are from 2^-97 to 2^104, for sites may be 2^50 away, and those ahead from 2^-20 to 2^10:
+// so many of them neither overflow nor underflow.
 constexpr int EdgesToNormalize = 8;
 constexpr int EdgesAheadToNormalize = 32;
 

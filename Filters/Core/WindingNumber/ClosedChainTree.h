@@ -15,8 +15,9 @@ namespace insideout
  * reference place in every box. At a site it is that of its box's reference plus the signed count
  * of the box's triangles between the two: exact predicates decide, and where the line between them
  * meets an edge or a corner a detour is made. In a box that no triangle meets there is nothing to
- * count. The boxes are the cubes of a grid, about as many as triangles; those which hold many
- * triangles are cut further, so that time grows at most with the logarithm of their number.
+ * count. The boxes are the cubes of a grid, about twice as many as triangles at most; those which
+ * hold many triangles are cut further, so that time grows at most with the logarithm of their
+ * number.
  *
  * On the chain itself the winding number is the mean of its values around the site, weighted by
  * solid angle: halfway between both sides on a triangle, the dihedral angle over 2 pi on the edge

@@ -61,6 +61,7 @@ std::size_t BestApex(const std::vector<Point>& points, const Loop& loop)
   }
   return best;
 }
+
 /** Triangles with the same corners become one, or none where they cancel. */
 std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& triangles)
 {

@@ -7,8 +7,8 @@ namespace insideout
 {
 /**
  * Caps with a given boundary: a fan for each of its loops, from the corner of the loop that gives
- * the fan the least area. Where a part of a surface is a single triangle, or in general has fewer
- * triangles than edges of its own, its cap is no larger than that part.
+ * the fan the least area. A fan has two triangles fewer than its loop has edges: that of a lone
+ * triangle is the triangle itself, so that the two cancel.
  *
  * @param[in] boundary of a chain of triangles
  * @return per loop the triangles that are not degenerate

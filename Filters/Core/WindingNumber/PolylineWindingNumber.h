@@ -20,7 +20,7 @@ struct CountedSegment
 };
 
 /**
- * The winding number of polylines in the plane, closed or open, at any point (thesis, section 8.2):
+ * The winding number of polylines in the plane, closed or open, at any point (thesis, chapter 8):
  * positive where they run counter-clockwise around it.
  *
  * An angle between two directions is the difference of their arguments and, where the segment

@@ -14,7 +14,7 @@ namespace
 {
 constexpr Id SmallSize = 1024; // not worth a second thread
 
-// So many cubes and entries there are at most, per facet.
+// About so many cubes, and entries of facets in cubes, there are at most per facet.
 constexpr double CubesPerFacet = 2;
 constexpr double EntriesPerFacet = 8;
 constexpr double MostCubesPerAxis = 1024;
@@ -24,11 +24,13 @@ constexpr std::size_t MostEntries = std::numeric_limits<std::uint32_t>::max() / 
 constexpr double Spread = 0.1;
 constexpr int MostTries = 8;
 
-// The grid ends so many cubes beyond the chain, and cubes reach so much further than rounding.
+// In lengths of a cube: how far at least the grid goes beyond the chain, and by how much a cube is
+// taken to be larger than it is, so that rounding loses no facet at its sides.
 constexpr double Rim = 0.25;
 constexpr double Margin = 1e-6;
 
-// Coordinates are below 1, so that rounding moves the sides of longer cubes by less than that.
+// Coordinates are below 1, so that rounding moves the sides of longer cubes by less than the
+// margin.
 constexpr double LeastLength = 0x1p-28;
 
 // The forward error of a 2 x 2 determinant of differences is below 4 * 2^-53 times its permanent.

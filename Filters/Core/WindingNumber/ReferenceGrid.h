@@ -14,7 +14,8 @@ namespace insideout
  * which column meets a facet, the references are moved all together; that helps, but for chains
  * that are made to prevent it.
  *
- * There are as many cubes as facets, about, so that time and memory grow with the number of facets.
+ * There are about twice as many cubes as facets at most, so that time and memory grow with the
+ * number of facets.
  */
 class ReferenceGrid
 {

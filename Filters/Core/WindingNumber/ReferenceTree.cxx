@@ -28,8 +28,8 @@ constexpr std::size_t WantedPerLeaf = 2;
 // facets together, relative to the number of facets.
 constexpr double FacetsInLeaves = 16;
 
-// A tree of more facets is built in parts of about this part of them; the same for any number of
-// threads.
+// A tree of so many facets is built as jobs, each with less than one in so many of them; the same
+// jobs for any number of threads.
 constexpr std::size_t FacetsForThreads = 4096;
 constexpr std::size_t PartsForThreads = 32;
 

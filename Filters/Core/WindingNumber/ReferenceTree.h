@@ -20,10 +20,10 @@ struct KnownBox
 };
 
 /**
- * A box cut in two again and again, until its parts hold few facets each. The winding number is
- * carried to a reference place in every part: exact predicates decide, and where the line between
- * two references meets an edge or a corner another place is taken. Time grows with the logarithm of
- * the number of facets.
+ * A box cut in two again and again, until its parts hold few facets each or cutting helps no more.
+ * The winding number is carried to a reference place in every part: exact predicates decide, and
+ * where the line between two references meets an edge or a corner another place is taken. To find a
+ * site's part takes time that grows with the logarithm of the number of facets.
  */
 class ReferenceTree
 {

@@ -20,8 +20,8 @@ using ExactVector = std::array<Exact, 3>;
 // 16 u times its permanent; with room to spare.
 constexpr double RelativeError = 0x1p-48;
 
-// Coordinates are below 1, so that anything decided is far from where products underflow, and a
-// difference that this is below has lost digits.
+// Coordinates are below 1. What is decided is above the first, far from where products underflow; a
+// difference below the second has lost digits.
 constexpr double LeastDecided = 1e-250;
 constexpr double LeastDifference = 0x1p-45;
 
