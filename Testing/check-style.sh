@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Rules of the source tree, run from its root: formatting, no VTK in Core, a licence line in each file.
+# Rules of the source tree, run from its root: formatting, no VTK in Core, a licence line in each file,
+# and those of its structure.
 set -u
 failed=0
 complain() {
@@ -23,5 +24,7 @@ for file in $files; do
   head -n 3 "$file" | grep -q 'SPDX-License-Identifier: A\{0,1\}GPL-3.0-or-later' ||
     complain "$file: no SPDX line"
 done
+
+python3 Testing/check-structure.py || failed=1
 
 exit $failed
