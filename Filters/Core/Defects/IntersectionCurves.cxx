@@ -2,6 +2,7 @@
 #include "Defects/IntersectionCurves.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/Stages.h"
 #include "Resolve/FacetMeeting.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace insideout
 {
 namespace
 {
-constexpr const char* Stage = "tracing intersections";
-
 /** Pairs or points that a thread takes at once. */
 constexpr Id BlockSize = 256;
 
@@ -39,7 +38,7 @@ template <class Body>
 void InBlocks(std::size_t count, Monitor& monitor, double begin, double end, const Body& body)
 {
   const Id blocks = static_cast<Id>((count + BlockSize - 1) / BlockSize);
-  ParallelLoop(blocks, monitor, { Stage, begin, end },
+  ParallelLoop(blocks, monitor, { Stages::TracingIntersections, begin, end },
     [&](Id block)
     {
       const std::size_t first = static_cast<std::size_t>(block) * BlockSize;
@@ -68,7 +67,7 @@ IntersectionCurves TraceIntersections(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<std::array<Id, 2>>& pairs,
   Monitor& monitor)
 {
-  monitor.Check(Stage, 0);
+  monitor.Check(Stages::TracingIntersections, 0);
   const FacetList surface{ points, facets };
   std::vector<std::vector<CurveSegment>> parts((pairs.size() + BlockSize - 1) / BlockSize);
   InBlocks(pairs.size(), monitor, 0, 0.4,
@@ -103,7 +102,7 @@ IntersectionCurves TraceIntersections(const std::vector<Point>& points,
     }
   }
   SortUniquely(curves.Segments);
-  monitor.Check(Stage, 1);
+  monitor.Check(Stages::TracingIntersections, 1);
   return curves;
 }
 } // namespace insideout

@@ -16,7 +16,7 @@ namespace insideout
  * stands behind its numbers is then passed over. Warnings name this, what follows the last element,
  * and how many faces had fewer than 3 corners.
  *
- * `monitor` is told of the stage "reading".
+ * `monitor` is told of Stages::Reading.
  *
  * @throws Error FileMalformed where elements or numbers are missing (found before memory is taken
  * for them), are not of their type, or refer to a point that does not exist; TooLarge; Stopped

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Files/SurfaceFile.h"
 
+#include "Common/Stages.h"
 #include "Files/SurfaceReaders.h"
 #include "Files/TextScanner.h"
 
@@ -18,8 +19,6 @@ namespace insideout
 {
 namespace
 {
-constexpr const char* Reading = "reading";
-
 // Of the time, loading takes about this part and understanding the rest.
 constexpr double LoadingShare = 0.2;
 
@@ -63,7 +62,7 @@ void LoadBytes(const std::string& path, FileContent& content, Monitor& monitor)
   }
   for (content.Size = 0; content.Size < length;)
   {
-    monitor.Check(Reading, LoadingShare * double(content.Size) / double(length));
+    monitor.Check(Stages::Reading, LoadingShare * double(content.Size) / double(length));
     const std::size_t wanted = std::min(piece, length - content.Size);
     const std::size_t got = std::fread(content.Bytes.get() + content.Size, 1, wanted, file.get());
     content.Size += got;
@@ -126,7 +125,7 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor)
     const FileContent file = Load(path, monitor);
     PolygonSurface surface =
       ReadByMarkOrEnding(file, std::filesystem::path(path).extension().string(), monitor);
-    monitor.Check(Reading, 1.0);
+    monitor.Check(Stages::Reading, 1.0);
     return surface;
   }
   catch (const std::bad_alloc&)
@@ -145,7 +144,7 @@ const char* FileContent::TextBegin() const
 void FileContent::ReportPosition(const char* at, Monitor& monitor) const
 {
   const double part = double(at - this->Begin()) / double(this->Size);
-  monitor.Check(Reading, LoadingShare + (1.0 - LoadingShare) * part);
+  monitor.Check(Stages::Reading, LoadingShare + (1.0 - LoadingShare) * part);
 }
 
 Error Malformed(const FileContent& file, const std::string& what)

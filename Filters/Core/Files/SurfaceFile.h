@@ -59,7 +59,7 @@ struct PolygonSurface
  * - Every other number of a PLY vertex or face under its own name: unsigned char for uchar, int for
  *   integers that fit, float for float, else double. Lists are passed over with a warning.
  *
- * `monitor` is told of the stage "reading".
+ * `monitor` is told of Stages::Reading.
  *
  * @throws Error FileUnreadable (missing, a folder, not to be opened), FileMalformed, TooLarge (Id
  * cannot count it, or memory not hold it), Stopped

@@ -2,6 +2,7 @@
 #include "GraphCut/FacetConstraint.h"
 
 #include "Common/LoopProgress.h"
+#include "Common/Stages.h"
 
 #include <algorithm>
 
@@ -97,7 +98,7 @@ bool FacetConstraint::Allows(const GreedyLabels& labels, Id cell)
 FacetConstraint::Outcome FacetConstraint::Satisfy(
   GreedyLabels& labels, Monitor& monitor, double begin, double end)
 {
-  const LoopProgress progress(monitor, { "segmenting", begin, end }, this->Pieces.size());
+  const LoopProgress progress(monitor, { Stages::Segmenting, begin, end }, this->Pieces.size());
   Outcome outcome;
   labels.Add(*this);
   for (std::size_t p = 0; p < this->Pieces.size(); ++p)

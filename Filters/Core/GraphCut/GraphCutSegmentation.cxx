@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/GraphCutSegmentation.h"
 
+#include "Common/Stages.h"
 #include "GraphCut/CertainCells.h"
 
 #include <maxflow.h>
@@ -108,14 +109,13 @@ std::vector<unsigned char> MinimumCut(const CutEnergy& energy)
 Segmentation GraphCutSegmentation(
   const CellGraph& graph, const GraphCutParameters& parameters, Monitor& monitor)
 {
-  const char* stage = "segmenting";
-  monitor.Check(stage, 0);
+  monitor.Check(Stages::Segmenting, 0);
   const CutEnergy energy(graph, parameters);
-  monitor.Check(stage, 0.2);
+  monitor.Check(Stages::Segmenting, 0.2);
   Segmentation result;
   result.Inside = MinimumCut(energy);
   result.Energy = energy.Of(result.Inside);
-  monitor.Check(stage, 1);
+  monitor.Check(Stages::Segmenting, 1);
   return result;
 }
 } // namespace insideout

@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 #include "Common/LoopProgress.h"
 #include "Common/SortedTriangle.h"
+#include "Common/Stages.h"
 
 #include <algorithm>
 
@@ -293,7 +294,7 @@ ManifoldConstraint::Outcome ManifoldConstraint::Satisfy(
 {
   const Id points = static_cast<Id>(this->Offsets.size()) - 2;
   const LoopProgress progress(
-    monitor, { "segmenting", begin, end }, 2 * static_cast<std::size_t>(points));
+    monitor, { Stages::Segmenting, begin, end }, 2 * static_cast<std::size_t>(points));
   for (Id point = 0; point < points; ++point)
   {
     this->WithEdges.Push(point);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/SegmentMesh.h"
 
+#include "Common/Stages.h"
 #include "GraphCut/InteriorFaces.h"
 #include "GraphCut/ManifoldConstraint.h"
 
@@ -10,8 +11,6 @@ namespace insideout
 {
 namespace
 {
-const char* const Stage = "segmenting";
-
 // What share of the progress is over before the cut, the facets and the manifold.
 constexpr double BeforeCut = 0.2;
 constexpr double BeforeFacets = 0.5;
@@ -39,7 +38,7 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, Monitor& monitor)
 {
-  monitor.Check(Stage, 0);
+  monitor.Check(Stages::Segmenting, 0);
   MeshSegmentation result;
   SeededCells seeded = FindSeededCells(mesh.Points, mesh.Cells, seeds);
   result.Warnings = std::move(seeded.Warnings);
@@ -47,9 +46,9 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
     parameters.Cut.DataTerm == DataTerm::VolumeWeighted ? CellVolumes(mesh) : std::vector<double>(),
     std::move(seeded.Demands) };
   const CutEnergy energy(graph, parameters.Cut);
-  monitor.Check(Stage, BeforeCut);
+  monitor.Check(Stages::Segmenting, BeforeCut);
   const std::vector<unsigned char> cut = MinimumCut(energy);
-  monitor.Check(Stage, BeforeFacets);
+  monitor.Check(Stages::Segmenting, BeforeFacets);
 
   GreedyLabels labels(energy, cut);
   FacetConstraint facets(pieces, mesh.NumberOfCells());
@@ -86,7 +85,7 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
     { "ChangedCells", CountDifferent(result.Inside, cut) }, { "UnsatisfiedFacets", unsatisfied },
     { "NonManifoldPoints", filled.LeftPoints },
     { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints } };
-  monitor.Check(Stage, 1);
+  monitor.Check(Stages::Segmenting, 1);
   return result;
 }
 } // namespace insideout

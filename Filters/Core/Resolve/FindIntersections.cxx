@@ -3,6 +3,7 @@
 
 #include "Common/BoxTree.h"
 #include "Common/ParallelLoop.h"
+#include "Common/Stages.h"
 #include "Common/TrianglePredicates.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace insideout
 {
 namespace
 {
-constexpr const char* Stage = "finding self-intersections";
-
 /** Facets, or parts of the tree, that a thread takes at once. */
 constexpr Id BlockSize = 256;
 
@@ -44,7 +43,7 @@ std::vector<std::array<Id, 2>> FindIntersections(
 std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor)
 {
-  monitor.Check(Stage, 0);
+  monitor.Check(Stages::FindingIntersections, 0);
   const BoxTree tree(BoundingBoxes(points, facets, firstNew));
   const std::vector<FilteredPoint> filtered = ToFiltered(points);
 
@@ -76,7 +75,7 @@ std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& point
       tree.Visit(BoundingBox(points, facets[i]), [&](Id leaf) { test(i, firstNew + leaf); });
     }
   };
-  ParallelLoop(blocks, monitor, { Stage, 0, 1 }, search);
+  ParallelLoop(blocks, monitor, { Stages::FindingIntersections, 0, 1 }, search);
 
   std::vector<std::array<Id, 2>> pairs;
   for (const auto& part : found)

@@ -2,6 +2,7 @@
 #include "Resolve/ResolveSelfIntersections.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/Stages.h"
 #include "Resolve/CollapseSlivers.h"
 #include "Resolve/CutFacets.h"
 #include "Resolve/CutLayers.h"
@@ -20,8 +21,6 @@ namespace insideout
 {
 namespace
 {
-constexpr const char* Stage = "resolving self-intersections";
-
 /** Rounds after which what still crosses is left out. Most real models take one to three. */
 constexpr int MaximumRounds = 10;
 
@@ -132,9 +131,10 @@ Resolution Resolver::Resolve()
     this->CutRepeatedly();
   }
   resolution.Rounds = this->Round;
-  resolution.Surface = SplitAtLoosePoints(
-    this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch), this->Watch, { Stage, 1, 1 });
-  this->Watch.Check(Stage, 1);
+  resolution.Surface =
+    SplitAtLoosePoints(this->Now.Assemble(CoverOf(this->Now.Crossings), this->Watch), this->Watch,
+      { Stages::Resolving, 1, 1 });
+  this->Watch.Check(Stages::Resolving, 1);
   return resolution;
 }
 
@@ -150,7 +150,7 @@ void Resolver::CutRepeatedly()
     const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
     const double end = 1 - std::ldexp(1.0, -this->Round);
     this->MergeLayers();
-    this->Cut({ Stage, begin, end });
+    this->Cut({ Stages::Resolving, begin, end });
     this->Collapse(this->Now.DegenerateFacets());
     this->Now.FindCrossings(this->Watch);
     this->MergePoints(this->Now.CrossingFacets());
@@ -184,7 +184,7 @@ void Resolver::MergeLayers()
   const double radius = SnappingRadius(this->Size);
   const std::vector<PlanarSubdivision> subdivisions =
     CutLayers({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, radius, this->Watch,
-      { Stage, 0, 0 });
+      { Stages::Resolving, 0, 0 });
   if (!subdivisions.empty())
   {
     const std::vector<std::vector<Id>> ids = this->TakePieces(subdivisions, radius);
@@ -203,11 +203,11 @@ void Resolver::MergeLayers()
 /** Cuts the facets that cross. */
 void Resolver::Cut(const ProgressRange& progress)
 {
-  this->Watch.Check(Stage, progress.Begin);
+  this->Watch.Check(Stages::Resolving, progress.Begin);
   const std::vector<PlanarSubdivision> subdivisions =
     CutFacets({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, this->Watch, progress);
   this->TakePieces(subdivisions, this->Round == 1 ? 0 : SnappingRadius(this->Size));
-  this->Watch.Check(Stage, progress.End);
+  this->Watch.Check(Stages::Resolving, progress.End);
 }
 
 /**
@@ -267,7 +267,7 @@ std::vector<std::vector<Id>> Resolver::PlacePoints(
 
   std::vector<Point> rounded(names.size());
   const FacetList facets{ this->Now.Points, this->Now.Facets };
-  ParallelLoop(static_cast<Id>(names.size()), this->Watch, { Stage, 0, 0 },
+  ParallelLoop(static_cast<Id>(names.size()), this->Watch, { Stages::Resolving, 0, 0 },
     [&](Id i) { rounded[i] = Nearest(names[i], facets); });
 
   std::vector<Id> placed(names.size(), None);

@@ -3,6 +3,7 @@
 
 #include "Common/ParallelLoop.h"
 #include "Common/SortedTriangle.h"
+#include "Common/Stages.h"
 #include "Common/TrianglePredicates.h"
 #include "Resolve/FindIntersections.h"
 #include "Resolve/Interpolation.h"
@@ -293,8 +294,7 @@ std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
   std::vector<PointOrigin> origins = this->Given->Origins;
   const Id given = static_cast<Id>(origins.size());
   origins.resize(this->Points.size());
-  ParallelLoop(static_cast<Id>(this->Points.size()) - given, monitor,
-    { "resolving self-intersections", 1, 1 },
+  ParallelLoop(static_cast<Id>(this->Points.size()) - given, monitor, { Stages::Resolving, 1, 1 },
     [&](Id i)
     {
       const Triangle& corners = this->Given->Facets[this->Roots[i]];

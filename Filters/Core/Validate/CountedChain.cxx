@@ -2,6 +2,7 @@
 #include "Validate/CountedChain.h"
 
 #include "Common/SortedTriangle.h"
+#include "Common/Stages.h"
 #include "Validate/FacetEdges.h"
 #include "Validate/TwoSidedComponents.h"
 
@@ -18,8 +19,6 @@ namespace insideout
 {
 namespace
 {
-const char* const StageName = "validating";
-
 void CheckTriangles(const TriangleSoup& soup)
 {
   if (soup.Triangles.empty())
@@ -341,7 +340,7 @@ CountedChain CountFacets(
   chain.Counts.InputPoints = static_cast<Id>(soup.Points.size());
   chain.Counts.InputTriangles = static_cast<Id>(soup.Triangles.size());
 
-  monitor.Check(StageName, 0.1);
+  monitor.Check(Stages::Validating, 0.1);
   std::vector<Id>& merged = chain.MergedInto;
   merged = MergeEqualPoints(soup.Points);
   if (parameters.MergeTolerance > 0)
@@ -349,7 +348,7 @@ CountedChain CountFacets(
     MergeNearPoints(soup.Points, parameters.MergeTolerance, merged);
   }
 
-  monitor.Check(StageName, 0.4);
+  monitor.Check(Stages::Validating, 0.4);
   CollectFacets(soup, merged, parameters.CountDuplicates, chain);
   if (chain.Surface.Facets.empty())
   {
@@ -360,7 +359,7 @@ CountedChain CountFacets(
   chain.Counts.Points = static_cast<Id>(chain.Surface.Points.size());
   chain.Counts.Facets = chain.Surface.NumberOfFacets();
 
-  monitor.Check(StageName, 0.7);
+  monitor.Check(Stages::Validating, 0.7);
   const std::vector<FacetEdge> edges = SortedFacetEdges(chain.Surface.Facets);
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
@@ -374,7 +373,7 @@ CountedChain CountFacets(
     chain.Counts.TwoSidedSheets = twoSided.Sheets;
   }
   chain.Warnings = WarningsAbout(chain.Counts);
-  monitor.Check(StageName, 1);
+  monitor.Check(Stages::Validating, 1);
   return chain;
 }
 

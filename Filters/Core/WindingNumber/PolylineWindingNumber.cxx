@@ -2,6 +2,7 @@
 #include "WindingNumber/PolylineWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/Stages.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -201,8 +202,8 @@ std::vector<double> PolylineWindingNumber::At(
   std::vector<double> w(points.size(), 0.0);
   const double nanosecondsPerPoint = 1000;
   ChunkedLoop(static_cast<Id>(points.size()), nanosecondsPerPoint, monitor,
-    { "winding numbers", 0, 1 }, [&](Id i) { w[i] = this->At(points[i]); });
-  monitor.Check("winding numbers", 1);
+    { Stages::WindingNumbers, 0, 1 }, [&](Id i) { w[i] = this->At(points[i]); });
+  monitor.Check(Stages::WindingNumbers, 1);
   return w;
 }
 } // namespace insideout

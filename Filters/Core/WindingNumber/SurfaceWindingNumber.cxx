@@ -2,6 +2,7 @@
 #include "WindingNumber/SurfaceWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/Stages.h"
 #include "WindingNumber/ApproximateWindingNumber.h"
 #include "WindingNumber/ExactWindingNumber.h"
 #include "WindingNumber/HierarchicalWindingNumber.h"
@@ -18,7 +19,6 @@ namespace insideout
 {
 namespace
 {
-const char* const StageName = "winding numbers";
 constexpr double Pi = 3.14159265358979323846;
 
 // From 2^50 times the surface's size away, w is below 2^-90.
@@ -96,7 +96,7 @@ public:
     {
       case WindingNumberMethod::Exact:
         this->Exact.emplace(this->Points, std::move(triangles), this->OpenEdges, monitor,
-          ProgressRange{ StageName, 0, 0 });
+          ProgressRange{ Stages::WindingNumbers, 0, 0 });
         break;
       case WindingNumberMethod::Naive:
         this->Surface = ComplexOf(this->Points, triangles);
@@ -219,7 +219,7 @@ double SurfaceWindingNumber::At(const Point& point) const
       break;
   }
   Monitor silent;
-  return this->Internals->At({ scaled }, silent, { StageName, 0, 1 }).front();
+  return this->Internals->At({ scaled }, silent, { Stages::WindingNumbers, 0, 1 }).front();
 }
 
 Point SurfaceWindingNumber::Gradient(const Point& point) const

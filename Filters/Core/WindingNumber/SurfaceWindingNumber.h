@@ -4,6 +4,7 @@
 #include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
+#include "Common/Stages.h"
 
 #include <memory>
 
@@ -49,7 +50,7 @@ public:
    * @throws Error (Stopped)
    */
   std::vector<double> At(const std::vector<Point>& points, Monitor& monitor,
-    const ProgressRange& progress = { "winding numbers", 0, 1 }) const;
+    const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 }) const;
 
   /** At one point. Safe to call from several threads. */
   double At(const Point& point) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/WalkedWindingNumber.h"
 
+#include "Common/Stages.h"
 #include "WindingNumber/Prefetch.h"
 
 #include <algorithm>
@@ -149,19 +150,19 @@ void WalkPart(const FaceCounts& counts, const TetrahedralMesh& mesh,
 } // namespace
 
 std::vector<double> WalkedWindingNumbers(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, const char* stage)
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor)
 {
-  monitor.Check(stage, 0);
+  monitor.Check(Stages::WindingNumbers, 0);
   const Walk walk(surface, mesh);
   const std::vector<int>& walked = walk.Values();
-  monitor.Check(stage, 0.5);
+  monitor.Check(Stages::WindingNumbers, 0.5);
   const auto missing = std::find(walked.begin(), walked.end(), Unknown);
   if (missing != walked.end())
   {
     throw Error(ErrorCode::Inconsistent,
       "cell " + std::to_string(missing - walked.begin()) + " cannot be reached from the hull");
   }
-  monitor.Check(stage, 1);
+  monitor.Check(Stages::WindingNumbers, 1);
   return std::vector<double>(walked.begin(), walked.end());
 }
 

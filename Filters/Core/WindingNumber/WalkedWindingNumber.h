@@ -16,7 +16,7 @@ namespace insideout
  * is none
  */
 std::vector<double> WalkedWindingNumbers(
-  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, const char* stage);
+  const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor);
 
 /** What every face of the mesh counts for, as far as the facets in it are whole. */
 class FaceCounts

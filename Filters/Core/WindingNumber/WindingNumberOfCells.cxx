@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/WindingNumberOfCells.h"
 
+#include "Common/Stages.h"
 #include "WindingNumber/ClosedChainTree.h"
 #include "WindingNumber/HoleCaps.h"
 #include "WindingNumber/SpatialOrder.h"
@@ -16,8 +17,6 @@ namespace insideout
 {
 namespace
 {
-const char* const StageName = "winding numbers";
-
 /** Facets that count and are no faces of the mesh: lost by it, or left out before. */
 std::vector<CountedTriangle> FacetsBeyondMesh(
   const FacetComplex& surface, const TetrahedralMesh& mesh)
@@ -80,7 +79,7 @@ std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
 std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const TetrahedralMesh& mesh,
   const std::vector<CountedTriangle>& beyond, const QuadratureRule& rule, Monitor& monitor)
 {
-  monitor.Check(StageName, 0);
+  monitor.Check(Stages::WindingNumbers, 0);
   const std::vector<Point> points = ScaledPoints(mesh.Points, LargestExponent(mesh.Points));
   const FaceCounts counts(surface, mesh);
   const ClosedWithCaps chain = CloseMeshChain(counts, points, beyond);
@@ -92,7 +91,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   std::vector<Id> order;
   // Walking takes one thread; another one may sort meanwhile.
   Monitor silent;
-  ParallelLoop(2, silent, { StageName, 0, 0.05 },
+  ParallelLoop(2, silent, { Stages::WindingNumbers, 0, 0.05 },
     [&](Id i)
     {
       if (i == 0)
@@ -113,7 +112,8 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
     }
   }
   const ClosedChainTree tree(points, chain.Closed,
-    RoundedPlaces(points, mesh.Cells, evaluated, rule), monitor, { StageName, 0.05, 0.1 });
+    RoundedPlaces(points, mesh.Cells, evaluated, rule), monitor,
+    { Stages::WindingNumbers, 0.05, 0.1 });
 
   // As the first place's value and differences to it, so that what is constant stays exact.
   std::vector<double> means;
@@ -124,7 +124,8 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   {
     const Sites sites = { points, mesh.Cells, rule.Sites[i] };
     const double begin = 0.1 + step * static_cast<double>(i);
-    tree.Evaluate(sites, evaluated, w, monitor, { StageName, begin, begin + step / 8 });
+    tree.Evaluate(
+      sites, evaluated, w, monitor, { Stages::WindingNumbers, begin, begin + step / 8 });
     for (std::size_t cell = 0; cell < w.size(); ++cell)
     {
       const UntouchedParts::Place& place = parts.OfCell[cell];
@@ -133,7 +134,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
         w[cell] = w[parts.FirstCell[place.Part]] + place.Rise;
       }
     }
-    caps.Add(sites, order, w, monitor, { StageName, begin + step / 8, begin + step });
+    caps.Add(sites, order, w, monitor, { Stages::WindingNumbers, begin + step / 8, begin + step });
     if (i == 0)
     {
       first = means = w;
@@ -144,7 +145,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
       means[cell] += rule.Weights[i] * (w[cell] - first[cell]);
     }
   }
-  monitor.Check(StageName, 1);
+  monitor.Check(Stages::WindingNumbers, 1);
   return means;
 }
 
@@ -175,7 +176,7 @@ std::vector<double> WindingNumberOfCells(
   const std::vector<CountedTriangle> beyond = FacetsBeyondMesh(surface, mesh);
   if (beyond.empty() && IsClosed(surface))
   {
-    return WalkedWindingNumbers(surface, mesh, monitor, StageName);
+    return WalkedWindingNumbers(surface, mesh, monitor);
   }
   return PartlyWalkedMeans(surface, mesh, beyond, rule, monitor);
 }

@@ -4,6 +4,7 @@
 #include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
+#include "Common/Stages.h"
 #include "WindingNumber/Sites.h"
 
 namespace insideout
@@ -25,5 +26,5 @@ namespace insideout
  * @throws Error (Stopped)
  */
 std::vector<double> WindingNumberSum(const FacetComplex& surface, const Sites& sites,
-  Monitor& monitor, const ProgressRange& progress = { "winding numbers", 0, 1 });
+  Monitor& monitor, const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 });
 } // namespace insideout

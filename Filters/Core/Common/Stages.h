@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/**
+ * What the stages call themselves when they report to a Monitor, in words for a user. A filter
+ * lists those that it runs.
+ */
+namespace insideout::Stages
+{
+constexpr const char* Reading = "reading";                                 ///< ReadSurface
+constexpr const char* Validating = "validating";                           ///< CountFacets
+constexpr const char* FindingIntersections = "finding self-intersections"; ///< FindIntersections
+constexpr const char* Resolving = "resolving self-intersections";     ///< ResolveSelfIntersections
+constexpr const char* TracingIntersections = "tracing intersections"; ///< TraceIntersections
+constexpr const char* Tetrahedralizing = "tetrahedralizing";          ///< ConstrainedDelaunay
+constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
+constexpr const char* Segmenting = "segmenting"; ///< SegmentMesh, GraphCutSegmentation
+constexpr const char* Extracting = "extracting"; ///< whatever is in the room Output
+} // namespace insideout::Stages
