@@ -17,6 +17,7 @@ MODULE = "vtkFiltersInsideOut"
 
 
 def main(folder: str) -> None:
+    del sys.path[0]  # the package's sources stand beside this file, and have no wrapped module
     generate_pyi.main(["generate_pyi", "-p", "insideout", "-o", folder, MODULE])
     stub = Path(folder, MODULE + ".pyi")
     text = stub.read_text(encoding="utf-8")
