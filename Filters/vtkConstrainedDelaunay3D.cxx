@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkConstrainedDelaunay3D.h"
 
-#include "HullMesh.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutWholeInput.h"
 #include "Resolve/FindIntersections.h"
-#include "Tetrahedralize/ConstrainedDelaunay.h"
 #include "Tetrahedralize/Ladder.h"
-#include "vtkInsideOutConversion.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutWholeInput.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -19,7 +20,16 @@ using namespace insideout;
 
 vtkStandardNewMacro(vtkConstrainedDelaunay3D);
 
-vtkConstrainedDelaunay3D::vtkConstrainedDelaunay3D() = default;
+vtkConstrainedDelaunay3D::vtkConstrainedDelaunay3D()
+{
+  const CountedChainParameters chain;
+  this->MergeTolerance = chain.MergeTolerance;
+  this->CountDuplicates = chain.CountDuplicates;
+  const ConstrainedDelaunayParameters delaunay;
+  this->Engine = static_cast<int>(delaunay.Engine);
+  this->TimeBudget = delaunay.TimeBudget;
+  this->MemoryBudget = delaunay.MemoryBudget;
+}
 
 void vtkConstrainedDelaunay3D::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -47,14 +57,14 @@ namespace
 {
 /** TetGen may do anything with facets that cross, so that they have to be found before. */
 void CheckThatNothingCrosses(
-  const FacetComplex& surface, const vtkInsideOutConversion& conversion, Monitor& monitor)
+  const FacetComplex& surface, const vtkInsideOutSurface& input, Monitor& monitor)
 {
   const auto pairs = FindIntersections(surface.Points, surface.Facets, monitor);
   if (!pairs.empty())
   {
     throw Error(ErrorCode::SelfIntersecting,
-      "cells " + std::to_string(conversion.CellOfFacet(surface, pairs.front()[0], +1)) + " and " +
-        std::to_string(conversion.CellOfFacet(surface, pairs.front()[1], +1)) +
+      "cells " + std::to_string(input.CellOfFacet(surface, pairs.front()[0], +1)) + " and " +
+        std::to_string(input.CellOfFacet(surface, pairs.front()[1], +1)) +
         " intersect, the first of " + std::to_string(pairs.size()) +
         " pairs: run vtkResolveSelfIntersections before");
   }
@@ -77,25 +87,25 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(
-        this, { "validating", "finding self-intersections", "tetrahedralizing" });
-      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
+        this, { Stages::Validating, Stages::FindingIntersections, Stages::Tetrahedralizing });
+      const vtkInsideOutSurface surface =
+        vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
       const CountedChain chain =
-        CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
-      CheckThatNothingCrosses(chain.Surface, conversion, monitor);
+        CountFacets(surface.Soup, vtkInsideOutChainParameters(this), monitor);
+      CheckThatNothingCrosses(chain.Surface, surface, monitor);
       Stopwatch stopwatch;
-      const Tetrahedralization result = ConstrainedDelaunay(chain.Surface,
-        { this->TimeBudget, this->MemoryBudget,
-          static_cast<TetrahedralizationEngine>(this->Engine) },
-        monitor);
+      const Tetrahedralization result =
+        ConstrainedDelaunay(chain.Surface, vtkInsideOutDelaunayParameters(this), monitor);
       Statistics statistics;
       AddMeshCounts(result, statistics);
       statistics.emplace_back("SecondsCDT", stopwatch.Lap());
       std::vector<std::string> warnings = chain.Warnings;
       AddWarnings(result, warnings);
 
-      output->ShallowCopy(conversion.MakeGrid(chain.Surface, result.Mesh));
+      vtkInsideOutMakeOutputs outputs(surface);
+      output->ShallowCopy(outputs.MakeGrid(chain.Surface, result.Mesh));
       vtkInsideOutAddStatistics(statistics, output);
       vtkInsideOutWarn(this, warnings);
-      vtkInsideOutWarn(this, conversion.Warnings);
+      vtkInsideOutWarn(this, outputs.Warnings);
     });
 }

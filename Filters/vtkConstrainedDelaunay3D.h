@@ -128,12 +128,12 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double MergeTolerance = 0.0;
-  bool CountDuplicates = false;
+  double MergeTolerance;
+  bool CountDuplicates;
   std::string NonParticipatingArrayName;
-  int Engine = ENGINE_AUTOMATIC;
-  double TimeBudget = 0.0;
-  double MemoryBudget = 0.0;
+  int Engine;
+  double TimeBudget;
+  double MemoryBudget;
 
 private:
   vtkConstrainedDelaunay3D(const vtkConstrainedDelaunay3D&) = delete;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkGeneralizedWindingNumber.h"
 
-#include "vtkInsideOutConversion.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutWholeInput.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -16,7 +19,17 @@ using namespace insideout;
 
 vtkStandardNewMacro(vtkGeneralizedWindingNumber);
 
-vtkGeneralizedWindingNumber::vtkGeneralizedWindingNumber() = default;
+vtkGeneralizedWindingNumber::vtkGeneralizedWindingNumber()
+{
+  const HullMeshParameters hull;
+  this->Orientation = static_cast<int>(hull.Orientation);
+  this->MergeTolerance = hull.Chain.MergeTolerance;
+  this->CountDuplicates = hull.Chain.CountDuplicates;
+  this->QuadratureOrder = hull.QuadratureOrder;
+  this->Engine = static_cast<int>(hull.Budgets.Engine);
+  this->TimeBudget = hull.Budgets.TimeBudget;
+  this->MemoryBudget = hull.Budgets.MemoryBudget;
+}
 
 void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -54,20 +67,16 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
-        { "validating", "finding self-intersections", "resolving self-intersections",
-          "tetrahedralizing", "winding numbers" });
-      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
-      const HullMesh hull = MeshHull(conversion.Soup,
-        { { this->MergeTolerance, this->CountDuplicates },
-          static_cast<insideout::Orientation>(this->Orientation),
-          { this->TimeBudget, this->MemoryBudget,
-            static_cast<TetrahedralizationEngine>(this->Engine) },
-          this->QuadratureOrder },
-        monitor);
-      output->ShallowCopy(conversion.MakeGrid(hull));
+        { Stages::Validating, Stages::FindingIntersections, Stages::Resolving,
+          Stages::Tetrahedralizing, Stages::WindingNumbers });
+      const vtkInsideOutSurface surface =
+        vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
+      const HullMesh hull = MeshHull(surface.Soup, vtkInsideOutHullMeshParameters(this), monitor);
+      vtkInsideOutMakeOutputs outputs(surface);
+      output->ShallowCopy(outputs.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);
-      conversion.AddLeftOutCells(hull.Surface, output);
+      outputs.AddLeftOutCells(hull.Surface, output);
       vtkInsideOutWarn(this, hull.Warnings);
-      vtkInsideOutWarn(this, conversion.Warnings);
+      vtkInsideOutWarn(this, outputs.Warnings);
     });
 }

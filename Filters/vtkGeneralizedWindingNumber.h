@@ -141,14 +141,14 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int Orientation = AUTOMATIC;
-  double MergeTolerance = 0.0;
-  bool CountDuplicates = false;
+  int Orientation;
+  double MergeTolerance;
+  bool CountDuplicates;
   std::string NonParticipatingArrayName;
-  int QuadratureOrder = 1;
-  int Engine = ENGINE_AUTOMATIC;
-  double TimeBudget = 0.0;
-  double MemoryBudget = 0.0;
+  int QuadratureOrder;
+  int Engine;
+  double TimeBudget;
+  double MemoryBudget;
 
 private:
   vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;

@@ -122,11 +122,11 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double Gamma = 2.0;
-  double Sigma = 0.15;
-  int DataTerm = UNIFORM;
-  bool ConstrainFacets = false;
-  bool ConstrainManifold = false;
+  double Gamma;
+  double Sigma;
+  int DataTerm;
+  bool ConstrainFacets;
+  bool ConstrainManifold;
   bool ExtractInside = true;
 
 private:

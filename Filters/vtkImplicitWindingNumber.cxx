@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitWindingNumber.h"
 
-#include "vtkInsideOutSurface.h"
+#include "Private/vtkInsideOutMakeWindingNumber.h"
 
 #include <vtkDataArray.h>
 #include <vtkObjectFactory.h>
@@ -26,6 +26,9 @@ public:
 vtkImplicitWindingNumber::vtkImplicitWindingNumber()
   : Built(new Internal)
 {
+  const CountedChainParameters chain;
+  this->MergeTolerance = chain.MergeTolerance;
+  this->CountDuplicates = chain.CountDuplicates;
 }
 
 vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
@@ -63,10 +66,8 @@ void vtkImplicitWindingNumber::Build()
   {
     Monitor silent;
     std::vector<std::string> warnings;
-    this->Built->WindingNumber = vtkInsideOutMakeWindingNumber(this->Input,
-      { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE, {},
-        this->NonParticipatingArrayName },
-      silent, warnings);
+    this->Built->WindingNumber = vtkInsideOutMakeWindingNumber(
+      this->Input, vtkInsideOutReadSurfaceOptions(this), silent, warnings);
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);

@@ -108,8 +108,8 @@ protected:
 
   vtkPolyData* Input = nullptr;
   int Orientation = AS_GIVEN;
-  double MergeTolerance = 0.0;
-  bool CountDuplicates = false;
+  double MergeTolerance;
+  bool CountDuplicates;
   std::string NonParticipatingArrayName;
 
 private:

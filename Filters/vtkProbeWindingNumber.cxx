@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkProbeWindingNumber.h"
 
-#include "vtkInsideOutAttributes.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutSurface.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutArrays.h"
+#include "Private/vtkInsideOutAttributes.h"
+#include "Private/vtkInsideOutMakeWindingNumber.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutRun.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkCellData.h>
@@ -38,6 +41,13 @@ vtkProbeWindingNumber::vtkProbeWindingNumber()
   : Last(new Internal)
 {
   this->SetNumberOfInputPorts(2);
+  const CountedChainParameters chain;
+  this->MergeTolerance = chain.MergeTolerance;
+  this->CountDuplicates = chain.CountDuplicates;
+  const WindingNumberParameters windingNumber;
+  this->Method = static_cast<int>(windingNumber.Method);
+  this->ApproximationOrder = windingNumber.ApproximationOrder;
+  this->Accuracy = windingNumber.Accuracy;
 }
 
 vtkProbeWindingNumber::~vtkProbeWindingNumber()
@@ -126,6 +136,21 @@ void GetCentres(vtkDataSet* input, vtkIdType first, std::vector<Point>& centres)
     }
   }
 }
+
+vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
+{
+  using Filter = vtkProbeWindingNumber;
+  using Method = WindingNumberMethod;
+  static_assert(Filter::EXACT == static_cast<int>(Method::Exact));
+  static_assert(Filter::NAIVE == static_cast<int>(Method::Naive));
+  static_assert(Filter::HIERARCHICAL == static_cast<int>(Method::Hierarchical));
+  static_assert(Filter::APPROXIMATE == static_cast<int>(Method::Approximate));
+  vtkInsideOutSurfaceOptions options = vtkInsideOutReadSurfaceOptions(filter);
+  options.WindingNumber.Method = static_cast<Method>(filter->GetMethod());
+  options.WindingNumber.ApproximationOrder = filter->GetApproximationOrder();
+  options.WindingNumber.Accuracy = filter->GetAccuracy();
+  return options;
+}
 } // namespace
 
 unsigned char vtkProbeWindingNumber::Mark(double w) const
@@ -143,22 +168,14 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRun(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this, { "validating", "winding numbers" });
+      vtkInsideOutMonitor monitor(this, { Stages::Validating, Stages::WindingNumbers });
       const bool atPoints = this->Association == POINTS;
       const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
       std::vector<std::string> warnings;
-      this->Last->WindingNumber = vtkInsideOutMakeWindingNumber(surface,
-        { { this->MergeTolerance, this->CountDuplicates }, this->Orientation == REVERSE,
-          { static_cast<WindingNumberMethod>(this->Method), this->ApproximationOrder,
-            this->Accuracy },
-          this->NonParticipatingArrayName },
-        monitor, warnings);
-      vtkNew<vtkDoubleArray> w;
-      w->SetName("w");
-      w->SetNumberOfValues(size);
-      vtkNew<vtkUnsignedCharArray> inside;
-      inside->SetName("Inside");
-      inside->SetNumberOfValues(size);
+      this->Last->WindingNumber =
+        vtkInsideOutMakeWindingNumber(surface, ReadOptions(this), monitor, warnings);
+      const auto w = vtkInsideOutMakeArray<vtkDoubleArray>("w", size);
+      const auto inside = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inside", size);
       std::vector<Point> places;
       for (vtkIdType first = 0; first < size; first += PlacesAtOnce)
       {
@@ -167,7 +184,8 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
         (atPoints ? GetPoints : GetCentres)(input, first, places);
         const double all = static_cast<double>(size);
         const std::vector<double> values = this->Last->WindingNumber->At(places, monitor,
-          { "winding numbers", static_cast<double>(first) / all, static_cast<double>(last) / all });
+          { Stages::WindingNumbers, static_cast<double>(first) / all,
+            static_cast<double>(last) / all });
         for (vtkIdType i = first; i < last; ++i)
         {
           w->SetValue(i, values[i - first]);

@@ -191,12 +191,12 @@ protected:
   int Association = POINTS;
   double Threshold = 0.5;
   bool InsideOut = false;
-  int Method = EXACT;
-  int ApproximationOrder = 2;
-  double Accuracy = 2.0;
+  int Method;
+  int ApproximationOrder;
+  double Accuracy;
   int Orientation = AS_GIVEN;
-  double MergeTolerance = 0.0;
-  bool CountDuplicates = false;
+  double MergeTolerance;
+  bool CountDuplicates;
   std::string NonParticipatingArrayName;
 
 private:

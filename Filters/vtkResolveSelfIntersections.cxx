@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkResolveSelfIntersections.h"
 
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutWholeInput.h"
 #include "Resolve/ResolveSelfIntersections.h"
-#include "vtkInsideOutConversion.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutWholeInput.h"
 
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -19,7 +22,12 @@ using namespace insideout;
 
 vtkStandardNewMacro(vtkResolveSelfIntersections);
 
-vtkResolveSelfIntersections::vtkResolveSelfIntersections() = default;
+vtkResolveSelfIntersections::vtkResolveSelfIntersections()
+{
+  const CountedChainParameters chain;
+  this->MergeTolerance = chain.MergeTolerance;
+  this->CountDuplicates = chain.CountDuplicates;
+}
 
 void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -45,16 +53,18 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
     [&]()
     {
       vtkInsideOutMonitor monitor(
-        this, { "validating", "finding self-intersections", "resolving self-intersections" });
-      vtkInsideOutConversion conversion(input, this->NonParticipatingArrayName);
+        this, { Stages::Validating, Stages::FindingIntersections, Stages::Resolving });
+      const vtkInsideOutSurface given =
+        vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
       const CountedChain chain =
-        CountFacets(conversion.Soup, { this->MergeTolerance, this->CountDuplicates }, monitor);
+        CountFacets(given.Soup, vtkInsideOutChainParameters(this), monitor);
       const Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);
       const FacetComplex& surface = resolution.Surface;
 
       std::vector<Id> facets(surface.NumberOfConstraints);
       std::iota(facets.begin(), facets.end(), 0);
-      output->ShallowCopy(conversion.MakeSurface(surface, facets));
+      vtkInsideOutMakeOutputs outputs(given);
+      output->ShallowCopy(outputs.MakeSurface(surface, facets));
 
       Statistics statistics;
       AddCounts(chain.Counts, statistics);
@@ -63,10 +73,10 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
       statistics.emplace_back(
         "LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
       vtkInsideOutAddStatistics(statistics, output);
-      conversion.AddLeftOutCells(surface, output);
+      outputs.AddLeftOutCells(surface, output);
 
       vtkInsideOutWarn(this, chain.Warnings);
-      vtkInsideOutWarn(this, conversion.Warnings);
+      vtkInsideOutWarn(this, outputs.Warnings);
       if (surface.NumberOfConstraints < surface.NumberOfFacets())
       {
         const auto cells =

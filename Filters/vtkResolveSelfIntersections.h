@@ -76,8 +76,8 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double MergeTolerance = 0.0;
-  bool CountDuplicates = false;
+  double MergeTolerance;
+  bool CountDuplicates;
   std::string NonParticipatingArrayName;
 
 private:

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkRobustTetrahedralize.h"
 
-#include "GraphCut/SegmentMesh.h"
+#include "Common/Stages.h"
 #include "NothingInside.h"
 #include "Output/MergePieces.h"
-#include "vtkInsideOutConversion.h"
-#include "vtkInsideOutMemory.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutSegmentation.h"
-#include "vtkInsideOutWholeInput.h"
+#include "Private/vtkInsideOutCache.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutSeedsPort.h"
+#include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -45,11 +47,10 @@ struct vtkRobustTetrahedralize::HullOfInput
 {
   HullOfInput(vtkPolyData* input, const HullMeshParameters& parameters,
     const std::string& nonParticipating, Monitor& monitor)
-    : Input(ShallowCopyOf(input))
-    , Conversion(this->Input, nonParticipating)
-    , Hull(MeshHull(this->Conversion.Soup, parameters, monitor))
-    , Grid(this->Conversion.MakeGrid(this->Hull))
-    , Warnings(this->Conversion.Warnings)
+    : Surface(vtkInsideOutReadSurface(ShallowCopyOf(input), nonParticipating))
+    , Outputs(this->Surface)
+    , Hull(MeshHull(this->Surface.Soup, parameters, monitor))
+    , Grid(this->Outputs.MakeGrid(this->Hull))
   {
   }
 
@@ -60,24 +61,37 @@ struct vtkRobustTetrahedralize::HullOfInput
     return copy;
   }
 
-  vtkSmartPointer<vtkPolyData> Input; ///< what the conversion reads from, however long it lives
-  vtkInsideOutConversion Conversion;
+  vtkInsideOutSurface Surface;
+  vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
   HullMesh Hull;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
-  std::vector<std::string> Warnings; ///< the conversion's so far
 };
 
-class vtkRobustTetrahedralize::Memory
-  : public vtkInsideOutMemory<decltype(AsTuple(std::declval<HullMeshParameters>(), std::string())),
+class vtkRobustTetrahedralize::Cache
+  : public vtkInsideOutCache<decltype(AsTuple(std::declval<HullMeshParameters>(), std::string())),
       HullOfInput>
 {
 };
 
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
-  : Hulls(new Memory)
+  : Hulls(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+  const SegmentMeshParameters segment;
+  this->Gamma = segment.Cut.Gamma;
+  this->Sigma = segment.Cut.Sigma;
+  this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
+  this->ConstrainFacets = segment.ConstrainFacets;
+  this->ConstrainManifold = segment.ConstrainManifold;
+  const HullMeshParameters hull;
+  this->Orientation = static_cast<int>(hull.Orientation);
+  this->MergeTolerance = hull.Chain.MergeTolerance;
+  this->CountDuplicates = hull.Chain.CountDuplicates;
+  this->QuadratureOrder = hull.QuadratureOrder;
+  this->Engine = static_cast<int>(hull.Budgets.Engine);
+  this->TimeBudget = hull.Budgets.TimeBudget;
+  this->MemoryBudget = hull.Budgets.MemoryBudget;
 }
 
 vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
@@ -106,9 +120,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
-  return 1;
+  return vtkInsideOutFillPort(port, info, "vtkPolyData");
 }
 
 void vtkRobustTetrahedralize::SetSeedsData(vtkPointSet* seeds)
@@ -139,8 +151,6 @@ vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 
 namespace
 {
-const char* const Extracting = "extracting";
-
 /** Outputs 1 and 2, and their counts. */
 struct Surfaces
 {
@@ -165,27 +175,28 @@ void CountOutliers(
 }
 
 Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  bool mergePieces, bool splitSeams, vtkInsideOutConversion& conversion, Monitor& monitor)
+  bool mergePieces, bool splitSeams, const TriangleSoup& soup, vtkInsideOutMakeOutputs& outputs,
+  Monitor& monitor)
 {
   Surfaces surfaces;
   const std::vector<BoundaryFace> faces =
-    BoundaryFaces(hull.Mesh, inside, monitor, { Extracting, 0, 0.05 });
+    BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0, 0.05 });
   std::vector<BoundaryTriangle> boundary =
-    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Extracting, 0.05, 0.1 });
+    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
   if (mergePieces)
   {
-    boundary = MergePieces(boundary, TrianglesInMesh(conversion.Soup, hull.MergedInto, hull.Mesh),
-      monitor, { Extracting, 0.1, 0.2 });
+    boundary = MergePieces(boundary, TrianglesInMesh(soup, hull.MergedInto, hull.Mesh), monitor,
+      { Stages::Extracting, 0.1, 0.2 });
   }
-  monitor.Check(Extracting, 0.2);
+  monitor.Check(Stages::Extracting, 0.2);
   surfaces.Boundary = splitSeams
-    ? conversion.MakeSeamedBoundary(hull, boundary, monitor, { Extracting, 0.2, 0.3 })
-    : conversion.MakeBoundary(hull, boundary);
-  monitor.Check(Extracting, 0.3);
-  const Id seamPoints = conversion.CountSeamPoints(hull);
+    ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
+    : outputs.MakeBoundary(hull, boundary);
+  monitor.Check(Stages::Extracting, 0.3);
+  const Id seamPoints = outputs.CountSeamPoints(hull);
   if (seamPoints > 0 && !splitSeams)
   {
-    conversion.Warnings.push_back(std::to_string(seamPoints) +
+    outputs.Warnings.push_back(std::to_string(seamPoints) +
       " points were merged with ones that have other texture coordinates or normals: the boundary "
       "has the lowest id's; SplitSeams keeps them all");
   }
@@ -193,10 +204,10 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   surfaces.Counts.emplace_back("SeamPoints", seamPoints);
 
   const std::vector<OutlierPiece> outliers =
-    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Extracting, 0.3, 0.35 });
-  monitor.Check(Extracting, 0.35);
-  surfaces.Outliers = conversion.MakeOutliers(hull, outliers);
-  monitor.Check(Extracting, 0.4);
+    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 });
+  monitor.Check(Stages::Extracting, 0.35);
+  surfaces.Outliers = outputs.MakeOutliers(hull, outliers);
+  monitor.Check(Stages::Extracting, 0.4);
   CountOutliers(hull, outliers, surfaces.Counts);
   return surfaces;
 }
@@ -217,14 +228,11 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
-        { "validating", "finding self-intersections", "resolving self-intersections",
-          "tetrahedralizing", "winding numbers", "segmenting", Extracting });
-      const std::vector<Seed> seeds = vtkInsideOutReadSeeds(vtkPointSet::GetData(inputVector[1]));
-      const HullMeshParameters parameters = { { this->MergeTolerance, this->CountDuplicates },
-        static_cast<insideout::Orientation>(this->Orientation),
-        { this->TimeBudget, this->MemoryBudget,
-          static_cast<TetrahedralizationEngine>(this->Engine) },
-        this->QuadratureOrder };
+        { Stages::Validating, Stages::FindingIntersections, Stages::Resolving,
+          Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
+          Stages::Extracting });
+      const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
+      const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
       const std::string& nonParticipating = this->NonParticipatingArrayName;
       const std::shared_ptr<HullOfInput> kept =
         this->Hulls->Get(input, AsTuple(parameters, nonParticipating),
@@ -235,27 +243,23 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         this->Hulls->Forget();
       }
       const HullMesh& hull = kept->Hull;
-      vtkInsideOutConversion& conversion = kept->Conversion;
-      conversion.Warnings = kept->Warnings;
+      vtkInsideOutMakeOutputs outputs = kept->Outputs;
 
       Stopwatch stopwatch;
-      const std::vector<unsigned char> chosen = vtkInsideOutChosenFacets(
-        input, this->ConstrainedFacetsArrayName, hull.Surface, conversion.GetCellOfTriangle());
-      const MeshSegmentation segmentation =
-        SegmentMesh(hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), seeds,
-          { { this->Gamma, this->Sigma, static_cast<insideout::DataTerm>(this->DataTerm) },
-            this->ConstrainFacets, this->ConstrainManifold },
-          monitor);
+      const std::vector<unsigned char> chosen =
+        vtkInsideOutReadChosenFacets(kept->Surface, this->ConstrainedFacetsArrayName, hull.Surface);
+      const MeshSegmentation segmentation = SegmentMesh(hull.Mesh, hull.W,
+        PiecesOfFacets(hull.Mesh, chosen), seeds, vtkInsideOutSegmentMeshParameters(this), monitor);
       const double cutSeconds = stopwatch.Lap();
       const Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
-        this->SplitSeams, conversion, monitor);
+        this->SplitSeams, kept->Surface.Soup, outputs, monitor);
 
       auto solid = vtkSmartPointer<vtkUnstructuredGrid>::New();
       solid->ShallowCopy(kept->Grid);
       vtkInsideOutAddInside(segmentation.Inside, solid);
       if (this->ExtractInside)
       {
-        solid = vtkInsideOutExtractInside(solid, monitor, { Extracting, 0.4, 1 });
+        solid = vtkInsideOutExtractInside(solid, monitor, { Stages::Extracting, 0.4, 1 });
       }
       const auto insideCells =
         std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);
@@ -271,10 +275,10 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(surfaces.Boundary);
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(surfaces.Outliers);
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
-      conversion.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
+      outputs.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, segmentation.Warnings);
-      vtkInsideOutWarn(this, conversion.Warnings);
+      vtkInsideOutWarn(this, outputs.Warnings);
       if (insideCells == 0)
       {
         vtkWarningMacro(<< NothingInside(hull));

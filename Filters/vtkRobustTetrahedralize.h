@@ -289,28 +289,28 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double Gamma = 2.0;
-  double Sigma = 0.15;
-  int DataTerm = UNIFORM;
-  bool ConstrainFacets = false;
-  bool ConstrainManifold = false;
+  double Gamma;
+  double Sigma;
+  int DataTerm;
+  bool ConstrainFacets;
+  bool ConstrainManifold;
   std::string ConstrainedFacetsArrayName;
   bool ExtractInside = true;
-  int Orientation = AUTOMATIC;
-  double MergeTolerance = 0.0;
-  bool CountDuplicates = false;
+  int Orientation;
+  double MergeTolerance;
+  bool CountDuplicates;
   std::string NonParticipatingArrayName;
   bool MergeCoplanarPieces = false;
   bool SplitSeams = false;
-  int QuadratureOrder = 1;
-  int Engine = ENGINE_AUTOMATIC;
-  double TimeBudget = 0.0;
-  double MemoryBudget = 0.0;
+  int QuadratureOrder;
+  int Engine;
+  double TimeBudget;
+  double MemoryBudget;
 
 private:
   struct HullOfInput;
-  class Memory;
-  std::unique_ptr<Memory> Hulls;
+  class Cache;
+  std::unique_ptr<Cache> Hulls;
 
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;
   void operator=(const vtkRobustTetrahedralize&) = delete;

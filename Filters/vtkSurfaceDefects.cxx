@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceDefects.h"
 
-#include "Defects/SurfaceDefects.h"
-#include "vtkInsideOutConversion.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutWholeInput.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutArrays.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -27,6 +29,7 @@ vtkStandardNewMacro(vtkSurfaceDefects);
 vtkSurfaceDefects::vtkSurfaceDefects()
 {
   this->SetNumberOfOutputPorts(2);
+  this->MergeTolerance = CountedChainParameters().MergeTolerance;
 }
 
 void vtkSurfaceDefects::PrintSelf(ostream& os, vtkIndent indent)
@@ -42,12 +45,6 @@ vtkPolyData* vtkSurfaceDefects::GetLines()
 
 namespace
 {
-static_assert(vtkSurfaceDefects::OPEN_BOUNDARY == static_cast<int>(DefectType::OpenBoundary) &&
-    vtkSurfaceDefects::NON_MANIFOLD_EDGE == static_cast<int>(DefectType::NonManifoldEdge) &&
-    vtkSurfaceDefects::INCONSISTENT_EDGE == static_cast<int>(DefectType::InconsistentEdge) &&
-    vtkSurfaceDefects::INTERSECTION_CURVE == static_cast<int>(DefectType::IntersectionCurve),
-  "the filter's values are the algorithm's");
-
 using Color = std::array<unsigned char, 3>;
 
 // Red, dark red and purple are those of the thesis's figure 8.22.
@@ -91,16 +88,6 @@ Color ColorOfComponent(Id component)
   return color;
 }
 
-template <typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType size, int components = 1)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(size);
-  return array;
-}
-
 void SetColor(vtkUnsignedCharArray* colors, vtkIdType cell, const Color& color)
 {
   for (int k = 0; k < 3; ++k)
@@ -135,13 +122,13 @@ std::vector<TriangleDefects> DefectsOfCells(
 void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
-  const auto component = MakeArray<vtkIntArray>("ComponentId", size);
-  const auto crossings = MakeArray<vtkIntArray>("SelfIntersections", size);
-  const auto degenerate = MakeArray<vtkUnsignedCharArray>("Degenerate", size);
-  const auto duplicate = MakeArray<vtkUnsignedCharArray>("Duplicate", size);
-  const auto inconsistent = MakeArray<vtkUnsignedCharArray>("Inconsistent", size);
-  const auto twoSided = MakeArray<vtkUnsignedCharArray>("TwoSided", size);
-  const auto color = MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
+  const auto component = vtkInsideOutMakeArray<vtkIntArray>("ComponentId", size);
+  const auto crossings = vtkInsideOutMakeArray<vtkIntArray>("SelfIntersections", size);
+  const auto degenerate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Degenerate", size);
+  const auto duplicate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Duplicate", size);
+  const auto inconsistent = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inconsistent", size);
+  const auto twoSided = vtkInsideOutMakeArray<vtkUnsignedCharArray>("TwoSided", size);
+  const auto color = vtkInsideOutMakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
   for (vtkIdType c = 0; c < size; ++c)
   {
     const TriangleDefects& cell = cells[c];
@@ -183,11 +170,16 @@ std::vector<DefectType> TypesOfCells(const std::vector<DefectLine>& lines)
 void NameLines(const std::vector<DefectType>& types, vtkCellData* data)
 {
   const vtkIdType size = static_cast<vtkIdType>(types.size());
-  const auto type = MakeArray<vtkIntArray>("DefectType", size);
-  const auto name = MakeArray<vtkStringArray>("DefectName", size);
-  const auto color = MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
+  const auto type = vtkInsideOutMakeArray<vtkIntArray>("DefectType", size);
+  const auto name = vtkInsideOutMakeArray<vtkStringArray>("DefectName", size);
+  const auto color = vtkInsideOutMakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
   for (vtkIdType c = 0; c < size; ++c)
   {
+    using Filter = vtkSurfaceDefects;
+    static_assert(Filter::OPEN_BOUNDARY == static_cast<int>(DefectType::OpenBoundary));
+    static_assert(Filter::NON_MANIFOLD_EDGE == static_cast<int>(DefectType::NonManifoldEdge));
+    static_assert(Filter::INCONSISTENT_EDGE == static_cast<int>(DefectType::InconsistentEdge));
+    static_assert(Filter::INTERSECTION_CURVE == static_cast<int>(DefectType::IntersectionCurve));
     const int value = static_cast<int>(types[c]);
     type->SetValue(c, value);
     name->SetValue(c, TypesOfLines[value].Name);
@@ -214,14 +206,14 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(
-        this, { "validating", "finding self-intersections", "tracing intersections" });
-      vtkInsideOutConversion conversion(input);
-      const SurfaceDefects defects =
-        FindSurfaceDefects(conversion.Soup, this->MergeTolerance, monitor);
+        this, { Stages::Validating, Stages::FindingIntersections, Stages::TracingIntersections });
+      const vtkInsideOutSurface given = vtkInsideOutReadSurface(input);
+      const SurfaceDefects defects = FindSurfaceDefects(given.Soup, this->MergeTolerance, monitor);
 
-      const auto surface = conversion.CopySurface({ "ComponentId", "SelfIntersections",
-        "Degenerate", "Duplicate", "Inconsistent", "TwoSided", "DefectColor" });
-      MarkCells(DefectsOfCells(defects, conversion.GetCellOfTriangle(), input->GetNumberOfCells()),
+      vtkInsideOutMakeOutputs outputs(given);
+      const auto surface = outputs.CopySurface({ "ComponentId", "SelfIntersections", "Degenerate",
+        "Duplicate", "Inconsistent", "TwoSided", "DefectColor" });
+      MarkCells(DefectsOfCells(defects, given.CellOfTriangle, input->GetNumberOfCells()),
         surface->GetCellData());
       const auto lines = vtkInsideOutMakeLines(defects);
       NameLines(TypesOfCells(defects.Lines), lines->GetCellData());
@@ -235,6 +227,6 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
         vtkInsideOutAddStatistics(statistics, output);
       }
       vtkInsideOutWarn(this, defects.Warnings);
-      vtkInsideOutWarn(this, conversion.Warnings);
+      vtkInsideOutWarn(this, outputs.Warnings);
     });
 }

@@ -82,7 +82,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  double MergeTolerance = 0.0;
+  double MergeTolerance;
 
 private:
   vtkSurfaceDefects(const vtkSurfaceDefects&) = delete;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceReader.h"
 
-#include "Files/SurfaceFile.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutPolygons.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutRun.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -41,9 +42,9 @@ int vtkSurfaceReader::RequestData(vtkInformation* vtkNotUsed(request),
       {
         throw Error(ErrorCode::FileUnreadable, "no file name is set");
       }
-      vtkInsideOutMonitor monitor(this, { "reading" });
+      vtkInsideOutMonitor monitor(this, { Stages::Reading });
       const PolygonSurface surface = ReadSurface(this->FileName, monitor);
-      output->ShallowCopy(vtkInsideOutMakePolyData(surface));
+      output->ShallowCopy(vtkInsideOutMakePolygons(surface));
       vtkInsideOutWarn(this, surface.Warnings);
     });
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceWriter.h"
 
-#include "Files/SurfaceFile.h"
-#include "vtkInsideOutMonitor.h"
-#include "vtkInsideOutPolygons.h"
+#include "Private/vtkInsideOutReadSurface.h"
+#include "Private/vtkInsideOutRun.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -52,7 +51,7 @@ void vtkSurfaceWriter::WriteData()
       {
         throw Error(ErrorCode::FileUnwritable, "no file name is set");
       }
-      WriteSurface(this->FileName, vtkInsideOutReadPolyData(this->GetInput()));
+      WriteSurface(this->FileName, vtkInsideOutReadPolygons(this->GetInput()));
     });
   if (!written)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @class   vtkInsideOutAttributes
- * @brief   Carries the input's point and cell data to the outputs of InsideOut's filters.
+ * @file
+ * Carries the input's point and cell data to the outputs.
  */
 #ifndef vtkInsideOutAttributes_h
 #define vtkInsideOutAttributes_h
@@ -15,7 +15,7 @@
 #include <vector>
 
 class vtkCellData;
-class vtkDataSetAttributes;
+class vtkDataSet;
 class vtkFieldData;
 class vtkPointData;
 
@@ -33,30 +33,27 @@ void RenameArrays(
  * Point data by origin: copied from an input point, interpolated on a facet, and for a point in the
  * volume NaN (0 in integer arrays). Adds vtkOriginalPointIds: the input point, -1 for a new one.
  *
- * @param[in] inputSize number of the input's points
  * @param[in,out] warnings gains a line per input array that had to be renamed, or that is left out
  *                because it has not one tuple per point
  */
-void PassPointData(vtkPointData* input, vtkIdType inputSize,
-  const std::vector<insideout::PointOrigin>& origins, vtkPointData* output,
-  std::vector<std::string>& warnings);
+void PassPointData(vtkDataSet* input, const std::vector<insideout::PointOrigin>& origins,
+  vtkPointData* output, std::vector<std::string>& warnings);
 
 /**
  * Cell data by input cell, NaN (0 in integer arrays) where it is -1. Adds vtkOriginalCellIds.
  *
  * @param[in] added names of further arrays that the output adds: the input's are renamed
  */
-void PassCellData(vtkCellData* input, vtkIdType inputSize, const std::vector<vtkIdType>& cells,
+void PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
   std::initializer_list<const char*> added, vtkCellData* output,
   std::vector<std::string>& warnings);
 
 /**
- * Point or cell data as they are, for an output that has the input's points or cells.
+ * Point and cell data as they are, for an output that has the input's points and cells.
  *
- * @param[in] added names of arrays that the output adds: the input's are renamed
+ * @param[in] added names of cell arrays that the output adds: the input's are renamed
  */
-void PassAll(vtkDataSetAttributes* input, vtkIdType inputSize,
-  std::initializer_list<const char*> added, vtkDataSetAttributes* output,
+void PassAll(vtkDataSet* input, std::initializer_list<const char*> added, vtkDataSet* output,
   std::vector<std::string>& warnings);
 
 /**
@@ -66,7 +63,7 @@ void PassAll(vtkDataSetAttributes* input, vtkIdType inputSize,
  * @param[in] mergedInto per point the one that it became, or itself
  */
 std::vector<insideout::Id> AlikePoints(
-  vtkPointData* input, vtkIdType inputSize, const std::vector<insideout::Id>& mergedInto);
+  vtkDataSet* input, const std::vector<insideout::Id>& mergedInto);
 } // namespace vtkInsideOutAttributes
 
 #endif

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtkInsideOutSurface.h"
+#include "vtkInsideOutMakeWindingNumber.h"
 
-#include "vtkInsideOutConversion.h"
+#include "vtkInsideOutReadSurface.h"
 
 std::unique_ptr<const insideout::SurfaceWindingNumber> vtkInsideOutMakeWindingNumber(
-  vtkPolyData* surface, const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
+  vtkPolyData* input, const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
   std::vector<std::string>& warnings)
 {
-  const vtkInsideOutConversion conversion(surface, options.NonParticipating);
-  insideout::CountedChain chain = CountFacets(conversion.Soup, options.Chain, monitor);
+  const vtkInsideOutSurface surface = vtkInsideOutReadSurface(input, options.NonParticipating);
+  insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
   warnings.insert(warnings.end(), chain.Warnings.begin(), chain.Warnings.end());
-  warnings.insert(warnings.end(), conversion.Warnings.begin(), conversion.Warnings.end());
+  warnings.insert(warnings.end(), surface.Warnings.begin(), surface.Warnings.end());
   if (options.Reverse)
   {
     for (std::int16_t& multiplicity : chain.Surface.Multiplicity)

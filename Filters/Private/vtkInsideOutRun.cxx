@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutRun.h"
 
+#include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutWholeInput.h"
 
 #include <vtkAbstractArray.h>
@@ -15,59 +16,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
 #include <exception>
-
-namespace
-{
-// VTK 9.2 and later ask every algorithm upstream too; 9.1 knows only the algorithm's own flag.
-template <typename Algorithm>
-auto ShouldAbort(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
-{
-  return algorithm->CheckAbort();
-}
-
-template <typename Algorithm>
-bool ShouldAbort(Algorithm* algorithm, long)
-{
-  return algorithm->GetAbortExecute() != 0;
-}
-} // namespace
-
-vtkInsideOutMonitor::vtkInsideOutMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages)
-  : Algorithm(algorithm)
-  , Stages(std::move(stages))
-{
-}
-
-vtkInsideOutMonitor::~vtkInsideOutMonitor()
-{
-  this->Algorithm->SetProgressText(nullptr);
-}
-
-bool vtkInsideOutMonitor::Continue(const char* stage, double fraction)
-{
-  const auto found = std::find(this->Stages.begin() + this->Stage, this->Stages.end(), stage);
-  if (found != this->Stages.end() && found != this->Stages.begin() + this->Stage)
-  {
-    this->Stage = found - this->Stages.begin();
-    this->Shown = -1;
-  }
-  const double progress = std::max(
-    this->Shown, (this->Stage + std::min(std::max(fraction, 0.0), 1.0)) / this->Stages.size());
-  constexpr double SmallestStepShown = 0.002;
-  constexpr std::chrono::milliseconds LongestSilence(200);
-  const auto now = std::chrono::steady_clock::now();
-  if (this->Shown < 0 || progress - this->Shown >= SmallestStepShown ||
-    now - this->LastShown >= LongestSilence)
-  {
-    this->Shown = progress;
-    this->LastShown = now;
-    this->Algorithm->SetProgressText(this->Stages[this->Stage].c_str());
-    this->Algorithm->UpdateProgress(progress);
-  }
-  return !ShouldAbort(this->Algorithm, 0);
-}
 
 namespace
 {
@@ -127,7 +76,7 @@ int vtkInsideOutRun(
   try
   {
     MakeEmpty(outputs);
-    if (ShouldAbort(algorithm, 0))
+    if (vtkInsideOutMonitor::ShouldAbort(algorithm))
     {
       return 1;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @class   vtkInsideOutUpdate
- * @brief   Update an algorithm from C, with a C function as its observer.
+ * @file
+ * Updates an algorithm from C, with a C function as its observer.
  *
  * VTK's Python wrapping holds the interpreter's lock while an algorithm works, so that no other
  * thread runs and Ctrl-C is heard only afterwards. Python's ctypes lets go of the lock while it

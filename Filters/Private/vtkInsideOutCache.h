@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @class   vtkInsideOutMemory
- * @brief   What a filter made of each of its inputs, to be used again when only later stages
- * change.
+ * @class   vtkInsideOutCache
+ * @brief   keeps what a filter made of each of its inputs, for when only later stages change
  *
  * A filter that works on the blocks of a composite input one by one has a result for each. One is
  * forgotten when its input was deleted or modified, or is asked for with other parameters.
  */
-#ifndef vtkInsideOutMemory_h
-#define vtkInsideOutMemory_h
+#ifndef vtkInsideOutCache_h
+#define vtkInsideOutCache_h
 
 #include <vtkDataObject.h>
 #include <vtkWeakPointer.h>
@@ -20,7 +19,7 @@
 
 /** `Parameters` is whatever decides about the result beside the input; it is compared with ==. */
 template <typename Parameters, typename Result>
-class vtkInsideOutMemory
+class vtkInsideOutCache
 {
 public:
   /** The result for an input: the one that is remembered, or else what `make` makes. */

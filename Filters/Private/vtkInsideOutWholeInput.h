@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @class   vtkInsideOutWholeInput
- * @brief   What filters share that need all of their input in one place.
+ * @file
+ * What filters share that need all of their input in one place.
  *
  * A surface means one solid. Where several processes work on pieces of the data (MPI) the first of
  * them asks for the whole and makes the one result, and the others ask for nothing and have none;

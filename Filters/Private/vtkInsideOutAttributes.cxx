@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutAttributes.h"
 
+#include "vtkInsideOutArrays.h"
+
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSet.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -82,15 +84,6 @@ void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
     data->GetAbstractArray(i)->SetNumberOfTuples(size);
   }
 }
-
-void AddIds(vtkDataSetAttributes* data, const char* name, const std::vector<vtkIdType>& values)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(name);
-  ids->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), ids->GetPointer(0));
-  data->AddArray(ids);
-}
 } // namespace
 
 void vtkInsideOutAttributes::RenameArrays(
@@ -118,12 +111,12 @@ void vtkInsideOutAttributes::RenameArrays(
   }
 }
 
-void vtkInsideOutAttributes::PassPointData(vtkPointData* input, vtkIdType inputSize,
+void vtkInsideOutAttributes::PassPointData(vtkDataSet* input,
   const std::vector<insideout::PointOrigin>& origins, vtkPointData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(origins.size());
-  const vtkSmartPointer<vtkPointData> source =
-    UsableArrays(input, inputSize, { "vtkOriginalPointIds" }, warnings);
+  const vtkSmartPointer<vtkPointData> source = UsableArrays(
+    input->GetPointData(), input->GetNumberOfPoints(), { "vtkOriginalPointIds" }, warnings);
   output->InterpolateAllocate(source, size);
   SetNumberOfTuples(output, size);
 
@@ -151,16 +144,15 @@ void vtkInsideOutAttributes::PassPointData(vtkPointData* input, vtkIdType inputS
       output->InterpolatePoint(source, p, corners, origin.Weights.data());
     }
   }
-  AddIds(output, "vtkOriginalPointIds", inputPoints);
+  output->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", inputPoints));
 }
 
-void vtkInsideOutAttributes::PassCellData(vtkCellData* input, vtkIdType inputSize,
-  const std::vector<vtkIdType>& cells, std::initializer_list<const char*> added,
-  vtkCellData* output, Warnings& warnings)
+void vtkInsideOutAttributes::PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
+  std::initializer_list<const char*> added, vtkCellData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
-  const vtkSmartPointer<vtkCellData> source =
-    UsableArrays(input, inputSize, { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
+  const vtkSmartPointer<vtkCellData> source = UsableArrays(input->GetCellData(),
+    input->GetNumberOfCells(), { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
   RenameArrays(source, added, warnings);
   output->CopyAllocate(source, size);
   SetNumberOfTuples(output, size);
@@ -175,23 +167,27 @@ void vtkInsideOutAttributes::PassCellData(vtkCellData* input, vtkIdType inputSiz
       SetNoValue(output, c);
     }
   }
-  AddIds(output, "vtkOriginalCellIds", cells);
+  output->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalCellIds", cells));
 }
 
-void vtkInsideOutAttributes::PassAll(vtkDataSetAttributes* input, vtkIdType inputSize,
-  std::initializer_list<const char*> added, vtkDataSetAttributes* output, Warnings& warnings)
+void vtkInsideOutAttributes::PassAll(vtkDataSet* input, std::initializer_list<const char*> added,
+  vtkDataSet* output, Warnings& warnings)
 {
-  output->ShallowCopy(UsableArrays(input, inputSize, added, warnings));
+  output->GetPointData()->ShallowCopy(
+    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), {}, warnings));
+  output->GetCellData()->ShallowCopy(
+    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), added, warnings));
 }
 
 std::vector<insideout::Id> vtkInsideOutAttributes::AlikePoints(
-  vtkPointData* input, vtkIdType inputSize, const std::vector<insideout::Id>& mergedInto)
+  vtkDataSet* input, const std::vector<insideout::Id>& mergedInto)
 {
+  vtkPointData* data = input->GetPointData();
   std::vector<insideout::Id> alike = mergedInto;
   std::vector<vtkDataArray*> arrays;
-  for (vtkDataArray* array : { input->GetTCoords(), input->GetNormals() })
+  for (vtkDataArray* array : { data->GetTCoords(), data->GetNormals() })
   {
-    if (array && array->GetNumberOfTuples() == inputSize)
+    if (array && array->GetNumberOfTuples() == input->GetNumberOfPoints())
     {
       arrays.push_back(array);
     }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutArrays.h"
+
+#include "Common/Error.h"
+
+#include <vtkDataSet.h>
+
+#include <limits>
+
+std::vector<insideout::Point> vtkInsideOutReadPoints(vtkDataSet* input, const std::string& name)
+{
+  constexpr vtkIdType Most = std::numeric_limits<insideout::Id>::max();
+  if (input->GetNumberOfPoints() > Most || input->GetNumberOfCells() > Most)
+  {
+    throw insideout::Error(insideout::ErrorCode::TooLarge,
+      name + " has " + std::to_string(input->GetNumberOfPoints()) + " points and " +
+        std::to_string(input->GetNumberOfCells()) + " cells; at most " + std::to_string(Most) +
+        " of each can be handled");
+  }
+  std::vector<insideout::Point> points(input->GetNumberOfPoints());
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    input->GetPoint(static_cast<vtkIdType>(p), points[p].data());
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkPoints> vtkInsideOutMakePoints(const std::vector<insideout::Point>& values)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(values.size()));
+  if (!values.empty())
+  {
+    std::copy_n(
+      values.front().data(), 3 * values.size(), static_cast<double*>(points->GetVoidPointer(0)));
+  }
+  return points;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * VTK's points, cells and arrays of plain ones; and plain points of VTK's.
+ */
+#ifndef vtkInsideOutArrays_h
+#define vtkInsideOutArrays_h
+
+#include "Common/Types.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+/**
+ * The points of a data set that the stages can count.
+ *
+ * @param[in] name what the data set is, for the error
+ * @throws insideout::Error TooLarge, also for its cells
+ */
+std::vector<insideout::Point> vtkInsideOutReadPoints(vtkDataSet* input, const std::string& name);
+
+/** Points in double precision. */
+vtkSmartPointer<vtkPoints> vtkInsideOutMakePoints(const std::vector<insideout::Point>& values);
+
+/** Cells of `Size` points each. */
+template <std::size_t Size>
+vtkSmartPointer<vtkCellArray> vtkInsideOutMakeCells(
+  const std::vector<std::array<insideout::Id, Size>>& values)
+{
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(Size * values.size()));
+  if (!values.empty())
+  {
+    std::copy_n(values.front().data(), Size * values.size(), connectivity->GetPointer(0));
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(static_cast<vtkIdType>(Size), connectivity);
+  return cells;
+}
+
+/** An array with a name and room for tuples. */
+template <typename Array>
+vtkSmartPointer<Array> vtkInsideOutMakeArray(const char* name, vtkIdType size, int components = 1)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(size);
+  return array;
+}
+
+/** An array with a name and these values, one per tuple. */
+template <typename Array, typename Value>
+vtkSmartPointer<Array> vtkInsideOutMakeArray(const char* name, const std::vector<Value>& values)
+{
+  auto array = vtkInsideOutMakeArray<Array>(name, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+#endif

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutMakeOutputs.h"
+
+#include "Output/SplitSeams.h"
+#include "vtkInsideOutArrays.h"
+#include "vtkInsideOutAttributes.h"
+#include "vtkInsideOutFileAttributes.h"
+#include "vtkRobustTetrahedralize.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkShortArray.h>
+#include <vtkStringArray.h>
+#include <vtkThreshold.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+using insideout::FacetComplex;
+using insideout::Id;
+using insideout::TetrahedralMesh;
+
+vtkInsideOutMakeOutputs::vtkInsideOutMakeOutputs(const vtkInsideOutSurface& surface)
+  : Warnings(surface.Warnings)
+  , Surface(&surface)
+{
+}
+
+void vtkInsideOutMakeOutputs::AddCellsOfFacets(const char* name, const FacetComplex& surface,
+  const std::vector<Id>& facets, vtkDataSet* output) const
+{
+  std::set<vtkIdType> cells;
+  for (const Id facet : facets)
+  {
+    for (Id s = surface.SourceOffsets[facet]; s < surface.SourceOffsets[facet + 1]; ++s)
+    {
+      cells.insert(this->Surface->CellOfTriangle[surface.Sources[s].Triangle]);
+    }
+  }
+  output->GetFieldData()->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>(
+    name, std::vector<vtkIdType>(cells.begin(), cells.end())));
+}
+
+void vtkInsideOutMakeOutputs::AddLeftOutCells(const FacetComplex& surface, vtkDataSet* output) const
+{
+  std::vector<Id> leftOut(surface.NumberOfFacets() - surface.NumberOfConstraints);
+  std::iota(leftOut.begin(), leftOut.end(), surface.NumberOfConstraints);
+  this->AddCellsOfFacets("LeftOutCellIds", surface, leftOut, output);
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::CopySurface(
+  std::initializer_list<const char*> added)
+{
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->CopyStructure(this->Surface->Input);
+  vtkInsideOutAttributes::PassAll(this->Surface->Input, added, output, this->Warnings);
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSurface(
+  const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
+  const std::vector<insideout::Triangle>& triangles, const std::vector<vtkIdType>& cells,
+  std::initializer_list<const char*> added)
+{
+  std::vector<Id> index(points.size(), insideout::None);
+  std::vector<insideout::Point> usedPoints;
+  std::vector<insideout::PointOrigin> usedOrigins;
+  std::vector<insideout::Triangle> renumbered = triangles;
+  for (insideout::Triangle& triangle : renumbered)
+  {
+    for (const Id p : triangle)
+    {
+      index[p] = 0;
+    }
+  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (index[p] != insideout::None)
+    {
+      index[p] = static_cast<Id>(usedPoints.size());
+      usedPoints.push_back(points[p]);
+      usedOrigins.push_back(origins[p]);
+    }
+  }
+  for (insideout::Triangle& triangle : renumbered)
+  {
+    for (Id& p : triangle)
+    {
+      p = index[p];
+    }
+  }
+
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(vtkInsideOutMakePoints(usedPoints));
+  output->SetPolys(vtkInsideOutMakeCells(renumbered));
+  vtkInsideOutAttributes::PassPointData(
+    this->Surface->Input, usedOrigins, output->GetPointData(), this->Warnings);
+  vtkInsideOutAttributes::PassCellData(
+    this->Surface->Input, cells, added, output->GetCellData(), this->Warnings);
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSurface(
+  const FacetComplex& surface, const std::vector<Id>& facets)
+{
+  std::vector<insideout::Triangle> triangles;
+  std::vector<vtkIdType> cells;
+  std::vector<short> multiplicity;
+  for (const Id f : facets)
+  {
+    triangles.push_back(surface.Facets[f]);
+    cells.push_back(this->Surface->CellOfFacet(surface, f, +1));
+    multiplicity.push_back(surface.Multiplicity[f]);
+  }
+  auto output = this->MakeSurface(surface.Points, surface.Origins, triangles, cells, {});
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", multiplicity));
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
+  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
+{
+  std::vector<insideout::Triangle> triangles;
+  for (const insideout::BoundaryTriangle& triangle : boundary)
+  {
+    triangles.push_back(triangle.Corners);
+  }
+  return this->MakeSurface(
+    hull.Mesh.Points, hull.Mesh.Origins, triangles, this->CellsOfBoundary(boundary), {});
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
+  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary,
+  insideout::Monitor& monitor, const insideout::ProgressRange& progress)
+{
+  if (this->Surface->Input->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    return this->MakeBoundary(hull, boundary); // nothing differs anywhere
+  }
+  const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Surface->Soup,
+    TrianglesInMesh(this->Surface->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull),
+    hull.Mesh, monitor, progress);
+  std::vector<insideout::Point> points;
+  for (const Id place : seamed.Places)
+  {
+    points.push_back(hull.Mesh.Points[place]);
+  }
+  return this->MakeSurface(
+    points, seamed.Origins, seamed.Triangles, this->CellsOfBoundary(boundary), {});
+}
+
+std::vector<vtkIdType> vtkInsideOutMakeOutputs::CellsOfBoundary(
+  const std::vector<insideout::BoundaryTriangle>& boundary) const
+{
+  std::vector<vtkIdType> cells;
+  for (const insideout::BoundaryTriangle& triangle : boundary)
+  {
+    cells.push_back(
+      triangle.Source == insideout::None ? -1 : this->Surface->CellOfTriangle[triangle.Source]);
+  }
+  return cells;
+}
+
+std::vector<Id> vtkInsideOutMakeOutputs::AlikePoints(const insideout::HullMesh& hull) const
+{
+  return vtkInsideOutAttributes::AlikePoints(this->Surface->Input, hull.MergedInto);
+}
+
+Id vtkInsideOutMakeOutputs::CountSeamPoints(const insideout::HullMesh& hull) const
+{
+  const std::vector<Id> alike = this->AlikePoints(hull);
+  Id count = 0;
+  for (std::size_t p = 0; p < alike.size(); ++p)
+  {
+    count += alike[p] != hull.MergedInto[p];
+  }
+  return count;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeOutliers(
+  const insideout::HullMesh& hull, const std::vector<insideout::OutlierPiece>& pieces)
+{
+  // The corners of degenerate triangles may be no points of the mesh: they come behind.
+  std::vector<insideout::Point> points = hull.Mesh.Points;
+  std::vector<insideout::PointOrigin> origins = hull.Mesh.Origins;
+  std::vector<insideout::Triangle> triangles;
+  std::vector<vtkIdType> cells;
+  std::vector<short> multiplicity;
+  std::vector<unsigned char> reasons;
+  const auto add = [&](const insideout::Triangle& triangle, vtkIdType cell, short count,
+                     insideout::OutlierReason reason)
+  {
+    triangles.push_back(triangle);
+    cells.push_back(cell);
+    multiplicity.push_back(count);
+    using Filter = vtkRobustTetrahedralize;
+    using Reason = insideout::OutlierReason;
+    static_assert(Filter::OUTLIER_BY_ENERGY == static_cast<int>(Reason::Energy));
+    static_assert(Filter::OUTLIER_LOST == static_cast<int>(Reason::Lost));
+    static_assert(Filter::OUTLIER_LEFT_OUT == static_cast<int>(Reason::LeftOut));
+    static_assert(Filter::OUTLIER_DEGENERATE == static_cast<int>(Reason::Degenerate));
+    reasons.push_back(static_cast<unsigned char>(reason));
+  };
+  for (const insideout::OutlierPiece& piece : pieces)
+  {
+    add(piece.Corners, this->Surface->CellOfFacet(hull.Surface, piece.Facet, +1),
+      hull.Surface.Multiplicity[piece.Facet], piece.Reason);
+  }
+  for (const Id t : hull.DegenerateTriangles)
+  {
+    const Id first = static_cast<Id>(points.size());
+    for (const Id p : this->Surface->Soup.Triangles[t])
+    {
+      points.push_back(this->Surface->Soup.Points[p]);
+      origins.push_back(insideout::PointOrigin::Input(p));
+    }
+    add({ { first, first + 1, first + 2 } }, this->Surface->CellOfTriangle[t], 0,
+      insideout::OutlierReason::Degenerate);
+  }
+
+  vtkNew<vtkStringArray> names;
+  names->SetName("OutlierReasonNames");
+  for (const char* name : insideout::OutlierReasonNames)
+  {
+    names->InsertNextValue(name);
+  }
+  auto output = this->MakeSurface(points, origins, triangles, cells, { "OutlierReason" });
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", multiplicity));
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkUnsignedCharArray>("OutlierReason", reasons));
+  output->GetFieldData()->AddArray(names);
+  return output;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutMakeOutputs::MakeGrid(
+  const FacetComplex& surface, const TetrahedralMesh& mesh)
+{
+  const auto facetIds = vtkInsideOutMakeArray<vtkIdTypeArray>("FacetIds", mesh.NumberOfCells(), 4);
+  const auto multiplicity =
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", mesh.NumberOfCells(), 4);
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id facet = mesh.Facets[cell][k];
+      facetIds->SetTypedComponent(cell, k,
+        facet == insideout::None
+          ? -1
+          : this->Surface->CellOfFacet(surface, facet, mesh.FacetSides[cell][k]));
+      multiplicity->SetTypedComponent(
+        cell, k, static_cast<short>(MultiplicityOnEntering(surface, mesh, cell, k)));
+    }
+  }
+
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(vtkInsideOutMakePoints(mesh.Points));
+  grid->SetCells(VTK_TETRA, vtkInsideOutMakeCells(mesh.Cells));
+  grid->GetCellData()->AddArray(facetIds);
+  grid->GetCellData()->AddArray(multiplicity);
+  vtkInsideOutAttributes::PassPointData(
+    this->Surface->Input, mesh.Origins, grid->GetPointData(), this->Warnings);
+  this->AddCellsOfFacets("LostCellIds", surface, mesh.LostFacets, grid);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutMakeOutputs::MakeGrid(
+  const insideout::HullMesh& hull)
+{
+  auto grid = this->MakeGrid(hull.Surface, hull.Mesh);
+  grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", hull.W));
+  return grid;
+}
+
+void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid)
+{
+  grid->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inside", inside));
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolygons(const insideout::PolygonSurface& surface)
+{
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(vtkInsideOutMakeArray<vtkIdTypeArray>(nullptr, surface.Offsets),
+    vtkInsideOutMakeArray<vtkIdTypeArray>(nullptr, surface.Corners));
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(vtkInsideOutMakePoints(surface.Points));
+  output->SetPolys(polygons);
+  for (const insideout::Attribute& attribute : surface.PointAttributes)
+  {
+    vtkInsideOutAddAttribute(attribute, output->GetPointData());
+  }
+  for (const insideout::Attribute& attribute : surface.PolygonAttributes)
+  {
+    vtkInsideOutAddAttribute(attribute, output->GetCellData());
+  }
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefects& defects)
+{
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  for (const insideout::DefectLine& line : defects.Lines)
+  {
+    vtkCellArray* const cells = line.Points.size() > 1 ? lines : vertices;
+    cells->InsertNextCell(static_cast<int>(line.Points.size()));
+    for (const Id p : line.Points)
+    {
+      cells->InsertCellPoint(p);
+    }
+  }
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(vtkInsideOutMakePoints(defects.Points));
+  output->SetVerts(vertices);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(
+    vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", defects.InputPoints));
+  return output;
+}
+
+void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)
+{
+  vtkNew<vtkFieldData> fields;
+  for (const auto& [name, value] : statistics)
+  {
+    fields->AddArray(vtkInsideOutMakeArray<vtkDoubleArray>(
+      ("Statistics_" + name).c_str(), std::vector<double>{ value }));
+  }
+  vtkFieldData* others = output->GetFieldData();
+  for (int i = 0; i < others->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* other = others->GetAbstractArray(i);
+    if (!other->GetName() || !fields->HasArray(other->GetName()))
+    {
+      fields->AddArray(other);
+    }
+  }
+  output->SetFieldData(fields);
+}
+
+namespace
+{
+/** What a VTK filter's own reports are passed on to. They do not tell how far it is. */
+struct Watch
+{
+  insideout::Monitor& Monitor;
+  const insideout::ProgressRange& Progress;
+};
+
+void PassOn(vtkObject* caller, unsigned long, void* data, void*)
+{
+  const auto* watch = static_cast<Watch*>(data);
+  if (!watch->Monitor.Continue(watch->Progress.Stage, watch->Progress.Begin))
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  }
+}
+} // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(
+  vtkUnstructuredGrid* grid, insideout::Monitor& monitor, const insideout::ProgressRange& progress)
+{
+  Watch watch = { monitor, progress };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&watch);
+  observer->SetCallback(PassOn);
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputData(grid);
+  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Inside");
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+  threshold->SetUpperThreshold(0.5);
+  threshold->AddObserver(vtkCommand::ProgressEvent, observer);
+  threshold->Update();
+  monitor.Check(progress.Stage, progress.End);
+  return threshold->GetOutput();
+}

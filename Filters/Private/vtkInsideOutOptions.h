@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * The options that filters have in common, as parameters of the stages. The filters take their
+ * defaults from these parameters; their enums have the same values.
+ */
+#ifndef vtkInsideOutOptions_h
+#define vtkInsideOutOptions_h
+
+#include "GraphCut/SegmentMesh.h"
+#include "HullMesh.h"
+
+template <typename Filter>
+insideout::CountedChainParameters vtkInsideOutChainParameters(Filter* filter)
+{
+  insideout::CountedChainParameters parameters;
+  parameters.MergeTolerance = filter->GetMergeTolerance();
+  parameters.CountDuplicates = filter->GetCountDuplicates();
+  return parameters;
+}
+
+template <typename Filter>
+insideout::ConstrainedDelaunayParameters vtkInsideOutDelaunayParameters(Filter* filter)
+{
+  using Engine = insideout::TetrahedralizationEngine;
+  static_assert(Filter::ENGINE_AUTOMATIC == static_cast<int>(Engine::Automatic));
+  static_assert(Filter::ENGINE_EXACT == static_cast<int>(Engine::Exact));
+  static_assert(Filter::ENGINE_TETGEN == static_cast<int>(Engine::TetGen));
+  insideout::ConstrainedDelaunayParameters parameters;
+  parameters.Engine = static_cast<Engine>(filter->GetEngine());
+  parameters.TimeBudget = filter->GetTimeBudget();
+  parameters.MemoryBudget = filter->GetMemoryBudget();
+  return parameters;
+}
+
+template <typename Filter>
+insideout::HullMeshParameters vtkInsideOutHullMeshParameters(Filter* filter)
+{
+  using insideout::Orientation;
+  static_assert(Filter::AUTOMATIC == static_cast<int>(Orientation::Automatic));
+  static_assert(Filter::AS_GIVEN == static_cast<int>(Orientation::AsGiven));
+  static_assert(Filter::REVERSE == static_cast<int>(Orientation::Reverse));
+  insideout::HullMeshParameters parameters;
+  parameters.Chain = vtkInsideOutChainParameters(filter);
+  parameters.Orientation = static_cast<Orientation>(filter->GetOrientation());
+  parameters.Budgets = vtkInsideOutDelaunayParameters(filter);
+  parameters.QuadratureOrder = filter->GetQuadratureOrder();
+  return parameters;
+}
+
+template <typename Filter>
+insideout::SegmentMeshParameters vtkInsideOutSegmentMeshParameters(Filter* filter)
+{
+  using insideout::DataTerm;
+  static_assert(Filter::UNIFORM == static_cast<int>(DataTerm::Uniform));
+  static_assert(Filter::VOLUME_WEIGHTED == static_cast<int>(DataTerm::VolumeWeighted));
+  insideout::SegmentMeshParameters parameters;
+  parameters.Cut.Gamma = filter->GetGamma();
+  parameters.Cut.Sigma = filter->GetSigma();
+  parameters.Cut.DataTerm = static_cast<DataTerm>(filter->GetDataTerm());
+  parameters.ConstrainFacets = filter->GetConstrainFacets();
+  parameters.ConstrainManifold = filter->GetConstrainManifold();
+  return parameters;
+}
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutReadGrid.h"
+
+#include "GraphCut/ConnectCells.h"
+#include "vtkInsideOutArrays.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkGenericCell.h>
+#include <vtkIdList.h>
+#include <vtkUnstructuredGrid.h>
+
+using namespace insideout;
+
+namespace
+{
+/** A cell array of one tuple of so many components per cell; nullptr where there is none. */
+vtkDataArray* FindArray(vtkUnstructuredGrid* grid, const char* name, int components)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(name);
+  const bool fits = array && array->GetNumberOfComponents() == components &&
+    array->GetNumberOfTuples() == grid->GetNumberOfCells();
+  return fits ? array : nullptr;
+}
+
+/** @throws Error unless the cell is linear and of the grid's dimension, 2 or 3 */
+void CheckCell(vtkIdType id, vtkCell* cell, int dimension)
+{
+  if (!cell->IsLinear())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "cell " + std::to_string(id) + " is curved; only linear cells can be segmented");
+  }
+  if (cell->GetCellDimension() != dimension || dimension < 2)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "cell " + std::to_string(id) + " has dimension " + std::to_string(cell->GetCellDimension()) +
+        "; all cells must be volumes, or all polygons");
+  }
+}
+} // namespace
+
+vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    if (grid->GetCellType(c) != VTK_TETRA)
+    {
+      return c;
+    }
+  }
+  return -1;
+}
+
+std::vector<double> vtkInsideOutReadWindingNumbers(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* array = FindArray(grid, "w", 1);
+  if (!array)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the grid has no cell array w of one value per cell: vtkGeneralizedWindingNumber makes it");
+  }
+  std::vector<double> w(grid->GetNumberOfCells());
+  for (std::size_t c = 0; c < w.size(); ++c)
+  {
+    w[c] = array->GetComponent(static_cast<vtkIdType>(c), 0);
+  }
+  return w;
+}
+
+bool vtkInsideOutHasFacetIds(vtkUnstructuredGrid* grid)
+{
+  return FindArray(grid, "FacetIds", 4) != nullptr;
+}
+
+TetrahedralMesh vtkInsideOutReadTetrahedra(vtkUnstructuredGrid* grid)
+{
+  std::vector<Point> points = vtkInsideOutReadPoints(grid, "the grid");
+  std::vector<Tetrahedron> cells(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    grid->GetCellPoints(static_cast<vtkIdType>(c), ids);
+    std::copy(ids->begin(), ids->end(), cells[c].begin());
+  }
+  const std::vector<Tetrahedron> given = cells;
+  TetrahedralMesh mesh = ConnectCells(std::move(points), std::move(cells));
+  if (vtkDataArray* facetIds = FindArray(grid, "FacetIds", 4))
+  {
+    for (std::size_t c = 0; c < given.size(); ++c)
+    {
+      const bool turned = mesh.Cells[c] != given[c];
+      for (int k = 0; k < 4; ++k)
+      {
+        const int face = turned && (k == 0 || k == 3) ? 3 - k : k;
+        mesh.Facets[c][face] = facetIds->GetComponent(static_cast<vtkIdType>(c), k) < 0 ? None : 0;
+      }
+    }
+  }
+  return mesh;
+}
+
+CellParts vtkInsideOutReadSides(vtkUnstructuredGrid* grid)
+{
+  CellParts sides;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType c = 0, dimension = -1; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCell(c, cell);
+    dimension = c == 0 ? cell->GetCellDimension() : dimension;
+    CheckCell(c, cell, static_cast<int>(dimension));
+    const int numberOfSides = dimension == 3 ? cell->GetNumberOfFaces() : cell->GetNumberOfEdges();
+    for (int k = 0; k < numberOfSides; ++k)
+    {
+      vtkCell* side = dimension == 3 ? cell->GetFace(k) : cell->GetEdge(k);
+      std::vector<vtkIdType> corners(side->GetPointIds()->begin(), side->GetPointIds()->end());
+      if (side->GetCellType() == VTK_PIXEL) // whose corners do not run around it
+      {
+        std::swap(corners[2], corners[3]);
+      }
+      sides.Add(static_cast<Id>(c), corners);
+    }
+  }
+  return sides;
+}
+
+std::vector<double> vtkInsideOutReadSizes(vtkUnstructuredGrid* grid)
+{
+  // Each simplex has points of its own: not all cells of VTK tell their ids.
+  std::vector<Point> points;
+  CellParts simplices;
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> corners;
+  corners->SetDataTypeToDouble();
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCell(c, cell);
+    cell->Triangulate(0, ids, corners);
+    std::vector<Id> simplex(cell->GetCellDimension() + 1);
+    const vtkIdType size = static_cast<vtkIdType>(simplex.size());
+    for (vtkIdType first = 0; first + size <= corners->GetNumberOfPoints(); first += size)
+    {
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        simplex[k] = static_cast<Id>(points.size());
+        points.emplace_back();
+        corners->GetPoint(first + k, points.back().data());
+      }
+      simplices.Add(static_cast<Id>(c), simplex);
+    }
+  }
+  return CellSizes(points, simplices, static_cast<Id>(grid->GetNumberOfCells()));
+}

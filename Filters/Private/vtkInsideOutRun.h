@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * The border between the stages, which throw, and VTK, which has events.
+ */
+#ifndef vtkInsideOutRun_h
+#define vtkInsideOutRun_h
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkInformationVector;
+
+/**
+ * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
+ * is no error. Either way the outputs are then empty, but complete, so that every writer copes.
+ *
+ * @param outputs RequestData's, or nullptr for a writer, which has none
+ * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed
+ */
+int vtkInsideOutRun(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
+
+/** The same for a filter that needs all of its input: further pieces of its output are empty. */
+int vtkInsideOutRunOnWhole(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
+
+/** A warning event of the algorithm for each line. */
+void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings);
+
+#endif

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the classes' options are when nobody sets them, and how far they can be set, against the
+// parameters of the stages. The structured bindings do not compile once a parameter is added.
+#include "vtkConstrainedDelaunay3D.h"
+#include "vtkGeneralizedWindingNumber.h"
+#include "vtkGraphCutSegmentation.h"
+#include "vtkImplicitWindingNumber.h"
+#include "vtkProbeWindingNumber.h"
+#include "vtkResolveSelfIntersections.h"
+#include "vtkRobustTetrahedralize.h"
+#include "vtkSurfaceDefects.h"
+
+#include "GraphCut/SegmentMesh.h"
+#include "HullMesh.h"
+#include "WindingNumber/SurfaceWindingNumber.h"
+#include "WindingNumber/TetrahedronQuadrature.h"
+
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace insideout;
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/** Whether a stage finds nothing wrong with its parameters. */
+template <typename Stage>
+bool IsTaken(const Stage& stage)
+{
+  try
+  {
+    stage();
+  }
+  catch (const Error& error)
+  {
+    return error.Code != ErrorCode::InvalidParameter;
+  }
+  return true;
+}
+
+/** The value that an option has after an attempt to set it. */
+#define SET(filter, Option, value) ((filter)->Set##Option(value), (filter)->Get##Option())
+
+TriangleSoup OneTriangle()
+{
+  return { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+}
+
+/** The surface of a tetrahedron. */
+FacetComplex OneTetrahedron()
+{
+  Monitor silent;
+  const TriangleSoup soup = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } } };
+  return CountFacets(soup, {}, silent).Surface;
+}
+
+bool TakesMergeTolerance(double value)
+{
+  return IsTaken(
+    [&]()
+    {
+      Monitor silent;
+      CountedChainParameters parameters;
+      parameters.MergeTolerance = value;
+      CountFacets(OneTriangle(), parameters, silent);
+    });
+}
+
+bool TakesCut(const GraphCutParameters& parameters)
+{
+  return IsTaken(
+    [&]()
+    {
+      const CellGraph graph = { { 0.2, 0.7 }, { { 0, 1, 1.0 } } };
+      const CutEnergy energy(graph, parameters);
+    });
+}
+
+bool TakesDelaunay(const ConstrainedDelaunayParameters& parameters)
+{
+  return IsTaken(
+    [&]()
+    {
+      Monitor silent;
+      ConstrainedDelaunay(OneTetrahedron(), parameters, silent);
+    });
+}
+
+bool TakesWindingNumber(const WindingNumberParameters& parameters)
+{
+  return IsTaken(
+    [&]()
+    {
+      Monitor silent;
+      SurfaceWindingNumber(OneTetrahedron(), parameters, silent).At({ Point{ 3, 0, 0 } }, silent);
+    });
+}
+
+template <typename Class>
+class OptionsOfSurfaces : public testing::Test
+{
+};
+using ClassesWithSurfaces =
+  testing::Types<vtkConstrainedDelaunay3D, vtkGeneralizedWindingNumber, vtkImplicitWindingNumber,
+    vtkProbeWindingNumber, vtkResolveSelfIntersections, vtkRobustTetrahedralize>;
+TYPED_TEST_SUITE(OptionsOfSurfaces, ClassesWithSurfaces, );
+
+template <typename Class>
+class OptionsOfTetrahedra : public testing::Test
+{
+};
+using ClassesWithTetrahedra =
+  testing::Types<vtkConstrainedDelaunay3D, vtkGeneralizedWindingNumber, vtkRobustTetrahedralize>;
+TYPED_TEST_SUITE(OptionsOfTetrahedra, ClassesWithTetrahedra, );
+
+template <typename Class>
+class OptionsOfHulls : public testing::Test
+{
+};
+using ClassesWithHulls = testing::Types<vtkGeneralizedWindingNumber, vtkRobustTetrahedralize>;
+TYPED_TEST_SUITE(OptionsOfHulls, ClassesWithHulls, );
+
+template <typename Class>
+class OptionsOfSegmentation : public testing::Test
+{
+};
+using ClassesThatSegment = testing::Types<vtkGraphCutSegmentation, vtkRobustTetrahedralize>;
+TYPED_TEST_SUITE(OptionsOfSegmentation, ClassesThatSegment, );
+} // namespace
+
+TYPED_TEST(OptionsOfSurfaces, AreThoseOfTheStages)
+{
+  vtkNew<TypeParam> filter;
+  const auto [mergeTolerance, countDuplicates] = CountedChainParameters();
+  EXPECT_EQ(filter->GetMergeTolerance(), mergeTolerance);
+  EXPECT_EQ(filter->GetCountDuplicates(), countDuplicates);
+  EXPECT_STREQ(filter->GetNonParticipatingArrayName(), "");
+
+  EXPECT_TRUE(TakesMergeTolerance(SET(filter, MergeTolerance, -1)));
+  EXPECT_TRUE(TakesMergeTolerance(SET(filter, MergeTolerance, Infinity)));
+  EXPECT_FALSE(TakesMergeTolerance(-1));
+  EXPECT_FALSE(TakesMergeTolerance(Infinity));
+}
+
+TEST(OptionsOfDefects, AreThoseOfTheStage)
+{
+  vtkNew<vtkSurfaceDefects> filter;
+  EXPECT_EQ(filter->GetMergeTolerance(), CountedChainParameters().MergeTolerance);
+  EXPECT_TRUE(TakesMergeTolerance(SET(filter, MergeTolerance, -1)));
+  EXPECT_TRUE(TakesMergeTolerance(SET(filter, MergeTolerance, Infinity)));
+}
+
+TYPED_TEST(OptionsOfTetrahedra, AreThoseOfTheStages)
+{
+  vtkNew<TypeParam> filter;
+  const auto [timeBudget, memoryBudget, engine] = ConstrainedDelaunayParameters();
+  EXPECT_EQ(filter->GetTimeBudget(), timeBudget);
+  EXPECT_EQ(filter->GetMemoryBudget(), memoryBudget);
+  EXPECT_EQ(filter->GetEngine(), static_cast<int>(engine));
+
+  for (const double value : { -1.0, Infinity })
+  {
+    ConstrainedDelaunayParameters parameters;
+    parameters.Engine = TetrahedralizationEngine::Exact;
+    parameters.TimeBudget = SET(filter, TimeBudget, value);
+    parameters.MemoryBudget = SET(filter, MemoryBudget, value);
+    EXPECT_TRUE(TakesDelaunay(parameters));
+  }
+  ConstrainedDelaunayParameters negative;
+  negative.TimeBudget = -1;
+  EXPECT_FALSE(TakesDelaunay(negative));
+  negative = {};
+  negative.MemoryBudget = -1;
+  EXPECT_FALSE(TakesDelaunay(negative));
+  EXPECT_EQ(SET(filter, Engine, -1), static_cast<int>(TetrahedralizationEngine::Automatic));
+  EXPECT_EQ(SET(filter, Engine, 99), static_cast<int>(TetrahedralizationEngine::TetGen));
+}
+
+TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
+{
+  vtkNew<TypeParam> filter;
+  const auto [chain, orientation, budgets, quadratureOrder] = HullMeshParameters();
+  EXPECT_EQ(filter->GetMergeTolerance(), chain.MergeTolerance);
+  EXPECT_EQ(filter->GetCountDuplicates(), chain.CountDuplicates);
+  EXPECT_EQ(filter->GetOrientation(), static_cast<int>(orientation));
+  EXPECT_EQ(filter->GetTimeBudget(), budgets.TimeBudget);
+  EXPECT_EQ(filter->GetMemoryBudget(), budgets.MemoryBudget);
+  EXPECT_EQ(filter->GetEngine(), static_cast<int>(budgets.Engine));
+  EXPECT_EQ(filter->GetQuadratureOrder(), quadratureOrder);
+
+  const auto takesOrder = [](int order)
+  { return IsTaken([&]() { TetrahedronQuadrature(order); }); };
+  const int lowest = SET(filter, QuadratureOrder, -99);
+  const int highest = SET(filter, QuadratureOrder, 99);
+  EXPECT_TRUE(takesOrder(lowest));
+  EXPECT_FALSE(takesOrder(lowest - 1));
+  EXPECT_TRUE(takesOrder(highest));
+  EXPECT_FALSE(takesOrder(highest + 1));
+  EXPECT_EQ(SET(filter, Orientation, -1), static_cast<int>(Orientation::Automatic));
+  EXPECT_EQ(SET(filter, Orientation, 99), static_cast<int>(Orientation::Reverse));
+}
+
+TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
+{
+  vtkNew<TypeParam> filter;
+  const auto [cut, constrainFacets, constrainManifold] = SegmentMeshParameters();
+  const auto [gamma, sigma, dataTerm] = cut;
+  EXPECT_EQ(filter->GetGamma(), gamma);
+  EXPECT_EQ(filter->GetSigma(), sigma);
+  EXPECT_EQ(filter->GetDataTerm(), static_cast<int>(dataTerm));
+  EXPECT_EQ(filter->GetConstrainFacets(), constrainFacets);
+  EXPECT_EQ(filter->GetConstrainManifold(), constrainManifold);
+
+  for (const double value : { -1.0, Infinity })
+  {
+    GraphCutParameters parameters;
+    parameters.Gamma = SET(filter, Gamma, value);
+    parameters.Sigma = SET(filter, Sigma, value);
+    EXPECT_TRUE(TakesCut(parameters)) << parameters.Gamma << " " << parameters.Sigma;
+    parameters.Gamma = value;
+    EXPECT_FALSE(TakesCut(parameters));
+    parameters.Gamma = 1;
+    parameters.Sigma = value;
+    EXPECT_FALSE(TakesCut(parameters));
+  }
+  EXPECT_EQ(SET(filter, DataTerm, -1), static_cast<int>(DataTerm::Uniform));
+  EXPECT_EQ(SET(filter, DataTerm, 99), static_cast<int>(DataTerm::VolumeWeighted));
+}
+
+TEST(OptionsOfProbe, AreThoseOfTheStage)
+{
+  vtkNew<vtkProbeWindingNumber> filter;
+  const auto [method, approximationOrder, accuracy] = WindingNumberParameters();
+  EXPECT_EQ(filter->GetMethod(), static_cast<int>(method));
+  EXPECT_EQ(filter->GetApproximationOrder(), approximationOrder);
+  EXPECT_EQ(filter->GetAccuracy(), accuracy);
+
+  WindingNumberParameters parameters;
+  parameters.Method = WindingNumberMethod::Approximate;
+  for (const int beyond : { -1, +1 })
+  {
+    parameters.ApproximationOrder = SET(filter, ApproximationOrder, beyond * 99);
+    EXPECT_TRUE(TakesWindingNumber(parameters));
+    parameters.ApproximationOrder += beyond;
+    EXPECT_FALSE(TakesWindingNumber(parameters));
+  }
+  parameters.ApproximationOrder = approximationOrder;
+  for (const double value : { 0.0, Infinity })
+  {
+    parameters.Accuracy = SET(filter, Accuracy, value);
+    EXPECT_TRUE(TakesWindingNumber(parameters));
+  }
+  parameters.Accuracy = 0.999;
+  EXPECT_FALSE(TakesWindingNumber(parameters));
+  EXPECT_EQ(SET(filter, Method, -1), static_cast<int>(WindingNumberMethod::Exact));
+  EXPECT_EQ(SET(filter, Method, 99), static_cast<int>(WindingNumberMethod::Approximate));
+}
