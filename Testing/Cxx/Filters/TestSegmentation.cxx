@@ -289,6 +289,35 @@ TEST(vtkGraphCutSegmentation, WeighsCellsByVolumeIfTold)
   EXPECT_EQ(cut.Inside(), Labels({ 0, 0, 0 }));
 }
 
+TEST(vtkGraphCutSegmentation, WeighsCellsOfAnyShapeByVolumeFarFromTheOrigin)
+{
+  // Two boxes that lean inside around a larger one that leans outside. In floats, which are 8 apart
+  // here, the middle one would be empty.
+  auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int p = 0; p < 16; ++p)
+  {
+    const double xs[4] = { -5, -3, 3, 5 };
+    points->InsertNextPoint(1e8 + xs[p % 4], p / 4 % 2, p / 8);
+  }
+  grid->SetPoints(points);
+  vtkNew<vtkDoubleArray> w;
+  w->SetName("w");
+  for (vtkIdType x = 0; x < 3; ++x)
+  {
+    const vtkIdType corners[8] = { x, x + 1, x + 4, x + 5, x + 8, x + 9, x + 12, x + 13 };
+    grid->InsertNextCell(VTK_VOXEL, 8, corners);
+    w->InsertNextValue(x == 1 ? 0.45 : 0.55);
+  }
+  grid->GetCellData()->AddArray(w);
+  Cut cut(grid, 100);
+  cut.Filter->SetSigma(10);
+  EXPECT_EQ(cut.Inside(), Labels({ 1, 1, 1 }));
+  cut.Filter->SetDataTerm(vtkGraphCutSegmentation::VOLUME_WEIGHTED);
+  EXPECT_EQ(cut.Inside(), Labels({ 0, 0, 0 }));
+}
+
 TEST(vtkGraphCutSegmentation, RefusesWhatItsOptionsCannotWorkOn)
 {
   const auto expectError = [](vtkUnstructuredGrid* grid, auto set, const std::string& words)
