@@ -2,6 +2,7 @@
 #include "Tetrahedralize/AssembleMesh.h"
 
 #include "Common/FaceTable.h"
+#include "Common/Stages.h"
 #include "Tetrahedralize/CheckConvexHull.h"
 #include "Tetrahedralize/PlaceFacets.h"
 
@@ -18,8 +19,6 @@ namespace insideout
 namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-constexpr const char* Stage = "tetrahedralizing";
 
 [[noreturn]] void ThrowInconsistent(const std::string& what)
 {
@@ -174,13 +173,13 @@ void MatchNeighbors(const FaceTable& faces, TetrahedralMesh& mesh)
 
 TetrahedralMesh AssembleMesh(const FacetComplex& surface, RawTetrahedra raw, Monitor& monitor)
 {
-  monitor.Check(Stage, 0.9);
+  monitor.Check(Stages::Tetrahedralizing, 0.9);
   CheckInputPoints(surface.Points, raw.Points);
   const std::vector<bool> used = PointsInCells(raw.Points.size(), raw.Cells);
   CheckPointsAreUsed(raw.Points, surface.Points.size(), used);
   RemoveUnusedSteinerPoints(surface.Points.size(), used, raw);
   OrientCells(raw.Points, raw.Cells);
-  monitor.Check(Stage, 0.93);
+  monitor.Check(Stages::Tetrahedralizing, 0.93);
   TetrahedralMesh mesh;
   mesh.Points = std::move(raw.Points);
   mesh.Cells = std::move(raw.Cells);
@@ -190,7 +189,7 @@ TetrahedralMesh AssembleMesh(const FacetComplex& surface, RawTetrahedra raw, Mon
   const FaceTable faces(mesh.Points.size(), mesh.Cells);
   MatchNeighbors(faces, mesh);
   CheckConvexHull(mesh, surface.Points.size());
-  monitor.Check(Stage, 0.96);
+  monitor.Check(Stages::Tetrahedralizing, 0.96);
   PlaceFacets(surface, faces, raw.Faces, raw.FacetOfFaces, mesh);
   return mesh;
 }

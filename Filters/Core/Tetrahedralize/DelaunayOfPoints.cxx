@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/DelaunayOfPoints.h"
 
+#include "Common/Stages.h"
 #include "Exact/InsertPoints.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -18,8 +19,6 @@ using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
 using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
 using Delaunay =
   CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
-
-constexpr const char* Stage = "tetrahedralizing";
 
 /** What a cell takes: CGAL's, with its share of the points, and ours. */
 constexpr double BytesPerCell = 200;
@@ -41,7 +40,7 @@ RawTetrahedra DelaunayOfPoints(const std::vector<Point>& points, double mebibyte
   InsertPoints(points, delaunay,
     [&](double fraction)
     {
-      monitor.Check(Stage, fraction);
+      monitor.Check(Stages::Tetrahedralizing, fraction);
       CheckMemory(delaunay.tds().number_of_cells(), mebibytes);
     });
   RawTetrahedra raw;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/Ladder.h"
 
+#include "Common/Stages.h"
 #include "Common/Statistics.h"
 #include "Exact/ExactTetrahedralization.h"
 #include "Tetrahedralize/AssembleMesh.h"
@@ -14,8 +15,6 @@ namespace insideout
 {
 namespace
 {
-constexpr const char* Stage = "tetrahedralizing";
-
 /** What a rung has to go by. */
 struct Attempt
 {
@@ -78,7 +77,7 @@ public:
     {
       throw Error(ErrorCode::TetrahedralizerFailed, "it took more than the time it may");
     }
-    return this->Caller.Continue(Stage, ShareOfProgress * fraction);
+    return this->Caller.Continue(Stages::Tetrahedralizing, ShareOfProgress * fraction);
   }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/TetgenProcess.h"
 
+#include "Common/Stages.h"
 #include "Tetrahedralize/TetgenProtocol.h"
 
 #include <algorithm>
@@ -29,7 +30,6 @@ namespace
 using namespace tetgenprotocol;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* Stage = "tetrahedralizing";
 constexpr int MillisecondsBetweenChecks = 50;
 /** How long a helper that closed its output may take to end before it is killed. */
 constexpr std::chrono::seconds GraceToEnd(1);
@@ -395,7 +395,7 @@ private:
       this->NextCheck = now + std::chrono::milliseconds(MillisecondsBetweenChecks);
       const double seconds = std::chrono::duration<double>(now - this->Start).count();
       // TetGen says nothing of how far it is.
-      this->Caller.Check(Stage, seconds / (seconds + this->ExpectedSeconds));
+      this->Caller.Check(Stages::Tetrahedralizing, seconds / (seconds + this->ExpectedSeconds));
       if (seconds > this->Budget.Seconds)
       {
         ThrowBudget("took", this->Budget.Seconds, "s");
