@@ -44,12 +44,12 @@ class Check(unittest.TestCase):
         flat = polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
         both_ways = [*surfaces.BOX_FACETS, *(facet[::-1] for facet in surfaces.BOX_FACETS)]
         for name, surface, matters, text, verdict in (
-            ("crossing", surfaces.two_boxes(), False, "pairs of facets that intersect", "nothing here matters"),
+            ("crossing", surfaces.two_boxes(), False, "intersecting pairs", "nothing here matters"),
             ("open", surfaces.open_box(), False, "4 open edges", "the surface is open"),
             ("twice", surfaces.box(facets=surfaces.BOX_FACETS * 2), False, "12 duplicate facets", "nothing here matters"),
             ("both ways", surfaces.box(facets=both_ways), False, "1 two-sided component", "nothing here matters"),
-            ("turned", one_facet_turned(), True, "3 edges whose two facets face opposite ways", "3 edges"),
-            ("near", two_boxes_nearly_touching(), True, "8 points that nearly coincide", "8 points"),
+            ("turned", one_facet_turned(), True, "3 inconsistent edges", "3 inconsistent edges"),
+            ("near", two_boxes_nearly_touching(), True, "8 near-coincident points", "8 near-coincident points"),
             ("flat", flat, True, "lies in one plane", "lies in one plane"),
         ):
             with self.subTest(name):
@@ -114,7 +114,7 @@ class CheckCommand(CommandLine):
     def test_the_counts_are_printed_with_a_verdict(self):
         done = run("--check", self.file("turned.ply", one_facet_turned()))
         self.assertEqual(done.returncode, 0, done.stderr)
-        for text in ("vertices in use", "non-manifold edges", "may matter here", "3 edges whose two facets", "Verdict: "):
+        for text in ("vertices in use", "non-manifold edges", "may matter here", "3 inconsistent edges: ", "Verdict: "):
             self.assertIn(text, done.stdout)
         self.assertRegex(done.stdout, r"inconsistent edges +3\n")
 
@@ -133,9 +133,10 @@ class CheckCommand(CommandLine):
 
     def test_a_merge_tolerance(self):
         source = self.file("near.ply", two_boxes_nearly_touching())
-        self.assertIn("8 points that nearly coincide", run("--check", source).stdout)
+        self.assertIn("8 near-coincident points", run("--check", source).stdout)
         done = run("--check", source, "--merge-tolerance", "1e-6")
-        self.assertNotIn("nearly coincide", done.stdout)
+        self.assertRegex(done.stdout, r"near-coincident points +0\n")
+        self.assertIn("Verdict: nothing here matters", done.stdout)
         done = run(source, self.output, "--merge-tolerance", "1e-6", "--report", self.path("report.json"))
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("report.json"), encoding="utf-8") as file:

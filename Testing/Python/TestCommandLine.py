@@ -14,6 +14,7 @@ import insideout
 import numpy as np
 import surfaces
 from insideout.files import read_surface, write_surface
+from insideout.stages import TETRAHEDRALIZE
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -203,7 +204,7 @@ class Success(CommandLine):
 
     def test_progress_is_a_line_per_stage_in_a_log(self):
         done = run(self.file("box.ply", surfaces.box()), self.output)
-        stages = ("reading", *insideout.tetrahedralization.STAGES, "writing")
+        stages = ("reading", *TETRAHEDRALIZE, "writing")
         lines = done.stderr.splitlines()
         self.assertEqual(len(lines), len(stages), done.stderr)
         for line, stage in zip(lines, stages):

@@ -8,18 +8,19 @@ import unittest
 import insideout
 import numpy as np
 import surfaces
+from insideout.command_line import CheckJob, MeshJob, WindingJob
+from insideout.stages import CHECK, RESOLVE, TETRAHEDRALIZE, UNNAMED, WINDING
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-STAGES = insideout.tetrahedralization.STAGES
-SEGMENTING = STAGES[-2:]
+SEGMENTING = TETRAHEDRALIZE[-2:]
 
 
 def stages_of(algorithm) -> list[str]:
     """The stages that an update goes through."""
     seen = []
     insideout.pipeline.run(algorithm, lambda stage, _: seen.append(stage))
-    return [stage for stage in dict.fromkeys(seen) if stage in STAGES]
+    return [stage for stage in dict.fromkeys(seen) if stage != UNNAMED]
 
 
 def content(data) -> tuple:
@@ -28,12 +29,44 @@ def content(data) -> tuple:
     ], data.GetNumberOfCells()
 
 
+class Names(unittest.TestCase):
+    """No filter reports a stage whose name Python does not know, and each reports those that Python expects."""
+
+    def test_each_function(self):
+        for expected, work in (
+            (CHECK, insideout.check),
+            (RESOLVE, insideout.resolve),
+            (TETRAHEDRALIZE, insideout.tetrahedralize),
+            (TETRAHEDRALIZE, lambda surface, **options: insideout.tetrahedralize(surface, engine="tetgen", **options)),
+            (WINDING, lambda surface, **options: insideout.winding_number(surface, [(0.5, 0.5, 0.5)], **options)),
+        ):
+            for surface in (surfaces.two_boxes(), surfaces.open_box()):
+                seen = []
+                work(surface, progress=lambda stage, _: seen.append(stage))
+                self.assertEqual([stage for stage in dict.fromkeys(seen) if stage != UNNAMED], list(expected))
+
+    def test_each_filter(self):
+        known = {*TETRAHEDRALIZE, *CHECK, *WINDING}
+        resolver, winding = insideout.vtkResolveSelfIntersections(), insideout.vtkGeneralizedWindingNumber()
+        for first in (resolver, winding, insideout.vtkSurfaceDefects(), insideout.vtkRobustTetrahedralize()):
+            first.SetInputData(surfaces.two_boxes())
+            self.assertLessEqual({*stages_of(first)}, known)
+        for second, source in ((insideout.vtkConstrainedDelaunay3D(), resolver), (insideout.vtkGraphCutSegmentation(), winding)):
+            second.SetInputData(source.GetOutput())
+            seen = {*stages_of(second)}
+            self.assertTrue(seen)
+            self.assertLessEqual(seen, known)
+
+    def test_the_command_shows_all_that_is_reported(self):
+        self.assertEqual([job.stages for job in (MeshJob, CheckJob, WindingJob)], [TETRAHEDRALIZE, CHECK, WINDING])
+
+
 class Again(unittest.TestCase):
     def setUp(self):
         self.input = surfaces.open_box()
         self.filter = insideout.vtkRobustTetrahedralize()
         self.filter.SetInputData(self.input)
-        self.assertEqual(stages_of(self.filter), list(STAGES))
+        self.assertEqual(stages_of(self.filter), list(TETRAHEDRALIZE))
 
     def test_nothing_changes_and_nothing_runs(self):
         time_of_output = self.filter.GetOutput().GetMTime()
@@ -67,7 +100,7 @@ class Again(unittest.TestCase):
             lambda: self.filter.SetInputData(surfaces.open_box()),
         ):
             change()
-            self.assertEqual(stages_of(self.filter), list(STAGES))
+            self.assertEqual(stages_of(self.filter), list(TETRAHEDRALIZE))
             self.assertEqual(stages_of(self.filter), [])
 
     def test_results_are_those_of_a_fresh_filter(self):
@@ -92,7 +125,7 @@ class Again(unittest.TestCase):
     def test_data_of_the_input_that_was_meshed_are_used_although_the_object_changes_later(self):
         self.input.Initialize()
         self.input.ShallowCopy(surfaces.two_boxes())
-        self.assertEqual(stages_of(self.filter), list(STAGES))
+        self.assertEqual(stages_of(self.filter), list(TETRAHEDRALIZE))
         self.assertAlmostEqual(float(sum(surfaces.exact_volumes(self.filter.GetOutput()))), 15 / 8, delta=1e-12)
 
     def test_a_failure_is_forgotten(self):
@@ -111,7 +144,7 @@ class Again(unittest.TestCase):
         for gamma in (0.3, 0.4):
             self.filter.SetGamma(gamma)
             seen = stages_of(self.filter)
-        self.assertEqual(seen, list(STAGES))
+        self.assertEqual(seen, list(TETRAHEDRALIZE))
 
     def test_each_block_is_remembered(self):
         blocks = vtkMultiBlockDataSet()
@@ -119,7 +152,7 @@ class Again(unittest.TestCase):
             blocks.SetBlock(k, surface)
             blocks.GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), f"part {k}")
         self.filter.SetInputDataObject(blocks)
-        self.assertEqual(stages_of(self.filter), list(STAGES))
+        self.assertEqual(stages_of(self.filter), list(TETRAHEDRALIZE))
         self.filter.SetGamma(0.5)
         self.assertEqual(stages_of(self.filter), list(SEGMENTING))
         for port in range(3):
@@ -184,7 +217,7 @@ class Stopping(unittest.TestCase):
 
     def test_every_stage_stops_within_a_second_and_the_next_run_is_whole(self):
         algorithm = self.filter()
-        for stage in STAGES:
+        for stage in TETRAHEDRALIZE:
             with self.subTest(stage):
                 self.check_stop(algorithm, stage, 1)
         insideout.pipeline.run(algorithm)

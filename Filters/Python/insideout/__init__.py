@@ -52,9 +52,9 @@ COMMAND
     python3 -m insideout broken.ply solid.vtu
 
 MODULES
-    `checking`, `resolving`, `queries` and `tetrahedralization` have the functions, `data` the types of surfaces
-    and tetrahedra, `files` reads and writes, `pipeline` runs any VTK algorithm with its errors as exceptions,
-    `command_line` is the command.
+    `checking`, `resolving`, `queries` and `tetrahedralization` have the functions, `options` what can be chosen,
+    `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files` reads and
+    writes, `pipeline` runs any VTK algorithm with its errors as exceptions, `command_line` is the command.
 """
 
 # The wrapped classes derive from VTK's, which Python has to know first.

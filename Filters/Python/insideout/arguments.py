@@ -9,8 +9,8 @@ from dataclasses import dataclass, fields
 from typing import NoReturn, Optional, Sequence
 
 from .files import READABLE_SURFACES, WRITABLE_SURFACES
+from .options import OPTIONS
 from .places import QUERIES
-from .tetrahedralization import DATA_TERMS, ENGINES
 from .version import __version__
 
 USAGE_ERROR = 1
@@ -31,11 +31,13 @@ examples:
 Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C.
 """
 
-MESH_OPTIONS = (
-    *("hull", "boundary", "outliers", "plot", "gamma", "sigma", "engine", "time_budget", "memory_budget"),
-    *("data_term", "constrain_facets", "constrain_manifold"),
-    *("non_participating", "merge_coplanar_pieces", "split_seams"),
-)
+LEFT_OUT = ("orientation", "count_duplicates", "seeds")
+"""The options of `tetrahedralize` that the command does not have. Of `constrain_facets` it has only on and off."""
+
+SOLID_OPTIONS = {name: option for name, option in OPTIONS.items() if name not in LEFT_OUT}
+
+MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", *(name for name in SOLID_OPTIONS if name != "merge_tolerance"))
+"""What makes no sense without a mesh."""
 
 
 @dataclass(frozen=True)
@@ -86,8 +88,7 @@ def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argpars
     if options.check and options.winding is not None:
         parser.error("--check meshes nothing: it goes without --winding")
     for name in MESH_OPTIONS:
-        value = getattr(options, name)
-        if mode is not None and value is not None and value is not False:
+        if mode is not None and getattr(options, name, None) is not None:
             parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
 
 
@@ -150,28 +151,9 @@ def _parser() -> argparse.ArgumentParser:
     files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; needs no window")
     files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
     how = parser.add_argument_group("how")
-    how.add_argument("--gamma", metavar="G", type=float, help="weight of a smooth boundary, at least 0; 0 takes w above 1/2; default 2")
-    how.add_argument("--sigma", metavar="S", type=float, help="how large a step of w may be noise, at least 1e-6; default 0.15")
-    how.add_argument("--data-term", choices=list(DATA_TERMS), help="how much a cell's own w counts; uniform by default")
-    how.add_argument("--constrain-facets", action="store_true", help="keep every facet as faces of the solid, thin sheets too")
-    how.add_argument("--constrain-manifold", action="store_true", help="make the solid's boundary a 2-manifold")
-    how.add_argument(
-        "--merge-tolerance", metavar="T", type=float, help="points at most this far apart become one, at least 0; default 0"
-    )
-    how.add_argument("--engine", choices=list(ENGINES), help="what makes the tetrahedra; automatic by default")
-    how.add_argument("--time-budget", metavar="S", type=float, help="seconds that tetrahedralizing may take before it makes do; 0 goes by size")
-    how.add_argument("--memory-budget", metavar="M", type=float, help="MiB that TetGen may hold; 0 goes by the surface's size")
-    how.add_argument("--non-participating", metavar="ARRAY", help="cell array that is not 0 where a cell does not count in w")
-    how.add_argument(
-        "--merge-coplanar-pieces",
-        action="store_true",
-        help="put the pieces of a triangle together again on the boundary where all of it lies there",
-    )
-    how.add_argument(
-        "--split-seams",
-        action="store_true",
-        help="keep all texture coordinates and normals of a point on the boundary, by several points",
-    )
+    for name, option in SOLID_OPTIONS.items():
+        flag = "--" + name.replace("_", "-")
+        how.add_argument(flag, help=option.help(), default=argparse.SUPPRESS, **option.argument())
     how.add_argument("--timeout", metavar="S", type=float, help="give a surface up after this many seconds; none by default")
     how.add_argument("--threads", metavar="N", type=int, help="how many threads work; by default one per processor")
     how.add_argument("--quiet", action="store_true", help="print nothing but errors")

@@ -9,11 +9,10 @@ from typing import Mapping, Optional
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .data import AnySurface, as_surface
-from .pipeline import Progress, at_least, run, statistics_of
+from .defects import DEFECTS
+from .options import Options, describe_options
+from .pipeline import Progress, run, statistics_of
 from .vtkFiltersInsideOut import vtkSurfaceDefects
-
-CHECK_STAGES = ("validating", "finding self-intersections", "tracing intersections")
-"""What the filter does, in this order, with an equal share of its progress each."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,7 @@ class Check:
     """What is worth knowing about the input, one line each."""
 
 
+@describe_options
 def check(
     surface: AnySurface,
     *,
@@ -54,14 +54,15 @@ def check(
 ) -> Check:
     """What is wrong with a surface. Nothing is changed or cut.
 
-    surface          a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
-    merge_tolerance  points at most this far apart become one, in units of the surface, at least 0
-    progress         called with the stage and the fraction of all the work that is done
+    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    progress  called with the stage and the fraction of all the work that is done
+
+    {options}
 
     Returns a `Check`. Raises `Error` with one line that names what is wrong where the surface is no
     surface at all.
     """
-    marker = make_marker(merge_tolerance)
+    marker = Options(merge_tolerance=merge_tolerance).set_on(vtkSurfaceDefects())
     polygons, warnings = as_surface(surface)
     marker.SetInputData(polygons)
     warnings = warnings + run(marker, progress)
@@ -77,58 +78,15 @@ def check(
     )
 
 
-def make_marker(merge_tolerance: Optional[float] = None) -> vtkSurfaceDefects:
-    """The filter with this parameter."""
-    marker = vtkSurfaceDefects()
-    if merge_tolerance is not None:
-        marker.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
-    return marker
-
-
-KINDS = (
-    # statistic, one, several, whether it matters, what InsideOut makes of it
-    (
-        *("InconsistentEdges", "edge whose two facets face opposite ways"),
-        *("edges whose two facets face opposite ways", True),
-        "winding numbers count by orientation, and are wrong near there: orient the facets alike first",
-    ),
-    (
-        *("NearPoints", "point that nearly coincides with another", "points that nearly coincide with others", True),
-        "what is meant to be joined there may be torn: if so, set the merge tolerance to {NearDistance:.2g}",
-    ),
-    (
-        *("TwoSidedSheets", "two-sided sheet", "two-sided sheets", True),
-        "sheets shape the mesh but bound nothing: give them a thickness where they are meant to be solid",
-    ),
-    (
-        *("OpenEdges", "open edge", "open edges", False),
-        "holes are closed where the winding number passes 1/2; look at the result where they are large",
-    ),
-    (
-        *("IntersectingPairs", "pair of facets that intersect", "pairs of facets that intersect", False),
-        "facets are cut where they meet, exactly",
-    ),
-    ("NonManifoldEdges", "non-manifold edge", "non-manifold edges", False, "edges may have any number of facets"),
-    ("DuplicateFacets", "duplicate facet", "duplicate facets", False, "facets count once per orientation"),
-    (
-        *("CancelledFacets", "facet cancelled by its opposite", "facets cancelled by their opposites", False),
-        "such facets shape the mesh but bound nothing, like walls within a solid",
-    ),
-    ("TwoSidedSolids", "two-sided component", "two-sided components", False, "solids are kept once, turned outward"),
-    ("DegenerateFacets", "degenerate facet", "degenerate facets", False, "without area, and left out"),
-)
-
-
 def find(statistics: Mapping[str, float]) -> list[Finding]:
     """What is wrong by the counts of vtkSurfaceDefects, with what matters first."""
     findings = []
     if statistics["Planar"]:
         findings.append(Finding("the surface lies in one plane", True, "it bounds no volume: there is nothing to mesh"))
-    for name, one, several, matters, consequence in KINDS:
-        count = statistics[name]
-        if count > 0:
-            text = f"{count:,} {one if count == 1 else several}"
-            findings.append(Finding(text, matters, consequence.format_map(statistics)))
+    for defect in DEFECTS:
+        if defect.consequence and statistics[defect.statistic] > 0:
+            text = defect.counted(statistics[defect.statistic])
+            findings.append(Finding(text, defect.matters, defect.consequence.format_map(statistics)))
     return findings
 
 

@@ -18,17 +18,20 @@ from typing import Any, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .arguments import Files, parse
-from .checking import CHECK_STAGES, Finding, check, make_marker
+from .arguments import SOLID_OPTIONS, Files, parse
+from .checking import Finding, check
 from .drawing import PICTURES, display_command, draw
 from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, ending, read_surface, write_grid, write_surface
+from .options import Options
 from .pipeline import Error, set_threads
 from .places import QUERIES, Places, read_places
 from .progress import StageBars
 from .queries import winding_number
+from .stages import CHECK, DRAWING, READING, TETRAHEDRALIZE, WINDING, WRITING
 from .summary import check_summary, defects, summary, table, tetrahedralizer, winding_summary
-from .tetrahedralization import STAGES, Tetrahedralization, make_filter, tetrahedralize
+from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .version import __version__
+from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkSurfaceDefects
 
 SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
 
@@ -57,6 +60,7 @@ class Job:
     def __init__(self, options: argparse.Namespace, files: Files):
         self.options = options
         self.files = files
+        self.settings = Options.among(vars(options))
         self.bars = StageBars(None if options.quiet else sys.stderr)
         self.report_is_writable = False
         self.parameters: dict[str, Any] = {}
@@ -112,6 +116,10 @@ class Job:
         """The parameters that the work will use. Raises `Error` for one out of range."""
         raise NotImplementedError
 
+    def merge_tolerance(self) -> dict[str, float]:
+        """The one parameter of the work that makes no mesh."""
+        return {"merge_tolerance": self.settings.set_on(vtkSurfaceDefects()).GetMergeTolerance()}
+
     def endings(self) -> dict[str, tuple[str, ...]]:
         """The endings that the file of each option may have."""
         return {}
@@ -124,9 +132,9 @@ class Job:
 
     def read(self) -> vtkPolyData:
         began = time.monotonic()
-        self.bars.show("reading", 0)
+        self.bars.show(READING, 0)
         surface, self.warnings = read_surface(
-            self.files.surface, lambda _, fraction: self.show(("reading",), "reading", fraction)
+            self.files.surface, lambda _, fraction: self.show((READING,), READING, fraction)
         )
         self.bars.finish()
         self.seconds_read = time.monotonic() - began
@@ -182,41 +190,15 @@ class Job:
 class MeshJob(Job):
     """One run that makes tetrahedra."""
 
-    stages = STAGES
+    stages = TETRAHEDRALIZE
     left_out_cells: list[int] = []
     lost_cells: list[int] = []
 
-    def keywords(self) -> dict[str, Any]:
-        """What `tetrahedralize` is called with."""
-        options = self.options
-        return {
-            "gamma": options.gamma,
-            "sigma": options.sigma,
-            "merge_tolerance": options.merge_tolerance,
-            "time_budget": options.time_budget,
-            "memory_budget": options.memory_budget,
-            "engine": options.engine or "automatic",
-            "data_term": options.data_term or "uniform",
-            "constrain_facets": options.constrain_facets,
-            "constrain_manifold": options.constrain_manifold,
-            "non_participating": options.non_participating,
-            "merge_coplanar_pieces": options.merge_coplanar_pieces,
-            "split_seams": options.split_seams,
-        }
-
     def check_parameters(self) -> dict[str, Any]:
-        keywords = self.keywords()
-        solid = make_filter(**keywords)
+        solid = self.settings.set_on(vtkRobustTetrahedralize())
         if self.files.plot is not None:
             display_command()
-        return {
-            **keywords,
-            "gamma": solid.GetGamma(),
-            "sigma": solid.GetSigma(),
-            "merge_tolerance": solid.GetMergeTolerance(),
-            "time_budget": solid.GetTimeBudget(),
-            "memory_budget": solid.GetMemoryBudget(),
-        }
+        return {name: option.used_by(solid, getattr(self.settings, name)) for name, option in SOLID_OPTIONS.items()}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {
@@ -229,7 +211,7 @@ class MeshJob(Job):
 
     def work(self) -> None:
         surface = self.read()
-        result = tetrahedralize(surface, progress=self.show_progress, **self.keywords())
+        result = tetrahedralize(surface, progress=self.show_progress, **vars(self.settings))
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.statistics = dict(result.statistics)
@@ -246,14 +228,14 @@ class MeshJob(Job):
     def write(self, surface: vtkPolyData, result: Tetrahedralization) -> None:
         """Write what was asked for; when nothing is inside, the hull and the picture alone."""
         began = time.monotonic()
-        self.bars.show("writing", 0)
+        self.bars.show(WRITING, 0)
         for kind, data, path, write in self.files_to_write(result):
             write(data, path)
             self.outputs[kind] = path
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
         if self.files.plot is not None:
-            self.bars.show("drawing", 0)
+            self.bars.show(DRAWING, 0)
             draw(surface, result.hull, self.files.plot)
             self.bars.finish()
             self.outputs["picture"] = self.files.plot
@@ -285,15 +267,15 @@ class MeshJob(Job):
 class CheckJob(Job):
     """One run with --check, which reads a surface and looks at it."""
 
-    stages = CHECK_STAGES
+    stages = CHECK
     findings: list[Finding] = []
     verdict: Optional[str] = None
 
     def check_parameters(self) -> dict[str, Any]:
-        return {"merge_tolerance": make_marker(self.options.merge_tolerance).GetMergeTolerance()}
+        return self.merge_tolerance()
 
     def work(self) -> None:
-        result = check(self.read(), merge_tolerance=self.options.merge_tolerance, progress=self.show_progress)
+        result = check(self.read(), merge_tolerance=self.settings.merge_tolerance, progress=self.show_progress)
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.findings, self.verdict = result.findings, result.verdict
@@ -311,11 +293,11 @@ class CheckJob(Job):
 class WindingJob(Job):
     """One run with --winding, which evaluates winding numbers at places of the user's."""
 
-    stages = ("validating", "winding numbers")
+    stages = WINDING
 
     def check_parameters(self) -> dict[str, Any]:
         check_input(self.options.winding, QUERIES)
-        return {"merge_tolerance": make_marker(self.options.merge_tolerance).GetMergeTolerance()}
+        return self.merge_tolerance()
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {"output": (ending(self.options.winding),)}
@@ -324,10 +306,10 @@ class WindingJob(Job):
         surface = self.read()
         places: Places = read_places(self.options.winding)
         w = winding_number(
-            surface, places.data, merge_tolerance=self.options.merge_tolerance, progress=self.show_progress
+            surface, places.data, merge_tolerance=self.settings.merge_tolerance, progress=self.show_progress
         )
         self.bars.finish()
-        self.bars.show("writing", 0)
+        self.bars.show(WRITING, 0)
         output = self.files.output or ""
         places.write(w, output)
         self.bars.finish()

@@ -64,7 +64,7 @@ class TriangleSurface(_Views, vtkPolyData):
     @property
     def triangles(self) -> NDArray[np.int64]:
         """The three points of each triangle, counterclockwise seen from outside."""
-        return _corners_of(self.GetPolys(), 3)
+        return corners_of(self.GetPolys(), 3)
 
     def to_meshio(self) -> Any:
         """The same as a meshio.Mesh, with all arrays."""
@@ -77,7 +77,7 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
     @property
     def cells(self) -> NDArray[np.int64]:
         """The four points of each tetrahedron, positively oriented."""
-        return _corners_of(self.GetCells(), 4)
+        return corners_of(self.GetCells(), 4)
 
     @property
     def w(self) -> NDArray[np.float64]:
@@ -124,7 +124,7 @@ def make_surface(points: ArrayLike, *polygons: ArrayLike) -> TriangleSurface:
         corners = _rows("triangles", block, np.int64)
         if len(corners) and corners.shape[1] < 3:
             raise Error(f"triangles has {corners.shape[1]} columns; it must have 3: ids of points, from 0")
-        cells.Append(_cells_of(corners))
+        cells.Append(make_cells(corners))
     surface = TriangleSurface()
     surface.SetPoints(_make_points(points))
     surface.SetPolys(cells)
@@ -167,7 +167,8 @@ def _rows(name: str, values: ArrayLike, kind: type) -> NDArray:
     return rows
 
 
-def _cells_of(corners: NDArray[np.int64]) -> vtkCellArray:
+def make_cells(corners: NDArray[np.int64]) -> vtkCellArray:
+    """VTK's cells of a table with the points of each."""
     cells = vtkCellArray()
     cells.SetData(corners.shape[1], numpy_to_vtkIdTypeArray(corners.ravel(), deep=True))
     return cells
@@ -177,7 +178,8 @@ def _points_of(data: Union[vtkPolyData, vtkUnstructuredGrid]) -> NDArray[np.floa
     return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else np.zeros((0, 3))
 
 
-def _corners_of(cells: vtkCellArray, size: int) -> NDArray[np.int64]:
+def corners_of(cells: vtkCellArray, size: int) -> NDArray[np.int64]:
+    """The points of cells that all have the same number of them."""
     if cells.GetNumberOfConnectivityIds() != size * cells.GetNumberOfCells():
         raise Error(f"some cells have not {size} points: go through vtkTriangleFilter first")
     return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, size)

@@ -17,8 +17,8 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
@@ -36,7 +36,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .data import as_surface
+from .data import as_surface, corners_of, make_cells
 from .pipeline import Error, run
 from .tetrahedralization import inside_cells
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections
@@ -76,12 +76,9 @@ def crossing_facets(surface: vtkPolyData) -> tuple[vtkPolyData, vtkPolyData]:
 
 
 def some_triangles(surface: vtkPolyData, chosen: NDArray[np.bool_]) -> vtkPolyData:
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)[chosen]
-    cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners).ravel(), deep=True))
     part = vtkPolyData()
     part.SetPoints(surface.GetPoints())
-    part.SetPolys(cells)
+    part.SetPolys(make_cells(corners_of(surface.GetPolys(), 3)[chosen]))
     return part
 
 

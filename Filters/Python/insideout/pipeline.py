@@ -14,7 +14,7 @@ import re
 import signal
 import threading
 from types import FrameType
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Collection, Optional, Union
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -25,6 +25,7 @@ from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOXML import vtkXMLWriter
 
 from . import vtkFiltersInsideOut as _classes
+from .stages import UNNAMED
 
 Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
@@ -109,6 +110,13 @@ def at_least(least: float, name: str, value: float) -> float:
     return value
 
 
+def one_of(choices: Collection[str], name: str, value: str) -> str:
+    """A choice of a function's caller. Raises `Error` for what is none."""
+    if value not in choices:
+        raise Error(f"{name} is {value!r}; it can be {', '.join(map(repr, choices))}")
+    return value
+
+
 def plain_message(decorated: str) -> str:
     """A VTK message without the file, line and address that VTK puts around it, in one line."""
     match = re.match(r"\w+: In .*?, line \d+\n\w+ \(\w+\): (.*)", decorated, re.DOTALL)
@@ -185,7 +193,7 @@ class _Listener:
             self.messages[event].append(plain_message(words))
         elif self._reason is None and self._progress is not None:
             try:
-                self._progress(words or "working", fraction)
+                self._progress(words or UNNAMED, fraction)
             except BaseException as error:
                 self._reason = error
         return int(self._reason is not None)

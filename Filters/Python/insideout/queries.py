@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .data import AnyPoints, AnySurface, as_points, as_surface
-from .pipeline import Error, Progress, at_least, run
+from .options import Options, describe_options
+from .pipeline import Error, Progress, one_of, run
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
 
-ORIENTATIONS = {"as given": vtkProbeWindingNumber.AS_GIVEN, "reverse": vtkProbeWindingNumber.REVERSE}
 
-
+@describe_options
 def winding_number(
     surface: AnySurface,
     points: AnyPoints,
@@ -27,24 +27,19 @@ def winding_number(
 ) -> NDArray[np.float64]:
     """How often a surface winds around each of some points.
 
-    surface           a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
-    points            an array with three columns, or a VTK data set whose points are meant
-    orientation       "as given", or "reverse" for a surface that faces inward
-    merge_tolerance   points of the surface at most this far apart become one, in its units, at least 0
-    count_duplicates  count a facet as often as it is given
-    progress          called with the stage and the fraction that is done; what it raises stops the work
+    surface      a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    points       an array with three columns, or a VTK data set whose points are meant
+    orientation  "as given", or "reverse" for a surface that faces inward
+    progress     called with the stage and the fraction that is done; what it raises stops the work
+
+    {options}
 
     Returns an array of float64, one value per point: 1 inside a closed surface and 0 outside it, a
     fraction between near holes. It is right to rounding; the surface may be open and cross itself.
     Raises `Error` with one line that names what is wrong.
     """
-    if orientation not in ORIENTATIONS:
-        raise Error(f"orientation is {orientation!r}; it can be {', '.join(map(repr, ORIENTATIONS))}")
-    probe = vtkProbeWindingNumber()
-    probe.SetOrientation(ORIENTATIONS[orientation])
-    probe.SetCountDuplicates(bool(count_duplicates))
-    if merge_tolerance is not None:
-        probe.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
+    one_of(("as given", "reverse"), "orientation", orientation)
+    probe = Options.among(locals()).set_on(vtkProbeWindingNumber())
     probe.SetInputData(as_points(points))
     probe.SetSurfaceData(as_surface(surface)[0])
     run(probe, progress)

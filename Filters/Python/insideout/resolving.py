@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Optional
 
 from .data import AnySurface, TriangleSurface, as_surface, as_type
-from .pipeline import Progress, at_least, cells_of, run, statistics_of
+from .options import Options, describe_options
+from .pipeline import Progress, cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections
 
 
@@ -25,6 +26,7 @@ class Resolution:
     """What is worth knowing about the input, one line each."""
 
 
+@describe_options
 def resolve(
     surface: AnySurface,
     *,
@@ -34,18 +36,15 @@ def resolve(
 ) -> Resolution:
     """Cut a surface where it crosses itself, exactly. Nothing else of it changes.
 
-    surface           a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
-    merge_tolerance   points at most this far apart become one, in units of the surface, at least 0
-    count_duplicates  count a facet as often as it is given
-    progress          called with the stage and the fraction of all the work that is done; what it
-                      raises stops the work and is raised
+    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    progress  called with the stage and the fraction of all the work that is done; what it
+              raises stops the work and is raised
+
+    {options}
 
     Returns a `Resolution`. Raises `Error` with one line that names what is wrong.
     """
-    resolver = vtkResolveSelfIntersections()
-    resolver.SetCountDuplicates(bool(count_duplicates))
-    if merge_tolerance is not None:
-        resolver.SetMergeTolerance(at_least(0, "merge_tolerance", merge_tolerance))
+    resolver = Options.among(locals()).set_on(vtkResolveSelfIntersections())
     polygons, warnings = as_surface(surface)
     resolver.SetInputData(polygons)
     warnings = warnings + run(resolver, progress)

@@ -3,27 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Mapping, Optional, Sequence
+from typing import Iterable, Mapping, Optional, Sequence
 
+from . import stages
 from .checking import Finding
+from .defects import DEFECTS
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
-
-DEFECTS = (
-    # statistic, one, several
-    ("OpenEdges", "open edge", "open edges"),
-    ("IntersectingPairs", "pair of facets that intersect", "pairs of facets that intersect"),
-    ("NonManifoldEdges", "non-manifold edge", "non-manifold edges"),
-    ("InconsistentEdges", "edge whose two facets face opposite ways", "edges whose two facets face opposite ways"),
-    ("NearPoints", "point that nearly coincides with another", "points that nearly coincide with others"),
-    ("DuplicateFacets", "duplicate facet", "duplicate facets"),
-    ("CancelledFacets", "facet cancelled by its opposite", "facets cancelled by their opposites"),
-    ("DegenerateFacets", "degenerate facet, left out", "degenerate facets, left out"),
-    ("TwoSidedSolids", "two-sided component, kept once", "two-sided components, kept once"),
-    ("TwoSidedSheets", "two-sided sheet, which bounds nothing", "two-sided sheets, which bound nothing"),
-    ("NonParticipatingFacets", "facet that does not count, as asked", "facets that do not count, as asked"),
-    ("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
-    ("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
-)
 
 OUTLIERS = (
     ("OutliersByEnergy", "segmented as outside"),
@@ -32,36 +17,37 @@ OUTLIERS = (
     ("OutliersDegenerate", "degenerate"),
 )
 
-TABLE = (
-    ("Points", "vertices in use"),
-    ("Facets", "facets"),
-    ("OpenEdges", "open edges"),
-    ("IntersectingPairs", "intersecting pairs"),
-    ("Components", "components"),
-    ("NonManifoldEdges", "non-manifold edges"),
-    ("InconsistentEdges", "inconsistent edges"),
-    ("NearPoints", "near-coincident points"),
-)
+COUNTS = {
+    **{defect.statistic: defect.several for defect in DEFECTS},
+    "Points": "vertices in use",
+    "Facets": "facets",
+    "Components": "components",
+    "InputTriangles": "triangles",
+    "InsideCells": "tetrahedra",
+    "InsidePlaces": "inside",
+    "SecondsTotal": "seconds",
+}
+"""What tables call the statistics."""
+
+CHECK_ROWS = ("Points", "Facets", "OpenEdges", "IntersectingPairs", "Components", "NonManifoldEdges", "InconsistentEdges", "NearPoints")
+COLUMNS = ("InputTriangles", "OpenEdges", "IntersectingPairs", "InsideCells", "InsidePlaces", "SecondsTotal")
 
 TIMES = (
-    ("SecondsRead", "reading"),
-    ("SecondsValidate", "validating"),
-    ("SecondsPre", "resolving self-intersections"),
-    ("SecondsCDT", "tetrahedralizing"),
-    ("SecondsW", "winding numbers"),
-    ("SecondsCut", "segmenting"),
-    ("SecondsWrite", "writing"),
-    ("SecondsDraw", "drawing"),
+    ("SecondsRead", stages.READING),
+    ("SecondsValidate", stages.VALIDATING),
+    ("SecondsPre", stages.RESOLVING),
+    ("SecondsCDT", stages.TETRAHEDRALIZING),
+    ("SecondsW", stages.WINDING_NUMBERS),
+    ("SecondsCut", stages.SEGMENTING),
+    ("SecondsWrite", stages.WRITING),
+    ("SecondsDraw", stages.DRAWING),
 )
 
 
 def defects(statistics: Mapping[str, float]) -> list[str]:
     """What was wrong with the surface, one line each; none when nothing was."""
-    lines = [
-        f"{_count(statistics[name])} {one if statistics[name] == 1 else several}"
-        for name, one, several in DEFECTS
-        if statistics.get(name, 0) > 0
-    ]
+    counts = ((defect, statistics.get(defect.statistic, 0)) for defect in DEFECTS)
+    lines = [defect.counted(count) for defect, count in counts if count > 0]
     if statistics.get("TurnedOver", 0):
         lines.append("turned over")
     return lines
@@ -99,7 +85,7 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
     return [
         f"Surface {name}",
         f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
-        *(f"  {words:30} {_count(statistics[key]):>10}" for key, words in TABLE),
+        *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),
         f"Verdict: {verdict}",
@@ -115,26 +101,20 @@ def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     return [*lines, f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB"]
 
 
-COLUMNS = (
-    # statistic, heading
-    ("InputTriangles", "triangles"),
-    ("OpenEdges", "open edges"),
-    ("IntersectingPairs", "crossings"),
-    ("InsideCells", "tetrahedra"),
-    ("InsidePlaces", "inside"),
-    ("SecondsTotal", "seconds"),
-)
-
-
 def table(jobs: Sequence[tuple[str, Mapping[str, float], Optional[str]]]) -> list[str]:
     """A line per surface, given its file, statistics and error: figures, and what went wrong."""
-    columns = [(key, words) for key, words in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
+    columns = [key for key in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
+    widths = [max(11, len(COUNTS[key])) for key in columns]
     width = max(len(file) for file, _, _ in jobs)
-    lines = ["", " ".join([f"{'surface':{width}}", *(f"{words:>11}" for _, words in columns)])]
+
+    def line(first: str, cells: Iterable[str]) -> str:
+        return " ".join([f"{first:{width}}", *(f"{cell:>{wide}}" for cell, wide in zip(cells, widths))])
+
+    lines = ["", line("surface", (COUNTS[key] for key in columns))]
     for file, statistics, error in jobs:
-        cells = [f"{statistics[key]:,.1f}" if key == "SecondsTotal" else _count(statistics[key]) for key, _ in columns if key in statistics]
+        cells = [f"{statistics[key]:,.1f}" if key == "SecondsTotal" else _count(statistics[key]) for key in columns if key in statistics]
         cells = cells if len(cells) == len(columns) else ["-"] * len(columns)
-        lines.append(" ".join([f"{file:{width}}", *(f"{cell:>11}" for cell in cells)]) + (f"  {error}" if error else ""))
+        lines.append(line(file, cells) + (f"  {error}" if error else ""))
     done = sum(error is None for _, _, error in jobs)
     return [*lines, f"{done} of {len(jobs)} surfaces done"]
 

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be wrong with a surface, in words."""
+
+from typing import NamedTuple
+
+
+class Defect(NamedTuple):
+    """One kind of defect."""
+
+    statistic: str  # the filters' name of its count
+    one: str
+    several: str
+    consequence: str = ""  # what InsideOut makes of it; empty for what only a mesh can tell
+    matters: bool = False  # whether the solid may not be the one that is meant, or there may be none
+
+    def counted(self, count: float) -> str:
+        """How often it was found, in words."""
+        return f"{int(count):,} {self.one if count == 1 else self.several}"
+
+
+# What matters comes first.
+DEFECTS = (
+    Defect(
+        *("InconsistentEdges", "inconsistent edge", "inconsistent edges"),
+        "two facets face opposite ways there, and winding numbers, which go by orientation, are wrong nearby: orient the "
+        "facets alike first",
+        matters=True,
+    ),
+    Defect(
+        *("NearPoints", "near-coincident point", "near-coincident points"),
+        "what is meant to be joined there may be torn: if so, set the merge tolerance to {NearDistance:.2g}",
+        matters=True,
+    ),
+    Defect(
+        *("TwoSidedSheets", "two-sided sheet", "two-sided sheets"),
+        "sheets shape the mesh but bound nothing: give them a thickness where they are meant to be solid",
+        matters=True,
+    ),
+    Defect(
+        *("OpenEdges", "open edge", "open edges"),
+        "holes are closed where the winding number passes 1/2; look at the result where they are large",
+    ),
+    Defect("IntersectingPairs", "intersecting pair", "intersecting pairs", "facets are cut where they meet, exactly"),
+    Defect("NonManifoldEdges", "non-manifold edge", "non-manifold edges", "edges may have any number of facets"),
+    Defect("DuplicateFacets", "duplicate facet", "duplicate facets", "facets count once per orientation"),
+    Defect(
+        *("CancelledFacets", "facet cancelled by its opposite", "facets cancelled by their opposites"),
+        "such facets shape the mesh but bound nothing, like walls within a solid",
+    ),
+    Defect("TwoSidedSolids", "two-sided component", "two-sided components", "solids are kept once, turned outward"),
+    Defect("DegenerateFacets", "degenerate facet", "degenerate facets", "without area, and left out"),
+    Defect("NonParticipatingFacets", "facet that does not count, as asked", "facets that do not count, as asked"),
+    Defect("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
+    Defect("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
+)

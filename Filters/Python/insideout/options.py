@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be chosen about a solid: each option once, for VTK's filters, the functions and the command line."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import textwrap
+from dataclasses import dataclass, field, fields
+from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar, Union
+
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
+
+from .pipeline import Error, at_least, one_of
+from .vtkFiltersInsideOut import vtkRobustTetrahedralize
+
+Seeds = Union[vtkPointSet, Iterable[tuple[tuple[float, float, float], bool]]]
+Filter = TypeVar("Filter")
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+@dataclass(frozen=True)
+class Option:
+    """What stands behind a field of `Options`. As it is, the field is the name of an array."""
+
+    vtk_property: str
+    words: str  # what it means, on the command line too
+    more_words: str = ""  # what else it can be in Python
+    default: Any = None  # what leaves a filter its own default
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> Any:
+        """What a filter's property gets. Raises `Error` for what VTK would clamp without a word."""
+        return value
+
+    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
+        getattr(algorithm, "Set" + self.vtk_property)(self.checked(algorithm, name, value))
+
+    def used_by(self, algorithm: Any, value: Any) -> Any:
+        """What a filter goes by on which this value was set."""
+        return value
+
+    def help(self) -> str:
+        return self.words
+
+    def argument(self) -> dict[str, Any]:
+        """What argparse is to know of it besides."""
+        return {"metavar": "ARRAY"}
+
+
+@dataclass(frozen=True)
+class Number(Option):
+    least: float = 0
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> float:
+        return at_least(self.least, name, value)
+
+    def used_by(self, algorithm: Any, value: Any) -> float:
+        return getattr(algorithm, "Get" + self.vtk_property)()
+
+    def help(self) -> str:
+        return f"{self.words}; at least {self.least:g}, default {self.used_by(vtkRobustTetrahedralize(), None):g}"
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "NUMBER", "type": float}
+
+
+@dataclass(frozen=True)
+class Choice(Option):
+    choices: tuple[str, ...] = ()
+    prefix: str = ""  # of VTK's constants, which are named like the choices
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> int:
+        return getattr(algorithm, self.prefix + one_of(self.choices, name, value).upper().replace(" ", "_"))
+
+    def help(self) -> str:
+        return f"{self.words}; default {self.default}"
+
+    def argument(self) -> dict[str, Any]:
+        return {"choices": self.choices}
+
+
+@dataclass(frozen=True)
+class Switch(Option):
+    default: bool = False
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> bool:
+        return bool(value)
+
+    def argument(self) -> dict[str, Any]:
+        return {"action": "store_true"}
+
+
+class SwitchOrArray(Switch):
+    """On by the name of an array too, which chooses the facets."""
+
+    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
+        super().set_on(algorithm, name, value)
+        if isinstance(value, str):
+            algorithm.SetConstrainedFacetsArrayName(value)
+
+
+class Places(Option):
+    def checked(self, algorithm: Any, name: str, value: Seeds) -> vtkPointSet:
+        return value if isinstance(value, vtkPointSet) else _seed_points(value)
+
+
+def _is(option: Option) -> Any:
+    return field(default=option.default, metadata={"option": option})
+
+
+@dataclass(frozen=True)
+class Options:
+    """The options of `tetrahedralize`, some of which other functions have too.
+
+    Of vtkRobustTetrahedralize's properties two are missing: ExtractInside, since a result has both the solid and the
+    hull, and QuadratureOrder, which only pipelines have.
+    """
+
+    gamma: Optional[float] = _is(
+        Number("Gamma", "weight of a smooth boundary against the winding number; 0 takes every cell with w above 1/2")
+    )
+    sigma: Optional[float] = _is(
+        Number("Sigma", "how large a step of w between neighbouring cells may be noise", least=1e-6)
+    )
+    orientation: str = _is(
+        Choice(
+            "Orientation",
+            '"automatic" turns an inside-out surface over, with a warning; "as given" never does, "reverse" always',
+            default="automatic",
+            choices=("automatic", "as given", "reverse"),
+        )
+    )
+    merge_tolerance: Optional[float] = _is(
+        Number("MergeTolerance", "points of the surface at most this far apart become one, in its units")
+    )
+    count_duplicates: bool = _is(Switch("CountDuplicates", "count a facet as often as it is given"))
+    time_budget: Optional[float] = _is(
+        Number("TimeBudget", "seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size")
+    )
+    memory_budget: Optional[float] = _is(
+        Number("MemoryBudget", "MiB that TetGen's process may hold; 0 goes by the surface's size")
+    )
+    engine: str = _is(
+        Choice(
+            "Engine",
+            'what makes the tetrahedra: "exact" flips and cuts, "tetgen", or "automatic", which is the first, and the '
+            "second should it lose a facet",
+            default="automatic",
+            choices=("automatic", "exact", "tetgen"),
+            prefix="ENGINE_",
+        )
+    )
+    data_term: str = _is(
+        Choice(
+            "DataTerm",
+            'how much a cell\'s own w counts: "uniform", or "volume weighted", so that slivers do not outvote large cells',
+            default="uniform",
+            choices=("uniform", "volume weighted"),
+        )
+    )
+    constrain_facets: Union[bool, str] = _is(
+        SwitchOrArray(
+            "ConstrainFacets",
+            "keep every facet as faces of cells inside, thin sheets too",
+            "; or, by the name of a cell array, those where it is not 0",
+        )
+    )
+    constrain_manifold: bool = _is(
+        Switch("ConstrainManifold", "make the solid's boundary a 2-manifold by adding cells where it is none")
+    )
+    non_participating: Optional[str] = _is(
+        Option(
+            "NonParticipatingArrayName",
+            "the name of a cell array of the surface: cells where it is not 0 do not count in w, but shape the mesh",
+        )
+    )
+    merge_coplanar_pieces: bool = _is(
+        Switch(
+            "MergeCoplanarPieces",
+            "put the pieces of an input triangle together again on the boundary where all of it lies there",
+        )
+    )
+    split_seams: bool = _is(
+        Switch(
+            "SplitSeams",
+            "give the boundary a point for each of the input's texture coordinates and normals in a place, instead of "
+            "the lowest point's alone",
+        )
+    )
+    seeds: Optional[Seeds] = _is(
+        Places(
+            "SeedsData",
+            "what has to be inside or outside: pairs of a point and a bool, or a vtkPointSet with the point array "
+            "Inside (1 or 0)",
+        )
+    )
+
+    @classmethod
+    def among(cls, values: Mapping[str, Any]) -> Options:
+        """Those of some named values that are options."""
+        return cls(**{name: value for name, value in values.items() if name in OPTIONS})
+
+    def set_on(self, algorithm: Filter) -> Filter:
+        """Set what is given on a filter, which is returned. Raises `Error` for what is out of range."""
+        for name, option in OPTIONS.items():
+            value = getattr(self, name)
+            if value is not option.default:
+                option.set_on(algorithm, name, value)
+        return algorithm
+
+
+OPTIONS: dict[str, Option] = {one.name: one.metadata["option"] for one in fields(Options)}
+"""What stands behind each of them, by its name in Python."""
+
+
+def describe_options(function: Function) -> Function:
+    """Say in a function's help, where {options} stands, what those of its options mean that it does not tell itself."""
+    page = function.__doc__ or ""
+    names = [name for name in inspect.signature(function).parameters if name in OPTIONS and f" {name}  " not in page]
+    width = max(map(len, names)) + 2
+    lines = [
+        textwrap.fill(name.ljust(width) + OPTIONS[name].help() + OPTIONS[name].more_words, 106, subsequent_indent=" " * width)
+        for name in names
+    ]
+    function.__doc__ = re.sub(
+        r"^( *)\{options\}$", lambda found: textwrap.indent("\n".join(lines), found[1]), page, flags=re.MULTILINE
+    )
+    return function
+
+
+def _seed_points(seeds: Iterable[tuple[tuple[float, float, float], bool]]) -> vtkPolyData:
+    points, inside = vtkPoints(), vtkUnsignedCharArray()
+    points.SetDataType(VTK_DOUBLE)
+    inside.SetName("Inside")
+    try:
+        for place, is_inside in seeds:
+            x, y, z = map(float, place)
+            points.InsertNextPoint(x, y, z)
+            inside.InsertNextValue(bool(is_inside))
+    except (TypeError, ValueError):
+        raise Error(f"seed {inside.GetNumberOfValues()} is no pair of a point and a bool") from None
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.GetPointData().AddArray(inside)
+    return data

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The names under which the work reports its progress, in this order and with an equal share of it each."""
+
+VALIDATING = "validating"
+FINDING = "finding self-intersections"
+RESOLVING = "resolving self-intersections"
+TETRAHEDRALIZING = "tetrahedralizing"
+WINDING_NUMBERS = "winding numbers"
+SEGMENTING = "segmenting"
+EXTRACTING = "extracting"
+
+RESOLVE = (VALIDATING, FINDING, RESOLVING)
+TETRAHEDRALIZE = (*RESOLVE, TETRAHEDRALIZING, WINDING_NUMBERS, SEGMENTING, EXTRACTING)
+CHECK = (VALIDATING, FINDING, "tracing intersections")
+WINDING = (VALIDATING, WINDING_NUMBERS)
+
+UNNAMED = "working"
+"""For what VTK reports at the very start and end."""
+
+READING, WRITING, DRAWING = "reading", "writing", "drawing"
+"""What only the command does."""
