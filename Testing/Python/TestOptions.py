@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every place that tells of an option says what the class does: ParaView's XML, the README, Python and the command line."""
+
+import inspect
+import math
+import re
+import typing
+import unittest
+import xml.etree.ElementTree as ElementTree
+from dataclasses import fields
+from pathlib import Path
+from unittest import mock
+
+import insideout
+from insideout import arguments
+from insideout.options import OPTIONS, Choice, Number, Option, Options, Switch
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+ROOT = Path(__file__).resolve().parents[2]
+PLUGIN = ROOT / "Plugin"
+
+NOT_IN_PARAVIEW = {
+    "vtkImplicitWindingNumber": "an implicit function: ParaView's filters choose among their own",
+    "vtkSurfaceWriter": "ParaView's own writers save what the filters give",
+}
+
+HUGE = 1e200
+
+
+CLASSES = [name for name in insideout.__all__ if name.startswith("vtk")]
+
+
+def properties(class_name: str) -> dict[str, object]:
+    """What a user of a class can set, with the defaults."""
+    made = getattr(insideout, class_name)()
+    own = vars(type(made))
+    names = [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own]
+    defaults = {name: getattr(made, "Get" + name)() for name in names}
+    return {name: "" if value is None else value for name, value in defaults.items()}
+
+
+def read_back(class_name: str, name: str, value: object) -> object:
+    """What a property is after it was set."""
+    made = getattr(insideout, class_name)()
+    getattr(made, "Set" + name)(value)
+    return getattr(made, "Get" + name)()
+
+
+def constants(class_name: str, name: str) -> dict[int, str]:
+    """The values that a property of an enumeration can have, with the names of the class's constants as words."""
+    own = vars(getattr(insideout, class_name))
+    named = {int(value): constant for constant, value in own.items() if type(value).__name__ == name + "Type"}
+    return {value: constant.removeprefix(name.upper() + "_").replace("_", " ").lower() for value, constant in named.items()}
+
+
+def proxies() -> dict[str, ElementTree.Element]:
+    """The proxies of InsideOut's classes in the plugin's XML, by class."""
+    found = [proxy for file in PLUGIN.glob("*.xml") for proxy in ElementTree.parse(file).iter("SourceProxy")]
+    return {proxy.get("class"): proxy for proxy in found if hasattr(insideout, proxy.get("class"))}
+
+
+def property_elements(proxy: ElementTree.Element) -> dict[str, ElementTree.Element]:
+    return {one.get("name"): one for one in proxy if one.tag.endswith("VectorProperty")}
+
+
+def words_of(element: ElementTree.Element) -> str:
+    return (element.findtext("Documentation") or "").strip()
+
+
+def example(option: Option) -> object:
+    """A value that an option can have and does not have by default."""
+    if isinstance(option, Choice):
+        return option.choices[-1]
+    return True if isinstance(option, Switch) else 7.0 if isinstance(option, Number) else "Some"
+
+
+def plugin_properties():
+    """Each property that stands in the plugin's XML: its class, name, element and the class's default."""
+    for class_name, proxy in proxies().items():
+        for name, element in property_elements(proxy).items():
+            yield class_name, name, element, properties(class_name)[name]
+
+
+class ParaView(unittest.TestCase):
+    def test_each_filter_has_a_file_that_is_built_and_all_its_properties_there(self):
+        listed = re.findall(r"(\w+)\.xml", (PLUGIN / "CMakeLists.txt").read_text(encoding="utf-8"))
+        self.assertEqual(sorted(listed + ["InsideOutMenu"]), sorted(file.stem for file in PLUGIN.glob("*.xml")))
+        self.assertEqual({*proxies(), *NOT_IN_PARAVIEW}, set(CLASSES))
+        for class_name, proxy in proxies().items():
+            self.assertEqual("vtk" + proxy.get("name"), class_name)
+            self.assertTrue((PLUGIN / (proxy.get("name") + ".xml")).exists(), class_name)
+            self.assertEqual(set(property_elements(proxy)), set(properties(class_name)), class_name)
+
+    def test_each_property_sets_its_namesake_and_has_its_default(self):
+        kinds = {float: "Double", int: "Int", bool: "Int", str: "String"}
+        for class_name, name, element, default in plugin_properties():
+            with self.subTest(filter=class_name, property=name):
+                self.assertEqual(element.get("command"), "Set" + name)
+                self.assertEqual(element.tag, kinds[type(default)] + "VectorProperty")
+                given = element.get("default_values", "")
+                self.assertEqual(given if isinstance(default, str) else float(given), default)
+
+    def test_each_range_is_what_the_class_clamps_to(self):
+        for class_name, name, element, default in plugin_properties():
+            with self.subTest(filter=class_name, property=name):
+                domain = element.find("DoubleRangeDomain") if isinstance(default, float) else element.find("IntRangeDomain")
+                if isinstance(default, float) or domain is not None:
+                    self.assertIsNotNone(domain)
+                    huge = HUGE if isinstance(default, float) else 2**31 - 1
+                    for bound, beyond in ((domain.get("min"), -huge), (domain.get("max"), huge)):
+                        expected = beyond if bound is None else type(default)(float(bound))
+                        self.assertEqual(read_back(class_name, name, beyond), expected)
+
+    def test_each_enumeration_has_the_constants_of_the_class(self):
+        for class_name, name, element, default in plugin_properties():
+            with self.subTest(filter=class_name, property=name):
+                entries = {int(entry.get("value")): entry.get("text").lower() for entry in element.iterfind("EnumerationDomain/Entry")}
+                self.assertEqual(entries, constants(class_name, name))
+                if entries:
+                    self.assertEqual(read_back(class_name, name, min(entries) - 1), min(entries))
+                    self.assertEqual(read_back(class_name, name, max(entries) + 1), max(entries))
+                elif type(default) is int:
+                    self.assertIsNotNone(element.find("IntRangeDomain"))
+
+    def test_each_switch_is_one(self):
+        for class_name, name, element, default in plugin_properties():
+            with self.subTest(filter=class_name, property=name):
+                self.assertEqual(element.find("BooleanDomain") is not None, isinstance(default, bool))
+
+    def test_each_property_tells_its_default(self):
+        for class_name, name, element, default in plugin_properties():
+            with self.subTest(filter=class_name, property=name):
+                words = words_of(element)
+                self.assertRegex(words, "[Dd]efault|The file")
+                if isinstance(default, bool):
+                    self.assertRegex(words, rf"\b{'On' if default else 'Off'}( by|, the) default")
+                elif not constants(class_name, name) and isinstance(default, (int, float)):
+                    number = re.escape(f"{default:g}")
+                    self.assertRegex(words, rf"Default {number}\.$|(?<![\d.]){number}, the default")
+
+    def test_the_inputs_and_outputs_are_the_ports(self):
+        for class_name, proxy in proxies().items():
+            made = getattr(insideout, class_name)()
+            inputs = {int(one.get("port_index", "0")): one for one in proxy.iterfind("InputProperty")}
+            self.assertEqual(sorted(inputs), list(range(made.GetNumberOfInputPorts())))
+            self.assertEqual(max(1, len(proxy.findall("OutputPort"))), made.GetNumberOfOutputPorts())
+            for port, element in inputs.items():
+                information = made.GetInputPortInformation(port)
+                with self.subTest(filter=class_name, port=port):
+                    self.assertTrue(words_of(element))
+                    self.assertEqual(
+                        element.find("DataTypeDomain/DataType").get("value"),
+                        information.Get(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), 0),
+                    )
+                    optional = bool(information.Get(vtkAlgorithm.INPUT_IS_OPTIONAL()))
+                    self.assertEqual(element.find("Hints/Optional") is not None, optional)
+
+
+class Readme(unittest.TestCase):
+    """The tables of properties in README.md."""
+
+    def rows(self):
+        """Of each table's rows: the class that it is for, the property's name, its default and what it means."""
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        tables = re.findall(r"^\| property of (.*?) \| default \| meaning \|\n\|[-|]+\n((?:\|.*\n)+)", text, re.MULTILINE)
+        self.assertEqual(len(tables), 2)
+        for heading, body in tables:
+            for line in body.splitlines():
+                name, default, meaning = (cell.strip() for cell in line.strip("|").split("|"))
+                yield heading.strip("`"), name.strip("`"), default, meaning
+
+    def test_each_property_is_there_with_its_default(self):
+        told = {"vtkRobustTetrahedralize": set(), "vtkProbeWindingNumber": set()}
+        for class_name, name, default, meaning in self.rows():
+            if name == "Seeds":
+                self.assertTrue(hasattr(getattr(insideout, class_name), "SetSeedsData"))
+                continue
+            told[class_name].add(name)
+            with self.subTest(filter=class_name, property=name):
+                value = properties(class_name)[name]
+                plain = {"bool": {True: "on", False: "off"}, "str": {"": "none"}, "int": constants(class_name, name)}
+                self.assertEqual(default, plain.get(type(value).__name__, {}).get(value) or f"{value:g}")
+                least = re.search(r"at least ([-\d.e]+)", meaning)
+                if least:
+                    self.assertEqual(read_back(class_name, name, -HUGE), float(least[1]))
+        self.assertEqual(told, {class_name: set(properties(class_name)) for class_name in told})
+
+
+class Python(unittest.TestCase):
+    """The options of `tetrahedralize`."""
+
+    NO_OPTIONS = {
+        "ExtractInside": "a result has both the solid and the hull",
+        "QuadratureOrder": "only for pipelines",
+        "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
+    }
+
+    def setUp(self):
+        self.defaults = properties("vtkRobustTetrahedralize")
+
+    def test_each_property_of_the_filter_is_an_option_or_is_left_out_for_a_reason(self):
+        named = {option.vtk_property for option in OPTIONS.values()} - {"SeedsData"}
+        self.assertEqual(named | set(self.NO_OPTIONS), set(self.defaults))
+        self.assertEqual(named & set(self.NO_OPTIONS), set())
+
+    def test_the_function_has_the_options_with_their_types_and_defaults(self):
+        hints = typing.get_type_hints(Options)
+        expected = [(option.name, hints[option.name], option.default) for option in fields(Options)]
+        hints = typing.get_type_hints(insideout.tetrahedralize)
+        surface, *found, progress = inspect.signature(insideout.tetrahedralize).parameters.values()
+        self.assertEqual([(one.name, hints[one.name], one.default) for one in found], expected)
+        self.assertEqual((surface.name, progress.name), ("surface", "progress"))
+        self.assertEqual({one.kind for one in found}, {inspect.Parameter.KEYWORD_ONLY})
+
+    def test_other_functions_that_have_them_have_the_same(self):
+        for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside):
+            for parameter in inspect.signature(function).parameters.values():
+                if parameter.name in OPTIONS and parameter.name != "orientation":
+                    self.assertEqual(parameter.default, OPTIONS[parameter.name].default, parameter.name)
+
+    def test_the_help_tells_all_and_leaves_no_gap(self):
+        for function in (insideout.check, insideout.resolve, insideout.tetrahedralize, insideout.winding_number):
+            self.assertNotIn("{", function.__doc__)
+        words = " ".join(insideout.tetrahedralize.__doc__.split())
+        for name, option in OPTIONS.items():
+            self.assertIn(f" {name} {option.help()}{option.more_words} ", words)
+
+    def test_defaults_are_those_of_the_class(self):
+        for name, option in OPTIONS.items():
+            with self.subTest(name):
+                if isinstance(option, Switch):
+                    self.assertIs(self.defaults[option.vtk_property], option.default)
+                elif isinstance(option, Choice):
+                    constant = constants("vtkRobustTetrahedralize", option.vtk_property)[self.defaults[option.vtk_property]]
+                    self.assertEqual(option.default, constant)
+                else:
+                    self.assertIsNone(option.default)
+                if isinstance(option, Number):
+                    self.assertIn(f"default {self.defaults[option.vtk_property]:g}", option.help())
+
+    def test_what_vtk_would_clamp_is_an_error_and_what_it_would_not_is_none(self):
+        for name, option in OPTIONS.items():
+            made = insideout.vtkRobustTetrahedralize()
+            if isinstance(option, Number):
+                with self.subTest(name):
+                    option.set_on(made, name, option.least)
+                    self.assertEqual(option.used_by(made, None), option.least)
+                    getattr(made, "Set" + option.vtk_property)(-HUGE)
+                    self.assertEqual(option.used_by(made, None), option.least)
+                    for bad in (math.nextafter(option.least, -1), math.inf, math.nan, "much"):
+                        with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
+                            Options(**{name: bad}).set_on(made)
+
+    def test_choices_are_the_constants_of_the_class(self):
+        for name, option in OPTIONS.items():
+            if isinstance(option, Choice):
+                with self.subTest(name):
+                    named = constants("vtkRobustTetrahedralize", option.vtk_property)
+                    self.assertEqual(list(option.choices), [named[value] for value in sorted(named)])
+                    for value, choice in named.items():
+                        made = Options(**{name: choice}).set_on(insideout.vtkRobustTetrahedralize())
+                        self.assertEqual(getattr(made, "Get" + option.vtk_property)(), value)
+                    with self.assertRaisesRegex(insideout.Error, f"^{name} is 'none'; it can be "):
+                        Options(**{name: "none"}).set_on(insideout.vtkRobustTetrahedralize())
+
+    def test_each_option_sets_its_property_and_no_other(self):
+        for name, option in OPTIONS.items():
+            value = example(option)
+            if not isinstance(option, Choice) and name != "seeds":
+                with self.subTest(name):
+                    made = Options(**{name: value}).set_on(insideout.vtkRobustTetrahedralize())
+                    found = {key: getattr(made, "Get" + key)() for key in self.defaults}
+                    self.assertEqual(found, {**self.defaults, option.vtk_property: value})
+        made = Options(constrain_facets="Some").set_on(insideout.vtkRobustTetrahedralize())
+        self.assertEqual((made.GetConstrainFacets(), made.GetConstrainedFacetsArrayName()), (True, "Some"))
+
+
+class CommandLine(unittest.TestCase):
+    def parse(self, *given):
+        return Options.among(vars(arguments.parse(["broken.ply", "solid.vtu", *given])[0]))
+
+    def test_it_has_each_option_but_those_that_it_names(self):
+        self.assertLessEqual(set(arguments.LEFT_OUT), set(OPTIONS))
+        for name, option in OPTIONS.items():
+            value = example(option)
+            given = ["--" + name.replace("_", "-"), *([] if value is True else [str(value)])]
+            with self.subTest(name):
+                if name in arguments.LEFT_OUT:
+                    with self.assertRaises(SystemExit), mock.patch("sys.stderr"):
+                        self.parse(*given)
+                else:
+                    self.assertEqual(self.parse(*given), Options(**{name: value}))
+                    self.parse(*given).set_on(insideout.vtkRobustTetrahedralize())
+
+    def test_it_leaves_what_is_not_given_to_the_filter(self):
+        self.assertEqual(self.parse(), Options())
+
+
+class Everywhere(unittest.TestCase):
+    """What several classes have is the same in each, but for what a class says of itself."""
+
+    DIFFERENT_DEFAULT = {"Orientation": "probes take a surface as it is given"}
+    OTHER_WORDS = {
+        ("vtkProbeWindingNumber", "Orientation"): "probes turn nothing over by themselves",
+        ("vtkProbeWindingNumber", "NonParticipatingArrayName"): "probes make no mesh",
+        ("vtkGraphCutSegmentation", "ConstrainFacets"): "needs more of its input",
+    }
+
+    def test_defaults(self):
+        known = properties("vtkRobustTetrahedralize")
+        for class_name in CLASSES:
+            for name, default in properties(class_name).items():
+                if name in known and name not in self.DIFFERENT_DEFAULT:
+                    self.assertEqual(default, known[name], f"{class_name} {name}")
+
+    def test_words(self):
+        known = {}
+        for class_name, proxy in sorted(proxies().items()):
+            for name, element in property_elements(proxy).items():
+                if (class_name, name) not in self.OTHER_WORDS:
+                    self.assertEqual(words_of(element), known.setdefault(name, words_of(element)), f"{class_name} {name}")
+
+
+if __name__ == "__main__":
+    unittest.main()
