@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <cmath>
+#include <vector>
+
+/** Vectors of three numbers of any kind. A Point is one of doubles. */
+namespace insideout
+{
+template <typename Number>
+using Vector = std::array<Number, 3>;
+
+template <typename Number>
+Vector<Number> Difference(const Vector<Number>& a, const Vector<Number>& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+template <typename Number>
+Number Dot(const Vector<Number>& a, const Vector<Number>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <typename Number>
+Vector<Number> Cross(const Vector<Number>& a, const Vector<Number>& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+template <typename Number>
+Number Determinant(const Vector<Number>& a, const Vector<Number>& b, const Vector<Number>& c)
+{
+  return Dot(a, Cross(b, c));
+}
+
+/** Also where its square over- or underflows. */
+inline double Length(const Point& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+inline double Distance(const Point& a, const Point& b)
+{
+  return Length(Difference(a, b));
+}
+
+/** A normal of the triangle, as long as twice its area. */
+inline Point NormalOf(const Point& a, const Point& b, const Point& c)
+{
+  return Cross(Difference(b, a), Difference(c, a));
+}
+
+inline bool IsFinite(const Point& a)
+{
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+/** The points that a triangle or cell has by their ids. */
+template <std::size_t Size>
+std::array<Point, Size> CornersOf(
+  const std::vector<Point>& points, const std::array<Id, Size>& corners)
+{
+  std::array<Point, Size> result;
+  for (std::size_t k = 0; k < Size; ++k)
+  {
+    result[k] = points[corners[k]];
+  }
+  return result;
+}
+} // namespace insideout
