@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
 #include "Common/SortedTriangle.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <functional>
 #include <vector>
 
 namespace insideout
@@ -38,37 +39,28 @@ class FaceTable
 {
 public:
   FaceTable(std::size_t points, const std::vector<Tetrahedron>& cells)
-    : Begin(points + 2, 0)
-    , Entries(4 * cells.size())
+    : Entries(points,
+        [&](auto visit)
+        {
+          for (std::size_t c = 0; c < cells.size(); ++c)
+          {
+            for (int k = 0; k < 4; ++k)
+            {
+              const SortedTriangle face(FaceOf(cells[c], k));
+              visit(static_cast<std::size_t>(face.Points[0]),
+                FaceEntry{ FaceEntry::KeyOf(face), static_cast<Id>(c), static_cast<std::int8_t>(k),
+                  face.Turned });
+            }
+          }
+        })
   {
-    // Counted one bucket ahead, so that filling moves each Begin to where it belongs.
-    this->ForEachFace(cells,
-      [&](const SortedTriangle& face, Id, int)
-      { ++this->Begin[static_cast<std::size_t>(face.Points[0]) + 2]; });
-    for (std::size_t p = 2; p < this->Begin.size(); ++p)
-    {
-      this->Begin[p] += this->Begin[p - 1];
-    }
-    this->ForEachFace(cells,
-      [&](const SortedTriangle& face, Id cell, int k)
-      {
-        this->Entries[this->Begin[static_cast<std::size_t>(face.Points[0]) + 1]++] = {
-          FaceEntry::KeyOf(face), cell, static_cast<std::int8_t>(k), face.Turned
-        };
-      });
     for (std::size_t p = 0; p < points; ++p)
     {
-      std::sort(&this->Entries[0] + this->Begin[p], &this->Entries[0] + this->Begin[p + 1]);
+      this->Entries.Sort(p, std::less<FaceEntry>());
     }
   }
 
-  struct Range
-  {
-    const FaceEntry* First;
-    const FaceEntry* Last;
-    const FaceEntry* begin() const { return this->First; }
-    const FaceEntry* end() const { return this->Last; }
-  };
+  using Range = Buckets<FaceEntry>::Range;
 
   /** The one or two entries of a face, none if it is not one or has the point None. */
   Range Find(const SortedTriangle& face) const
@@ -79,21 +71,21 @@ public:
     }
     // Any cell comes behind None.
     const FaceEntry wanted = { FaceEntry::KeyOf(face), None, 0, false };
-    const FaceEntry* const end = this->EndOf(face.Points[0]);
-    const FaceEntry* const first = std::lower_bound(this->BeginOf(face.Points[0]), end, wanted);
-    return { first, EndOfFace(first, end, wanted) };
+    const Range all = this->Entries[face.Points[0]];
+    const FaceEntry* const first = std::lower_bound(all.First, all.Last, wanted);
+    return { first, EndOfFace(first, all.Last, wanted) };
   }
 
   /** Call visit(range, lowest point) for each face once. */
   template <typename Visit>
   void ForEach(Visit visit) const
   {
-    for (std::size_t p = 0; p + 2 < this->Begin.size(); ++p)
+    for (std::size_t p = 0; p < this->Entries.Size(); ++p)
     {
-      const FaceEntry* const end = this->EndOf(static_cast<Id>(p));
-      for (const FaceEntry* first = this->BeginOf(static_cast<Id>(p)); first != end;)
+      const Range all = this->Entries[p];
+      for (const FaceEntry* first = all.First; first != all.Last;)
       {
-        const FaceEntry* const last = EndOfFace(first, end, *first);
+        const FaceEntry* const last = EndOfFace(first, all.Last, *first);
         visit(Range{ first, last }, static_cast<Id>(p));
         first = last;
       }
@@ -101,23 +93,6 @@ public:
   }
 
 private:
-  template <typename Visit>
-  static void ForEachFace(const std::vector<Tetrahedron>& cells, Visit visit)
-  {
-    for (std::size_t c = 0; c < cells.size(); ++c)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        const std::array<int, 3>& corners = TetrahedronFaces[k];
-        visit(SortedTriangle({ cells[c][corners[0]], cells[c][corners[1]], cells[c][corners[2]] }),
-          static_cast<Id>(c), k);
-      }
-    }
-  }
-
-  const FaceEntry* BeginOf(Id p) const { return this->Entries.data() + this->Begin[p]; }
-  const FaceEntry* EndOf(Id p) const { return this->Entries.data() + this->Begin[p + 1]; }
-
   /** Behind the last of the entries from `first` on that are of the same face as `wanted`. */
   static const FaceEntry* EndOfFace(
     const FaceEntry* first, const FaceEntry* end, const FaceEntry& wanted)
@@ -130,7 +105,6 @@ private:
     return last;
   }
 
-  std::vector<std::size_t> Begin;
-  std::vector<FaceEntry> Entries;
+  Buckets<FaceEntry> Entries;
 };
 } // namespace insideout

@@ -26,4 +26,11 @@ using Tetrahedron = std::array<Id, 4>;
  */
 constexpr std::array<std::array<int, 3>, 4> TetrahedronFaces = { { { { 0, 1, 3 } }, { { 1, 2, 3 } },
   { { 2, 0, 3 } }, { { 0, 2, 1 } } } };
+
+/** Face k of a cell. */
+constexpr Triangle FaceOf(const Tetrahedron& cell, int k)
+{
+  return { { cell[TetrahedronFaces[k][0]], cell[TetrahedronFaces[k][1]],
+    cell[TetrahedronFaces[k][2]] } };
+}
 } // namespace insideout

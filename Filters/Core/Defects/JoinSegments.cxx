@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Defects/JoinSegments.h"
 
+#include "Common/Buckets.h"
+
 #include <algorithm>
 
 namespace insideout
 {
 namespace
 {
+/** One more than the highest id. */
+std::size_t NumberOfPointsOf(const std::vector<std::array<Id, 2>>& segments)
+{
+  Id highest = None;
+  for (const std::array<Id, 2>& segment : segments)
+  {
+    highest = std::max({ highest, segment[0], segment[1] });
+  }
+  return static_cast<std::size_t>(highest + 1);
+}
+
 /** The segments by their ends; each is walked along once. */
 class SegmentWalk
 {
@@ -14,33 +27,21 @@ public:
   explicit SegmentWalk(const std::vector<std::array<Id, 2>>& segments)
     : Segments(segments)
     , Done(segments.size(), 0)
+    , AtPoints(NumberOfPointsOf(segments),
+        [&](auto visit)
+        {
+          for (std::size_t s = 0; s < segments.size(); ++s)
+          {
+            visit(segments[s][0], static_cast<Id>(s));
+            visit(segments[s][1], static_cast<Id>(s));
+          }
+        })
   {
-    for (const std::array<Id, 2>& segment : segments)
-    {
-      const std::size_t highest = std::max(segment[0], segment[1]);
-      this->Begin.resize(std::max(this->Begin.size(), highest + 3), 0);
-      ++this->Begin[segment[0] + 2];
-      ++this->Begin[segment[1] + 2];
-    }
-    for (std::size_t p = 2; p < this->Begin.size(); ++p)
-    {
-      this->Begin[p] += this->Begin[p - 1];
-    }
-    // Counted one point ahead, so that filling moves each Begin to where it belongs.
-    this->Ends.resize(2 * segments.size());
-    for (std::size_t s = 0; s < segments.size(); ++s)
-    {
-      this->Ends[this->Begin[segments[s][0] + 1]++] = static_cast<Id>(s);
-      this->Ends[this->Begin[segments[s][1] + 1]++] = static_cast<Id>(s);
-    }
   }
 
-  Id NumberOfPoints() const
-  {
-    return this->Begin.empty() ? 0 : static_cast<Id>(this->Begin.size() - 2);
-  }
+  Id NumberOfPoints() const { return static_cast<Id>(this->AtPoints.Size()); }
 
-  bool GoesOnThrough(Id p) const { return this->Begin[p + 1] - this->Begin[p] == 2; }
+  bool GoesOnThrough(Id p) const { return this->AtPoints[p].Size() == 2; }
 
   /** One polyline for every segment at the point that is not done yet. */
   void WalkFrom(Id start, std::vector<std::vector<Id>>& lines)
@@ -62,20 +63,15 @@ public:
 private:
   Id Next(Id p) const
   {
-    for (Id k = this->Begin[p]; k < this->Begin[p + 1]; ++k)
-    {
-      if (!this->Done[this->Ends[k]])
-      {
-        return this->Ends[k];
-      }
-    }
-    return None;
+    const auto segments = this->AtPoints[p];
+    const auto next = std::find_if(
+      segments.begin(), segments.end(), [this](Id segment) { return !this->Done[segment]; });
+    return next == segments.end() ? None : *next;
   }
 
   const std::vector<std::array<Id, 2>>& Segments;
   std::vector<char> Done;
-  std::vector<Id> Begin; ///< the segments at point p are Ends[Begin[p]] to Ends[Begin[p + 1]]
-  std::vector<Id> Ends;
+  const Buckets<Id> AtPoints; ///< the segments that end there
 };
 } // namespace
 

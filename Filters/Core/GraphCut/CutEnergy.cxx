@@ -229,32 +229,18 @@ void CutEnergy::MakeIntegers()
 void CutEnergy::ListNeighbors(const std::vector<std::int64_t>& costs)
 {
   const std::vector<InteriorFace>& faces = this->Graph.Faces;
-  // Counted one cell ahead, so that filling moves each offset to where it belongs.
-  this->Offsets.assign(this->Graph.W.size() + 2, 0);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    const std::size_t counted = costs[f] > 0;
-    this->Offsets[static_cast<std::size_t>(faces[f].First) + 2] += counted;
-    this->Offsets[static_cast<std::size_t>(faces[f].Second) + 2] += counted;
-  }
-  for (std::size_t i = 2; i < this->Offsets.size(); ++i)
-  {
-    this->Offsets[i] += this->Offsets[i - 1];
-  }
-  this->NeighborList.resize(this->Offsets.back());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    if (costs[f] > 0)
+  this->NeighborsOfCells = Buckets<Neighbor>(this->Graph.W.size(),
+    [&](auto visit)
     {
-      const auto add = [&](Id cell, Id neighbor)
+      for (std::size_t f = 0; f < faces.size(); ++f)
       {
-        this->NeighborList[this->Offsets[static_cast<std::size_t>(cell) + 1]++] = { neighbor,
-          costs[f] };
-      };
-      add(faces[f].First, faces[f].Second);
-      add(faces[f].Second, faces[f].First);
-    }
-  }
+        if (costs[f] > 0)
+        {
+          visit(static_cast<std::size_t>(faces[f].First), Neighbor{ faces[f].Second, costs[f] });
+          visit(static_cast<std::size_t>(faces[f].Second), Neighbor{ faces[f].First, costs[f] });
+        }
+      }
+    });
 }
 
 double CutEnergy::Of(const std::vector<unsigned char>& inside) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
 #include "Common/Monitor.h"
 #include "Common/Types.h"
 
@@ -94,13 +95,6 @@ public:
     Id Cell;
     std::int64_t Cost; ///< above 0
   };
-  struct NeighborRange
-  {
-    const Neighbor* First;
-    const Neighbor* Last;
-    const Neighbor* begin() const { return this->First; }
-    const Neighbor* end() const { return this->Last; }
-  };
 
   /**
    * @param[in] graph must live on
@@ -114,11 +108,7 @@ public:
   std::int64_t Gain(Id cell) const { return this->Gains[cell]; }
 
   /** The cells next to `cell` that should have its label; not those where this costs nothing. */
-  NeighborRange Neighbors(Id cell) const
-  {
-    return { this->NeighborList.data() + this->Offsets[cell],
-      this->NeighborList.data() + this->Offsets[cell + 1] };
-  }
+  Buckets<Neighbor>::Range Neighbors(Id cell) const { return this->NeighborsOfCells[cell]; }
 
   /** 1 where the cell has to be inside, -1 outside, 0 where either will do. */
   int Demand(Id cell) const { return this->Graph.Demands.empty() ? 0 : this->Graph.Demands[cell]; }
@@ -138,7 +128,6 @@ private:
   std::vector<double> Weights;    ///< of data terms, one per cell; empty for 1
   std::vector<double> Smoothness; ///< v_ij for different labels, one per face
   std::vector<std::int64_t> Gains;
-  std::vector<std::size_t> Offsets; ///< into NeighborList, one per cell, and the end
-  std::vector<Neighbor> NeighborList;
+  Buckets<Neighbor> NeighborsOfCells;
 };
 } // namespace insideout

@@ -52,47 +52,33 @@ std::vector<FacetPiece> PiecesOfFacets(
 
 FacetConstraint::FacetConstraint(const std::vector<FacetPiece>& pieces, Id cells)
   : Pieces(pieces)
-  , Offsets(static_cast<std::size_t>(cells) + 2, 0)
-{
-  const auto forEachSide = [&](auto visit)
-  {
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-    {
-      for (const Id cell : { pieces[p].First, pieces[p].Second })
+  , PiecesOfCells(static_cast<std::size_t>(cells),
+      [&](auto visit)
       {
-        if (cell != None)
+        for (std::size_t p = 0; p < pieces.size(); ++p)
         {
-          visit(static_cast<std::size_t>(cell), static_cast<Id>(p));
+          for (const Id cell : { pieces[p].First, pieces[p].Second })
+          {
+            if (cell != None)
+            {
+              visit(static_cast<std::size_t>(cell), static_cast<Id>(p));
+            }
+          }
         }
-      }
-    }
-  };
-  // Counted one cell ahead, so that filling moves each offset to where it belongs.
-  forEachSide([&](std::size_t cell, Id) { ++this->Offsets[cell + 2]; });
-  for (std::size_t i = 2; i < this->Offsets.size(); ++i)
-  {
-    this->Offsets[i] += this->Offsets[i - 1];
-  }
-  this->PiecesOfCells.resize(this->Offsets.back());
-  forEachSide(
-    [&](std::size_t cell, Id piece) { this->PiecesOfCells[this->Offsets[cell + 1]++] = piece; });
+      })
+{
 }
 
 bool FacetConstraint::Allows(const GreedyLabels& labels, Id cell)
 {
-  if (!labels.IsInside(cell))
-  {
-    return true;
-  }
-  for (std::size_t k = this->Offsets[cell]; k < this->Offsets[cell + 1]; ++k)
-  {
-    const FacetPiece& piece = this->Pieces[this->PiecesOfCells[k]];
-    if (!IsInside(labels, piece.First == cell ? piece.Second : piece.First))
-    {
-      return false;
-    }
-  }
-  return true;
+  const auto pieces = this->PiecesOfCells[cell];
+  return !labels.IsInside(cell) ||
+    std::all_of(pieces.begin(), pieces.end(),
+      [&](Id p)
+      {
+        const FacetPiece& piece = this->Pieces[p];
+        return IsInside(labels, piece.First == cell ? piece.Second : piece.First);
+      });
 }
 
 FacetConstraint::Outcome FacetConstraint::Satisfy(

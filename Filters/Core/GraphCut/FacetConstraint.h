@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
 #include "Common/TetrahedralMesh.h"
 #include "GraphCut/GreedyLabels.h"
 
@@ -49,7 +50,6 @@ public:
 
 private:
   const std::vector<FacetPiece>& Pieces;
-  std::vector<std::size_t> Offsets; ///< into PiecesOfCells, one per cell, and the end
-  std::vector<Id> PiecesOfCells;
+  const Buckets<Id> PiecesOfCells;
 };
 } // namespace insideout

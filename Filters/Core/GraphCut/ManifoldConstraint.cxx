@@ -3,6 +3,7 @@
 
 #include "Common/Error.h"
 #include "Common/LoopProgress.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 
@@ -49,8 +50,7 @@ bool IsManifold(const std::vector<LinkEdge>& link)
 /** Tells the two sides of a face apart: whether sorting turns it over as the cell sees it. */
 bool IsTurned(const Tetrahedron& cell, int face)
 {
-  const std::array<int, 3>& corners = TetrahedronFaces[face];
-  return SortedTriangle({ cell[corners[0]], cell[corners[1]], cell[corners[2]] }).Turned;
+  return SortedTriangle(FaceOf(cell, face)).Turned;
 }
 
 bool Has(const Tetrahedron& cell, Id point)
@@ -85,32 +85,21 @@ ManifoldConstraint::ManifoldConstraint(std::size_t points, const std::vector<Tet
   const std::vector<std::array<Id, 4>>& neighbors)
   : Cells(cells)
   , Neighbors(neighbors)
-  , Offsets(points + 2, 0)
-  , CellsOfPoints(4 * cells.size())
+  , CellsOfPoints(points,
+      [&](auto visit)
+      {
+        for (std::size_t c = 0; c < cells.size(); ++c)
+        {
+          for (const Id point : cells[c])
+          {
+            visit(static_cast<std::size_t>(point), static_cast<Id>(c));
+          }
+        }
+      })
   , WithEdges(points)
   , Alone(points)
 {
   this->CheckThatCellsAreApart();
-  // Counted one point ahead, so that filling moves each offset to where it belongs.
-  for (const Tetrahedron& cell : cells)
-  {
-    for (const Id point : cell)
-    {
-      ++this->Offsets[static_cast<std::size_t>(point) + 2];
-    }
-  }
-  for (std::size_t p = 2; p < this->Offsets.size(); ++p)
-  {
-    this->Offsets[p] += this->Offsets[p - 1];
-  }
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
-    for (const Id point : cells[c])
-    {
-      this->CellsOfPoints[this->Offsets[static_cast<std::size_t>(point) + 1]++] =
-        static_cast<Id>(c);
-    }
-  }
 }
 
 void ManifoldConstraint::CheckThatCellsAreApart() const
@@ -143,9 +132,8 @@ std::vector<LinkEdge> ManifoldConstraint::LinkOf(
   const auto isInside = [&](Id cell)
   { return cell != None && labels.IsInside(cell) != (cell == flipped); };
   std::vector<LinkEdge> link;
-  for (std::size_t k = this->Offsets[point]; k < this->Offsets[point + 1]; ++k)
+  for (const Id cell : this->CellsOfPoints[point])
   {
-    const Id cell = this->CellsOfPoints[k];
     for (int face = 0; isInside(cell) && face < 4; ++face)
     {
       if (isInside(this->Neighbors[cell][face]))
@@ -235,9 +223,8 @@ void ManifoldConstraint::TakeBack(
 bool ManifoldConstraint::Fill(GreedyLabels& labels, Id point, Id other) const
 {
   std::vector<Id> outside;
-  for (std::size_t k = this->Offsets[point]; k < this->Offsets[point + 1]; ++k)
+  for (const Id cell : this->CellsOfPoints[point])
   {
-    const Id cell = this->CellsOfPoints[k];
     if (!labels.IsInside(cell) && labels.MayBeInside(cell) &&
       (other == None || Has(this->Cells[cell], other)))
     {
@@ -292,7 +279,7 @@ void ManifoldConstraint::VisitPoint(GreedyLabels& labels, Id point, Outcome& out
 ManifoldConstraint::Outcome ManifoldConstraint::Satisfy(
   GreedyLabels& labels, Monitor& monitor, double begin, double end)
 {
-  const Id points = static_cast<Id>(this->Offsets.size()) - 2;
+  const Id points = static_cast<Id>(this->CellsOfPoints.Size());
   const LoopProgress progress(
     monitor, { Stages::Segmenting, begin, end }, 2 * static_cast<std::size_t>(points));
   for (Id point = 0; point < points; ++point)
@@ -315,8 +302,7 @@ ManifoldConstraint::Outcome ManifoldConstraint::Satisfy(
     }
   }
   labels.ReleaseAndImprove();
-  std::sort(this->Failed.begin(), this->Failed.end());
-  this->Failed.erase(std::unique(this->Failed.begin(), this->Failed.end()), this->Failed.end());
+  SortUniquely(this->Failed);
   outcome.LeftPoints = static_cast<Id>(std::count_if(this->Failed.begin(), this->Failed.end(),
     [&](Id point) { return !this->IsManifold(labels, point, None); }));
   return outcome;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
 #include "GraphCut/GreedyLabels.h"
 
 #include <deque>
@@ -82,8 +83,7 @@ private:
 
   const std::vector<Tetrahedron>& Cells;
   const std::vector<std::array<Id, 4>>& Neighbors;
-  std::vector<std::size_t> Offsets; ///< into CellsOfPoints, one per point, and the end
-  std::vector<Id> CellsOfPoints;
+  const Buckets<Id> CellsOfPoints;
   Queue WithEdges; ///< points whose edges are to be looked at
   Queue Alone;     ///< points that are to be looked at themselves
   std::vector<Id> Failed;

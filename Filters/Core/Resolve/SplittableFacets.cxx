@@ -6,11 +6,6 @@
 
 namespace insideout
 {
-Edge EdgeBetween(Id p, Id q)
-{
-  return { std::min(p, q), std::max(p, q) };
-}
-
 bool HasCorner(const Triangle& corners, Id point)
 {
   return std::find(corners.begin(), corners.end(), point) != corners.end();
@@ -18,30 +13,19 @@ bool HasCorner(const Triangle& corners, Id point)
 
 SplittableFacets::SplittableFacets(std::size_t numberOfPoints, const std::vector<Triangle>& facets)
   : Given(facets)
-  , FirstAtPoint(numberOfPoints + 1, 0)
-  , AtPoints(3 * facets.size())
+  , AtPoints(numberOfPoints,
+      [&](auto visit)
+      {
+        for (std::size_t f = 0; f < facets.size(); ++f)
+        {
+          for (const Id p : facets[f])
+          {
+            visit(static_cast<std::size_t>(p), static_cast<Id>(f));
+          }
+        }
+      })
   , IsAlive(facets.size(), 1)
 {
-  for (const Triangle& t : facets)
-  {
-    for (const Id p : t)
-    {
-      ++this->FirstAtPoint[p];
-    }
-  }
-  Id sum = 0;
-  for (Id& first : this->FirstAtPoint)
-  {
-    sum += first;
-    first = sum;
-  }
-  for (Id f = static_cast<Id>(facets.size()) - 1; f >= 0; --f)
-  {
-    for (const Id p : facets[f])
-    {
-      this->AtPoints[--this->FirstAtPoint[p]] = f;
-    }
-  }
 }
 
 const Triangle& SplittableFacets::CornersOf(Id f) const
@@ -59,9 +43,8 @@ Id SplittableFacets::ParentOf(Id f) const
 std::vector<Id> SplittableFacets::FacetsAlong(const Edge& edge) const
 {
   std::vector<Id> facets;
-  for (Id i = this->FirstAtPoint[edge[0]]; i < this->FirstAtPoint[edge[0] + 1]; ++i)
+  for (const Id f : this->AtPoints[edge[0]])
   {
-    const Id f = this->AtPoints[i];
     if (this->IsAlive[f] && HasCorner(this->Given[f], edge[1]))
     {
       facets.push_back(f);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
+#include "Common/Edge.h"
 #include "Common/Types.h"
 
 #include <map>
@@ -8,11 +10,6 @@
 
 namespace insideout
 {
-/** The ends of an edge, the lower first. */
-using Edge = std::array<Id, 2>;
-
-Edge EdgeBetween(Id p, Id q);
-
 bool HasCorner(const Triangle& corners, Id point);
 
 /** A facet that takes the place of a part of another one. */
@@ -61,8 +58,7 @@ private:
   Id ParentOf(Id f) const;
 
   const std::vector<Triangle>& Given;
-  std::vector<Id> FirstAtPoint; ///< where a point's facets begin in AtPoints
-  std::vector<Id> AtPoints;
+  const Buckets<Id> AtPoints; ///< the given facets at each point
   std::vector<ReplacedFacet> Added;
   std::vector<char> IsAlive;
   std::map<Edge, std::vector<Id>> AddedAlong;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/CountedBoundary.h"
 
+#include "Common/Buckets.h"
+
 #include <algorithm>
 #include <omp.h>
 #include <unordered_map>
@@ -19,73 +21,43 @@ struct HigherEnd
 constexpr std::size_t SmallSize = 4096; // not worth a second thread
 
 /** The edges whose lower point is in a range, in buckets by that point. */
-class EdgeBuckets
+Buckets<HigherEnd> EdgesByLowerPoint(
+  const std::vector<CountedTriangle>& triangles, Id first, Id last)
 {
-public:
-  EdgeBuckets(const std::vector<CountedTriangle>& triangles, Id first, Id last)
-    : First(first)
-    , Last(last)
-    , Begin(static_cast<std::size_t>(last - first) + 2, 0)
-  {
-    // Counted one bucket ahead, so that filling moves each Begin to where it belongs.
-    this->ForEach(triangles, [&](std::size_t bucket, Id, int) { ++this->Begin[bucket + 2]; });
-    for (std::size_t p = 2; p < this->Begin.size(); ++p)
+  return { static_cast<std::size_t>(last - first),
+    [&](auto visit)
     {
-      this->Begin[p] += this->Begin[p - 1];
-    }
-    this->Ends.resize(this->Begin.back());
-    this->ForEach(triangles,
-      [&](std::size_t bucket, Id high, int count) {
-        this->Ends[this->Begin[bucket + 1]++] = { high, count };
-      });
-  }
-
-  HigherEnd* BeginOf(Id low) { return this->Ends.data() + this->Begin[this->BucketOf(low)]; }
-  HigherEnd* EndOf(Id low) { return this->Ends.data() + this->Begin[this->BucketOf(low) + 1]; }
-
-private:
-  std::size_t BucketOf(Id low) const { return static_cast<std::size_t>(low - this->First); }
-
-  template <typename Visit>
-  void ForEach(const std::vector<CountedTriangle>& triangles, Visit visit) const
-  {
-    for (const CountedTriangle& triangle : triangles)
-    {
-      for (int k = 0; k < 3; ++k)
+      for (const CountedTriangle& triangle : triangles)
       {
-        const Id from = triangle.Corners[k];
-        const Id to = triangle.Corners[(k + 1) % 3];
-        const Id low = std::min(from, to);
-        if (low >= this->First && low < this->Last)
+        for (int k = 0; k < 3; ++k)
         {
-          visit(
-            this->BucketOf(low), std::max(from, to), from < to ? triangle.Count : -triangle.Count);
+          const Id from = triangle.Corners[k];
+          const Id to = triangle.Corners[(k + 1) % 3];
+          const Id low = std::min(from, to);
+          if (low >= first && low < last)
+          {
+            visit(static_cast<std::size_t>(low - first),
+              HigherEnd{ std::max(from, to), from < to ? triangle.Count : -triangle.Count });
+          }
         }
       }
-    }
-  }
-
-  Id First;
-  Id Last;
-  std::vector<std::size_t> Begin;
-  std::vector<HigherEnd> Ends;
-};
+    } };
+}
 
 /** The part of the boundary whose lower points are in a range. */
 std::vector<CountedEdge> PartOfBoundary(
   const std::vector<CountedTriangle>& triangles, Id first, Id last)
 {
-  EdgeBuckets buckets(triangles, first, last);
+  Buckets<HigherEnd> edges = EdgesByLowerPoint(triangles, first, last);
   std::vector<CountedEdge> boundary;
-  for (Id low = first; low < last; ++low)
+  for (std::size_t bucket = 0; bucket < edges.Size(); ++bucket)
   {
-    HigherEnd* const end = buckets.EndOf(low);
-    std::sort(buckets.BeginOf(low), end,
-      [](const HigherEnd& a, const HigherEnd& b) { return a.High < b.High; });
-    for (const HigherEnd* edge = buckets.BeginOf(low); edge != end;)
+    edges.Sort(bucket, [](const HigherEnd& a, const HigherEnd& b) { return a.High < b.High; });
+    const Buckets<HigherEnd>::Range ends = edges[bucket];
+    for (const HigherEnd* edge = ends.First; edge != ends.Last;)
     {
-      CountedEdge sum = { low, edge->High, 0 };
-      for (; edge != end && edge->High == sum.To; ++edge)
+      CountedEdge sum = { first + static_cast<Id>(bucket), edge->High, 0 };
+      for (; edge != ends.Last && edge->High == sum.To; ++edge)
       {
         sum.Count += edge->Count;
       }

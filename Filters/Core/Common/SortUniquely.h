@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace insideout
+{
+/** Sort the values and keep one of equal ones. */
+template <typename Value>
+void SortUniquely(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/** Where a value stands among sorted ones. */
+template <typename Value>
+Id IndexIn(const std::vector<Value>& sorted, const Value& value)
+{
+  return static_cast<Id>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+}
+} // namespace insideout
