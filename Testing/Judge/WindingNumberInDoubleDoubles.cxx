@@ -4,7 +4,7 @@
 // are no branches but for facets that lack digits at a site, which are done apart.
 #include "WindingNumberInDoubleDoubles.h"
 
-#include "Exact/DoubleDouble.h"
+#include "Common/DoubleDouble.h"
 #include "Support/BruteForceWindingNumber.h"
 
 namespace testmeshes

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace insideout
@@ -14,6 +15,32 @@ struct Box
 {
   Point Low;
   Point High;
+
+  /** Holds nothing, until something is added. */
+  static Box Empty()
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
+  }
+
+  double Extent(int axis) const { return this->High[axis] - this->Low[axis]; }
+
+  /** The axis of the largest extent, of several the first. */
+  int LongestAxis() const
+  {
+    int longest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+    {
+      longest = this->Extent(axis) > this->Extent(longest) ? axis : longest;
+    }
+    return longest;
+  }
+
+  bool Holds(const Point& p) const
+  {
+    return this->Low[0] <= p[0] && p[0] <= this->High[0] && this->Low[1] <= p[1] &&
+      p[1] <= this->High[1] && this->Low[2] <= p[2] && p[2] <= this->High[2];
+  }
 
   bool Meets(const Box& other) const
   {
@@ -38,7 +65,18 @@ struct Box
   }
 };
 
-/** The bounding box of a triangle or cell with finite corners; exact, for it only compares. */
+/** The bounding box of finite points; exact, for it only compares. */
+inline Box BoundingBox(const std::vector<Point>& points)
+{
+  Box box = Box::Empty();
+  for (const Point& point : points)
+  {
+    box.Add(point);
+  }
+  return box;
+}
+
+/** The bounding box of a triangle or cell. */
 template <std::size_t Size>
 Box BoundingBox(const std::vector<Point>& points, const std::array<Id, Size>& corners)
 {

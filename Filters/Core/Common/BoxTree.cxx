@@ -18,19 +18,6 @@ std::size_t NumberOfNodes(Id count)
 {
   return count <= LeafSize ? 1 : 1 + NumberOfNodes(count / 2) + NumberOfNodes(count - count / 2);
 }
-
-int LongestAxis(const Box& box)
-{
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-  {
-    if (box.High[k] - box.Low[k] > box.High[axis] - box.Low[axis])
-    {
-      axis = k;
-    }
-  }
-  return axis;
-}
 } // namespace
 
 BoxTree::BoxTree(std::vector<Box> boxes)
@@ -68,7 +55,7 @@ void BoxTree::Build(const std::vector<Box>& boxes, Id begin, Id end, std::size_t
     return;
   }
   this->Nodes[node] = { bounds, begin, begin, next };
-  const int axis = LongestAxis(bounds);
+  const int axis = bounds.LongestAxis();
   const Id middle = begin + (end - begin) / 2;
   const auto first = this->Order.begin();
   std::nth_element(first + begin, first + middle, first + end,

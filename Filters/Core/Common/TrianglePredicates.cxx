@@ -3,27 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace insideout
 {
 namespace
 {
-using PlanarPoint = FilteredKernel::Point_2;
-using PlanarTriangle = std::array<PlanarPoint, 3>;
-
-PlanarTriangle Image(const FilteredTriangle& triangle, int axis)
-{
-  return { Project(triangle[0], axis), Project(triangle[1], axis), Project(triangle[2], axis) };
-}
-
 /** Whether a line along an edge of `a` has all of `b` on its outer side or on itself. */
-bool EdgeSeparates(const PlanarTriangle& a, const PlanarTriangle& b)
+bool EdgeSeparates(const ProjectedTriangle& a, const ProjectedTriangle& b)
 {
   const CGAL::Orientation inside = CGAL::orientation(a[0], a[1], a[2]);
   for (int k = 0; k < 3; ++k)
   {
-    const auto within = [&](const PlanarPoint& p)
+    const auto within = [&](const ProjectedPoint& p)
     { return CGAL::orientation(a[k], a[(k + 1) % 3], p) == inside; };
     if (!within(b[0]) && !within(b[1]) && !within(b[2]))
     {
@@ -32,252 +23,7 @@ bool EdgeSeparates(const PlanarTriangle& a, const PlanarTriangle& b)
   }
   return false;
 }
-
-bool Apart(const std::array<int, 3>& sides)
-{
-  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
-}
-
-/** Corner of `b` that is corner k of `a` by id, None for none. */
-std::array<int, 3> SharedCorners(const Triangle& a, const Triangle& b)
-{
-  std::array<int, 3> shared;
-  for (int k = 0; k < 3; ++k)
-  {
-    shared[k] = a[k] == b[0] ? 0 : a[k] == b[1] ? 1 : a[k] == b[2] ? 2 : None;
-  }
-  return shared;
-}
-
-/** Whether all corners that are not shared lie on one side, so that nothing else is. */
-bool Apart(const std::array<int, 3>& sides, const std::array<int, 3>& shared)
-{
-  int low = 1;
-  int high = -1;
-  for (int k = 0; k < 3; ++k)
-  {
-    if (shared[k] == None)
-    {
-      low = std::min(low, sides[k]);
-      high = std::max(high, sides[k]);
-    }
-  }
-  return low == high && low != 0;
-}
-
-/** SidesOfPlane, but a corner that both share is on the plane without asking. */
-std::array<int, 3> SidesOfPlane(const std::vector<FilteredPoint>& points, const Triangle& triangle,
-  const Triangle& other, const std::array<int, 3>& sharedOfOther)
-{
-  std::array<int, 3> sides{ { 0, 0, 0 } };
-  for (int k = 0; k < 3; ++k)
-  {
-    if (sharedOfOther[k] == None)
-    {
-      sides[k] = CGAL::orientation(
-        points[triangle[0]], points[triangle[1]], points[triangle[2]], points[other[k]]);
-    }
-  }
-  return sides;
-}
-
-/**
- * Whether a segment and a triangle of one plane meet: they do unless the line of one of the four
- * edges keeps them apart.
- */
-bool SegmentMeetsInPlane(
-  const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
-{
-  const int axis = ProjectionAxis(triangle);
-  const PlanarTriangle image = Image(triangle, axis);
-  const PlanarPoint first = Project(p, axis);
-  const PlanarPoint last = Project(q, axis);
-  const CGAL::Orientation outside = -CGAL::orientation(image[0], image[1], image[2]);
-  for (int k = 0; k < 3; ++k)
-  {
-    if (CGAL::orientation(image[k], image[(k + 1) % 3], first) == outside &&
-      CGAL::orientation(image[k], image[(k + 1) % 3], last) == outside)
-    {
-      return false;
-    }
-  }
-  return !Apart({ CGAL::orientation(first, last, image[0]),
-    CGAL::orientation(first, last, image[1]), CGAL::orientation(first, last, image[2]) });
-}
-
-/** Whether a segment whose ends lie on opposite sides of the triangle's plane meets the triangle.
- */
-bool SegmentPierces(
-  const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
-{
-  bool left = false;
-  bool right = false;
-  for (int k = 0; k < 3; ++k)
-  {
-    const CGAL::Orientation side = CGAL::orientation(p, q, triangle[k], triangle[(k + 1) % 3]);
-    left = left || side == CGAL::POSITIVE;
-    right = right || side == CGAL::NEGATIVE;
-  }
-  return !(left && right);
-}
-
-/** Whether the segment from p to q, on these sides of the triangle's plane, meets the triangle. */
-bool SegmentMeets(const FilteredPoint& p, int sideOfP, const FilteredPoint& q, int sideOfQ,
-  const FilteredTriangle& triangle)
-{
-  if (sideOfP * sideOfQ > 0)
-  {
-    return false;
-  }
-  if (sideOfP != 0 && sideOfQ != 0)
-  {
-    return SegmentPierces(p, q, triangle);
-  }
-  if (sideOfP == 0 && sideOfQ == 0)
-  {
-    return SegmentMeetsInPlane(p, q, triangle);
-  }
-  return ContainsInPlane(triangle, sideOfP == 0 ? p : q);
-}
-
-/**
- * Whether an edge of `a` meets `b`; `sides` are those of a's corners. Where a corner is shared, the
- * edges at it are passed over: what the triangles have in common beyond that corner reaches from it
- * to the opposite edge of one of them.
- */
-bool EdgeMeets(const FilteredTriangle& a, const std::array<int, 3>& sides,
-  const std::array<int, 3>& shared, const FilteredTriangle& b)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    const int next = (k + 1) % 3;
-    if (shared[k] == None && shared[next] == None &&
-      SegmentMeets(a[k], sides[k], a[next], sides[next], b))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-FilteredTriangle Corners(const std::vector<FilteredPoint>& points, const Triangle& triangle)
-{
-  return { points[triangle[0]], points[triangle[1]], points[triangle[2]] };
-}
-
-/** A floating-point value and a bound of its error. */
-struct Estimate
-{
-  double Value;
-  double Error;
-};
-
-/** Far above what a few operations lose, relative to the terms and where they underflow. */
-constexpr double RelativeError = 16 * std::numeric_limits<double>::epsilon();
-constexpr double Underflow = 16 * std::numeric_limits<double>::min();
-
-/** The component of p - origin along a direction. */
-Estimate Along(
-  const std::array<double, 3>& direction, const FilteredPoint& origin, const FilteredPoint& p)
-{
-  const double x = direction[0] * (p.x() - origin.x());
-  const double y = direction[1] * (p.y() - origin.y());
-  const double z = direction[2] * (p.z() - origin.z());
-  return { x + y + z, RelativeError * (std::abs(x) + std::abs(y) + std::abs(z)) + Underflow };
-}
-
-/**
- * Whether triangles with at most one shared corner are clearly apart beyond it: a plane across the
- * line between their centres, through that corner, has one on either side. Spares neighbours in one
- * plane the exact arithmetic. Where overflow leaves no number it compares as false, which is safe.
- */
-bool ClearlyApart(const FilteredTriangle& a, const std::array<int, 3>& sharedOfA,
-  const FilteredTriangle& b, const std::array<int, 3>& sharedOfB)
-{
-  FilteredPoint origin = a[0];
-  bool through = false;
-  std::array<double, 3> direction;
-  for (int k = 0; k < 3; ++k)
-  {
-    direction[k] = (a[0][k] + a[1][k] + a[2][k]) - (b[0][k] + b[1][k] + b[2][k]);
-    if (sharedOfA[k] != None)
-    {
-      origin = a[k];
-      through = true;
-    }
-  }
-  std::array<Estimate, 3> ofB;
-  for (int k = 0; k < 3; ++k)
-  {
-    ofB[k] = Along(direction, origin, b[k]);
-    if (through && sharedOfB[k] == None && !(ofB[k].Value < -ofB[k].Error))
-    {
-      return false;
-    }
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    if (sharedOfA[k] != None)
-    {
-      continue;
-    }
-    const Estimate ofA = Along(direction, origin, a[k]);
-    for (int i = 0; i < 3; ++i)
-    {
-      if (!(ofA.Value - ofA.Error > ofB[i].Value + ofB[i].Error))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/**
- * Whether triangles with a common edge lie clearly on either side of its line, seen along an axis.
- */
-bool ClearlyOnEitherSide(
-  const FilteredPoint& p, const FilteredPoint& q, const FilteredPoint& r, const FilteredPoint& s)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    const double along[2] = { q[u] - p[u], q[v] - p[v] };
-    const auto side = [&](const FilteredPoint& t) -> Estimate
-    {
-      const double left = along[0] * (t[v] - p[v]);
-      const double right = along[1] * (t[u] - p[u]);
-      return { left - right, RelativeError * (std::abs(left) + std::abs(right)) + Underflow };
-    };
-    const Estimate ofR = side(r);
-    const Estimate ofS = side(s);
-    if ((ofR.Value > ofR.Error && ofS.Value < -ofS.Error) ||
-      (ofR.Value < -ofR.Error && ofS.Value > ofS.Error))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 } // namespace
-
-std::vector<FilteredPoint> ToFiltered(const std::vector<Point>& points)
-{
-  std::vector<FilteredPoint> filtered;
-  filtered.reserve(points.size());
-  for (const Point& p : points)
-  {
-    filtered.emplace_back(p[0], p[1], p[2]);
-  }
-  return filtered;
-}
-
-bool IsDegenerate(const Point& a, const Point& b, const Point& c)
-{
-  return CGAL::collinear(FilteredPoint(a[0], a[1], a[2]), FilteredPoint(b[0], b[1], b[2]),
-    FilteredPoint(c[0], c[1], c[2]));
-}
 
 std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other)
 {
@@ -289,21 +35,26 @@ std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const Filtered
   return sides;
 }
 
-FilteredKernel::Point_2 Project(const FilteredPoint& point, int axis)
+ProjectedPoint Project(const FilteredPoint& point, int axis)
 {
   return { point[(axis + 1) % 3], point[(axis + 2) % 3] };
 }
 
+ProjectedTriangle Project(const FilteredTriangle& triangle, int axis)
+{
+  return { Project(triangle[0], axis), Project(triangle[1], axis), Project(triangle[2], axis) };
+}
+
 int ProjectionAxis(const FilteredTriangle& triangle)
 {
-  const FilteredKernel::Vector_3 normal =
+  const Kernel::Vector_3 normal =
     CGAL::cross_product(triangle[1] - triangle[0], triangle[2] - triangle[0]);
   std::array<int, 3> axes{ { 0, 1, 2 } };
   std::stable_sort(axes.begin(), axes.end(),
     [&](int a, int b) { return std::abs(normal[a]) > std::abs(normal[b]); });
   for (const int axis : axes)
   {
-    const PlanarTriangle image = Image(triangle, axis);
+    const ProjectedTriangle image = Project(triangle, axis);
     if (CGAL::orientation(image[0], image[1], image[2]) != CGAL::COLLINEAR)
     {
       return axis;
@@ -315,57 +66,32 @@ int ProjectionAxis(const FilteredTriangle& triangle)
 bool OverlapInPlane(const FilteredTriangle& a, const FilteredTriangle& b)
 {
   const int axis = ProjectionAxis(a);
-  const PlanarTriangle p = Image(a, axis);
-  const PlanarTriangle q = Image(b, axis);
+  const ProjectedTriangle p = Project(a, axis);
+  const ProjectedTriangle q = Project(b, axis);
   return !EdgeSeparates(p, q) && !EdgeSeparates(q, p);
 }
 
 bool ContainsInPlane(const FilteredTriangle& triangle, const FilteredPoint& point)
 {
   const int axis = ProjectionAxis(triangle);
-  const PlanarTriangle image = Image(triangle, axis);
-  const PlanarPoint p = Project(point, axis);
+  const ProjectedTriangle image = Project(triangle, axis);
+  const ProjectedPoint p = Project(point, axis);
   const CGAL::Orientation outside = -CGAL::orientation(image[0], image[1], image[2]);
   return CGAL::orientation(image[0], image[1], p) != outside &&
     CGAL::orientation(image[1], image[2], p) != outside &&
     CGAL::orientation(image[2], image[0], p) != outside;
 }
 
-bool MeetBeyondSharedCorners(
-  const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b)
+bool Pierces(const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
 {
-  const std::array<int, 3> sharedOfA = SharedCorners(a, b);
-  const std::array<int, 3> sharedOfB = SharedCorners(b, a);
-  const int shared = (sharedOfA[0] != None) + (sharedOfA[1] != None) + (sharedOfA[2] != None);
-  const FilteredTriangle p = Corners(points, a);
-  const FilteredTriangle q = Corners(points, b);
-  if (shared == 2)
+  bool left = false;
+  bool right = false;
+  for (int k = 0; k < 3; ++k)
   {
-    const int apexOfA =
-      static_cast<int>(std::find(sharedOfA.begin(), sharedOfA.end(), None) - sharedOfA.begin());
-    const int apexOfB =
-      static_cast<int>(std::find(sharedOfB.begin(), sharedOfB.end(), None) - sharedOfB.begin());
-    // Where they lie in two planes they have only the edge in common, too.
-    return !ClearlyOnEitherSide(
-             p[(apexOfA + 1) % 3], p[(apexOfA + 2) % 3], p[apexOfA], q[apexOfB]) &&
-      CGAL::coplanar(p[0], p[1], p[2], q[apexOfB]) && OverlapInPlane(p, q);
+    const CGAL::Orientation side = CGAL::orientation(p, q, triangle[k], triangle[(k + 1) % 3]);
+    left = left || side == CGAL::POSITIVE;
+    right = right || side == CGAL::NEGATIVE;
   }
-  if (ClearlyApart(p, sharedOfA, q, sharedOfB))
-  {
-    return false;
-  }
-  const std::array<int, 3> sidesOfB = SidesOfPlane(points, a, b, sharedOfB);
-  const bool coplanar = sidesOfB[0] == 0 && sidesOfB[1] == 0 && sidesOfB[2] == 0;
-  if (Apart(sidesOfB, sharedOfB))
-  {
-    return false;
-  }
-  const std::array<int, 3> sidesOfA =
-    coplanar ? std::array<int, 3>{ { 0, 0, 0 } } : SidesOfPlane(points, b, a, sharedOfA);
-  if (Apart(sidesOfA, sharedOfA))
-  {
-    return false;
-  }
-  return EdgeMeets(p, sidesOfA, sharedOfA, q) || EdgeMeets(q, sidesOfB, sharedOfB, p);
+  return !(left && right);
 }
 } // namespace insideout

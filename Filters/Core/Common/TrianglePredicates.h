@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Types.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#include <vector>
+#include "Common/Kernel.h"
+#include "Common/PointPredicates.h"
 
 /** Exact answers about triangles with double coordinates: filtered, so fast where nothing is near
  * degenerate. The triangles themselves must not be degenerate. */
 namespace insideout
 {
-using FilteredKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using FilteredPoint = FilteredKernel::Point_3;
-using FilteredTriangle = std::array<FilteredPoint, 3>;
-
-std::vector<FilteredPoint> ToFiltered(const std::vector<Point>& points);
-
-/** Whether three points lie on a line. */
-bool IsDegenerate(const Point& a, const Point& b, const Point& c);
-
-/**
- * On which sides of the plane of `triangle` the corners of `other` lie: 1, 0 or -1 each.
- */
+/** On which sides of the plane of `triangle` the corners of `other` lie: 1, 0 or -1 each. */
 std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other);
 
 /**
@@ -31,8 +17,12 @@ std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const Filtered
  */
 int ProjectionAxis(const FilteredTriangle& triangle);
 
+using ProjectedPoint = Kernel::Point_2;
+using ProjectedTriangle = std::array<ProjectedPoint, 3>;
+
 /** The point without the coordinate `axis`: (y, z), (z, x) or (x, y). */
-FilteredKernel::Point_2 Project(const FilteredPoint& point, int axis);
+ProjectedPoint Project(const FilteredPoint& point, int axis);
+ProjectedTriangle Project(const FilteredTriangle& triangle, int axis);
 
 /** Whether two triangles of one plane have an area in common. */
 bool OverlapInPlane(const FilteredTriangle& a, const FilteredTriangle& b);
@@ -40,10 +30,6 @@ bool OverlapInPlane(const FilteredTriangle& a, const FilteredTriangle& b);
 /** Whether a point of the triangle's plane lies in the triangle, boundary included. */
 bool ContainsInPlane(const FilteredTriangle& triangle, const FilteredPoint& point);
 
-/**
- * Whether two triangles meet in more than the corners, and the edge between them, that they share
- * by id. Equal coordinates under two ids are no shared corner. The three ids must not all agree.
- */
-bool MeetBeyondSharedCorners(
-  const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b);
+/** Whether a segment through the triangle's plane meets the triangle, boundary included. */
+bool Pierces(const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle);
 } // namespace insideout

@@ -2,6 +2,7 @@
 #include "Defects/IntersectionCurves.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Resolve/FacetMeeting.h"
 
@@ -49,18 +50,6 @@ void InBlocks(std::size_t count, Monitor& monitor, double begin, double end, con
     });
 }
 
-template <typename Value>
-void SortUniquely(std::vector<Value>& values)
-{
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-template <typename Value>
-Id IndexIn(const std::vector<Value>& sorted, const Value& value)
-{
-  return static_cast<Id>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
-}
 } // namespace
 
 IntersectionCurves TraceIntersections(const std::vector<Point>& points,

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Defects/NearPoints.h"
 
+#include "Common/Box.h"
+#include "Common/ScaledPoints.h"
+#include "Common/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,27 +13,6 @@ namespace insideout
 {
 namespace
 {
-/** The binary exponent of the largest coordinate: divided by it, no square over- or underflows. */
-int ExponentOf(const std::vector<Point>& points)
-{
-  double largest = 0;
-  for (const Point& p : points)
-  {
-    for (const double x : p)
-    {
-      largest = std::max(largest, std::abs(x));
-    }
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent;
-}
-
-double Distance(const Point& p, const Point& q)
-{
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
-
 /** Points sorted into the cubes of a grid. */
 class Grid
 {
@@ -104,29 +87,13 @@ NearPoints FindNearPoints(const std::vector<Point>& points, double fraction)
   {
     return near;
   }
-  const int exponent = ExponentOf(points);
-  std::vector<Point> scaled = points;
-  for (Point& p : scaled)
-  {
-    for (double& x : p)
-    {
-      x = std::ldexp(x, -exponent);
-    }
-  }
-  Point low = scaled.front();
-  Point high = scaled.front();
-  for (const Point& p : scaled)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  const double radius = fraction * Distance(low, high);
+  const int exponent = LargestExponent(points);
+  const std::vector<Point> scaled = ScaledPoints(points, -exponent);
+  const Box box = BoundingBox(scaled);
+  const double radius = fraction * Distance(box.Low, box.High);
   if (radius > 0) // 0 where the points differ by less than numbers near 0 can tell
   {
-    const Grid grid(scaled, low, radius);
+    const Grid grid(scaled, box.Low, radius);
     for (Id p = 0; p < static_cast<Id>(scaled.size()); ++p)
     {
       near.Count += grid.HasNeighbor(p);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Defects/SurfaceDefects.h"
 
-#include "Common/TrianglePredicates.h"
+#include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
 #include "Defects/IntersectionCurves.h"
 #include "Defects/JoinSegments.h"
 #include "Defects/NearPoints.h"
@@ -187,16 +188,9 @@ void MarkTriangles(const FacetComplex& surface, const FacetComponents& component
 
 bool LiesInOnePlane(const FacetComplex& surface)
 {
-  const std::vector<Point>& points = surface.Points;
-  const auto corner = [&](int k)
-  {
-    const Point& p = points[surface.Facets.front()[k]];
-    return FilteredPoint(p[0], p[1], p[2]);
-  };
-  const FilteredTriangle plane = { corner(0), corner(1), corner(2) };
-  return std::all_of(points.begin(), points.end(),
-    [&](const Point& p)
-    { return CGAL::coplanar(plane[0], plane[1], plane[2], FilteredPoint(p[0], p[1], p[2])); });
+  const std::array<Point, 3> plane = CornersOf(surface.Points, surface.Facets.front());
+  return std::all_of(surface.Points.begin(), surface.Points.end(),
+    [&](const Point& p) { return Orient3D(plane[0], plane[1], plane[2], p) == 0; });
 }
 
 std::string AdviceOnNearPoints(const NearPoints& near)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/ExactVertices.h"
 
-#include "Exact/DoubleDouble.h"
+#include "Common/DoubleDouble.h"
 
 #include <CGAL/Interval_nt.h>
 

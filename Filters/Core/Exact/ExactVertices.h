@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Kernel.h"
+#include "Common/Numbers.h"
 #include "Common/Types.h"
 #include "Exact/WorkBudget.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Mpzf.h>
 
 #include <vector>
 
 namespace insideout
 {
-/** A whole number times a power of two, without error. */
-using DyadicNumber = CGAL::Mpzf;
-
 /**
  * The vertices of a tetrahedralization under construction: doubles, and Steiner points that lie
  * exactly where two lines or a line and a plane meet. The latter have homogeneous coordinates (x,
@@ -23,7 +19,7 @@ using DyadicNumber = CGAL::Mpzf;
 class ExactVertices
 {
 public:
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Kernel = insideout::Kernel;
 
   /**
    * Up to three doubles in the affine hull of which a vertex lies, the last again in place of those

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/ValidFacets.h"
 
+#include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Exact/Phases.h"
 #include "Resolve/FindIntersections.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <iterator>
@@ -36,13 +35,10 @@ private:
 std::vector<Id> FacetsWithArea(
   const std::vector<Point>& points, const std::vector<Triangle>& facets)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Id> proper;
-  const auto at = [&points](Id p)
-  { return Kernel::Point_3(points[p][0], points[p][1], points[p][2]); };
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    if (!CGAL::collinear(at(facets[f][0]), at(facets[f][1]), at(facets[f][2])))
+    if (!IsDegenerate(points, facets[f]))
     {
       proper.push_back(static_cast<Id>(f));
     }

@@ -3,26 +3,10 @@
 
 #include "Common/Error.h"
 #include "Common/FaceTable.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Common/PointPredicates.h"
 
 namespace insideout
 {
-namespace
-{
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-bool IsNegative(const std::vector<Point>& points, const Tetrahedron& cell)
-{
-  const auto at = [&](int k)
-  {
-    const Point& p = points[cell[k]];
-    return Kernel::Point_3(p[0], p[1], p[2]);
-  };
-  return CGAL::orientation(at(0), at(1), at(2), at(3)) == CGAL::NEGATIVE;
-}
-} // namespace
-
 TetrahedralMesh ConnectCells(std::vector<Point> points, std::vector<Tetrahedron> cells)
 {
   TetrahedralMesh mesh;
@@ -33,7 +17,7 @@ TetrahedralMesh ConnectCells(std::vector<Point> points, std::vector<Tetrahedron>
   mesh.FacetSides.assign(mesh.Cells.size(), { { 0, 0, 0, 0 } });
   for (Tetrahedron& cell : mesh.Cells)
   {
-    if (IsNegative(mesh.Points, cell))
+    if (Orient3D(mesh.Points, cell) < 0)
     {
       std::swap(cell[2], cell[3]);
     }

@@ -3,23 +3,15 @@
 
 #include "Common/BoxTree.h"
 #include "Common/Error.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Kernel::Point_3 At(const Point& p)
-{
-  return { p[0], p[1], p[2] };
-}
-
 /** Whether the point lies in the cell or on its boundary. */
 bool Contains(const std::vector<Point>& points, const Tetrahedron& cell, const Point& point)
 {
@@ -27,8 +19,8 @@ bool Contains(const std::vector<Point>& points, const Tetrahedron& cell, const P
     [&](const std::array<int, 3>& face)
     {
       // Seen from outside a face's corners run counter-clockwise, and there is the positive side.
-      return CGAL::orientation(At(points[cell[face[0]]]), At(points[cell[face[1]]]),
-               At(points[cell[face[2]]]), At(point)) != CGAL::POSITIVE;
+      return Orient3D(points[cell[face[0]]], points[cell[face[1]]], points[cell[face[2]]], point) <=
+        0;
     });
 }
 
@@ -63,7 +55,7 @@ SeededCells FindSeededCells(const std::vector<Point>& points, const std::vector<
   {
     const Point& place = seeds[s].Position;
     const std::string name = "seed " + std::to_string(s);
-    if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+    if (!IsFinite(place))
     {
       throw Error(ErrorCode::PointNotFinite, name + " is not finite");
     }

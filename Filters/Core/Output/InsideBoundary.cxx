@@ -6,8 +6,6 @@
 
 namespace insideout
 {
-namespace
-{
 void CheckLabels(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
 {
   if (inside.size() != mesh.Cells.size())
@@ -18,6 +16,8 @@ void CheckLabels(const TetrahedralMesh& mesh, const std::vector<unsigned char>& 
   }
 }
 
+namespace
+{
 bool IsInside(const std::vector<unsigned char>& inside, Id cell)
 {
   return cell != None && inside[cell] != 0;
@@ -37,10 +37,7 @@ std::vector<BoundaryFace> BoundaryFaces(const TetrahedralMesh& mesh,
     {
       if (!IsInside(inside, mesh.Neighbors[cell][k]))
       {
-        const Tetrahedron& points = mesh.Cells[cell];
-        const std::array<int, 3>& corners = TetrahedronFaces[k];
-        faces.push_back({ { points[corners[0]], points[corners[1]], points[corners[2]] }, cell, k,
-          mesh.Facets[cell][k] });
+        faces.push_back({ FaceOf(mesh.Cells[cell], k), cell, k, mesh.Facets[cell][k] });
       }
     }
   }

@@ -9,6 +9,9 @@
 
 namespace insideout
 {
+/** @throws Error InvalidParameter when there is not one label per cell */
+void CheckLabels(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
+
 /** A face between an inside cell and the outside. */
 struct BoundaryFace
 {

@@ -2,6 +2,7 @@
 #include "Output/MergePieces.h"
 
 #include "Common/LoopProgress.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Tetrahedralize/PiecesOfFacet.h"
 
@@ -73,9 +74,7 @@ bool MatchCandidate(
       }
     }
   }
-  std::sort(candidate.Inner.begin(), candidate.Inner.end());
-  candidate.Inner.erase(
-    std::unique(candidate.Inner.begin(), candidate.Inner.end()), candidate.Inner.end());
+  SortUniquely(candidate.Inner);
   return true;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Output/Outliers.h"
 
-#include "Common/Error.h"
 #include "Common/LoopProgress.h"
+#include "Output/InsideBoundary.h"
 
 #include <algorithm>
-#include <string>
 
 namespace insideout
 {
@@ -36,23 +35,15 @@ std::vector<char> FacetsInMesh(const FacetComplex& surface, const TetrahedralMes
 /** Face k of a cell, in the orientation of the facet that it lies on. */
 Triangle AlongFacet(const TetrahedralMesh& mesh, Id cell, int k)
 {
-  const Tetrahedron& points = mesh.Cells[cell];
-  const std::array<int, 3>& corners = TetrahedronFaces[k];
-  const bool reversed = mesh.FacetSides[cell][k] < 0;
-  return { { points[corners[0]], points[corners[reversed ? 2 : 1]],
-    points[corners[reversed ? 1 : 2]] } };
+  const Triangle face = FaceOf(mesh.Cells[cell], k);
+  return mesh.FacetSides[cell][k] < 0 ? Triangle{ { face[0], face[2], face[1] } } : face;
 }
 } // namespace
 
 std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
   const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress)
 {
-  if (inside.size() != mesh.Cells.size())
-  {
-    throw Error(ErrorCode::InvalidParameter,
-      std::to_string(inside.size()) + " inside labels for " + std::to_string(mesh.Cells.size()) +
-        " cells");
-  }
+  CheckLabels(mesh, inside);
   const std::vector<char> isInMesh = FacetsInMesh(surface, mesh);
   std::vector<OutlierPiece> pieces;
   const LoopProgress cells(monitor, progress, mesh.Cells.size());

@@ -3,6 +3,7 @@
 
 #include "Common/DisjointSets.h"
 #include "Common/LoopProgress.h"
+#include "Common/Vectors.h"
 #include "Resolve/Interpolation.h"
 
 #include <algorithm>
@@ -128,12 +129,8 @@ PointOrigin Splitter::OriginIn(Id source, Id place) const
   {
     return PointOrigin::Input(own[corner]);
   }
-  std::array<Point, 3> triangle;
-  for (int k = 0; k < 3; ++k)
-  {
-    triangle[k] = this->Mesh.Points[corners[k]];
-  }
-  return { own, BarycentricWeights(triangle, this->Mesh.Points[place]) };
+  return { own,
+    BarycentricWeights(CornersOf(this->Mesh.Points, corners), this->Mesh.Points[place]) };
 }
 
 SeamedSurface Splitter::Split(

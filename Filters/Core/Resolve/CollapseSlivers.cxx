@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/CollapseSlivers.h"
 
-#include "Common/TrianglePredicates.h"
+#include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -15,19 +15,6 @@ namespace
 {
 /** Slivers of slivers are looked at too, up to this many for each candidate. */
 constexpr std::size_t LooksPerCandidate = 100;
-
-double Distance(const Point& p, const Point& q)
-{
-  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-}
-
-double DoubleArea(const Point& p, const Point& q, const Point& r)
-{
-  const Point a = { q[0] - p[0], q[1] - p[1], q[2] - p[2] };
-  const Point b = { r[0] - p[0], r[1] - p[1], r[2] - p[2] };
-  return std::hypot(
-    a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-}
 
 class Collapser
 {
@@ -107,7 +94,7 @@ Replacement Collapser::Collapse(const std::vector<Id>& candidates)
 
 bool Collapser::IsCollinear(const Triangle& corners) const
 {
-  return IsDegenerate(this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]]);
+  return IsDegenerate(this->Points, corners);
 }
 
 /**
@@ -140,7 +127,7 @@ bool Collapser::IsSliver(const Triangle& corners, int apex) const
 {
   const Point& p = this->Points[corners[(apex + 1) % 3]];
   const Point& q = this->Points[corners[(apex + 2) % 3]];
-  return DoubleArea(p, q, this->Points[corners[apex]]) <= this->Radius * Distance(p, q);
+  return Length(NormalOf(p, q, this->Points[corners[apex]])) <= this->Radius * Distance(p, q);
 }
 
 /**

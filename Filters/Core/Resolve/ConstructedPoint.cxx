@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/ConstructedPoint.h"
 
+#include "Common/Edge.h"
+#include "Common/Vectors.h"
+
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -12,28 +15,11 @@ namespace insideout
 {
 namespace
 {
-using Interval = LazyPoint::Interval;
-using Protector = CGAL::Protect_FPU_rounding<true>;
-
+/** From q to p, without rounding to doubles. */
 template <class Number>
-using Vector = std::array<Number, 3>;
-
-template <class Number>
-Vector<Number> Difference(const Point& p, const Point& q)
+Vector<Number> VectorTo(const Point& p, const Point& q)
 {
   return { Number(p[0]) - Number(q[0]), Number(p[1]) - Number(q[1]), Number(p[2]) - Number(q[2]) };
-}
-
-template <class Number>
-Number Dot(const Vector<Number>& a, const Vector<Number>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class Number>
-Vector<Number> Cross(const Vector<Number>& a, const Vector<Number>& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
 /** The points x with Normal * x = Offset. */
@@ -75,23 +61,22 @@ public:
 private:
   Vector<Number> Position(Id point) const
   {
-    return Difference<Number>(this->Surface.Points[point], this->Origin);
+    return VectorTo<Number>(this->Surface.Points[point], this->Origin);
   }
 
   Plane<Number> PlaneOf(Id facet) const
   {
     const Triangle& corners = this->Surface.Facets[facet];
     const Point& a = this->Surface.Points[corners[0]];
-    const Vector<Number> normal = Cross(Difference<Number>(this->Surface.Points[corners[1]], a),
-      Difference<Number>(this->Surface.Points[corners[2]], a));
+    const Vector<Number> normal = Cross(VectorTo<Number>(this->Surface.Points[corners[1]], a),
+      VectorTo<Number>(this->Surface.Points[corners[2]], a));
     return { normal, Dot(normal, this->Position(corners[0])) };
   }
 
   /** The plane through an edge and along an axis. */
   Plane<Number> PlaneAlong(Id p, Id q, int axis) const
   {
-    const Vector<Number> along =
-      Difference<Number>(this->Surface.Points[q], this->Surface.Points[p]);
+    const Vector<Number> along = VectorTo<Number>(this->Surface.Points[q], this->Surface.Points[p]);
     Vector<Number> normal{ Number(0), Number(0), Number(0) };
     normal[(axis + 1) % 3] = along[(axis + 2) % 3];
     normal[(axis + 2) % 3] = -along[(axis + 1) % 3];
@@ -143,7 +128,7 @@ void Negate(Homogeneous<Number>& point)
 Homogeneous<Interval> Bound(
   const ConstructedPoint& name, const FacetList& surface, const Point& origin)
 {
-  const Protector protector;
+  const IntervalRounding rounding;
   Homogeneous<Interval> point = Evaluator<Interval>(surface, origin)(name);
   if (point.W.sup() < 0)
   {
@@ -158,10 +143,10 @@ Homogeneous<Interval> Bound(
   return point;
 }
 
-Homogeneous<ExactNumber> EvaluateExactly(
+Homogeneous<DyadicNumber> EvaluateExactly(
   const ConstructedPoint& name, const FacetList& surface, const Point& origin)
 {
-  Homogeneous<ExactNumber> point = Evaluator<ExactNumber>(surface, origin)(name);
+  Homogeneous<DyadicNumber> point = Evaluator<DyadicNumber>(surface, origin)(name);
   if (CGAL::sign(point.W) < 0)
   {
     Negate(point);
@@ -174,7 +159,7 @@ template <class Expression, class... Points>
 int SignOf(const Expression& expression, const Points&... points)
 {
   {
-    const Protector protector;
+    const IntervalRounding rounding;
     const Interval value = expression(points.Approximate()...);
     if (value.inf() > 0 || value.sup() < 0)
     {
@@ -182,11 +167,6 @@ int SignOf(const Expression& expression, const Points&... points)
     }
   }
   return CGAL::sign(expression(points.Exact()...));
-}
-
-std::array<Id, 2> Sorted(const std::array<Id, 2>& edge)
-{
-  return { std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };
 }
 } // namespace
 
@@ -199,15 +179,16 @@ ConstructedPoint ConstructedPoint::Corner(Id point)
 
 ConstructedPoint ConstructedPoint::EdgeOnFacet(const std::array<Id, 2>& edge, Id facet)
 {
-  const std::array<Id, 2> sorted = Sorted(edge);
+  const Edge sorted = EdgeBetween(edge[0], edge[1]);
   return { Type::EdgeOnFacet, None, { { sorted[0], sorted[1], facet, None } } };
 }
 
 ConstructedPoint ConstructedPoint::TwoEdges(
   const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis)
 {
-  const std::array<Id, 2> low = std::min(Sorted(first), Sorted(second));
-  const std::array<Id, 2> high = std::max(Sorted(first), Sorted(second));
+  const Edge a = EdgeBetween(first[0], first[1]);
+  const Edge b = EdgeBetween(second[0], second[1]);
+  const auto& [low, high] = std::minmax(a, b);
   return { Type::TwoEdges, static_cast<signed char>(axis),
     { { low[0], low[1], high[0], high[1] } } };
 }
@@ -229,7 +210,7 @@ bool ConstructedPoint::operator<(const ConstructedPoint& other) const
   return std::tie(this->Kind, this->Axis, this->Ids) < std::tie(other.Kind, other.Axis, other.Ids);
 }
 
-double NearestQuotient(const ExactNumber& a, const ExactNumber& b)
+double NearestQuotient(const DyadicNumber& a, const DyadicNumber& b)
 {
   const mpq_class first(a);
   const mpq_class last(b);
@@ -265,7 +246,7 @@ Point Nearest(const ConstructedPoint& name, const FacetList& surface)
   {
     return surface.Points[name.Ids[0]];
   }
-  const Homogeneous<ExactNumber> point = EvaluateExactly(name, surface, Point{ { 0, 0, 0 } });
+  const Homogeneous<DyadicNumber> point = EvaluateExactly(name, surface, Point{ { 0, 0, 0 } });
   return { NearestQuotient(point.X[0], point.W), NearestQuotient(point.X[1], point.W),
     NearestQuotient(point.X[2], point.W) };
 }
@@ -278,7 +259,7 @@ LazyPoint::LazyPoint(const ConstructedPoint& name, const FacetList& surface, con
 {
 }
 
-const Homogeneous<ExactNumber>& LazyPoint::Exact() const
+const Homogeneous<DyadicNumber>& LazyPoint::Exact() const
 {
   if (!this->Value)
   {
@@ -289,7 +270,7 @@ const Homogeneous<ExactNumber>& LazyPoint::Exact() const
 
 std::array<double, 2> LazyPoint::Range(int coordinate) const
 {
-  const Protector protector;
+  const IntervalRounding rounding;
   const Interval range = this->Bounds.X[coordinate] / this->Bounds.W;
   return { range.inf(), range.sup() };
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Types.h"
-
-#include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
+#include "Common/Kernel.h"
+#include "Common/Numbers.h"
 
 #include <optional>
 #include <vector>
@@ -19,6 +17,11 @@ struct FacetList
   const std::vector<Point>& Points;
   const std::vector<Triangle>& Facets;
 };
+
+inline FilteredTriangle CornersOf(const FacetList& surface, Id facet)
+{
+  return ToFiltered(surface.Points, surface.Facets[facet]);
+}
 
 /**
  * A point by what it is. Points with equal names are equal; the reverse need not hold, for an edge
@@ -52,11 +55,8 @@ struct ConstructedPoint
  * equal doubles, whatever their names. */
 Point Nearest(const ConstructedPoint& point, const FacetList& surface);
 
-/** Sums, differences and products of doubles, exactly. */
-using ExactNumber = CGAL::Mpzf;
-
 /** The double nearest to a / b, of two equally near ones the even. */
-double NearestQuotient(const ExactNumber& a, const ExactNumber& b);
+double NearestQuotient(const DyadicNumber& a, const DyadicNumber& b);
 
 /** A point X / W, with W > 0. */
 template <class Number>
@@ -71,13 +71,11 @@ struct Homogeneous
 class LazyPoint
 {
 public:
-  using Interval = CGAL::Interval_nt<false>;
-
   LazyPoint(const ConstructedPoint& name, const FacetList& surface, const Point& origin);
 
   const ConstructedPoint& Name() const { return this->What; }
   const Homogeneous<Interval>& Approximate() const { return this->Bounds; }
-  const Homogeneous<ExactNumber>& Exact() const;
+  const Homogeneous<DyadicNumber>& Exact() const;
 
   /** An interval that contains the coordinate. */
   std::array<double, 2> Range(int coordinate) const;
@@ -87,7 +85,7 @@ private:
   const FacetList* Surface;
   Point Origin;
   Homogeneous<Interval> Bounds;
-  mutable std::optional<Homogeneous<ExactNumber>> Value;
+  mutable std::optional<Homogeneous<DyadicNumber>> Value;
 };
 
 /** Orders by one coordinate, exactly: -1, 0 or 1. Both have the same origin. */

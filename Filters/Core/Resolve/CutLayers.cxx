@@ -4,6 +4,7 @@
 #include "Common/BoxTree.h"
 #include "Common/DisjointSets.h"
 #include "Common/TrianglePredicates.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,38 +20,15 @@ constexpr double LeastHeight = 256;
 /** Facets of a group are this much along the axis that they are seen along: cosine of the angle. */
 constexpr double LeastAlongAxis = 0.3;
 
-using Vector = std::array<double, 3>;
-
-Vector Difference(const Point& p, const Point& q)
-{
-  return { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
 /** A facet and its unit normal, in doubles. */
 struct Slab
 {
   Slab(const FacetList& surface, Id facet)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Corners[k] = surface.Points[surface.Facets[facet][k]];
-    }
-    const Vector a = Difference(this->Corners[1], this->Corners[0]);
-    const Vector b = Difference(this->Corners[2], this->Corners[0]);
-    const double longest =
-      std::max({ Length(a), Length(b), Length(Difference(this->Corners[2], this->Corners[1])) });
-    this->Normal = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-      a[0] * b[1] - a[1] * b[0] };
+    this->Corners = CornersOf(surface.Points, surface.Facets[facet]);
+    const auto& [a, b, c] = this->Corners;
+    const double longest = std::max({ Distance(a, b), Distance(a, c), Distance(b, c) });
+    this->Normal = NormalOf(a, b, c);
     const double doubleArea = Length(this->Normal);
     for (double& x : this->Normal)
     {
@@ -68,19 +46,9 @@ struct Slab
   }
 
   std::array<Point, 3> Corners;
-  Vector Normal;
+  Point Normal;
   double Height;
 };
-
-FilteredTriangle Filtered(const Slab& slab)
-{
-  FilteredTriangle triangle;
-  for (int k = 0; k < 3; ++k)
-  {
-    triangle[k] = FilteredPoint(slab.Corners[k][0], slab.Corners[k][1], slab.Corners[k][2]);
-  }
-  return triangle;
-}
 
 bool AreLayers(const FacetList& surface, Id a, Id b, double radius)
 {
@@ -88,20 +56,19 @@ bool AreLayers(const FacetList& surface, Id a, Id b, double radius)
   const Slab last(surface, b);
   return first.Height >= LeastHeight * radius && last.Height >= LeastHeight * radius &&
     (first.Holds(last, radius) || last.Holds(first, radius)) &&
-    OverlapInPlane(Filtered(first), Filtered(last));
+    OverlapInPlane(CornersOf(surface, a), CornersOf(surface, b));
 }
 
 bool AreInOnePlane(const FacetList& surface, Id a, Id b)
 {
-  const std::array<int, 3> sides =
-    SidesOfPlane(Filtered(Slab(surface, a)), Filtered(Slab(surface, b)));
+  const std::array<int, 3> sides = SidesOfPlane(CornersOf(surface, a), CornersOf(surface, b));
   return sides[0] == 0 && sides[1] == 0 && sides[2] == 0;
 }
 
 /** Whether all facets can be seen well along the axis that suits the first one. */
 bool ShareAnAxis(const FacetList& surface, const std::vector<Id>& facets)
 {
-  const int axis = ProjectionAxis(Filtered(Slab(surface, facets[0])));
+  const int axis = ProjectionAxis(CornersOf(surface, facets[0]));
   return std::all_of(facets.begin(), facets.end(),
     [&](Id f) { return std::abs(Slab(surface, f).Normal[axis]) >= LeastAlongAxis; });
 }

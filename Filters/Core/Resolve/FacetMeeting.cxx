@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/FacetMeeting.h"
 
+#include "Common/SortUniquely.h"
 #include "Common/TrianglePredicates.h"
 
 #include <algorithm>
@@ -9,31 +10,6 @@ namespace insideout
 {
 namespace
 {
-FilteredTriangle CornersOf(const FacetList& surface, Id facet)
-{
-  FilteredTriangle triangle;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Point& p = surface.Points[surface.Facets[facet][k]];
-    triangle[k] = FilteredPoint(p[0], p[1], p[2]);
-  }
-  return triangle;
-}
-
-/** Whether a segment through the triangle's plane meets the triangle, its boundary included. */
-bool Pierces(const FilteredPoint& p, const FilteredPoint& q, const FilteredTriangle& triangle)
-{
-  bool left = false;
-  bool right = false;
-  for (int k = 0; k < 3; ++k)
-  {
-    const CGAL::Orientation side = CGAL::orientation(p, q, triangle[k], triangle[(k + 1) % 3]);
-    left = left || side == CGAL::POSITIVE;
-    right = right || side == CGAL::NEGATIVE;
-  }
-  return !(left && right);
-}
-
 /** Adds where corners and edges of `facet` lie in `other`, which is in another plane. */
 void AddEnds(const FacetList& surface, Id facet, Id other, std::vector<ConstructedPoint>& ends)
 {
@@ -76,11 +52,7 @@ std::vector<ConstructedPoint> EndsWithin(
 {
   const FilteredTriangle triangle = CornersOf(surface, other);
   const int axis = ProjectionAxis(triangle);
-  const auto filtered = [&](Id p)
-  {
-    const Point& x = surface.Points[p];
-    return FilteredPoint(x[0], x[1], x[2]);
-  };
+  const auto filtered = [&](Id p) { return ToFiltered(surface.Points[p]); };
   const auto side = [&](Id from, Id to, Id p)
   {
     return static_cast<int>(CGAL::orientation(
@@ -147,8 +119,7 @@ std::array<ConstructedPoint, 2> Span(
   const FacetList& surface, const std::vector<ConstructedPoint>& points)
 {
   std::vector<ConstructedPoint> names = points;
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  SortUniquely(names);
   if (names.size() <= 2)
   {
     return { names.front(), names.back() };

@@ -4,7 +4,7 @@
 #include "Common/BoxTree.h"
 #include "Common/ParallelLoop.h"
 #include "Common/Stages.h"
-#include "Common/TrianglePredicates.h"
+#include "Resolve/MeetBeyondSharedCorners.h"
 
 #include <algorithm>
 
@@ -45,7 +45,12 @@ std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& point
 {
   monitor.Check(Stages::FindingIntersections, 0);
   const BoxTree tree(BoundingBoxes(points, facets, firstNew));
-  const std::vector<FilteredPoint> filtered = ToFiltered(points);
+  std::vector<FilteredPoint> filtered;
+  filtered.reserve(points.size());
+  for (const Point& p : points)
+  {
+    filtered.push_back(ToFiltered(p));
+  }
 
   // First among the new facets, then of the others with them.
   const Id blocksOfNew = NumberOfBlocks(tree.NumberOfParts());

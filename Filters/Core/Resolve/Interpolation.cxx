@@ -2,6 +2,7 @@
 #include "Resolve/Interpolation.h"
 
 #include "Common/TrianglePredicates.h"
+#include "Common/Vectors.h"
 #include "Resolve/ConstructedPoint.h"
 
 #include <algorithm>
@@ -12,21 +13,20 @@ namespace insideout
 namespace
 {
 /** Twice the signed area, exactly, of three points seen along an axis. */
-ExactNumber Area(const Point& a, const Point& b, const Point& c, int axis)
+DyadicNumber Area(const Point& a, const Point& b, const Point& c, int axis)
 {
   const int x = (axis + 1) % 3;
   const int y = (axis + 2) % 3;
-  return (ExactNumber(b[x]) - a[x]) * (ExactNumber(c[y]) - a[y]) -
-    (ExactNumber(b[y]) - a[y]) * (ExactNumber(c[x]) - a[x]);
+  return (DyadicNumber(b[x]) - a[x]) * (DyadicNumber(c[y]) - a[y]) -
+    (DyadicNumber(b[y]) - a[y]) * (DyadicNumber(c[x]) - a[x]);
 }
 
 /** Exact, for in a sliver doubles would not even give the signs. */
 std::array<double, 3> WeightsInPlane(const std::array<Point, 3>& triangle, const Point& p)
 {
-  const std::vector<FilteredPoint> corners = ToFiltered({ triangle[0], triangle[1], triangle[2] });
-  const int axis = ProjectionAxis({ corners[0], corners[1], corners[2] });
   const std::array<Point, 3>& t = triangle;
-  const ExactNumber area = Area(t[0], t[1], t[2], axis);
+  const int axis = ProjectionAxis({ ToFiltered(t[0]), ToFiltered(t[1]), ToFiltered(t[2]) });
+  const DyadicNumber area = Area(t[0], t[1], t[2], axis);
   return { NearestQuotient(Area(p, t[1], t[2], axis), area),
     NearestQuotient(Area(t[0], p, t[2], axis), area),
     NearestQuotient(Area(t[0], t[1], p, axis), area) };
@@ -35,14 +35,8 @@ std::array<double, 3> WeightsInPlane(const std::array<Point, 3>& triangle, const
 /** The weight of `b` in the point of the segment from a to b that is nearest to p. */
 double WeightOnEdge(const Point& a, const Point& b, const Point& p)
 {
-  double along = 0;
-  double length = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    along += (p[k] - a[k]) * (b[k] - a[k]);
-    length += (b[k] - a[k]) * (b[k] - a[k]);
-  }
-  return std::min(1.0, std::max(0.0, along / length));
+  const Point edge = Difference(b, a);
+  return std::min(1.0, std::max(0.0, Dot(Difference(p, a), edge) / Dot(edge, edge)));
 }
 
 std::array<double, 3> WeightsOnBoundary(const std::array<Point, 3>& triangle, const Point& p)

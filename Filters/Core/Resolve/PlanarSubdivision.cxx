@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/PlanarSubdivision.h"
 
+#include "Common/Edge.h"
 #include "Common/TrianglePredicates.h"
-
-#include <CGAL/Constrained_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "Resolve/SiteTriangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,124 +15,14 @@ namespace insideout
 {
 namespace
 {
-/** A point of the plane and the lines (by index of the constraint) that it is known to lie on. */
-struct Site
-{
-  Site(const ConstructedPoint& name, const FacetList& surface, const Point& origin, int axis)
-    : Position(name, surface, origin)
-    , Range{ { this->Position.Range((axis + 1) % 3), this->Position.Range((axis + 2) % 3) } }
-  {
-  }
-
-  void PutOn(Id line)
-  {
-    if (line != None && !this->LiesOn(line))
-    {
-      this->Lines.push_back(line);
-    }
-  }
-
-  bool LiesOn(Id line) const
-  {
-    return std::find(this->Lines.begin(), this->Lines.end(), line) != this->Lines.end();
-  }
-
-  LazyPoint Position;
-  std::array<std::array<double, 2>, 2> Range; ///< surely around the point, seen along the axis
-  std::vector<Id> Lines;
-};
-
-/** Whether three points lie on a line by construction, which no arithmetic need confirm. */
-bool ShareALine(const Site& p, const Site& q, const Site& r)
-{
-  return std::any_of(
-    p.Lines.begin(), p.Lines.end(), [&](Id line) { return q.LiesOn(line) && r.LiesOn(line); });
-}
-
-/** What the triangulation knows of a point: enough to ask exact questions. */
-struct SitePoint
-{
-  Site* Where = nullptr;
-  int Axis = 0;
-
-  bool operator==(const SitePoint& other) const { return this->Where == other.Where; }
-};
-
-CGAL::Orientation Orient(const SitePoint& p, const SitePoint& q, const SitePoint& r)
-{
-  const bool known = p == q || q == r || p == r || ShareALine(*p.Where, *q.Where, *r.Where);
-  return known ? CGAL::COLLINEAR
-               : CGAL::enum_cast<CGAL::Orientation>(CGAL::Sign(
-                   Orientation(p.Where->Position, q.Where->Position, r.Where->Position, p.Axis)));
-}
-
-CGAL::Comparison_result CompareAlong(const SitePoint& p, const SitePoint& q, int coordinate)
-{
-  return p == q ? CGAL::EQUAL
-                : CGAL::Comparison_result(
-                    Compare(p.Where->Position, q.Where->Position, (p.Axis + coordinate) % 3));
-}
-
-/** The predicates that CGAL's triangulations ask for, on sites. */
-struct SiteTraits
-{
-  using Point_2 = SitePoint;
-  struct Segment_2
-  {
-  };
-  struct Triangle_2
-  {
-  };
-  struct Orientation_2
-  {
-    CGAL::Orientation operator()(const SitePoint& p, const SitePoint& q, const SitePoint& r) const
-    {
-      return Orient(p, q, r);
-    }
-  };
-  struct Compare_x_2
-  {
-    CGAL::Comparison_result operator()(const SitePoint& p, const SitePoint& q) const
-    {
-      return CompareAlong(p, q, 1);
-    }
-  };
-  struct Compare_y_2
-  {
-    CGAL::Comparison_result operator()(const SitePoint& p, const SitePoint& q) const
-    {
-      return CompareAlong(p, q, 2);
-    }
-  };
-  struct Construct_point_2
-  {
-    const SitePoint& operator()(const SitePoint& p) const { return p; }
-  };
-
-  Orientation_2 orientation_2_object() const { return {}; }
-  Compare_x_2 compare_x_2_object() const { return {}; }
-  Compare_y_2 compare_y_2_object() const { return {}; }
-  Construct_point_2 construct_point_2_object() const { return {}; }
-};
-
-/** The index of a vertex or piece; unlike a bare Id it begins as None. */
-struct Index
-{
-  Id Value = None;
-};
-
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, SiteTraits>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<Index, SiteTraits,
-  CGAL::Constrained_triangulation_face_base_2<SiteTraits>>;
-using Triangulation = CGAL::Constrained_triangulation_2<SiteTraits,
-  CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-  CGAL::No_constraint_intersection_requiring_constructions_tag>;
-using VertexHandle = Triangulation::Vertex_handle;
-using FaceHandle = Triangulation::Face_handle;
 using Corners = std::array<VertexHandle, 3>;
 
 /** Flips towards Delaunay end by themselves but where doubles contradict one another. */
 constexpr std::size_t FlipsPerEdge = 20;
+
+/** Rounding errs by some 1e-15 of the terms: points nearly on a circle are not in it, lest an edge
+ * is flipped to and fro. */
+constexpr double LeastInCircle = 1e-12;
 
 /** A segment between two vertices: an edge of a facet, or the section with one. */
 struct Constraint
@@ -182,7 +69,7 @@ private:
   const Id Host; ///< the facet whose plane this is
   const int Axis;
   Triangulation Cells;
-  std::deque<Site> Sites;
+  std::deque<PlanarSite> Sites;
   std::map<ConstructedPoint, VertexHandle> Vertices;
   std::vector<Corners> Triangles;
   std::vector<Id> Facets; ///< one per triangle
@@ -190,18 +77,6 @@ private:
   std::map<std::array<Id, 2>, Id> Edges; ///< of the facets, by their points, to their constraints
   PlanarSubdivision Result;
 };
-
-FilteredTriangle CornersOf(const FacetList& surface, Id facet)
-{
-  const Triangle& corners = surface.Facets[facet];
-  FilteredTriangle triangle;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Point& p = surface.Points[corners[k]];
-    triangle[k] = FilteredPoint(p[0], p[1], p[2]);
-  }
-  return triangle;
-}
 
 CGAL::Orientation OrientationOf(const Corners& triangle)
 {
@@ -245,7 +120,7 @@ VertexHandle Subdivider::AddPoint(const ConstructedPoint& point, std::initialize
   {
     const Point& origin = this->Surface.Points[this->Surface.Facets[this->Host][0]];
     this->Sites.emplace_back(point, this->Surface, origin, this->Axis);
-    Site& site = this->Sites.back();
+    PlanarSite& site = this->Sites.back();
     for (const Id line : lines)
     {
       site.PutOn(line);
@@ -301,7 +176,7 @@ void Subdivider::AddFacet(Id facet)
   for (int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3;
-    const std::array<Id, 2> edge{ { std::min(ids[k], ids[next]), std::max(ids[k], ids[next]) } };
+    const Edge edge = EdgeBetween(ids[k], ids[next]);
     const Id line = static_cast<Id>(this->Constraints.size());
     if (this->Edges.insert({ edge, line }).second)
     {
@@ -408,7 +283,7 @@ bool SeemsInCircle(const std::array<double, 2>& p, const std::array<double, 2>& 
     determinant += rows[i][2] * (a[0] * b[1] - a[1] * b[0]);
     size += rows[i][2] * (std::abs(a[0] * b[1]) + std::abs(a[1] * b[0]));
   }
-  return determinant > 1e-12 * size;
+  return determinant > LeastInCircle * size;
 }
 
 /** Whether the edge opposite to a face's corner is to be flipped, and can be. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/PointIndex.h"
 
+#include "Common/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,8 +13,8 @@ namespace
 {
 double SquaredDistance(const Point& p, const Point& q)
 {
-  const Point d = { p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  const Point d = Difference(p, q);
+  return Dot(d, d);
 }
 
 std::size_t HashOf(const std::array<double, 3>& cell)

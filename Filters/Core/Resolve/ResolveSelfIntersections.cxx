@@ -2,6 +2,8 @@
 #include "Resolve/ResolveSelfIntersections.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/ScaledPoints.h"
+#include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Resolve/CollapseSlivers.h"
 #include "Resolve/CutFacets.h"
@@ -39,16 +41,6 @@ constexpr std::size_t Divergence = 4;
 double SnappingRadius(double largestCoordinate)
 {
   return std::ldexp(largestCoordinate, -45);
-}
-
-double LargestCoordinate(const std::vector<Point>& points)
-{
-  double largest = 0;
-  for (const Point& p : points)
-  {
-    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
-  }
-  return largest;
 }
 
 /**
@@ -262,8 +254,7 @@ std::vector<std::vector<Id>> Resolver::PlacePoints(
   {
     names.insert(names.end(), subdivision.Points.begin(), subdivision.Points.end());
   }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  SortUniquely(names);
 
   std::vector<Point> rounded(names.size());
   const FacetList facets{ this->Now.Points, this->Now.Facets };
@@ -284,8 +275,7 @@ std::vector<std::vector<Id>> Resolver::PlacePoints(
         {
           continue;
         }
-        const auto at =
-          std::lower_bound(names.begin(), names.end(), subdivision.Points[p]) - names.begin();
+        const Id at = IndexIn(names, subdivision.Points[p]);
         if (placed[at] == None)
         {
           placed[at] = this->PlacePoint(rounded[at], root);
@@ -360,8 +350,7 @@ void Resolver::MergePoints(const std::vector<Id>& candidates)
   {
     points.insert(points.end(), this->Now.Facets[f].begin(), this->Now.Facets[f].end());
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  SortUniquely(points);
   // Input points come first, and stay.
   PointIndex nearby(SnappingRadius(this->Size));
   std::unordered_map<Id, Id> merged;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/SplitAlike.h"
 
+#include "Common/Vectors.h"
+
 #include <algorithm>
 #include <map>
 
@@ -57,13 +59,7 @@ std::map<Id, Boundary> BoundariesOf(const PlanarSubdivision& subdivision)
 double Along(const std::vector<Point>& points, const Edge& edge, Id p)
 {
   const Point& from = points[edge[0]];
-  const Point& to = points[edge[1]];
-  double sum = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    sum += (points[p][k] - from[k]) * (to[k] - from[k]);
-  }
-  return sum;
+  return Dot(Difference(points[p], from), Difference(points[edge[1]], from));
 }
 
 /** Orders the points on an edge from its first end to its last, and takes the ends away. */

@@ -34,17 +34,11 @@ std::vector<Id> FindLoosePoints(const FacetComplex& surface)
   return loose;
 }
 
-FilteredPoint Filtered(const Point& p)
-{
-  return { p[0], p[1], p[2] };
-}
-
 /** Whether a point lies in a triangle or on an edge of it, but not where a corner is. */
 bool LiesWithin(const std::vector<Point>& points, const Triangle& t, Id p)
 {
-  const FilteredTriangle triangle = { Filtered(points[t[0]]), Filtered(points[t[1]]),
-    Filtered(points[t[2]]) };
-  const FilteredPoint point = Filtered(points[p]);
+  const FilteredTriangle triangle = ToFiltered(points, t);
+  const FilteredPoint point = ToFiltered(points[p]);
   return std::find(triangle.begin(), triangle.end(), point) == triangle.end() &&
     CGAL::coplanar(triangle[0], triangle[1], triangle[2], point) &&
     ContainsInPlane(triangle, point);

@@ -2,9 +2,11 @@
 #include "Resolve/WorkingSurface.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/PointPredicates.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
-#include "Common/TrianglePredicates.h"
+#include "Common/Vectors.h"
 #include "Resolve/FindIntersections.h"
 #include "Resolve/Interpolation.h"
 
@@ -111,8 +113,7 @@ std::vector<Id> WorkingSurface::DegenerateFacets() const
   std::vector<Id> degenerate;
   for (Id f = this->FirstUnchecked; f < static_cast<Id>(this->Facets.size()); ++f)
   {
-    const Triangle& t = this->Facets[f];
-    if (IsDegenerate(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]))
+    if (IsDegenerate(this->Points, this->Facets[f]))
     {
       degenerate.push_back(f);
     }
@@ -127,8 +128,7 @@ std::vector<Id> WorkingSurface::CrossingFacets() const
   {
     crossing.insert(crossing.end(), pair.begin(), pair.end());
   }
-  std::sort(crossing.begin(), crossing.end());
-  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  SortUniquely(crossing);
   return crossing;
 }
 
@@ -299,13 +299,12 @@ std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
     {
       const Triangle& corners = this->Given->Facets[this->Roots[i]];
       PointOrigin& origin = origins[given + i];
-      std::array<Point, 3> triangle;
       for (int k = 0; k < 3; ++k)
       {
         origin.Points[k] = this->Given->Origins[corners[k]].Points[0];
-        triangle[k] = this->Given->Points[corners[k]];
       }
-      origin.Weights = BarycentricWeights(triangle, this->Points[given + i]);
+      origin.Weights =
+        BarycentricWeights(CornersOf(this->Given->Points, corners), this->Points[given + i]);
     });
   return origins;
 }

@@ -2,11 +2,10 @@
 #include "Tetrahedralize/AssembleMesh.h"
 
 #include "Common/FaceTable.h"
+#include "Common/Kernel.h"
 #include "Common/Stages.h"
 #include "Tetrahedralize/CheckConvexHull.h"
 #include "Tetrahedralize/PlaceFacets.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,6 @@ namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 [[noreturn]] void ThrowInconsistent(const std::string& what)
 {

@@ -2,8 +2,7 @@
 #include "Tetrahedralize/CheckConvexHull.h"
 
 #include "Common/Error.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Common/Kernel.h"
 
 #include <algorithm>
 #include <string>
@@ -14,8 +13,6 @@ namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 /** How far rounding may move a Steiner point off the hull, in units of the mesh's size. */
 constexpr double LargestDent = 1e-12;
 

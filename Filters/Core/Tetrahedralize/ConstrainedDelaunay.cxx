@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/ConstrainedDelaunay.h"
 
+#include "Common/Kernel.h"
+#include "Common/ScaledPoints.h"
 #include "Tetrahedralize/Ladder.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,12 @@ namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 /**
  * Sizes beyond 2 to this power, up or down, are brought to 1 for all rungs. TetGen needs it: it
  * squares and cubes lengths, and its predicates (Shewchuk 1997) are exact only while products of
  * five coordinates neither over- nor underflow.
  */
-constexpr int LargestExponent = 32;
+constexpr int MostExponent = 32;
 
 void CheckParameters(const ConstrainedDelaunayParameters& parameters)
 {
@@ -89,32 +87,6 @@ void CheckSpansSpace(const std::vector<Point>& points)
   const std::array<const char*, 3> where = { { "at one point", "on one line", "in one plane" } };
   throw Error(ErrorCode::Planar,
     std::string("all facets lie ") + where[base.size() - 1] + ", so there is no volume to fill");
-}
-
-/** The power of two that all coordinates are below; 0 for sizes that every rung copes with. */
-int ExponentToRemove(const std::vector<Point>& points)
-{
-  double largest = 0;
-  for (const Point& point : points)
-  {
-    for (const double x : point)
-    {
-      largest = std::max(largest, std::abs(x));
-    }
-  }
-  const int exponent = std::ilogb(largest) + 1;
-  return std::abs(exponent) > LargestExponent ? exponent : 0;
-}
-
-void Scale(std::vector<Point>& points, int exponent)
-{
-  for (Point& point : points)
-  {
-    for (double& x : point)
-    {
-      x = std::ldexp(x, exponent);
-    }
-  }
 }
 
 /** Whether another rung may do better where this was thrown. */
@@ -205,19 +177,16 @@ Tetrahedralization ConstrainedDelaunay(
   CheckIdsAndCoordinates(surface);
   CheckSpansSpace(surface.Points);
   const TetrahedralizerBudget budget = BudgetOfARung(surface, parameters);
-  const int exponent = ExponentToRemove(surface.Points);
-  FacetComplex scaled;
-  if (exponent != 0)
+  const int exponent = LargestExponent(surface.Points);
+  if (std::abs(exponent) > MostExponent)
   {
-    scaled = surface;
-    Scale(scaled.Points, -exponent);
-    std::vector<Point> restored = scaled.Points;
-    Scale(restored, exponent);
+    FacetComplex scaled = surface;
+    scaled.Points = ScaledPoints(surface.Points, -exponent);
     // Where the smallest coordinates would lose bits, the rungs have to cope.
-    if (restored == surface.Points)
+    if (ScaledPoints(scaled.Points, exponent) == surface.Points)
     {
       Tetrahedralization result = Climb(scaled, parameters.Engine, budget, monitor);
-      Scale(result.Mesh.Points, exponent);
+      result.Mesh.Points = ScaledPoints(result.Mesh.Points, exponent);
       return result;
     }
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tetrahedralize/DelaunayOfPoints.h"
 
+#include "Common/Kernel.h"
 #include "Common/Stages.h"
 #include "Exact/InsertPoints.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
@@ -14,7 +14,6 @@ namespace insideout
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
 using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
 using Delaunay =

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/CountedChain.h"
 
+#include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
+#include "Common/Vectors.h"
 #include "Validate/FacetEdges.h"
+#include "Validate/MergePoints.h"
 #include "Validate/TwoSidedComponents.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <tuple>
 
 namespace insideout
@@ -48,98 +47,12 @@ void CheckTriangles(const TriangleSoup& soup)
           "triangle " + std::to_string(t) + " refers to point " + std::to_string(p) + " of " +
             std::to_string(numberOfPoints));
       }
-      const Point& x = soup.Points[p];
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      if (!IsFinite(soup.Points[p]))
       {
         throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(p) + " is not finite");
       }
     }
   }
-}
-
-/** For each point the lowest point with equal coordinates. */
-std::vector<Id> MergeEqualPoints(const std::vector<Point>& points)
-{
-  std::vector<Id> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  // NaN, which only an unused point can hold here, would break the order: those stand aside.
-  const auto isNaN = [&](Id p)
-  { return std::isnan(points[p][0]) || std::isnan(points[p][1]) || std::isnan(points[p][2]); };
-  order.erase(std::remove_if(order.begin(), order.end(), isNaN), order.end());
-  std::sort(order.begin(), order.end(),
-    [&](Id a, Id b) { return std::tie(points[a], a) < std::tie(points[b], b); });
-
-  std::vector<Id> merged(points.size());
-  std::iota(merged.begin(), merged.end(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i)
-  {
-    if (points[order[i]] == points[order[i - 1]])
-    {
-      merged[order[i]] = merged[order[i - 1]];
-    }
-  }
-  return merged;
-}
-
-/** Merge further: each point joins the lowest point not yet joined to another within `tolerance`.
- */
-void MergeNearPoints(const std::vector<Point>& points, double tolerance, std::vector<Id>& merged)
-{
-  using GridCell = std::array<double, 3>;
-  const auto gridCell = [&](const Point& x)
-  {
-    return GridCell{ { std::floor(x[0] / tolerance), std::floor(x[1] / tolerance),
-      std::floor(x[2] / tolerance) } };
-  };
-  std::map<GridCell, std::vector<Id>> kept;
-  for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
-  {
-    if (merged[p] != p)
-    {
-      merged[p] = merged[merged[p]];
-      continue;
-    }
-    if (!std::isfinite(points[p][0]) || !std::isfinite(points[p][1]) ||
-      !std::isfinite(points[p][2]))
-    {
-      continue; // no facet uses it
-    }
-    const GridCell centre = gridCell(points[p]);
-    for (int neighbor = 0; neighbor < 27; ++neighbor)
-    {
-      const auto found = kept.find({ { centre[0] + neighbor % 3 - 1,
-        centre[1] + neighbor / 3 % 3 - 1, centre[2] + neighbor / 9 - 1 } });
-      if (found == kept.end())
-      {
-        continue;
-      }
-      for (const Id q : found->second)
-      {
-        const double distance = std::hypot(
-          points[p][0] - points[q][0], points[p][1] - points[q][1], points[p][2] - points[q][2]);
-        if (distance <= tolerance && q < merged[p])
-        {
-          merged[p] = q;
-        }
-      }
-    }
-    if (merged[p] == p)
-    {
-      kept[centre].push_back(p);
-    }
-  }
-}
-
-bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto corner = [&](int k)
-  {
-    const Point& x = points[t[k]];
-    return Kernel::Point_3(x[0], x[1], x[2]);
-  };
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
-    CGAL::collinear(corner(0), corner(1), corner(2));
 }
 
 bool Participates(const TriangleSoup& soup, Id triangle)
@@ -341,12 +254,8 @@ CountedChain CountFacets(
   chain.Counts.InputTriangles = static_cast<Id>(soup.Triangles.size());
 
   monitor.Check(Stages::Validating, 0.1);
-  std::vector<Id>& merged = chain.MergedInto;
-  merged = MergeEqualPoints(soup.Points);
-  if (parameters.MergeTolerance > 0)
-  {
-    MergeNearPoints(soup.Points, parameters.MergeTolerance, merged);
-  }
+  chain.MergedInto = MergePoints(soup.Points, parameters.MergeTolerance);
+  const std::vector<Id>& merged = chain.MergedInto;
 
   monitor.Check(Stages::Validating, 0.4);
   CollectFacets(soup, merged, parameters.CountDuplicates, chain);

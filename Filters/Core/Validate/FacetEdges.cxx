@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/FacetEdges.h"
 
+#include "Common/DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace insideout
@@ -29,25 +30,13 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
 
 FacetComponents ComponentsOfFacets(Id numberOfFacets, const std::vector<FacetEdge>& edges)
 {
-  // Union-find in which the root of a component is its lowest facet.
-  std::vector<Id> parent(numberOfFacets);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](Id f)
-  {
-    while (parent[f] != f)
-    {
-      f = parent[f] = parent[parent[f]];
-    }
-    return f;
-  };
+  DisjointSets sets(numberOfFacets);
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     {
       for (const FacetEdge* edge = first + 1; edge != last; ++edge)
       {
-        const Id a = root(first->Facet);
-        const Id b = root(edge->Facet);
-        parent[std::max(a, b)] = std::min(a, b);
+        sets.Join(first->Facet, edge->Facet);
       }
     });
 
@@ -55,7 +44,7 @@ FacetComponents ComponentsOfFacets(Id numberOfFacets, const std::vector<FacetEdg
   components.Component.resize(numberOfFacets);
   for (Id f = 0; f < numberOfFacets; ++f)
   {
-    const Id r = root(f);
+    const Id r = sets.Find(f);
     components.Component[f] = r == f ? components.Count++ : components.Component[r];
   }
   return components;

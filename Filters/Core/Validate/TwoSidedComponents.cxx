@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/TwoSidedComponents.h"
 
-#include <CGAL/Exact_rational.h>
+#include "Common/Numbers.h"
+#include "Common/Vectors.h"
 
 #include <cmath>
 
@@ -102,7 +103,7 @@ std::array<Number, 2> SixfoldVolume(
   Number size = 0;
   for (const Triangle& f : facets)
   {
-    std::array<std::array<Number, 3>, 3> v;
+    std::array<Vector<Number>, 3> v;
     for (int i = 0; i < 3; ++i)
     {
       for (int j = 0; j < 3; ++j)
@@ -110,9 +111,7 @@ std::array<Number, 2> SixfoldVolume(
         v[i][j] = Number(points[f[i]][j]) - Number(origin[j]);
       }
     }
-    const Number term = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
-      v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
-      v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+    const Number term = Determinant(v[0], v[1], v[2]);
     volume += term;
     size += term < 0 ? Number(-term) : term;
   }
@@ -128,7 +127,7 @@ int SignOfVolume(const std::vector<Point>& points, const std::vector<Triangle>& 
   {
     return volume > 0 ? 1 : -1;
   }
-  return static_cast<int>(CGAL::sign(SixfoldVolume<CGAL::Exact_rational>(points, facets)[0]));
+  return static_cast<int>(CGAL::sign(SixfoldVolume<DyadicNumber>(points, facets)[0]));
 }
 } // namespace
 

@@ -2,6 +2,8 @@
 #include "WindingNumber/ApproximateWindingNumber.h"
 
 #include "Common/Error.h"
+#include "Common/Vectors.h"
+#include "WindingNumber/Pi.h"
 #include "WindingNumber/SolidAngle.h"
 
 #include <algorithm>
@@ -11,29 +13,17 @@ namespace insideout
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr Id LeafSize = 4;
 
 // Pairs of axes as Expansion::Third has them.
 constexpr std::array<std::array<int, 2>, 6> AxisPairs = { { { { 0, 0 } }, { { 1, 1 } },
   { { 2, 2 } }, { { 0, 1 } }, { { 1, 2 } }, { { 2, 0 } } } };
 
-/** Cross product of two edges of a triangle, halved: area times unit normal. */
+/** Area times unit normal. */
 Point VectorArea(const std::array<Point, 3>& p)
 {
-  Point e, f;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    e[axis] = p[1][axis] - p[0][axis];
-    f[axis] = p[2][axis] - p[0][axis];
-  }
-  return { (e[1] * f[2] - e[2] * f[1]) / 2, (e[2] * f[0] - e[0] * f[2]) / 2,
-    (e[0] * f[1] - e[1] * f[0]) / 2 };
-}
-
-std::array<Point, 3> CornersOf(const std::vector<Point>& points, const CountedTriangle& triangle)
-{
-  return { points[triangle.Corners[0]], points[triangle.Corners[1]], points[triangle.Corners[2]] };
+  const Point normal = NormalOf(p[0], p[1], p[2]);
+  return { normal[0] / 2, normal[1] / 2, normal[2] / 2 };
 }
 } // namespace
 
@@ -68,9 +58,9 @@ ApproximateWindingNumber::Expansion ApproximateWindingNumber::Expand(
   double area = 0;
   for (Id i = node.Begin; i < node.End; ++i)
   {
-    const std::array<Point, 3> p = CornersOf(this->Points, this->Tree.Triangles[i]);
+    const std::array<Point, 3> p = CornersOf(this->Points, this->Tree.Triangles[i].Corners);
     const Point normal = VectorArea(p);
-    const double weight = std::hypot(normal[0], normal[1], normal[2]);
+    const double weight = Length(normal);
     area += weight;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -79,14 +69,14 @@ ApproximateWindingNumber::Expansion ApproximateWindingNumber::Expand(
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    expansion.Centre[axis] =
-      area > 0 ? expansion.Centre[axis] / area : node.Low[axis] / 2 + node.High[axis] / 2;
+    expansion.Centre[axis] = area > 0 ? expansion.Centre[axis] / area
+                                      : node.Bounds.Low[axis] / 2 + node.Bounds.High[axis] / 2;
   }
   double squaredRadius = 0;
   for (Id i = node.Begin; i < node.End; ++i)
   {
     const CountedTriangle& triangle = this->Tree.Triangles[i];
-    std::array<Point, 3> d = CornersOf(this->Points, triangle);
+    std::array<Point, 3> d = CornersOf(this->Points, triangle.Corners);
     const Point normal = VectorArea(d);
     Point sum = { 0, 0, 0 };
     for (Point& corner : d)
@@ -136,7 +126,7 @@ double ApproximateWindingNumber::Evaluate(
   const double inverse3 = inverse * inverse2;
   const double inverse5 = inverse3 * inverse2;
   const auto& n = expansion.First;
-  double sum = (n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) * inverse3;
+  double sum = Dot(n, r) * inverse3;
   if (this->Order >= 2)
   {
     // d_j g_i = delta_ij / r^3 - 3 r_i r_j / r^5
@@ -183,9 +173,8 @@ double ApproximateWindingNumber::At(const Point& p) const
     index = static_cast<std::size_t>(stack[--depth]);
     const FacetTree::Node& node = this->Tree.Nodes[index];
     const Expansion& expansion = this->Expansions[index];
-    const Point r = { expansion.Centre[0] - p[0], expansion.Centre[1] - p[1],
-      expansion.Centre[2] - p[2] };
-    const double squared = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    const Point r = Difference(expansion.Centre, p);
+    const double squared = Dot(r, r);
     if (squared > expansion.SquaredReach)
     {
       w += this->Evaluate(expansion, r, squared);
@@ -195,7 +184,7 @@ double ApproximateWindingNumber::At(const Point& p) const
       for (Id i = node.Begin; i < node.End; ++i)
       {
         const CountedTriangle& triangle = this->Tree.Triangles[i];
-        w += triangle.Count * WindingNumberOfTriangle(CornersOf(this->Points, triangle), p);
+        w += triangle.Count * WindingNumberOfTriangle(CornersOf(this->Points, triangle.Corners), p);
       }
     }
     else

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/ChainFacets.h"
 
+#include "Common/Vectors.h"
+#include "WindingNumber/Pi.h"
 #include "WindingNumber/SolidAngle.h"
 
 #include <algorithm>
@@ -10,19 +12,17 @@ namespace insideout
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 constexpr std::size_t SmallSize = 1024; // not worth a second thread
 
 /** A place about 1 away from a site, opposite to another place. */
 Point Opposite(const RoundedSite& site, const Point& place)
 {
-  std::array<long double, 3> d;
+  Vector<long double> d;
   for (int axis = 0; axis < 3; ++axis)
   {
     d[axis] = (static_cast<long double>(place[axis]) - site.High[axis]) - site.Low[axis];
   }
-  const long double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  const long double length = std::sqrt(Dot(d, d));
   Point result;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -40,8 +40,7 @@ ChainFacets::ChainFacets(
 #pragma omp parallel for schedule(static) if (triangles.size() > SmallSize)
   for (std::size_t f = 0; f < triangles.size(); ++f)
   {
-    const Triangle& t = triangles[f].Corners;
-    const std::array<Point, 3> corners = { points[t[0]], points[t[1]], points[t[2]] };
+    const std::array<Point, 3> corners = CornersOf(points, triangles[f].Corners);
     this->Facets[f] = { PlaneOfTriangle(corners), corners, triangles[f].Count };
   }
 }

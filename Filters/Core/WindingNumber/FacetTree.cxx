@@ -33,7 +33,7 @@ public:
     {
       return;
     }
-    const int axis = this->LongestAxis(begin, end);
+    const int axis = this->BoxOfCentres(begin, end).LongestAxis();
     const Id middle = begin + (end - begin) / 2;
     const auto first = this->Items.begin();
     std::nth_element(first + begin, first + middle, first + end,
@@ -50,40 +50,22 @@ public:
 private:
   FacetTree::Node MakeNode(Id begin, Id end) const
   {
-    const Point& first = this->Points[this->Items[begin].Triangle.Corners[0]];
-    FacetTree::Node node = { first, first, begin, end, None };
+    FacetTree::Node node = { Box::Empty(), begin, end, None };
     for (Id i = begin; i < end; ++i)
     {
-      for (const Id p : this->Items[i].Triangle.Corners)
-      {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          node.Low[axis] = std::min(node.Low[axis], this->Points[p][axis]);
-          node.High[axis] = std::max(node.High[axis], this->Points[p][axis]);
-        }
-      }
+      node.Bounds.Add(BoundingBox(this->Points, this->Items[i].Triangle.Corners));
     }
     return node;
   }
 
-  int LongestAxis(Id begin, Id end) const
+  Box BoxOfCentres(Id begin, Id end) const
   {
-    Point low = this->Items[begin].Centre;
-    Point high = low;
+    Box box = Box::Empty();
     for (Id i = begin; i < end; ++i)
     {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        low[axis] = std::min(low[axis], this->Items[i].Centre[axis]);
-        high[axis] = std::max(high[axis], this->Items[i].Centre[axis]);
-      }
+      box.Add(this->Items[i].Centre);
     }
-    int longest = 0;
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      longest = high[axis] - low[axis] > high[longest] - low[longest] ? axis : longest;
-    }
-    return longest;
+    return box;
   }
 
   const std::vector<Point>& Points;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Box.h"
 #include "WindingNumber/CountedBoundary.h"
 
 namespace insideout
@@ -13,18 +14,12 @@ struct FacetTree
 {
   struct Node
   {
-    Point Low; ///< of the triangles' bounding box
-    Point High;
-    Id Begin; ///< of its triangles in Triangles
+    Box Bounds; ///< of its triangles
+    Id Begin;   ///< of these in Triangles
     Id End;
     Id Right; ///< its second child, None for a leaf; the first one is the next node
 
     bool IsLeaf() const { return this->Right == None; }
-    bool Holds(const Point& p) const
-    {
-      return p[0] >= this->Low[0] && p[0] <= this->High[0] && p[1] >= this->Low[1] &&
-        p[1] <= this->High[1] && p[2] >= this->Low[2] && p[2] <= this->High[2];
-    }
   };
 
   FacetTree(const std::vector<Point>& points, std::vector<CountedTriangle> triangles, Id leafSize);

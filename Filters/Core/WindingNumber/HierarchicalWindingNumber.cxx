@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/HierarchicalWindingNumber.h"
 
+#include "Common/Vectors.h"
 #include "WindingNumber/SolidAngle.h"
 
 #include <algorithm>
@@ -119,10 +120,7 @@ double HierarchicalWindingNumber::SumOf(
   double sum = 0;
   for (const CountedTriangle* t = first; t != last; ++t)
   {
-    sum += t->Count *
-      WindingNumberOfTriangle(
-        { this->Points[t->Corners[0]], this->Points[t->Corners[1]], this->Points[t->Corners[2]] },
-        p);
+    sum += t->Count * WindingNumberOfTriangle(CornersOf(this->Points, t->Corners), p);
   }
   return sum;
 }
@@ -141,7 +139,7 @@ double HierarchicalWindingNumber::At(const Point& p) const
     stack.pop_back();
     const FacetTree::Node& node = this->Tree.Nodes[index];
     const Fan& fan = this->Fans[index];
-    if (fan.Replaces && !node.Holds(p))
+    if (fan.Replaces && !node.Bounds.Holds(p))
     {
       w += this->SumOf(fan.Triangles.data(), fan.Triangles.data() + fan.Triangles.size(), p);
     }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/HoleCaps.h"
 
+#include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Common/Vectors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace insideout
@@ -15,25 +14,6 @@ namespace
 {
 // Of longer loops only so many corners are tried, evenly spread.
 constexpr std::size_t MostApexes = 16;
-
-bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto corner = [&](int k)
-  { return Kernel::Point_3(points[t[k]][0], points[t[k]][1], points[t[k]][2]); };
-  return CGAL::collinear(corner(0), corner(1), corner(2));
-}
-
-double Area(const std::vector<Point>& points, const Triangle& t)
-{
-  const Point& a = points[t[0]];
-  const Point& b = points[t[1]];
-  const Point& c = points[t[2]];
-  const Point e = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-  const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
-  return std::hypot(
-    e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]);
-}
 
 Triangle FanTriangle(const Loop& loop, std::size_t apex, std::size_t i)
 {
@@ -51,7 +31,8 @@ std::size_t BestApex(const std::vector<Point>& points, const Loop& loop)
     double area = 0;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i)
     {
-      area += Area(points, FanTriangle(loop, apex, i));
+      const Triangle t = FanTriangle(loop, apex, i);
+      area += Length(NormalOf(points[t[0]], points[t[1]], points[t[2]]));
     }
     if (area < leastArea)
     {

@@ -2,9 +2,9 @@
 #include "WindingNumber/PolylineWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "WindingNumber/Pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,7 @@ namespace insideout
 {
 namespace
 {
-constexpr double TwoPi = 6.28318530717958647692;
 constexpr std::size_t LeafSize = 8;
-
-/** +1 where p lies to the left of the line from a to b, -1 to its right, 0 on it; exact. */
-int Side(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& p)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto point = [](const PlanarPoint& x) { return Kernel::Point_2(x[0], x[1]); };
-  return static_cast<int>(CGAL::orientation(point(a), point(b), point(p)));
-}
 } // namespace
 
 PolylineWindingNumber::PolylineWindingNumber(
@@ -116,7 +107,7 @@ double PolylineWindingNumber::Argument(Id point, const PlanarPoint& p) const
 {
   // Adding 0 makes -0 positive.
   return std::atan2(this->Points[point][1] - p[1] + 0.0, this->Points[point][0] - p[0] + 0.0) /
-    TwoPi;
+    (2 * Pi);
 }
 
 /** The crossings of segments that all pass to the left of p follow from their loose ends. */
@@ -143,7 +134,7 @@ double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Plan
   {
     return 0;
   }
-  const int side = Side(a, b, p);
+  const int side = Orient2D(a, b, p);
   if (side == 0 && inBox)
   {
     return -segment.Count * (this->Argument(segment.To, p) - this->Argument(segment.From, p));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/ReferenceGrid.h"
 
+#include "Common/Vectors.h"
 #include "WindingNumber/PlaceInBox.h"
 
 #include <algorithm>
@@ -22,6 +23,9 @@ constexpr std::size_t MostEntries = std::numeric_limits<std::uint32_t>::max() / 
 
 // References stand in so much of each cube's middle.
 constexpr double Spread = 0.1;
+
+// How often they are moved. Where that does not help, the chain is made to prevent it, and a tree
+// of the whole serves instead.
 constexpr int MostTries = 8;
 
 // In lengths of a cube: how far at least the grid goes beyond the chain, and by how much a cube is
@@ -67,21 +71,13 @@ void ReferenceGrid::ChooseCubes()
   {
     const Box box = this->Facets.BoxOf(f);
     all.Add(box);
-    Point extent;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      extent[axis] = box.High[axis] - box.Low[axis];
-    }
+    const Point extent = Difference(box.High, box.Low);
     linear += extent[0] + extent[1] + extent[2];
     quadratic += extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0];
     cubic += extent[0] * extent[1] * extent[2];
   }
   const double facets = this->Facets.Size();
-  Point extent;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent[axis] = all.High[axis] - all.Low[axis];
-  }
+  const Point extent = Difference(all.High, all.Low);
   const auto fits = [&](double length)
   {
     const double entries =
@@ -96,8 +92,7 @@ void ReferenceGrid::ChooseCubes()
     return entries <= EntriesPerFacet * facets && cubes <= CubesPerFacet * facets &&
       most <= MostCubesPerAxis;
   };
-  const double largest = std::max(std::max(extent[0], extent[1]), extent[2]);
-  this->Length = largest;
+  this->Length = all.Extent(all.LongestAxis());
   while (fits(this->Length * 0.9))
   {
     this->Length *= 0.9;

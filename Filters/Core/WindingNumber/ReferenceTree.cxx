@@ -5,9 +5,7 @@
 #include "WindingNumber/PlaceInBox.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace insideout
 {
@@ -38,6 +36,8 @@ constexpr double WorthwhileGap = 0.2;
 
 // Splits stand at crooked places, off the planes that people draw.
 constexpr double SplitPlace = 0.4937;
+
+// Places that are tried for a reference. One fails only where the line to it meets an edge exactly.
 constexpr int MostTries = 64;
 
 /** Sign of a site's coordinate less x. */
@@ -48,7 +48,6 @@ int Compare(const RoundedSite& site, int axis, double x)
   const double decisive = difference != 0 ? difference : site.Low[axis];
   return (decisive > 0) - (decisive < 0);
 }
-
 } // namespace
 
 class ReferenceTree::Builder
@@ -146,13 +145,13 @@ ReferenceTree::Split ReferenceTree::Builder::ChooseSplit(const Region& region) c
   {
     filled.Add(this->Facets.BoxOf(f));
   }
-  Split split = { 0, 0 };
+  Split split = { region.Bounds.LongestAxis(), 0 };
   double largestPart = WorthwhileGap;
   bool cut = false;
   for (int axis = 0; axis < 3; ++axis)
   {
     // A little beside the facets, so that they do not touch the empty box.
-    const double extent = region.Bounds.High[axis] - region.Bounds.Low[axis];
+    const double extent = region.Bounds.Extent(axis);
     const double gapBelow = filled.Low[axis] - region.Bounds.Low[axis];
     const double gapAbove = region.Bounds.High[axis] - filled.High[axis];
     const double margin = 0.05;
@@ -171,14 +170,7 @@ ReferenceTree::Split ReferenceTree::Builder::ChooseSplit(const Region& region) c
   }
   if (!cut)
   {
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      const bool longer = region.Bounds.High[axis] - region.Bounds.Low[axis] >
-        region.Bounds.High[split.Axis] - region.Bounds.Low[split.Axis];
-      split.Axis = longer ? axis : split.Axis;
-    }
-    split.Place = region.Bounds.Low[split.Axis] +
-      SplitPlace * (region.Bounds.High[split.Axis] - region.Bounds.Low[split.Axis]);
+    split.Place = region.Bounds.Low[split.Axis] + SplitPlace * region.Bounds.Extent(split.Axis);
   }
   return split;
 }
@@ -195,20 +187,11 @@ bool ReferenceTree::Builder::FitsLeaf(const Region& region) const
   {
     return false;
   }
-  double boxExtent = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    boxExtent = std::max(boxExtent, region.Bounds.High[axis] - region.Bounds.Low[axis]);
-  }
+  const double extent = region.Bounds.Extent(region.Bounds.LongestAxis());
   const auto isMuchLarger = [&](Id f)
   {
     const Box box = this->Facets.BoxOf(f);
-    double extent = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      extent = std::max(extent, box.High[axis] - box.Low[axis]);
-    }
-    return extent > 4 * boxExtent;
+    return box.Extent(box.LongestAxis()) > 4 * extent;
   };
   return std::all_of(region.Facets.begin(), region.Facets.end(), isMuchLarger);
 }
@@ -217,18 +200,12 @@ bool ReferenceTree::Builder::FitsLeaf(const Region& region) const
 std::vector<SidedFacet> ReferenceTree::Builder::FacetsBetween(
   const std::vector<Id>& facets, const Point& a, const Point& b) const
 {
-  Point low;
-  Point high;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::tie(low[axis], high[axis]) = std::minmax(a[axis], b[axis]);
-  }
+  Box line = { a, a };
+  line.Add(b);
   std::vector<SidedFacet> between;
   for (const Id f : facets)
   {
-    const Box box = this->Facets.BoxOf(f);
-    if (box.Low[0] <= high[0] && box.High[0] >= low[0] && box.Low[1] <= high[1] &&
-      box.High[1] >= low[1] && box.Low[2] <= high[2] && box.High[2] >= low[2])
+    if (this->Facets.BoxOf(f).Meets(line))
     {
       between.emplace_back(f, this->Facets.SideOf(f, b));
     }
@@ -239,21 +216,14 @@ std::vector<SidedFacet> ReferenceTree::Builder::FacetsBetween(
 /** Find a place in the child's box where the winding number can be told from the parent's. */
 bool ReferenceTree::Builder::FindReference(const Region& parent, Region& child, int axis) const
 {
-  bool inherits = true;
-  bool isBeside = true; // in the parent's box, so that only one coordinate has to change
-  for (int i = 0; i < 3; ++i)
-  {
-    inherits = inherits && parent.Reference[i] >= child.Bounds.Low[i] &&
-      parent.Reference[i] <= child.Bounds.High[i];
-    isBeside = isBeside && parent.Reference[i] >= parent.Bounds.Low[i] &&
-      parent.Reference[i] <= parent.Bounds.High[i];
-  }
   child.Reference = parent.Reference;
   child.Value = parent.Value;
-  if (inherits)
+  if (child.Bounds.Holds(parent.Reference))
   {
     return true;
   }
+  // In the parent's box only one coordinate has to change.
+  const bool isBeside = parent.Bounds.Holds(parent.Reference);
   for (int j = 0; j < MostTries; ++j)
   {
     Point place = PlaceInBox(child.Bounds.Low, child.Bounds.High, j);
@@ -313,8 +283,7 @@ bool ReferenceTree::Builder::Divide(
       return false;
     }
     work += static_cast<double>(child.Facets.size()) *
-      ((child.Bounds.High[split.Axis] - child.Bounds.Low[split.Axis]) /
-        (region.Bounds.High[split.Axis] - region.Bounds.Low[split.Axis]));
+      (child.Bounds.Extent(split.Axis) / region.Bounds.Extent(split.Axis));
   }
   const bool fruitless = work > 0.9 * static_cast<double>(region.Facets.size());
   const double facets = static_cast<double>(children[0].Facets.size() + children[1].Facets.size());

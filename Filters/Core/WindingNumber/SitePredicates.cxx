@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SitePredicates.h"
 
-#include <CGAL/Mpzf.h>
-#include <CGAL/determinant.h>
-#include <CGAL/number_utils.h>
+#include "Common/Numbers.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,7 @@ namespace insideout
 {
 namespace
 {
-using Exact = CGAL::Mpzf;
-using ExactVector = std::array<Exact, 3>;
+using ExactVector = Vector<DyadicNumber>;
 
 // With u = 2^-53, the forward error of normal . d is below 16 u |edge| |edge| |d| (3 from the
 // difference, 6 from the normal and 3 from the product), that of a determinant of differences below
@@ -25,8 +23,8 @@ constexpr double RelativeError = 0x1p-48;
 constexpr double LeastDecided = 1e-250;
 constexpr double LeastDifference = 0x1p-45;
 
-/** From the site to a point. */
-Point FromSite(const PreparedSite& site, const Point& point)
+/** From the site to a point, rounded. */
+Point RoundedVectorFrom(const PreparedSite& site, const Point& point)
 {
   Point d;
   for (int axis = 0; axis < 3; ++axis)
@@ -34,33 +32,6 @@ Point FromSite(const PreparedSite& site, const Point& point)
     d[axis] = (point[axis] - site.High[axis]) - site.Low[axis];
   }
   return d;
-}
-
-ExactVector ExactFromSite(const Site& site, const Point& point)
-{
-  ExactVector d;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      d[axis] += Exact(site.Weights[k]) * (Exact(point[axis]) - Exact(site.Corners[k][axis]));
-    }
-  }
-  return d;
-}
-
-ExactVector ExactCross(const ExactVector& a, const ExactVector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-int ExactSign(const Site& site, const Point& a, const Point& b, const Point& c)
-{
-  const ExactVector u = ExactFromSite(site, a);
-  const ExactVector v = ExactFromSite(site, b);
-  const ExactVector w = ExactFromSite(site, c);
-  return static_cast<int>(
-    CGAL::sign(CGAL::determinant<Exact>(u[0], u[1], u[2], v[0], v[1], v[2], w[0], w[1], w[2])));
 }
 
 /** At least its length. */
@@ -78,16 +49,14 @@ double LargestComponent(const Point& d)
 PlaneOfTriangle::PlaneOfTriangle(const std::array<Point, 3>& corners)
 {
   const auto& [a, b, c] = corners;
-  const Point e = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-  const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
-  this->Normal = { e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
-    e[0] * f[1] - e[1] * f[0] };
-  this->UndecidedSide = RelativeError * SumOfComponents(e) * SumOfComponents(f);
+  this->Normal = NormalOf(a, b, c);
+  this->UndecidedSide =
+    RelativeError * SumOfComponents(Difference(b, a)) * SumOfComponents(Difference(c, a));
 }
 
 int QuickSide(const PlaneOfTriangle& plane, const Point& d)
 {
-  const double side = d[0] * plane.Normal[0] + d[1] * plane.Normal[1] + d[2] * plane.Normal[2];
+  const double side = Dot(d, plane.Normal);
   const double length = SumOfComponents(d);
   const bool decided =
     std::abs(side) > plane.UndecidedSide * length + LeastDecided && length > LeastDifference;
@@ -97,23 +66,29 @@ int QuickSide(const PlaneOfTriangle& plane, const Point& d)
 int SideOfPlane(
   const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const PreparedSite& site)
 {
-  const int side = QuickSide(plane, FromSite(site, triangle[0]));
-  return side != 0 ? side : -ExactSign(site.Exact, triangle[0], triangle[1], triangle[2]);
+  const int side = QuickSide(plane, RoundedVectorFrom(site, triangle[0]));
+  return side != 0 ? side : -SignOfDeterminant(site.Exact, triangle[0], triangle[1], triangle[2]);
 }
 
 int SideOfPlane(
   const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const Point& point)
 {
-  const int side = QuickSide(
-    plane, { triangle[0][0] - point[0], triangle[0][1] - point[1], triangle[0][2] - point[2] });
-  return side != 0 ? side : -ExactSign(SiteAt(point), triangle[0], triangle[1], triangle[2]);
+  const int side = QuickSide(plane, Difference(triangle[0], point));
+  return side != 0 ? side
+                   : -SignOfDeterminant(SiteAt(point), triangle[0], triangle[1], triangle[2]);
+}
+
+int SignOfDeterminant(const Site& site, const Point& a, const Point& b, const Point& c)
+{
+  return CGAL::sign(Determinant(VectorFrom<DyadicNumber>(site, a),
+    VectorFrom<DyadicNumber>(site, b), VectorFrom<DyadicNumber>(site, c)));
 }
 
 int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c)
 {
-  const Point u = FromSite(site, a);
-  const Point v = FromSite(site, b);
-  const Point w = FromSite(site, c);
+  const Point u = RoundedVectorFrom(site, a);
+  const Point v = RoundedVectorFrom(site, b);
+  const Point w = RoundedVectorFrom(site, c);
   double determinant = 0;
   double permanent = 0;
   for (int i = 0; i < 3; ++i)
@@ -131,7 +106,7 @@ int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, 
   {
     return determinant > 0 ? 1 : -1;
   }
-  return ExactSign(site.Exact, a, b, c);
+  return SignOfDeterminant(site.Exact, a, b, c);
 }
 
 bool IsInTriangle(const std::array<Point, 3>& triangle, const Site& site)
@@ -139,11 +114,11 @@ bool IsInTriangle(const std::array<Point, 3>& triangle, const Site& site)
   std::array<ExactVector, 3> d;
   for (int k = 0; k < 3; ++k)
   {
-    d[k] = ExactFromSite(site, triangle[k]);
+    d[k] = VectorFrom<DyadicNumber>(site, triangle[k]);
   }
   // In the plane all three are multiples of the normal.
-  const std::array<ExactVector, 3> products = { ExactCross(d[0], d[1]), ExactCross(d[1], d[2]),
-    ExactCross(d[2], d[0]) };
+  const std::array<ExactVector, 3> products = { Cross(d[0], d[1]), Cross(d[1], d[2]),
+    Cross(d[2], d[0]) };
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto sign = [&](int k) { return static_cast<int>(CGAL::sign(products[k][axis])); };
@@ -159,7 +134,8 @@ bool IsInTriangle(const std::array<Point, 3>& triangle, const Site& site)
 
 bool IsOnLine(const Point& a, const Point& b, const Site& site)
 {
-  const ExactVector product = ExactCross(ExactFromSite(site, a), ExactFromSite(site, b));
+  const ExactVector product =
+    Cross(VectorFrom<DyadicNumber>(site, a), VectorFrom<DyadicNumber>(site, b));
   return CGAL::is_zero(product[0]) && CGAL::is_zero(product[1]) && CGAL::is_zero(product[2]);
 }
 } // namespace insideout

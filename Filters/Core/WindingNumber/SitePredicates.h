@@ -44,8 +44,9 @@ int SideOfPlane(
 
 /**
  * Sign of the determinant of the vectors from the site to a, b and c: on which side of the plane
- * through a, b and c it lies. Exact; coordinates below 1.
+ * through a, b and c it lies. Exact; quick for a prepared site, with coordinates below 1.
  */
+int SignOfDeterminant(const Site& site, const Point& a, const Point& b, const Point& c);
 int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c);
 
 /** Whether the site, which lies in the plane of the triangle, lies in the triangle or on its

@@ -29,6 +29,23 @@ inline Site SiteAt(const Point& point)
   return { { { point, point, point, point } }, BarycentreWeights };
 }
 
+/** From the site to a point; as the weights sum to 1, differences can be taken first. */
+template <typename Number>
+std::array<Number, 3> VectorFrom(const Site& site, const Point& point)
+{
+  std::array<Number, 3> result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      result[axis] +=
+        Number(site.Weights[k]) * (Number(point[axis]) - Number(site.Corners[k][axis]));
+    }
+  }
+  return result;
+}
+
 /** A site's place in doubles: High + Low, without rounding to speak of. */
 struct RoundedSite
 {
@@ -42,12 +59,6 @@ struct RoundedSite
   Point High;
   Point Low;
 };
-
-/** The exponent e such that the absolute value of every coordinate is below 2^e. */
-int LargestExponent(const std::vector<Point>& points);
-
-/** The points times 2^-exponent. */
-std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent);
 
 /** The cells {p, p, p, p} of so many points. */
 std::vector<Tetrahedron> CellsOfPoints(std::size_t count);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SolidAngle.h"
 
-#include <CGAL/Mpzf.h>
-#include <CGAL/determinant.h>
-#include <CGAL/number_utils.h>
+#include "Common/Vectors.h"
+#include "WindingNumber/Pi.h"
+#include "WindingNumber/SitePredicates.h"
+
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <algorithm>
@@ -45,39 +46,7 @@ constexpr double LeastLongModulus = 0x1p-14;
 constexpr double UndecidedLongDeterminant = 0x1p-56;
 constexpr double LeastSquaredDistance = 0x1p-70;
 
-template <typename Number>
-using Vector = std::array<Number, 3>;
-
-/** From the site to `corner`; as the weights sum to 1, differences can be taken first. */
-template <typename Number>
-Vector<Number> FromSite(const Site& site, const Point& corner)
-{
-  Vector<Number> result;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    result[axis] = 0;
-    for (int k = 0; k < 4; ++k)
-    {
-      result[axis] +=
-        Number(site.Weights[k]) * (Number(corner[axis]) - Number(site.Corners[k][axis]));
-    }
-  }
-  return result;
-}
-
-template <typename Number>
-Number Determinant(const Vector<Number>& a, const Vector<Number>& b, const Vector<Number>& c)
-{
-  return CGAL::determinant<Number>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
-}
-
-template <typename Number>
-Number Dot(const Vector<Number>& a, const Vector<Number>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/** The largest difference of coordinates that FromSite takes. */
+/** The largest difference of coordinates that VectorFrom takes. */
 double Extent(const std::array<Point, 3>& triangle, const Site& site)
 {
   double extent = 0;
@@ -94,11 +63,6 @@ double Extent(const std::array<Point, 3>& triangle, const Site& site)
   return extent;
 }
 
-Point Minus(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
 /** From a site to a point as a unit vector; false where too near for long doubles. */
 bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>& unit)
 {
@@ -106,7 +70,7 @@ bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>
   {
     unit[axis] = (static_cast<long double>(point[axis]) - site.High[axis]) - site.Low[axis];
   }
-  const long double squared = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
+  const long double squared = Dot(unit, unit);
   for (long double& x : unit)
   {
     x /= std::sqrt(squared);
@@ -117,9 +81,7 @@ bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>
 /** +1 where the triangle's normal points away from the site, -1 towards it, 0 in plane. */
 int Side(const std::array<Point, 3>& triangle, const Site& site)
 {
-  using Exact = CGAL::Mpzf;
-  return static_cast<int>(CGAL::sign(Determinant(FromSite<Exact>(site, triangle[0]),
-    FromSite<Exact>(site, triangle[1]), FromSite<Exact>(site, triangle[2]))));
+  return SignOfDeterminant(site, triangle[0], triangle[1], triangle[2]);
 }
 
 /** z of modulus 1 from its real part and the size of its imaginary one; 1 in the triangle's plane.
@@ -151,11 +113,8 @@ bool QuickHalfSolidAngle(
   {
     return false;
   }
-  const auto dot = [](const Vector<long double>& u, const Vector<long double>& v)
-  { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
-  const long double real = 1 + ((dot(a, b) + dot(c, a)) + dot(b, c));
-  const long double imaginary = a[0] * (b[1] * c[2] - b[2] * c[1]) +
-    a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const long double real = 1 + ((Dot(a, b) + Dot(c, a)) + Dot(b, c));
+  const long double imaginary = Determinant(a, b, c);
   const long double modulus = std::sqrt(real * real + imaginary * imaginary);
   if (!(modulus > LeastLongModulus))
   {
@@ -178,9 +137,9 @@ bool PreciseHalfSolidAngle(
   const std::array<Point, 3>& triangle, const Site& site, int side, std::complex<double>& z)
 {
   using Number = Precise<Digits>;
-  const Vector<Number> a = FromSite<Number>(site, triangle[0]);
-  const Vector<Number> b = FromSite<Number>(site, triangle[1]);
-  const Vector<Number> c = FromSite<Number>(site, triangle[2]);
+  const Vector<Number> a = VectorFrom<Number>(site, triangle[0]);
+  const Vector<Number> b = VectorFrom<Number>(site, triangle[1]);
+  const Vector<Number> c = VectorFrom<Number>(site, triangle[2]);
   const Number lengthA = sqrt(Dot(a, a));
   const Number lengthB = sqrt(Dot(b, b));
   const Number lengthC = sqrt(Dot(c, c));
@@ -221,23 +180,21 @@ std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const 
 
 double WindingNumberOfTriangle(const std::array<Point, 3>& triangle, const Point& p)
 {
-  const double pi = 3.14159265358979323846;
-  const Point a = Minus(triangle[0], p);
-  const Point b = Minus(triangle[1], p);
-  const Point c = Minus(triangle[2], p);
+  const Point a = Difference(triangle[0], p);
+  const Point b = Difference(triangle[1], p);
+  const Point c = Difference(triangle[2], p);
   const double lengthA = std::sqrt(Dot(a, a));
   const double lengthB = std::sqrt(Dot(b, b));
   const double lengthC = std::sqrt(Dot(c, c));
   const double all = lengthA * lengthB * lengthC;
   const double div = all + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
-  const double det = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  const double det = Determinant(a, b, c);
   const bool isClear =
     div * div + det * det >= LeastSquaredModulus * all * all && all > LeastProduct;
   if (isClear && (div > 0 || std::abs(det) > UndecidedDeterminant * all))
   {
-    return std::atan2(det, div) / (2 * pi);
+    return std::atan2(det, div) / (2 * Pi);
   }
-  return std::arg(HalfSolidAngle(triangle, SiteAt(p))) / (2 * pi);
+  return std::arg(HalfSolidAngle(triangle, SiteAt(p))) / (2 * Pi);
 }
 } // namespace insideout

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SolidAngleProduct.h"
 
+#include "Common/Vectors.h"
+#include "WindingNumber/Pi.h"
 #include "WindingNumber/VectorClones.h"
 
 #include <algorithm>
@@ -122,12 +124,8 @@ INSIDEOUT_ALWAYS_INLINE double TwoSum(double a, double b, double& sum)
 
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c)
 {
-  const Point e = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-  const Point f = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
-  facet.Normal = { e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
-    e[0] * f[1] - e[1] * f[0] };
-  facet.UndecidedSide =
-    SideError * std::hypot(e[0], e[1], e[2]) * std::hypot(f[0], f[1], f[2]) + LeastSide;
+  facet.Normal = NormalOf(a, b, c);
+  facet.UndecidedSide = SideError * Distance(a, b) * Distance(a, c) + LeastSide;
 }
 
 INSIDEOUT_VECTOR_CLONES
@@ -218,9 +216,8 @@ void MultiplyBy(Products& products, int lane, double real, double imaginary)
 
 double WindingNumber(const Products& products, int lane)
 {
-  const double pi = 3.14159265358979323846;
   // Adding 0 makes -0 positive, so that a negative real number has the argument pi.
   const double argument = std::atan2(products.Imaginary[lane] + 0.0, products.Real[lane]);
-  return products.Turns[lane] + argument / (2 * pi);
+  return products.Turns[lane] + argument / (2 * Pi);
 }
 } // namespace insideout

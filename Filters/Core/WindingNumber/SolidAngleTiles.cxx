@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SolidAngleTiles.h"
 
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
 #include "WindingNumber/Prefetch.h"
 #include "WindingNumber/SolidAngle.h"
 
@@ -55,14 +57,12 @@ void SolidAngleTiles::CloseTile(std::size_t firstFacet)
   {
     ids.insert(ids.end(), this->Facets[f].Corners.begin(), this->Facets[f].Corners.end());
   }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  SortUniquely(ids);
   for (std::size_t f = firstFacet; f < this->Facets.size(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      this->Facets[f].Local[k] = static_cast<int>(
-        std::lower_bound(ids.begin(), ids.end(), this->Facets[f].Corners[k]) - ids.begin());
+      this->Facets[f].Local[k] = IndexIn(ids, this->Facets[f].Corners[k]);
     }
   }
   const std::size_t firstPoint = this->TilePoints.size();
@@ -110,8 +110,7 @@ TileRange SolidAngleTiles::Add(const std::vector<CountedTriangle>& triangles)
 void SolidAngleTiles::MultiplyByUndecided(const SummedFacet& facet, const Sites& sites,
   const double (&undecided)[Lanes], SiteProducts& block) const
 {
-  const std::array<Point, 3> triangle = { this->Points[facet.Corners[0]],
-    this->Points[facet.Corners[1]], this->Points[facet.Corners[2]] };
+  const std::array<Point, 3> triangle = CornersOf(this->Points, facet.Corners);
   for (int lane = 0; lane < Lanes; ++lane)
   {
     if (undecided[lane] > 0)

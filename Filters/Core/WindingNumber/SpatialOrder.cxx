@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SpatialOrder.h"
 
+#include "Common/Box.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace insideout
@@ -58,22 +59,12 @@ void SortByCode(std::vector<Key>& keys)
 
 std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
-  Point low = { infinity, infinity, infinity };
-  Point high = { -infinity, -infinity, -infinity };
-  for (const Point& p : positions)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  }
+  const Box box = BoundingBox(positions);
   // The same scale on all axes; halves, for the extent itself may overflow.
   double halfExtent = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    halfExtent = std::max(halfExtent, high[axis] / 2 - low[axis] / 2);
+    halfExtent = std::max(halfExtent, box.High[axis] / 2 - box.Low[axis] / 2);
   }
   const auto digit = [&](double x, double least) -> std::uint32_t
   {
@@ -85,8 +76,8 @@ std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     const Point& p = positions[i];
-    keys[i] = { Spread(digit(p[0], low[0])) | Spread(digit(p[1], low[1])) << 1 |
-        Spread(digit(p[2], low[2])) << 2,
+    keys[i] = { Spread(digit(p[0], box.Low[0])) | Spread(digit(p[1], box.Low[1])) << 1 |
+        Spread(digit(p[2], box.Low[2])) << 2,
       static_cast<Id>(i) };
   }
   SortByCode(keys);

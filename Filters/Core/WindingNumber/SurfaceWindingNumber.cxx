@@ -2,10 +2,13 @@
 #include "WindingNumber/SurfaceWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Stages.h"
+#include "Common/Vectors.h"
 #include "WindingNumber/ApproximateWindingNumber.h"
 #include "WindingNumber/ExactWindingNumber.h"
 #include "WindingNumber/HierarchicalWindingNumber.h"
+#include "WindingNumber/Pi.h"
 #include "WindingNumber/SpatialOrder.h"
 #include "WindingNumber/WindingNumberSum.h"
 
@@ -19,7 +22,6 @@ namespace insideout
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 // From 2^50 times the surface's size away, w is below 2^-90.
 constexpr double Afar = 0x1p50;
@@ -37,11 +39,6 @@ FacetComplex ComplexOf(
   return surface;
 }
 
-bool IsFinite(const Point& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 /** False where a coordinate is not finite, too. */
 bool IsNear(const Point& scaled)
 {
@@ -51,27 +48,21 @@ bool IsNear(const Point& scaled)
 /** What a line current along the edge from a to b gives at p, without its constant. */
 void AddBiotSavart(const Point& a, const Point& b, const Point& p, double count, Point& sum)
 {
-  Point u, v;
-  double uu = 0, vv = 0, uv = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    u[axis] = a[axis] - p[axis];
-    v[axis] = b[axis] - p[axis];
-    uu += u[axis] * u[axis];
-    vv += v[axis] * v[axis];
-    uv += u[axis] * v[axis];
-  }
-  const double lengths = std::sqrt(uu) * std::sqrt(vv);
+  const Point u = Difference(a, p);
+  const Point v = Difference(b, p);
+  const double uv = Dot(u, v);
+  const double lengthU = std::sqrt(Dot(u, u));
+  const double lengthV = std::sqrt(Dot(v, v));
+  const double lengths = lengthU * lengthV;
   const double denominator = lengths * (lengths + uv);
-  const Point cross = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-    u[0] * v[1] - u[1] * v[0] };
-  const double squaredCross = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
+  const Point cross = Cross(u, v);
+  const double squaredCross = Dot(cross, cross);
   if (squaredCross == 0)
   {
     return; // in line with the edge
   }
   // Where the edge is seen under nearly 180 degrees the sum in the denominator cancels.
-  const double sumOfLengths = std::sqrt(uu) + std::sqrt(vv);
+  const double sumOfLengths = lengthU + lengthV;
   const double factor =
     uv > 0 ? sumOfLengths / denominator : sumOfLengths * (lengths - uv) / (lengths * squaredCross);
   for (int axis = 0; axis < 3; ++axis)
@@ -87,7 +78,7 @@ public:
   Implementation(
     const FacetComplex& surface, const WindingNumberParameters& parameters, Monitor& monitor)
     : Exponent(LargestExponent(surface.Points))
-    , Points(ScaledPoints(surface.Points, this->Exponent))
+    , Points(ScaledPoints(surface.Points, -this->Exponent))
     , Method(parameters.Method)
   {
     std::vector<CountedTriangle> triangles = CountedFacets(surface);
@@ -111,7 +102,7 @@ public:
     }
   }
 
-  Point Scale(const Point& point) const { return ScaledPoints({ point }, this->Exponent).front(); }
+  Point Scale(const Point& point) const { return ScaledPoints({ point }, -this->Exponent).front(); }
 
   /** At points that are finite and not afar, `scaled`. */
   std::vector<double> At(
@@ -165,7 +156,7 @@ std::vector<double> SurfaceWindingNumber::At(
   const std::vector<Point>& points, Monitor& monitor, const ProgressRange& progress) const
 {
   monitor.Check(progress.Stage, progress.Begin);
-  const std::vector<Point> scaled = ScaledPoints(points, this->Internals->Exponent);
+  const std::vector<Point> scaled = ScaledPoints(points, -this->Internals->Exponent);
   if (std::all_of(scaled.begin(), scaled.end(), IsNear))
   {
     std::vector<double> w = this->Internals->At(scaled, monitor, progress);

@@ -2,6 +2,7 @@
 #include "WindingNumber/TouchedCells.h"
 
 #include "Common/Box.h"
+#include "Common/Vectors.h"
 #include "WindingNumber/SitePredicates.h"
 #include "WindingNumber/SpatialOrder.h"
 
@@ -28,9 +29,7 @@ struct BoundedTriangle
     int above = 0;
     for (const Id p : cell)
     {
-      const int side = QuickSide(this->Plane,
-        { this->Corner[0] - points[p][0], this->Corner[1] - points[p][1],
-          this->Corner[2] - points[p][2] });
+      const int side = QuickSide(this->Plane, Difference(this->Corner, points[p]));
       below += side < 0;
       above += side > 0;
     }
@@ -82,7 +81,7 @@ std::vector<Group> MakeGroups(
     group.Bounds.Add(box);
     group.Bunches.back().Bounds.Add(box);
     group.Bunches.back().Triangles.push_back(
-      { box, points[t[0]], PlaneOfTriangle({ points[t[0]], points[t[1]], points[t[2]] }) });
+      { box, points[t[0]], PlaneOfTriangle(CornersOf(points, t)) });
   }
   return groups;
 }

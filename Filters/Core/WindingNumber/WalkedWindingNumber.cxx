@@ -181,14 +181,12 @@ std::vector<CountedTriangle> FaceCounts::Chain() const
   std::vector<CountedTriangle> faces;
   for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
   {
-    const Tetrahedron& t = this->Mesh.Cells[cell];
     for (int k = 0; k < 4; ++k)
     {
       const int count = this->OnEntering(cell, k);
       if (count != 0 && this->Mesh.Neighbors[cell][k] < cell)
       {
-        const std::array<int, 3>& corners = TetrahedronFaces[k];
-        faces.push_back({ { { t[corners[0]], t[corners[1]], t[corners[2]] } }, count });
+        faces.push_back({ FaceOf(this->Mesh.Cells[cell], k), count });
       }
     }
   }

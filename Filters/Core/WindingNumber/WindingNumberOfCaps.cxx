@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/WindingNumberOfCaps.h"
 
+#include "Common/Box.h"
 #include "Common/ChunkedLoop.h"
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
+#include "WindingNumber/Pi.h"
 #include "WindingNumber/Prefetch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace insideout
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // Far caps together are below this; 1/2 less room for rounding.
 constexpr double MostOfFarCaps = 0.49;
 
@@ -48,10 +49,11 @@ WindingNumberOfCaps::Ball BallAround(const SiteBlock& sites)
   return ball;
 }
 
-double Distance(const Point& a, const Point& b)
+/** Coordinates are below 2^50, so that their squares do not overflow. */
+double QuickDistance(const Point& a, const Point& b)
 {
-  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return std::sqrt(x * x + y * y + z * z);
+  const Point d = Difference(a, b);
+  return std::sqrt(Dot(d, d));
 }
 
 /**
@@ -82,7 +84,7 @@ bool FindFrame(
 double BoundOf(
   double area, const WindingNumberOfCaps::Ball& around, const WindingNumberOfCaps::Ball& sites)
 {
-  const double distance = Distance(around.Centre, sites.Centre) - sites.Radius - around.Radius;
+  const double distance = QuickDistance(around.Centre, sites.Centre) - sites.Radius - around.Radius;
   const bool clear = distance > LeastDistance && distance > LeastRelativeDistance * around.Radius;
   return clear ? area / (4 * Pi * distance * distance) : 1;
 }
@@ -114,13 +116,12 @@ std::vector<Loop> LoopsAround(std::vector<CountedTriangle> triangles)
   {
     ids.insert(ids.end(), triangle.Corners.begin(), triangle.Corners.end());
   }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  SortUniquely(ids);
   for (CountedTriangle& triangle : triangles)
   {
     for (Id& corner : triangle.Corners)
     {
-      corner = static_cast<Id>(std::lower_bound(ids.begin(), ids.end(), corner) - ids.begin());
+      corner = IndexIn(ids, corner);
     }
   }
   std::vector<Loop> loops = LoopsOf(CountedBoundary(triangles, static_cast<Id>(ids.size())));
@@ -222,30 +223,17 @@ void WindingNumberOfCaps::AddBunch(const Chain* const* first, const Chain* const
 
 void WindingNumberOfCaps::Measure(const Chain& triangles, Part& part) const
 {
-  const double infinity = std::numeric_limits<double>::infinity();
-  Point low = { infinity, infinity, infinity };
-  Point high = { -infinity, -infinity, -infinity };
+  Box box = Box::Empty();
   part.Area = 0;
   for (const CountedTriangle& triangle : triangles)
   {
-    std::array<Point, 3> p;
-    for (int k = 0; k < 3; ++k)
-    {
-      p[k] = this->Points[triangle.Corners[k]];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        low[axis] = std::min(low[axis], p[k][axis]);
-        high[axis] = std::max(high[axis], p[k][axis]);
-      }
-    }
-    SummedFacet facet;
-    SetGeometry(facet, p[0], p[1], p[2]);
-    part.Area +=
-      std::abs(triangle.Count) * std::hypot(facet.Normal[0], facet.Normal[1], facet.Normal[2]) / 2;
+    const auto [a, b, c] = CornersOf(this->Points, triangle.Corners);
+    box.Add(BoundingBox(this->Points, triangle.Corners));
+    part.Area += std::abs(triangle.Count) * Length(NormalOf(a, b, c)) / 2;
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    part.Around.Centre[axis] = low[axis] / 2 + high[axis] / 2;
+    part.Around.Centre[axis] = box.Low[axis] / 2 + box.High[axis] / 2;
   }
   part.Around.Radius = 0;
   for (const CountedTriangle& triangle : triangles)
@@ -253,7 +241,7 @@ void WindingNumberOfCaps::Measure(const Chain& triangles, Part& part) const
     for (const Id p : triangle.Corners)
     {
       part.Around.Radius =
-        std::max(part.Around.Radius, Distance(part.Around.Centre, this->Points[p]));
+        std::max(part.Around.Radius, QuickDistance(part.Around.Centre, this->Points[p]));
     }
   }
   const double roundedUp = 1 + 0x1p-40;

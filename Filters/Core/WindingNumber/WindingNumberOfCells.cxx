@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/WindingNumberOfCells.h"
 
+#include "Common/ScaledPoints.h"
 #include "Common/Stages.h"
+#include "Common/Vectors.h"
 #include "WindingNumber/ClosedChainTree.h"
 #include "WindingNumber/HoleCaps.h"
 #include "WindingNumber/SpatialOrder.h"
@@ -80,7 +82,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   const std::vector<CountedTriangle>& beyond, const QuadratureRule& rule, Monitor& monitor)
 {
   monitor.Check(Stages::WindingNumbers, 0);
-  const std::vector<Point> points = ScaledPoints(mesh.Points, LargestExponent(mesh.Points));
+  const std::vector<Point> points = ScaledPoints(mesh.Points, -LargestExponent(mesh.Points));
   const FaceCounts counts(surface, mesh);
   const ClosedWithCaps chain = CloseMeshChain(counts, points, beyond);
   std::vector<std::vector<CountedTriangle>> apart = chain.Caps;
@@ -152,15 +154,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
 /** Six times the volume, positive where the cell is positively oriented. */
 double SixfoldVolume(const std::array<Point, 4>& p)
 {
-  Point u, v, t;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    u[axis] = p[1][axis] - p[0][axis];
-    v[axis] = p[2][axis] - p[0][axis];
-    t[axis] = p[3][axis] - p[0][axis];
-  }
-  return u[0] * (v[1] * t[2] - v[2] * t[1]) + u[1] * (v[2] * t[0] - v[0] * t[2]) +
-    u[2] * (v[0] * t[1] - v[1] * t[0]);
+  return Determinant(Difference(p[1], p[0]), Difference(p[2], p[0]), Difference(p[3], p[0]));
 }
 } // namespace
 
@@ -188,10 +182,7 @@ double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)
   double compensation = 0;
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
-    const Tetrahedron& corners = mesh.Cells[cell];
-    const double term = w[cell] *
-      SixfoldVolume({ mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]],
-        mesh.Points[corners[3]] });
+    const double term = w[cell] * SixfoldVolume(CornersOf(mesh.Points, mesh.Cells[cell]));
     const double next = sum + term;
     compensation += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
     sum = next;

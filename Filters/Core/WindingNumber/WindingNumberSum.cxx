@@ -5,6 +5,7 @@
 #include "WindingNumber/WindingNumberSum.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/ScaledPoints.h"
 #include "WindingNumber/SolidAngleTiles.h"
 #include "WindingNumber/SpatialOrder.h"
 
@@ -73,8 +74,8 @@ std::vector<double> WindingNumberSum(
 {
   monitor.Check(progress.Stage, progress.Begin);
   const int exponent = std::max(LargestExponent(surface.Points), LargestExponent(sites.Points));
-  const std::vector<Point> points = ScaledPoints(surface.Points, exponent);
-  const std::vector<Point> sitePoints = ScaledPoints(sites.Points, exponent);
+  const std::vector<Point> points = ScaledPoints(surface.Points, -exponent);
+  const std::vector<Point> sitePoints = ScaledPoints(sites.Points, -exponent);
   const Sites scaledSites = { sitePoints, sites.Cells, sites.Weights };
   SolidAngleTiles tiles(points);
   const TileRange all = tiles.Add(SortedFacets(surface));

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+/** Sizes by powers of two: scaling so rounds nothing, and products neither over- nor underflow. */
+namespace insideout
+{
+/** The largest absolute value of a coordinate; 0 for no points. */
+double LargestCoordinate(const std::vector<Point>& points);
+
+/** The exponent e such that the absolute value of every coordinate is below 2^e; 0 where all are 0.
+ */
+int LargestExponent(const std::vector<Point>& points);
+
+/** The points times 2^exponent, which is from -1074 to 2046: as std::ldexp gives them, quickly. */
+std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent);
+} // namespace insideout
