@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Common/Statistics.h"
 #include "Exact/ExactTetrahedralization.h"
 #include "Resolve/ResolveSelfIntersections.h"
+#include "Support/Corpus.h"
 #include "Support/MeshLaws.h"
 #include "Support/SurfaceFamilies.h"
 #include "Support/TestMeshes.h"
@@ -14,7 +14,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 using namespace insideout;
 
@@ -25,26 +24,22 @@ struct Tally
 {
   int Surfaces = 0;
   int Incomplete = 0; ///< surfaces with lost facets
-  int Broken = 0;     ///< laws broken, errors, or not done in time
+  int Broken = 0;     ///< laws broken, errors, or too much work
   long Facets = 0;
   long Lost = 0;
   long Points = 0;
   long SteinerPoints = 0;
 };
 
-double ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/** Stops a surface that takes longer than any should, however busy the machine is. */
-class Deadline : public Monitor
+/** Stops a surface that takes more work than any should: ten times what the hardest has taken. */
+class WorkLimit : public Monitor
 {
 public:
-  bool Continue(const char*, double) override { return ProcessorSeconds() - this->Start < 60; }
+  bool Continue(const char*, double) override { return ++this->Reports <= MostReports; }
 
 private:
-  const double Start = ProcessorSeconds();
+  static constexpr long MostReports = 1000000;
+  long Reports = 0;
 };
 
 void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally& tally)
@@ -56,8 +51,8 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
       ResolveSelfIntersections(CountFacets(soup, {}, patient).Surface, patient).Surface;
     const std::vector<Triangle> facets(
       surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
-    Deadline deadline;
-    const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, deadline);
+    WorkLimit limit;
+    const ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points, facets, limit);
     const TetrahedralMesh mesh = AssembleMesh(surface, exact.Tetrahedra, patient);
     testing::TestPartResultArray violations;
     {
@@ -96,36 +91,32 @@ void TetrahedralizeOne(const std::string& name, const TriangleSoup& soup, Tally&
 } // namespace
 
 /**
- * FuzzTetrahedralization SECONDS [SEED]: resolves random soups and the families of hard surfaces,
- * tetrahedralizes them and proves the laws of meshes, until the time is over. Prints what is lost
- * or goes wrong, and a sum at the end. Exit status 1 where a law is broken or anything goes wrong.
+ * FuzzTetrahedralization SURFACES [SEED]: resolves so many of the families of hard surfaces, of
+ * random soups and of changed surfaces of the corpus, tetrahedralizes them and proves the laws of
+ * meshes. Prints what is lost or goes wrong, and a sum at the end. Exit status 1 where a law is
+ * broken or anything goes wrong.
  */
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
-  const double seconds = argc > 1 ? std::atof(argv[1]) : 60;
+  long left = argc > 1 ? std::atol(argv[1]) : 500;
   unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 0;
-  Stopwatch watch;
-  double elapsed = 0;
   Tally tally;
-  const auto isTime = [&]() { return (elapsed += watch.Lap()) < seconds; };
-  for (const testmeshes::SurfaceFamily& family : testmeshes::SurfaceFamilies(3))
+  const auto run = [&](const std::vector<testmeshes::SurfaceFamily>& families, const char* suffix)
   {
-    for (std::size_t i = 0; i < family.Members.size() && isTime(); ++i)
+    for (const testmeshes::SurfaceFamily& family : families)
     {
-      TetrahedralizeOne(family.Name + "-" + std::to_string(i), family.Members[i], tally);
-    }
-  }
-  for (; isTime(); ++seed)
-  {
-    const std::string name = std::to_string(seed);
-    for (const testmeshes::SurfaceFamily& family : testmeshes::TetrahedralizationFamilies(seed))
-    {
-      for (std::size_t i = 0; i < family.Members.size() && isTime(); ++i)
+      for (std::size_t i = 0; i < family.Members.size() && left > 0; ++i, --left)
       {
-        TetrahedralizeOne(family.Name + "-" + name, family.Members[i], tally);
+        TetrahedralizeOne(family.Name + "-" + suffix, family.Members[i], tally);
       }
     }
+  };
+  run(testmeshes::SurfaceFamilies(3), "fixed");
+  for (; left > 0; ++seed)
+  {
+    run(testmeshes::TetrahedralizationFamilies(seed), std::to_string(seed).c_str());
+    run({ testmeshes::ChangedCorpus(seed) }, std::to_string(seed).c_str());
   }
   std::printf("%d surfaces, %ld facets, %ld lost on %d surfaces, %ld Steiner points on %ld points, "
               "%d went wrong\n",

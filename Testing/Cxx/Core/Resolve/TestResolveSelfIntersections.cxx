@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/ResolveSelfIntersections.h"
 
+#include "Support/Corpus.h"
 #include "Support/ExactReference.h"
 #include "Support/TestMeshes.h"
 
@@ -472,10 +473,7 @@ TEST(ResolveSelfIntersections, LeavesWhatIsNoConstraintAlone)
 
 TEST(ResolveSelfIntersections, UsesACornerOnAFacetByItsId)
 {
-  TriangleSoup soup;
-  soup.Points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 }, { 1, 1, 1 }, { 2, 1, 1 } };
-  soup.Triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
-  const FacetComplex resolved = Resolve(ToComplex(soup)).Surface;
+  const FacetComplex resolved = Resolve(ToComplex(CorpusSurface("corner-on-a-facet"))).Surface;
   EXPECT_EQ(resolved.Points.size(), 6u);
   EXPECT_EQ(resolved.NumberOfFacets(), 4);
 }

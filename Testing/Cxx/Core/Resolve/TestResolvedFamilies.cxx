@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/Corpus.h"
 #include "Support/ExactReference.h"
 #include "Support/ResolutionLaws.h"
 #include "Support/SurfaceFamilies.h"
@@ -141,14 +142,8 @@ INSTANTIATE_TEST_SUITE_P(All, ResolvedFamilies, testing::ValuesIn(SurfaceFamilie
  */
 TEST(ResolvedSlivers, KeepNoPointWithinAFacetThatNoneHas)
 {
-  TriangleSoup soup;
-  soup.Points = { { 0x1p-56, -0x1.d9f9ap-7, 0x1.19f404p-5 }, { 0, 0, 0x1p-5 },
-    { 0x1.cp-57, -0x1.09efb6p-6, 0x1.185d3cp-5 }, { 0x1p-56, -0x1.09efb6p-6, 0x1.185d3cp-5 },
-    { 0, 0, 0 }, { 0x1p-9, 0, 0 }, { 0x1p-10, -0x1.f0f2p-7, 0x1.1952ap-5 },
-    { 0, -0x1.09efb6p-6, 0x1.185d3cp-5 }, { 0x1p-8, -0x1.3778p-6, 0x1.15dd8p-5 } };
-  soup.Triangles = { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } };
   Tally tally;
-  JudgeMember(Validated(soup), { 1, 5 }, tally);
+  JudgeMember(Validated(CorpusSurface("slivers-take-all-facets")), { 1, 5 }, tally);
   EXPECT_EQ(tally.LeftOut, 0);
 }
 

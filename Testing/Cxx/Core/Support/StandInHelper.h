@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Monitor.h"
 #include "Tetrahedralize/TetgenProtocol.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,6 @@
 namespace standin
 {
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 /** A folder of its own that goes with the test. */
 class TemporaryFolder
@@ -96,16 +96,43 @@ inline bool HasEnded(pid_t process)
   return !stat || word == "Z" || word == "X";
 }
 
+/** Waits as long as it takes: a condition that never holds ends the test by its time limit. */
 template <typename Condition>
-bool SoonHolds(Condition condition)
+void WaitUntil(Condition condition)
 {
-  const Clock::time_point end = Clock::now() + std::chrono::seconds(3);
-  while (!condition() && Clock::now() < end)
+  while (!condition())
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  return condition();
 }
+
+/** What a helper that has to be ended does: nothing, for longer than any test may take. */
+constexpr const char* SleepForEver = "exec sleep infinity";
+
+/** Says stop at a report of this number, and proves that it is the last one. */
+class Stopper : public insideout::Monitor
+{
+public:
+  explicit Stopper(int report)
+    : Report(report)
+  {
+  }
+  ~Stopper() override { EXPECT_EQ(this->Reports, this->Report); }
+
+  bool Continue(const char* stage, double fraction) override
+  {
+    EXPECT_STREQ(stage, "tetrahedralizing");
+    EXPECT_GE(fraction, this->Last);
+    EXPECT_LE(fraction, 1);
+    this->Last = fraction;
+    return ++this->Reports < this->Report;
+  }
+
+private:
+  const int Report;
+  int Reports = 0;
+  double Last = 0;
+};
 
 inline std::string BytesOf(const insideout::tetgenprotocol::AnswerHeader& header)
 {

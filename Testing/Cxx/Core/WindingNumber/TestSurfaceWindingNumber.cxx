@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SurfaceWindingNumber.h"
 
+#include "Support/Corpus.h"
 #include "Support/TestMeshes.h"
 #include "Support/WindingNumberInQuads.h"
 #include "Validate/CountedChain.h"
@@ -181,9 +182,7 @@ TEST(SurfaceWindingNumber, EqualsQuadruplePrecisionOnAndOffTheSurface)
  * needle's ends are opposite. */
 TEST(SurfaceWindingNumber, KeepsItsDigitsAtTheBluntCornerOfANeedle)
 {
-  TriangleSoup soup;
-  soup.Points = { { 0.25, 0, 0 }, { 0.25, 0, 1 }, { 0.25, 5e-18, 0.375 }, { 0.5, 0.3, 0.5 } };
-  soup.Triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  const TriangleSoup soup = testmeshes::CorpusSurface("blunt-corner-of-a-needle");
   const FacetComplex surface = Counted(soup);
   const std::vector<double> w = Evaluate(surface, soup.Points, WindingNumberMethod::Exact);
   for (std::size_t p = 0; p < soup.Points.size(); ++p)
