@@ -56,7 +56,7 @@ class TestReadme(unittest.TestCase):
     def run_shell(self, script: str) -> str:
         done = subprocess.run(
             ["sh", "-eu", "-c", script], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-            timeout=240, check=False,
+            check=False,
         )
         self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}")
         self.assertNotIn("Traceback", done.stdout)
@@ -105,7 +105,7 @@ class TestReadme(unittest.TestCase):
         )
 
     def test_every_link_leads_somewhere(self):
-        for page in (ROOT / "README.md", ROOT / "Examples/README.md"):
+        for page in (ROOT / "README.md", ROOT / "Examples/README.md", ROOT / "Testing/README.md"):
             for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
                 self.assertTrue((page.parent / link).exists(), f"{page}: {link}")
 

@@ -4,7 +4,7 @@
     STAGES=validating,segmenting paraview --script=abort.py
 
 The button is looked for in what the screen shows and pressed with the mouse. Prints what a
-filter was doing then, the processor time until it ended, and the cells that came out; of further runs the cells.
+filter was doing then, and the cells that came out; of further runs the cells.
 """
 
 import ctypes
@@ -56,26 +56,24 @@ class Watch:
 
     def __init__(self, name, algorithm, stages):
         self.name, self.algorithm, self.stages = name, algorithm, list(stages)
-        self.pressed_at, self.stage = None, None  # of this run
+        self.stage = None  # in which the button was pressed in this run
         algorithm.AddObserver("ProgressEvent", self.progress)
         algorithm.AddObserver("EndEvent", self.end)
 
     def progress(self, algorithm, _event):
-        if self.pressed_at is None and self.stages and algorithm.GetProgressText() == self.stages[0]:
+        if self.stage is None and self.stages and algorithm.GetProgressText() == self.stages[0]:
             place = find_button()
             if place is not None:  # otherwise it is not drawn yet
                 self.stage = self.stages.pop(0)
                 click(*place)
-                self.pressed_at = time.process_time()
 
     def end(self, algorithm, _event):
         cells = algorithm.GetOutput().GetNumberOfCells()
         if self.stage:
-            seconds = time.process_time() - self.pressed_at
-            print(f"{self.name}: pressed while {self.stage}, stopped after {seconds:.2f} s with {cells} cells", flush=True)
+            print(f"{self.name}: pressed while {self.stage}, stopped with {cells} cells", flush=True)
         elif cells > 0:  # VTK asks a stopped filter again and again
             print(f"{self.name}: {cells} cells", flush=True)
-        self.pressed_at, self.stage = None, None
+        self.stage = None
 
 
 WATCHES = {}
