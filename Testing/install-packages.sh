@@ -19,8 +19,10 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libpugixml-dev libxcb1-dev zlib1g-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libgl2ps-dev"
 
-# Real meshes, a display for pictures, and the checks of style and types.
-packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy python3-meshio"
+# Real meshes, a display for pictures, the checks of style and types, and a second compiler with its
+# sanitizers and its OpenMP.
+packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy python3-meshio
+  clang-14 libclang-rt-14-dev libomp-14-dev"
 
 missing=
 for package in $packages; do
