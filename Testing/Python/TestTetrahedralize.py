@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from unittest import mock
 
@@ -455,9 +456,8 @@ class TetGenInTrouble(unittest.TestCase):
         with subprocess.Popen(
             [sys.executable, "-c", INTERRUPTED], stdout=subprocess.PIPE, env=environment, text=True
         ) as process:
-            for line in process.stdout:
-                if line == "tetrahedralizing\n":
-                    break
+            while not os.path.exists(os.path.join(self.folder, "pid")):
+                time.sleep(0.01)
             process.send_signal(signal.SIGINT)
             for line in process.stdout:
                 if line == "interrupted\n":
