@@ -25,7 +25,6 @@ std::vector<Id> PointRounder::Unrounded() const
   return points;
 }
 
-/** Round each point at the first of its places that will do. @return the ones that are left */
 std::vector<Id> PointRounder::Round()
 {
   std::vector<Id> left;
@@ -42,7 +41,6 @@ std::vector<Id> PointRounder::Round()
   return left;
 }
 
-/** The same, of the places for each point only some at random. */
 std::vector<Id> PointRounder::RoundSomehow(std::mt19937& random)
 {
   std::vector<Id> left;
@@ -116,7 +114,6 @@ Point PointRounder::RandomPlaceInVolume(Id point, std::mt19937& random) const
   return { { sum[0] / weights, sum[1] / weights, sum[2] / weights } };
 }
 
-/** Move Steiner points around some points to other places at random: they may be in the way. */
 void PointRounder::Stir(const std::vector<Id>& points, std::mt19937& random)
 {
   for (const Id neighbor : this->SteinerNeighbors(points))
@@ -182,11 +179,6 @@ bool PointRounder::SplitAt(Id segment, const EdgeRing& ring, const Point& place)
   return true;
 }
 
-/**
- * Put further Steiner points, in doubles, on both sides of those that lie on segments. Where a
- * segment passes between facets that are less than rounding errors apart, no place in doubles may
- * be there for one point, but for two, one on either side.
- */
 void PointRounder::SplitBeside(const std::vector<Id>& points, std::mt19937& random)
 {
   for (const Id point : points)

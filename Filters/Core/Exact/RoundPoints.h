@@ -35,12 +35,24 @@ public:
    */
   std::vector<Id> RoundAll(bool maySplitBeside, std::mt19937& random);
 
-private:
+  /** Round each point at the first of its places that will do. @return the ones that are left */
   std::vector<Id> Round();
+
+  /** The same, of the places for each point only some at random. */
   std::vector<Id> RoundSomehow(std::mt19937& random);
-  void SplitBeside(const std::vector<Id>& points, std::mt19937& random);
-  bool SplitAt(Id segment, const EdgeRing& ring, const Point& place);
+
+  /** Move Steiner points around some points to other places at random: they may be in the way. */
   void Stir(const std::vector<Id>& points, std::mt19937& random);
+
+  /**
+   * Put further Steiner points, in doubles, on both sides of those that lie on segments. Where a
+   * segment passes between facets that are less than rounding errors apart, no place in doubles may
+   * be there for one point, but for two, one on either side.
+   */
+  void SplitBeside(const std::vector<Id>& points, std::mt19937& random);
+
+private:
+  bool SplitAt(Id segment, const EdgeRing& ring, const Point& place);
   Point RandomPlaceInVolume(Id point, std::mt19937& random) const;
   std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
   std::vector<Id> Unrounded() const;

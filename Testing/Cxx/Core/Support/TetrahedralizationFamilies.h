@@ -6,7 +6,9 @@
 /** Surfaces that are hard to tetrahedralize. */
 namespace testmeshes
 {
-/** A prism whose top is turned against its bottom, with the sides bent inward (Schoenhardt 1928).
+/**
+ * A prism whose top is turned against its bottom: for turn < 0 with the sides bent inward
+ * (Schoenhardt 1928), for turn > 0 convex.
  */
 TriangleSoup TwistedPrism(int sides, double turn);
 

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Exact/RecoverFacets.h"
+
+#include "Exact/RecoverSegments.h"
+#include "Support/FlippableMeshLaws.h"
+#include "Support/FlippableMeshes.h"
+#include "Support/TetrahedralizationFamilies.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace testflips;
+
+namespace
+{
+/** A mesh, facets that it lacks, and what recovers them. */
+struct Recovery
+{
+  Recovery(FlippableMesh mesh, std::vector<Triangle> facets)
+    : Wanted(std::move(facets))
+    , Mesh(std::move(mesh), {})
+    , Segments(Wanted)
+    , Steiner(Mesh.Mesh, Segments, Progress)
+    , Edges(Mesh.Mesh, Segments, Progress)
+    , Facets(Mesh.Mesh, Segments, Wanted, Progress)
+  {
+  }
+
+  std::vector<Id> All() const
+  {
+    std::vector<Id> all(this->Wanted.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  /** Recover the edges of all facets. */
+  void RecoverEdges()
+  {
+    std::vector<Id> segments(static_cast<std::size_t>(this->Segments.Size()));
+    std::iota(segments.begin(), segments.end(), 0);
+    EXPECT_TRUE(this->Edges
+                  .RecoverBySplits(this->Edges.RecoverByFlips(this->Edges.FindMissing(segments)),
+                    SegmentRecovery::From::LowerEnd, this->Steiner)
+                  .empty());
+  }
+
+  /** Expect that each facet but some is a union of faces between its edges, exactly. */
+  void ExpectThere(const std::vector<Id>& missing) const
+  {
+    const MeshRecord record(this->Mesh.Mesh);
+    std::map<Id, std::set<Triangle>> faces = FacesOfFacets(record);
+    for (const Id facet : this->All())
+    {
+      if (std::find(missing.begin(), missing.end(), facet) != missing.end())
+      {
+        EXPECT_TRUE(faces[facet].empty());
+        continue;
+      }
+      // Points in the volume may have become points of segments, beside these by rounding.
+      bool isExact = true;
+      for (const Triangle& face : faces[facet])
+      {
+        for (const Id corner : face)
+        {
+          isExact = isExact && (corner < record.Infinite || !this->IsFree(corner));
+        }
+      }
+      EXPECT_TRUE(!isExact || CoverTheSame(record.Places, faces[facet], { this->Wanted[facet] }))
+        << facet;
+    }
+    EXPECT_EQ(ConstraintViolations(this->Mesh.Mesh, this->Segments, this->Wanted),
+      std::vector<std::string>());
+  }
+
+  bool IsFree(Id vertex) const { return this->Mesh.Mesh.Vertices().IsDouble(vertex); }
+
+  std::vector<Triangle> Wanted;
+  Monitor Progress;
+  MeshWithFacets Mesh;
+  SegmentTable Segments;
+  SteinerPoints Steiner;
+  SegmentRecovery Edges;
+  FacetRecovery Facets;
+};
+
+/** Three cells around the edge 3 4, which pierces the triangle 0 1 2. */
+FlippableMesh ThreeCells()
+{
+  return MeshOfCells(
+    { { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } }, { { 2, 2, 9 } }, { { 3, 3, -9 } } },
+    { { { 4, 3, 0, 1 } }, { { 4, 3, 1, 2 } }, { { 4, 3, 2, 0 } } });
+}
+} // namespace
+
+TEST(RecoverFacets, MarksThoseThatAreFacesAndReturnsTheOthers)
+{
+  Recovery recovery(
+    ThreeCells(), { { { 0, 1, 2 } }, { { 3, 4, 0 } }, { { 1, 0, 4 } }, { { 2, 3, 1 } } });
+  EXPECT_EQ(recovery.Facets.MarkWholeFacets({ 3, 0, 1 }), (std::vector<Id>{ 0 }));
+  const std::map<Id, std::set<Triangle>> expected = { { 1, { { { 0, 3, 4 } } } },
+    { 3, { { { 1, 2, 3 } } } } };
+  EXPECT_EQ(FacesOfFacets(MeshRecord(recovery.Mesh.Mesh)), expected);
+  ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+}
+
+TEST(RecoverFacets, FlipsTheEdgeAwayThatPiercesAFacet)
+{
+  Recovery recovery(ThreeCells(), { { { 0, 1, 2 } } });
+  const Rational volume = SixfoldVolume(MeshRecord(recovery.Mesh.Mesh));
+  EXPECT_TRUE(recovery.Facets.RecoverByFlips({ 0 }).empty());
+  EXPECT_EQ(MeshRecord(recovery.Mesh.Mesh).FiniteCells(),
+    (std::set<Tetrahedron>{ { { 0, 1, 2, 3 } }, { { 0, 1, 2, 4 } } }));
+  EXPECT_EQ(SixfoldVolume(MeshRecord(recovery.Mesh.Mesh)), volume);
+  recovery.ExpectThere({});
+  ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+}
+
+TEST(RecoverFacets, APiercingEdgeThatIsAConstraintIsCutInTwo)
+{
+  // No flip may take the edge 3 4 away, and a point on the facet splits it.
+  Recovery recovery(ThreeCells(), { { { 0, 1, 2 } }, { { 3, 4, 0 } } });
+  ASSERT_EQ(recovery.Facets.MarkWholeFacets({ 0, 1 }), (std::vector<Id>{ 0 }));
+  const MeshRecord before(recovery.Mesh.Mesh);
+  EXPECT_EQ(recovery.Facets.RecoverByFlips({ 0 }), (std::vector<Id>{ 0 }));
+  ExpectUnchanged(recovery.Mesh.Mesh, before);
+}
+
+TEST(RecoverFacets, APiercingEdgeIsSplitOnTheFacet)
+{
+  Recovery recovery(ThreeCells(), { { { 0, 1, 2 } } });
+  EXPECT_TRUE(recovery.Facets.RecoverBySplits({ 0 }, recovery.Steiner).empty());
+  EXPECT_EQ(recovery.Mesh.Mesh.Vertices().Size(), 7) << "a point should have come";
+  recovery.ExpectThere({});
+  EXPECT_FALSE(recovery.Mesh.Mesh.HasVertex(6)) << "and gone again";
+  ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+}
+
+TEST(RecoverFacets, AFacetOfWhichAnEdgeIsMissingIsReturned)
+{
+  Recovery recovery(MeshOfCells({ { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } },
+                                  { { 2, 2, 9 } }, { { 3, 3, -9 } } },
+                      Pyramids({ { { 0, 1, 2 } } }, { 3, 4 })),
+    { { { 3, 4, 0 } } });
+  const MeshRecord before(recovery.Mesh.Mesh);
+  EXPECT_EQ(recovery.Facets.RecoverByFlips({ 0 }), (std::vector<Id>{ 0 }));
+  EXPECT_EQ(recovery.Facets.RecoverBySplits({ 0 }, recovery.Steiner), (std::vector<Id>{ 0 }));
+  // By then the edge 1 2, which passes through its plane beside it, may have been split.
+  recovery.ExpectThere({ 0 });
+  ExpectFlippableMeshLaws(recovery.Mesh.Mesh, before);
+}
+
+TEST(RecoverFacets, FindsAFacetInPiecesAroundThePointsThatLieOnIt)
+{
+  // The facet 0 1 2 with three points within, and others above and below.
+  const std::vector<Point> points = { { { 0, 0, 0 } }, { { 12, 0, 0 } }, { { 0, 12, 0 } },
+    { { 2, 2, 0 } }, { { 6, 2, 0 } }, { { 2, 6, 0 } }, { { 3, 3, 7 } }, { { 4, 3, -7 } },
+    { { 5, 5, 2 } }, { { 5, 5, -2 } } };
+  Recovery recovery(DelaunayMesh(points), { { { 0, 1, 2 } } });
+  recovery.RecoverEdges();
+  std::vector<Id> missing = recovery.Facets.MarkWholeFacets({ 0 });
+  EXPECT_EQ(missing, (std::vector<Id>{ 0 })) << "it has points within";
+  missing = recovery.Facets.RecoverByFlips(missing);
+  EXPECT_TRUE(recovery.Facets.RecoverBySplits(missing, recovery.Steiner).empty());
+  recovery.ExpectThere({});
+  EXPECT_GE(FacesOfFacets(MeshRecord(recovery.Mesh.Mesh))[0].size(), 7u);
+  ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+}
+
+TEST(RecoverFacets, RecoversSchoenhardtsPolyhedron)
+{
+  for (const double turn : { -0.2, -0.4, -0.6 })
+  {
+    const TriangleSoup prism = testmeshes::TwistedPrism(3, turn);
+    Recovery recovery(DelaunayMesh(prism.Points), prism.Triangles);
+    const Rational volume = SixfoldVolume(MeshRecord(recovery.Mesh.Mesh));
+    recovery.RecoverEdges();
+    std::vector<Id> missing = recovery.Facets.MarkWholeFacets(recovery.All());
+    missing = recovery.Facets.RecoverByFlips(missing);
+    EXPECT_TRUE(recovery.Facets.RecoverBySplits(missing, recovery.Steiner).empty());
+    recovery.ExpectThere({});
+    EXPECT_EQ(SixfoldVolume(MeshRecord(recovery.Mesh.Mesh)), volume);
+    ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+  }
+}
+
+TEST(RecoverFacets, RecoversAllFacetsThatDoNotMeet)
+{
+  std::size_t missing = 0;
+  std::size_t left = 0;
+  for (unsigned seed = 1; seed <= 24; ++seed)
+  {
+    std::mt19937 random(seed);
+    const std::vector<Point> points = AnyPoints(seed, 16);
+    Recovery recovery(DelaunayMesh(points), FacetsThatDoNotMeet(points, random, 60));
+    recovery.RecoverEdges();
+    const MeshRecord before(recovery.Mesh.Mesh);
+    const std::vector<Id> others = recovery.Facets.MarkWholeFacets(recovery.All());
+    recovery.ExpectThere(others);
+    missing += others.size();
+    const std::vector<Id> rest = recovery.Facets.RecoverByFlips(others);
+    recovery.ExpectThere(rest);
+    ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+    left += rest.size();
+    EXPECT_TRUE(recovery.Facets.RecoverBySplits(rest, recovery.Steiner).empty()) << "seed " << seed;
+    recovery.ExpectThere({});
+    ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
+    EXPECT_EQ(SixfoldVolume(before), SixfoldVolume(MeshRecord(recovery.Mesh.Mesh)));
+  }
+  EXPECT_GT(missing, 10u);
+  EXPECT_LT(left, missing);
+}
+
+TEST(RecoverFacets, StopsWhereTheMonitorWantsTo)
+{
+  struct Stop : Monitor
+  {
+    bool Continue(const char*, double) override { return false; }
+  };
+  MeshWithFacets mesh(ThreeCells(), {});
+  const std::vector<Triangle> facets = { { { 0, 1, 2 } } };
+  SegmentTable segments(facets);
+  Stop stop;
+  FacetRecovery recovery(mesh.Mesh, segments, facets, stop);
+  SteinerPoints steiner(mesh.Mesh, segments, stop);
+  EXPECT_THROW(recovery.RecoverByFlips({ 0 }), Error);
+  EXPECT_THROW(recovery.RecoverBySplits({ 0 }, steiner), Error);
+  ExpectFlippableMeshLaws(mesh.Mesh);
+}
