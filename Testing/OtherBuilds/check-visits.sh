@@ -3,8 +3,8 @@
 # check-visits.sh FOLDER: after the tests of a build with --coverage, whether they have run something of
 # every source file of the algorithms.
 set -eu
+objects=$(cd "$1" && pwd)/Filters/Core/CMakeFiles/InsideOutCore.dir
 cd "$(dirname "$0")/../../Filters/Core"
-objects=$1/Filters/Core/CMakeFiles/InsideOutCore.dir
 failed=0
 for source in *.cxx */*.cxx; do
   gcov --no-output --object-file "$objects/$source.gcda" "$source" 2>/dev/null |
