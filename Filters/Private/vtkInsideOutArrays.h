@@ -3,8 +3,7 @@
  * @file
  * VTK's points, cells and arrays of plain ones; and plain points of VTK's.
  */
-#ifndef vtkInsideOutArrays_h
-#define vtkInsideOutArrays_h
+#pragma once
 
 #include "Common/Types.h"
 
@@ -66,5 +65,3 @@ vtkSmartPointer<Array> vtkInsideOutMakeArray(const char* name, const std::vector
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }
-
-#endif

@@ -3,8 +3,7 @@
  * @file
  * Carries the input's point and cell data to the outputs.
  */
-#ifndef vtkInsideOutAttributes_h
-#define vtkInsideOutAttributes_h
+#pragma once
 
 #include "Common/FacetComplex.h"
 
@@ -65,5 +64,3 @@ void PassAll(vtkDataSet* input, std::initializer_list<const char*> added, vtkDat
 std::vector<insideout::Id> AlikePoints(
   vtkDataSet* input, const std::vector<insideout::Id>& mergedInto);
 } // namespace vtkInsideOutAttributes
-
-#endif

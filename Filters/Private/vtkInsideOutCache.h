@@ -6,8 +6,7 @@
  * A filter that works on the blocks of a composite input one by one has a result for each. One is
  * forgotten when its input was deleted or modified, or is asked for with other parameters.
  */
-#ifndef vtkInsideOutCache_h
-#define vtkInsideOutCache_h
+#pragma once
 
 #include <vtkDataObject.h>
 #include <vtkWeakPointer.h>
@@ -56,5 +55,3 @@ private:
   };
   std::vector<Entry> Entries;
 };
-
-#endif

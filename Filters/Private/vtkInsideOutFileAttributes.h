@@ -3,8 +3,7 @@
  * @file
  * The attributes of surface files as VTK's arrays, and back.
  */
-#ifndef vtkInsideOutFileAttributes_h
-#define vtkInsideOutFileAttributes_h
+#pragma once
 
 #include "Files/SurfaceFile.h"
 
@@ -26,5 +25,3 @@ void vtkInsideOutAddAttribute(const insideout::Attribute& attribute, vtkDataSetA
  */
 std::vector<insideout::Attribute> vtkInsideOutReadAttributes(
   vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids);
-
-#endif

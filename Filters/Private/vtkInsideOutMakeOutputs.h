@@ -3,8 +3,7 @@
  * @file
  * Makes VTK's data sets of what the stages give.
  */
-#ifndef vtkInsideOutMakeOutputs_h
-#define vtkInsideOutMakeOutputs_h
+#pragma once
 
 #include "Defects/SurfaceDefects.h"
 #include "HullMesh.h"
@@ -102,5 +101,3 @@ void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstruct
 /** The cells whose array Inside is 1, with the points they use. Can be stopped. */
 vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(
   vtkUnstructuredGrid* grid, insideout::Monitor& monitor, const insideout::ProgressRange& progress);
-
-#endif

@@ -3,8 +3,7 @@
  * @file
  * Makes the winding number of a raw vtkPolyData, for the classes that need no mesh.
  */
-#ifndef vtkInsideOutMakeWindingNumber_h
-#define vtkInsideOutMakeWindingNumber_h
+#pragma once
 
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "vtkInsideOutOptions.h"
@@ -41,5 +40,3 @@ vtkInsideOutSurfaceOptions vtkInsideOutReadSurfaceOptions(Class* object)
 std::unique_ptr<const insideout::SurfaceWindingNumber> vtkInsideOutMakeWindingNumber(
   vtkPolyData* input, const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
   std::vector<std::string>& warnings);
-
-#endif

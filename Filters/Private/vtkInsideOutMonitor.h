@@ -3,8 +3,7 @@
  * @class   vtkInsideOutMonitor
  * @brief   shows the progress of the stages as a VTK algorithm's, and passes on its abort flag
  */
-#ifndef vtkInsideOutMonitor_h
-#define vtkInsideOutMonitor_h
+#pragma once
 
 #include "Common/Monitor.h"
 
@@ -45,5 +44,3 @@ private:
   double Shown = -1;
   std::chrono::steady_clock::time_point LastShown;
 };
-
-#endif

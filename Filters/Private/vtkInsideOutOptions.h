@@ -4,8 +4,7 @@
  * The options that filters have in common, as parameters of the stages. The filters take their
  * defaults from these parameters; their enums have the same values.
  */
-#ifndef vtkInsideOutOptions_h
-#define vtkInsideOutOptions_h
+#pragma once
 
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
@@ -62,5 +61,3 @@ insideout::SegmentMeshParameters vtkInsideOutSegmentMeshParameters(Filter* filte
   parameters.ConstrainManifold = filter->GetConstrainManifold();
   return parameters;
 }
-
-#endif

@@ -3,8 +3,7 @@
  * @file
  * Reads a vtkUnstructuredGrid for the graph cut: tetrahedra, or cells of any type by their parts.
  */
-#ifndef vtkInsideOutReadGrid_h
-#define vtkInsideOutReadGrid_h
+#pragma once
 
 #include "Common/TetrahedralMesh.h"
 #include "GraphCut/CellParts.h"
@@ -39,5 +38,3 @@ insideout::CellParts vtkInsideOutReadSides(vtkUnstructuredGrid* grid);
 
 /** The sizes of cells, by the tetrahedra or triangles that VTK cuts them into. */
 std::vector<double> vtkInsideOutReadSizes(vtkUnstructuredGrid* grid);
-
-#endif

@@ -4,8 +4,7 @@
  * Reads the polygons and strips of a vtkPolyData: as triangles for the stages, or as they are for a
  * file.
  */
-#ifndef vtkInsideOutReadSurface_h
-#define vtkInsideOutReadSurface_h
+#pragma once
 
 #include "Common/FacetComplex.h"
 #include "Files/SurfaceFile.h"
@@ -59,5 +58,3 @@ std::vector<unsigned char> vtkInsideOutReadChosenFacets(const vtkInsideOutSurfac
  * @throws insideout::Error that names the cell whose point is out of range
  */
 insideout::PolygonSurface vtkInsideOutReadPolygons(vtkPolyData* input);
-
-#endif

@@ -3,8 +3,7 @@
  * @file
  * The border between the stages, which throw, and VTK, which has events.
  */
-#ifndef vtkInsideOutRun_h
-#define vtkInsideOutRun_h
+#pragma once
 
 #include <functional>
 #include <string>
@@ -29,5 +28,3 @@ int vtkInsideOutRunOnWhole(
 
 /** A warning event of the algorithm for each line. */
 void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings);
-
-#endif

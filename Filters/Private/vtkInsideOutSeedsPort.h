@@ -3,8 +3,7 @@
  * @file
  * The second input of the filters that segment: seeds, which are optional.
  */
-#ifndef vtkInsideOutSeedsPort_h
-#define vtkInsideOutSeedsPort_h
+#pragma once
 
 #include "GraphCut/Seeds.h"
 
@@ -21,5 +20,3 @@ int vtkInsideOutFillPort(int port, vtkInformation* info, const char* firstType);
  * @throws insideout::Error when there are points, but no such array
  */
 std::vector<insideout::Seed> vtkInsideOutReadSeeds(vtkInformationVector** inputVector);
-
-#endif

@@ -7,8 +7,7 @@
  * thread runs and Ctrl-C is heard only afterwards. Python's ctypes lets go of the lock while it
  * calls this function, and takes it again for the listener.
  */
-#ifndef vtkInsideOutUpdate_h
-#define vtkInsideOutUpdate_h
+#pragma once
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 
@@ -36,5 +35,3 @@ extern "C"
   VTKFILTERSINSIDEOUT_EXPORT void vtkInsideOutUpdate(
     void* algorithm, int wholeExtent, vtkInsideOutListener listener);
 }
-
-#endif

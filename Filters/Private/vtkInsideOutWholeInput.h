@@ -7,8 +7,7 @@
  * them asks for the whole and makes the one result, and the others ask for nothing and have none;
  * a solid of each piece would be wrong.
  */
-#ifndef vtkInsideOutWholeInput_h
-#define vtkInsideOutWholeInput_h
+#pragma once
 
 class vtkInformation;
 class vtkInformationVector;
@@ -19,5 +18,3 @@ void vtkInsideOutRequestWhole(
 
 /** Whether a piece other than the first is wanted of an output. */
 bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector);
-
-#endif

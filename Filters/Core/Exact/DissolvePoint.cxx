@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/DissolvePoint.h"
 
+#include "Common/SortUniquely.h"
+
 #include <algorithm>
 
 namespace insideout
@@ -322,9 +324,7 @@ bool PointDissolver::FindSectors(Id point)
         }
       }
     }
-    std::sort(sector.Corners.begin(), sector.Corners.end());
-    sector.Corners.erase(
-      std::unique(sector.Corners.begin(), sector.Corners.end()), sector.Corners.end());
+    SortUniquely(sector.Corners);
   }
   return this->AddFanWalls(point, sorted, sectorOf);
 }
@@ -337,13 +337,9 @@ void PointDissolver::AddOuterWall(Id point, Id cell, Sector& sector) const
     return;
   }
   const int corner = this->Mesh.CornerIndex(cell, point);
-  Triangle wall;
-  for (int j = 0; j < 3; ++j)
-  {
-    wall[j] = this->Mesh.Cell(cell).Corners[FaceSeenFrom[corner][j]];
-    sector.Corners.push_back(wall[j]);
-  }
-  sector.Walls.push_back(wall);
+  sector.Walls.push_back(this->Mesh.FaceCorners(cell, corner));
+  sector.Corners.insert(
+    sector.Corners.end(), sector.Walls.back().begin(), sector.Walls.back().end());
 }
 
 /** Each fan is a wall of the sectors on its two sides, which must be two. */
@@ -393,12 +389,7 @@ void PointDissolver::MarkPieces() const
   {
     for (const Triangle& piece : fan.Pieces)
     {
-      Id cell;
-      int face;
-      if (fan.Facet != None && this->Mesh.FindFace(piece[0], piece[1], piece[2], cell, face))
-      {
-        this->Mesh.SetFacet(cell, face, fan.Facet);
-      }
+      this->Mesh.MarkFace(piece[0], piece[1], piece[2], fan.Facet);
     }
   }
 }

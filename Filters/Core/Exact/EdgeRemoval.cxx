@@ -21,11 +21,7 @@ bool FlipOperator::RemoveFace(Id cell, int face, const FlipTarget& target, const
   }
   const Id p = near.Corners[face];
   const Id q = this->Mesh.Opposite(cell, face);
-  std::array<Id, 3> f;
-  for (int k = 0; k < 3; ++k)
-  {
-    f[k] = near.Corners[FaceSeenFrom[face][k]];
-  }
+  const Triangle f = this->Mesh.FaceCorners(cell, face);
   std::vector<Tetrahedron> fresh;
   for (int k = 0; k < 3; ++k)
   {

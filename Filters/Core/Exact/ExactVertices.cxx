@@ -3,8 +3,6 @@
 
 #include "Common/DoubleDouble.h"
 
-#include <CGAL/Interval_nt.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -59,8 +57,7 @@ double Quotient(const DyadicNumber& x, const DyadicNumber& y)
   double low;
   double high;
   {
-    const CGAL::Protect_FPU_rounding<true> protection;
-    using Interval = CGAL::Interval_nt<false>;
+    const IntervalRounding rounding;
     const Interval quotient = Interval(CGAL::to_interval(x)) / Interval(CGAL::to_interval(y));
     low = quotient.inf();
     high = quotient.sup();
@@ -145,7 +142,7 @@ Id ExactVertices::AddBetween(
 {
   const std::array<DyadicNumber, 4> from = this->CoordinatesOf(first);
   const std::array<DyadicNumber, 4> to = this->CoordinatesOf(second);
-  Homogeneous point;
+  ExactPoint point;
   for (int k = 0; k < 4; ++k)
   {
     point.Coordinates[k] = a * from[k] + b * to[k];

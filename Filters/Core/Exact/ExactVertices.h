@@ -81,7 +81,7 @@ public:
   void MoveTo(Id vertex, const Point& point);
 
 private:
-  struct Homogeneous
+  struct ExactPoint
   {
     std::array<DyadicNumber, 4> Coordinates;
     std::array<double, 3> Beyond; ///< to be added to the place in doubles
@@ -94,7 +94,7 @@ private:
 
   std::vector<Kernel::Point_3> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
-  std::vector<Homogeneous> ExactPoints;
+  std::vector<ExactPoint> ExactPoints;
   WorkBudget* Budget;
 };
 

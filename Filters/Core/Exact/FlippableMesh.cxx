@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/FlippableMesh.h"
 
+#include "Common/Buckets.h"
 #include "Common/Error.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Exact/InsertPoints.h"
 #include "Exact/Phases.h"
@@ -11,7 +13,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -134,6 +135,29 @@ void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
   this->Work().Spend(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
 }
 
+std::vector<Id> FlippableMesh::NeighborsOf(const std::vector<Id>& points) const
+{
+  std::vector<Id> star;
+  for (const Id point : points)
+  {
+    this->Star(point, star);
+  }
+  std::vector<Id> neighbors;
+  for (const Id cell : star)
+  {
+    for (const Id corner : this->Cells[cell].Corners)
+    {
+      if (corner != this->InfiniteVertex &&
+        std::find(points.begin(), points.end(), corner) == points.end())
+      {
+        neighbors.push_back(corner);
+      }
+    }
+  }
+  SortUniquely(neighbors);
+  return neighbors;
+}
+
 Id FlippableMesh::FindEdge(Id u, Id v) const
 {
   if (this->CellOf[u] == None || this->CellOf[v] == None)
@@ -242,19 +266,15 @@ void FlippableMesh::FindFacesInAllCells(
     Id Highest;
     std::size_t Triangle;
   };
-  // Counted one bucket ahead, so that filling moves each to where it belongs.
-  std::vector<std::size_t> begin(this->CellOf.size() + 2, 0);
-  for (const Triangle& t : triangles)
-  {
-    ++begin[static_cast<std::size_t>(SortedTriangle(t).Points[0]) + 2];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Wanted> wanted(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    const Triangle t = SortedTriangle(triangles[i]).Points;
-    wanted[begin[static_cast<std::size_t>(t[0]) + 1]++] = { t[1], t[2], i };
-  }
+  const Buckets<Wanted> wanted(this->CellOf.size(),
+    [&](const auto& visit)
+    {
+      for (std::size_t i = 0; i < triangles.size(); ++i)
+      {
+        const Triangle t = SortedTriangle(triangles[i]).Points;
+        visit(static_cast<std::size_t>(t[0]), Wanted{ t[1], t[2], i });
+      }
+    });
   for (Id cell = 0; cell < this->NumberOfCells(); ++cell)
   {
     for (int k = 0; k < 4 && !this->IsDead(cell); ++k)
@@ -264,11 +284,11 @@ void FlippableMesh::FindFacesInAllCells(
         continue;
       }
       const Triangle t = SortedFace(this->Cells[cell].Corners, k);
-      for (std::size_t i = begin[t[0]]; i < begin[t[0] + 1]; ++i)
+      for (const Wanted& triangle : wanted[static_cast<std::size_t>(t[0])])
       {
-        if (wanted[i].Middle == t[1] && wanted[i].Highest == t[2])
+        if (triangle.Middle == t[1] && triangle.Highest == t[2])
         {
-          faces[wanted[i].Triangle] = { cell, k };
+          faces[triangle.Triangle] = { cell, k };
         }
       }
     }
@@ -418,6 +438,16 @@ void FlippableMesh::SetFacet(Id cell, int face, Id facet)
   const Id neighbor = this->Cells[cell].Neighbors[face];
   this->Cells[neighbor].Facets[this->MirrorIndex(cell, face)] = facet;
   this->Cells[cell].Facets[face] = facet;
+}
+
+void FlippableMesh::MarkFace(Id a, Id b, Id c, Id facet)
+{
+  Id cell;
+  int face;
+  if (facet != None && this->FindFace(a, b, c, cell, face))
+  {
+    this->SetFacet(cell, face, facet);
+  }
 }
 
 Id FlippableMesh::VertexOffPlane(Id a, Id b, Id c) const

@@ -77,8 +77,14 @@ public:
   int MirrorIndex(Id cell, int k) const;
   Id Opposite(Id cell, int k) const;
 
+  /** The corners of a face, counter-clockwise seen from the corner across. */
+  Triangle FaceCorners(Id cell, int face) const;
+
   /** Append the cells around a vertex; none for a vertex that is in no cell. */
   void Star(Id vertex, std::vector<Id>& cells) const;
+
+  /** The finite vertices that share an edge with one of the points, without these, ascending. */
+  std::vector<Id> NeighborsOf(const std::vector<Id>& points) const;
 
   /** A cell with both vertices, None if they share no edge. */
   Id FindEdge(Id u, Id v) const;
@@ -109,6 +115,10 @@ public:
 
   /** Let a face be a piece of a facet, or of none. */
   void SetFacet(Id cell, int face, Id facet);
+
+  /** Let the face that three vertices are, if they are one, be a piece of a facet, if there is one.
+   */
+  void MarkFace(Id a, Id b, Id c, Id facet);
 
   /** Of four vertices that span space, one that is not in the plane of three others. */
   Id VertexOffPlane(Id a, Id b, Id c) const;
@@ -184,6 +194,13 @@ inline int FlippableMesh::CornerIndex(Id cell, Id vertex) const
 inline bool FlippableMesh::Has(Id cell, Id vertex) const
 {
   return this->CornerIndex(cell, vertex) >= 0;
+}
+
+inline Triangle FlippableMesh::FaceCorners(Id cell, int face) const
+{
+  const Tetrahedron& t = this->Cells[cell].Corners;
+  const auto& f = FaceSeenFrom[face];
+  return { t[f[0]], t[f[1]], t[f[2]] };
 }
 
 inline int FlippableMesh::MirrorIndex(Id cell, int k) const

@@ -188,12 +188,7 @@ bool PointMover::Move(Id point, const Point& place)
   this->Mesh.MoveVertex(point, place);
   for (const SurfaceFace& face : this->SurfaceFaces)
   {
-    Id cell;
-    int k;
-    if (face.Facet != None && this->Mesh.FindFace(point, face.A, face.B, cell, k))
-    {
-      this->Mesh.SetFacet(cell, k, face.Facet);
-    }
+    this->Mesh.MarkFace(point, face.A, face.B, face.Facet);
   }
   return true;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/PointSupport.h"
 
-#include <algorithm>
+#include "Common/SortUniquely.h"
 
 namespace insideout
 {
@@ -29,9 +29,7 @@ PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& seg
       }
     }
   }
-  std::sort(support.Facets.begin(), support.Facets.end());
-  support.Facets.erase(
-    std::unique(support.Facets.begin(), support.Facets.end()), support.Facets.end());
+  SortUniquely(support.Facets);
   return support;
 }
 } // namespace insideout

@@ -49,11 +49,7 @@ bool SegmentRecovery::Clear(
   // Edges that the line between the two apexes passes on the outside first.
   const Id p = near.Corners[crossing.Face];
   const Id q = this->Mesh.Opposite(cell, crossing.Face);
-  std::array<Id, 3> f;
-  for (int k = 0; k < 3; ++k)
-  {
-    f[k] = near.Corners[FaceSeenFrom[crossing.Face][k]];
-  }
+  const Triangle f = this->Mesh.FaceCorners(cell, crossing.Face);
   std::array<bool, 3> isReflex = { { false, false, false } };
   for (int k = 0; k < 3; ++k)
   {

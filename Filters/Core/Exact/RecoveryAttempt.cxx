@@ -47,12 +47,11 @@ void CollectFaces(const FlippableMesh& mesh, const std::vector<Id>& renamed, Raw
       {
         continue;
       }
-      Triangle face;
-      for (int j = 0; j < 3; ++j)
+      result.Faces.push_back(mesh.FaceCorners(id, k));
+      for (Id& corner : result.Faces.back())
       {
-        face[j] = renamed[cell.Corners[FaceSeenFrom[k][j]]];
+        corner = renamed[corner];
       }
-      result.Faces.push_back(face);
       result.FacetOfFaces.push_back(cell.Facets[k]);
     }
   }

@@ -63,34 +63,6 @@ std::vector<Id> PointRounder::RoundSomehow(std::mt19937& random)
 
 // --- Out of the way ------------------------------------------------------------------------------
 
-/** Ascending, without the points themselves. */
-std::vector<Id> PointRounder::SteinerNeighbors(const std::vector<Id>& points) const
-{
-  std::vector<Id> star;
-  for (const Id point : points)
-  {
-    this->Mesh.Star(point, star);
-  }
-  std::vector<Id> neighbors;
-  for (const Id cell : star)
-  {
-    for (const Id corner : this->Mesh.Cell(cell).Corners)
-    {
-      if (corner > this->Mesh.Infinite())
-      {
-        neighbors.push_back(corner);
-      }
-    }
-  }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-  neighbors.erase(
-    std::remove_if(neighbors.begin(), neighbors.end(),
-      [&points](Id p) { return std::find(points.begin(), points.end(), p) != points.end(); }),
-    neighbors.end());
-  return neighbors;
-}
-
 /** An average of the corners around a point. */
 Point PointRounder::RandomPlaceInVolume(Id point, std::mt19937& random) const
 {
@@ -116,8 +88,12 @@ Point PointRounder::RandomPlaceInVolume(Id point, std::mt19937& random) const
 
 void PointRounder::Stir(const std::vector<Id>& points, std::mt19937& random)
 {
-  for (const Id neighbor : this->SteinerNeighbors(points))
+  for (const Id neighbor : this->Mesh.NeighborsOf(points))
   {
+    if (neighbor < this->Mesh.Infinite())
+    {
+      continue;
+    }
     this->Progress.Check(Phases::RoundingPoints, 0);
     const PointSupport support = FindPointSupport(this->Mesh, this->Segments, neighbor);
     std::vector<Point> places;
@@ -167,12 +143,7 @@ bool PointRounder::SplitAt(Id segment, const EdgeRing& ring, const Point& place)
   {
     for (const Id end : { ring.U, ring.V })
     {
-      Id cell;
-      int face;
-      if (facets[k] != None && this->Mesh.FindFace(point, end, ring.Points[k], cell, face))
-      {
-        this->Mesh.SetFacet(cell, face, facets[k]);
-      }
+      this->Mesh.MarkFace(point, end, ring.Points[k], facets[k]);
     }
   }
   this->Segments.Split(segment, ring.U, ring.V, point);

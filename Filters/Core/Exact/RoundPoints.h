@@ -54,7 +54,6 @@ public:
 private:
   bool SplitAt(Id segment, const EdgeRing& ring, const Point& place);
   Point RandomPlaceInVolume(Id point, std::mt19937& random) const;
-  std::vector<Id> SteinerNeighbors(const std::vector<Id>& points) const;
   std::vector<Id> Unrounded() const;
 
   FlippableMesh& Mesh;

@@ -31,11 +31,7 @@ Crossing Face(Id cell, int face)
 bool LeavesStarCell(const FlippableMesh& mesh, Id a, Id b, Id cell, std::array<int, 3>& sides,
   std::array<Id, 3>& link)
 {
-  const int corner = mesh.CornerIndex(cell, a);
-  for (int k = 0; k < 3; ++k)
-  {
-    link[k] = mesh.Cell(cell).Corners[FaceSeenFrom[corner][k]];
-  }
+  link = mesh.FaceCorners(cell, mesh.CornerIndex(cell, a));
   for (int k = 0; k < 3; ++k)
   {
     // Counter-clockwise seen from a: a point within the cone has all three edges on its left.
@@ -61,11 +57,7 @@ Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
   {
     return Vertex(cell);
   }
-  std::array<Id, 3> f;
-  for (int k = 0; k < 3; ++k)
-  {
-    f[k] = before.Corners[FaceSeenFrom[crossing.Face][k]];
-  }
+  const Triangle f = mesh.FaceCorners(crossing.Cell, crossing.Face);
   const int turn = mesh.Vertices().Orient(a, b, f[0], f[1]);
   std::array<int, 3> s;
   for (int k = 0; k < 3; ++k)

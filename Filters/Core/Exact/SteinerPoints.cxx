@@ -9,36 +9,6 @@
 
 namespace insideout
 {
-namespace
-{
-template <typename Container>
-void SortUnique(Container& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-} // namespace
-
-/** The finite vertices that share an edge with a point, input points first. */
-std::vector<Id> SteinerPoints::NeighborsOf(Id point) const
-{
-  std::vector<Id> star;
-  this->Mesh.Star(point, star);
-  std::vector<Id> neighbors;
-  for (const Id cell : star)
-  {
-    for (const Id corner : this->Mesh.Cell(cell).Corners)
-    {
-      if (corner != point && corner != this->Mesh.Infinite())
-      {
-        neighbors.push_back(corner);
-      }
-    }
-  }
-  SortUnique(neighbors);
-  return neighbors;
-}
-
 /** Take away edges at a point that carry no constraint. */
 void SteinerPoints::LowerDegree(Id point)
 {
@@ -47,7 +17,7 @@ void SteinerPoints::LowerDegree(Id point)
   while (changed)
   {
     changed = false;
-    const std::vector<Id> neighbors = this->NeighborsOf(point);
+    const std::vector<Id> neighbors = this->Mesh.NeighborsOf({ point });
     for (const Id neighbor : neighbors)
     {
       const Id cell = this->Mesh.FindEdge(point, neighbor);
@@ -71,7 +41,7 @@ bool SteinerPoints::Collapse(Id point)
   {
     return false;
   }
-  const std::vector<Id> neighbors = this->NeighborsOf(point);
+  const std::vector<Id> neighbors = this->Mesh.NeighborsOf({ point });
   return std::any_of(neighbors.begin(), neighbors.end(),
     [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
 }

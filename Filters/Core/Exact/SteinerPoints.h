@@ -44,7 +44,6 @@ private:
   void Remove(Id first);
   bool RemoveOne(Id point);
   bool Collapse(Id point);
-  std::vector<Id> NeighborsOf(Id point) const;
   void LowerDegree(Id point);
 
   FlippableMesh& Mesh;

@@ -4,6 +4,7 @@
 #include "Common/FaceTable.h"
 #include "Common/Kernel.h"
 #include "Common/Stages.h"
+#include "Common/Vectors.h"
 #include "Tetrahedralize/CheckConvexHull.h"
 #include "Tetrahedralize/PlaceFacets.h"
 
@@ -36,7 +37,7 @@ void CheckInputPoints(const std::vector<Point>& input, const std::vector<Point>&
   }
   for (std::size_t p = input.size(); p < points.size(); ++p)
   {
-    if (!std::all_of(points[p].begin(), points[p].end(), [](double x) { return std::isfinite(x); }))
+    if (!IsFinite(points[p]))
     {
       ThrowInconsistent("Steiner point " + std::to_string(p) + " is not finite");
     }

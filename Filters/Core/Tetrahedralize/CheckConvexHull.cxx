@@ -217,11 +217,7 @@ private:
     return std::abs(volume) <= this->Tolerance * area;
   }
 
-  Kernel::Point_3 At(Id p) const
-  {
-    const Point& point = this->Mesh.Points[p];
-    return { point[0], point[1], point[2] };
-  }
+  FilteredPoint At(Id p) const { return ToFiltered(this->Mesh.Points[p]); }
 
   const TetrahedralMesh& Mesh;
   const Id FirstSteinerPoint;

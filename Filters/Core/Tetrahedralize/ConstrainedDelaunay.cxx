@@ -3,6 +3,7 @@
 
 #include "Common/Kernel.h"
 #include "Common/ScaledPoints.h"
+#include "Common/Vectors.h"
 #include "Tetrahedralize/Ladder.h"
 
 #include <algorithm>
@@ -42,12 +43,9 @@ void CheckIdsAndCoordinates(const FacetComplex& surface)
   }
   for (std::size_t p = 0; p < surface.Points.size(); ++p)
   {
-    for (const double x : surface.Points[p])
+    if (!IsFinite(surface.Points[p]))
     {
-      if (!std::isfinite(x))
-      {
-        throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(p) + " is not finite");
-      }
+      throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(p) + " is not finite");
     }
   }
   for (std::size_t f = 0; f < surface.Facets.size(); ++f)

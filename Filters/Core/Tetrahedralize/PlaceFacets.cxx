@@ -2,6 +2,7 @@
 #include "Tetrahedralize/PlaceFacets.h"
 
 #include "Common/TrianglePredicates.h"
+#include "Common/Vectors.h"
 #include "Tetrahedralize/PiecesOfFacet.h"
 
 #include <algorithm>
@@ -56,21 +57,6 @@ private:
 
 // --- Facets in pieces ----------------------------------------------------------------------------
 
-Point Difference(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
 /** Largest extent of the points along an axis. */
 double SizeOf(const std::vector<Point>& points)
 {
@@ -99,8 +85,7 @@ std::array<double, 3> WeightsOnEdge(const std::array<Point, 3>& corners, int k, 
 /** Barycentric coordinates of p in a triangle, moved into it where rounding left it outside. */
 std::array<double, 3> WeightsInTriangle(const std::array<Point, 3>& corners, const Point& p)
 {
-  const Point normal =
-    Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
+  const Point normal = NormalOf(corners[0], corners[1], corners[2]);
   std::array<double, 3> weights;
   double sum = 0;
   for (int k = 0; k < 3; ++k)
@@ -244,11 +229,7 @@ private:
     return CGAL::coplanar(this->At(facet[0]), this->At(facet[1]), this->At(facet[2]), this->At(p));
   }
 
-  FilteredPoint At(Id p) const
-  {
-    const Point& point = this->Mesh.Points[p];
-    return { point[0], point[1], point[2] };
-  }
+  FilteredPoint At(Id p) const { return ToFiltered(this->Mesh.Points[p]); }
 
   bool LiesOn(const std::array<Point, 3>& corners, const PointOnFacet& point) const
   {
