@@ -156,8 +156,9 @@ bool PreciseHalfSolidAngle(
 
   // The error of a vector is relative to the extent, not to its own length.
   const Number least = std::min({ lengthA, lengthB, lengthC });
-  const Number error =
-    std::numeric_limits<Number>::epsilon() * RoundingErrors * Extent(triangle, site) * all;
+  // Not numeric_limits' own epsilon, which threads that ask for it first write at the same time.
+  const Number epsilon = ldexp(Number(1), 1 - std::numeric_limits<Number>::digits);
+  const Number error = epsilon * RoundingErrors * Extent(triangle, site) * all;
   return modulus * least * RelativeError > error;
 }
 } // namespace
