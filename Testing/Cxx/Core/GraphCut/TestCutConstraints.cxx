@@ -354,32 +354,4 @@ TEST(SegmentMesh, StopsAtEveryCheck)
   Monitor monitor;
   EXPECT_EQ(SegmentMesh(made.Mesh, made.W, pieces, {}, parameters, monitor).Inside, whole.Inside);
 }
-
-TEST(ConnectCells, FindsNeighborsAndTurnsNegativeCells)
-{
-  const TetrahedralMesh grid = Grid(1, 3);
-  std::vector<Tetrahedron> cells = grid.Cells;
-  for (std::size_t c = 0; c < cells.size(); c += 2)
-  {
-    std::swap(cells[c][2], cells[c][3]);
-  }
-  const TetrahedralMesh mesh = ConnectCells(grid.Points, cells);
-  EXPECT_EQ(mesh.Cells, grid.Cells);
-  EXPECT_EQ(mesh.Neighbors, grid.Neighbors);
-}
-
-TEST(ConnectCells, NamesThreeCellsThatShareAFace)
-{
-  try
-  {
-    ConnectCells({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 0, 0, -1 } },
-      { { 0, 1, 2, 3 }, { 0, 1, 2, 4 }, { 0, 1, 2, 5 } });
-    ADD_FAILURE();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.Code, ErrorCode::InvalidParameter);
-    EXPECT_STREQ(error.what(), "cells 0, 1 and 2 share one face: the grid does not conform");
-  }
-}
 } // namespace
