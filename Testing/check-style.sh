@@ -11,9 +11,8 @@ complain() {
 
 sources=$(find Filters Plugin Testing Examples -name '*.h' -o -name '*.cxx')
 [ -n "$sources" ] || complain "no sources found: run from the root of the tree"
-for source in $sources; do
-  clang-format --dry-run -Werror "$source" || complain "$source: run clang-format -i"
-done
+# shellcheck disable=SC2086 # a list of words
+clang-format --dry-run -Werror $sources || complain "run clang-format -i on these"
 
 vtk_in_core=$(grep -rlE '#include *[<"]vtk' Filters/Core Filters/Tetgen Testing/Cxx/Core)
 [ -z "$vtk_in_core" ] || complain "VTK headers in the algorithms: $vtk_in_core"
