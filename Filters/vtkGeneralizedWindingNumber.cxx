@@ -67,7 +67,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
-        { Stages::Validating, Stages::FindingIntersections, Stages::Resolving,
+        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers });
       const vtkInsideOutSurface surface =
         vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);

@@ -11,8 +11,16 @@
  *
  * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
  * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
- * each stage, LeftOutCellIds (see vtkResolveSelfIntersections) and LostCellIds (see
- * vtkConstrainedDelaunay3D).
+ * each stage, LeftOutCellIds (see vtkResolveSelfIntersections), LostCellIds (see
+ * vtkConstrainedDelaunay3D) and TurnedCellIds: input cells that the orientation turned over.
+ *
+ * Statistics of the orientation: Shells (sets of facets that face one way together), of these
+ * ClosedShells, HoledShells and SheetShells (which enclose nothing; SheetShare is their share of
+ * the area, with facets that count 0) and Cavities (that face inward); TurnedShells and
+ * TurnedFacets (that were turned over), TurnedShare (of the area), DisagreeingFacets (that were
+ * given against their shells), UndecidedShells (that might as well face the other way);
+ * EnclosedVolume (of all, holes capped) and OverlapVolume (of it, where w is 2 or more), the latter
+ * from samples.
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  *
@@ -35,18 +43,21 @@ public:
   /** Which way the surface faces. */
   enum OrientationType
   {
-    AUTOMATIC = 0, ///< turned over, with a warning, when it is inside out as a whole
-    AS_GIVEN = 1,
-    REVERSE = 2
+    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to face outward, within others too
   };
 
   ///@{
   /**
-   * Which way the surface as a whole is meant to face: AUTOMATIC (0) turns it over when the sum of
-   * w times volume over the hull is negative, AS_GIVEN (1) never, REVERSE (2) always. Default
-   * AUTOMATIC.
+   * Which way facets are meant to face. AUTOMATIC (0) makes facets agree with those around them,
+   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
+   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
+   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
+   * Default AUTOMATIC.
    */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, REVERSE);
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
   vtkGetMacro(Orientation, int);
   ///@}
 

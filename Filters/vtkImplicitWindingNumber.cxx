@@ -29,6 +29,7 @@ vtkImplicitWindingNumber::vtkImplicitWindingNumber()
   const CountedChainParameters chain;
   this->MergeTolerance = chain.MergeTolerance;
   this->CountDuplicates = chain.CountDuplicates;
+  this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
 }
 
 vtkImplicitWindingNumber::~vtkImplicitWindingNumber()

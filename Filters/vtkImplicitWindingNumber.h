@@ -58,19 +58,24 @@ public:
   /** The gradient of 1/2 - w, away from the surface; zero where the surface is closed. */
   void EvaluateGradient(double x[3], double g[3]) override;
 
-  /** Which way the surface faces; the values are those of vtkGeneralizedWindingNumber. */
+  /** Which way the surface faces. */
   enum OrientationType
   {
-    AS_GIVEN = 1,
-    REVERSE = 2
+    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to face outward, within others too
   };
 
   ///@{
   /**
-   * Which way the surface as a whole is meant to face: AS_GIVEN (1), or the other way, REVERSE (2).
-   * Default AS_GIVEN.
+   * Which way facets are meant to face. AUTOMATIC (0) makes facets agree with those around them,
+   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
+   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
+   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
+   * Default AUTOMATIC.
    */
-  vtkSetClampMacro(Orientation, int, AS_GIVEN, REVERSE);
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
   vtkGetMacro(Orientation, int);
   ///@}
 
@@ -107,7 +112,7 @@ protected:
   ~vtkImplicitWindingNumber() override;
 
   vtkPolyData* Input = nullptr;
-  int Orientation = AS_GIVEN;
+  int Orientation;
   double MergeTolerance;
   bool CountDuplicates;
   std::string NonParticipatingArrayName;

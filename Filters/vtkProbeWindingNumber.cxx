@@ -44,6 +44,7 @@ vtkProbeWindingNumber::vtkProbeWindingNumber()
   const CountedChainParameters chain;
   this->MergeTolerance = chain.MergeTolerance;
   this->CountDuplicates = chain.CountDuplicates;
+  this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
   const WindingNumberParameters windingNumber;
   this->Method = static_cast<int>(windingNumber.Method);
   this->ApproximationOrder = windingNumber.ApproximationOrder;
@@ -168,7 +169,8 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRun(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this, { Stages::Validating, Stages::WindingNumbers });
+      vtkInsideOutMonitor monitor(
+        this, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
       const bool atPoints = this->Association == POINTS;
       const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
       std::vector<std::string> warnings;

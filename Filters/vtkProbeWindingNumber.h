@@ -16,9 +16,9 @@
  * around the point, weighted by solid angle: on a polygon of a closed surface the mean of both
  * sides, a half.
  *
- * A surface that is given inside out has w of the opposite sign: see Orientation. Duplicates,
- * two-sided parts and degenerate polygons count as in vtkGeneralizedWindingNumber. A point of the
- * input that is not finite has w = NaN and is not inside. A point of the surface that is not
+ * What is inside out is turned over (see Orientation), and duplicates, two-sided parts and
+ * degenerate polygons count, as in vtkGeneralizedWindingNumber: both give the same answer. A point
+ * of the input that is not finite has w = NaN and is not inside. A point of the surface that is not
  * finite, or a cell with a point out of range, is an error that names it.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
@@ -119,19 +119,24 @@ public:
   vtkGetMacro(Accuracy, double);
   ///@}
 
-  /** Which way the surface faces; the values are those of vtkGeneralizedWindingNumber. */
+  /** Which way the surface faces. */
   enum OrientationType
   {
-    AS_GIVEN = 1,
-    REVERSE = 2
+    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to face outward, within others too
   };
 
   ///@{
   /**
-   * Which way the surface as a whole is meant to face: AS_GIVEN (1), or the other way, REVERSE (2).
-   * Default AS_GIVEN.
+   * Which way facets are meant to face. AUTOMATIC (0) makes facets agree with those around them,
+   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
+   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
+   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
+   * Default AUTOMATIC.
    */
-  vtkSetClampMacro(Orientation, int, AS_GIVEN, REVERSE);
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
   vtkGetMacro(Orientation, int);
   ///@}
 
@@ -194,7 +199,7 @@ protected:
   int Method;
   int ApproximationOrder;
   double Accuracy;
-  int Orientation = AS_GIVEN;
+  int Orientation;
   double MergeTolerance;
   bool CountDuplicates;
   std::string NonParticipatingArrayName;

@@ -2,6 +2,7 @@
 #include "vtkRobustTetrahedralize.h"
 
 #include "Common/Stages.h"
+#include "LostArea.h"
 #include "NothingInside.h"
 #include "Output/MergePieces.h"
 #include "Private/vtkInsideOutCache.h"
@@ -157,6 +158,7 @@ struct Surfaces
   vtkSmartPointer<vtkPolyData> Boundary;
   vtkSmartPointer<vtkPolyData> Outliers;
   Statistics Counts;
+  LostArea Lost;
 };
 
 void CountOutliers(
@@ -209,6 +211,8 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   surfaces.Outliers = outputs.MakeOutliers(hull, outliers);
   monitor.Check(Stages::Extracting, 0.4);
   CountOutliers(hull, outliers, surfaces.Counts);
+  surfaces.Lost = MeasureLostArea(hull, outliers);
+  surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
   return surfaces;
 }
 } // namespace
@@ -228,7 +232,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
-        { Stages::Validating, Stages::FindingIntersections, Stages::Resolving,
+        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
           Stages::Extracting });
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
@@ -282,6 +286,10 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       if (insideCells == 0)
       {
         vtkWarningMacro(<< NothingInside(hull));
+      }
+      else if (const std::string warning = WarningAbout(surfaces.Lost); !warning.empty())
+      {
+        vtkWarningMacro(<< warning);
       }
     });
 }

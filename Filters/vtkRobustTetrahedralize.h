@@ -12,13 +12,13 @@
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
  * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME, LeftOutCellIds (see
- * vtkResolveSelfIntersections) and LostCellIds (see vtkConstrainedDelaunay3D). Output 1, its
- * boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell
- * each lies on, -1 where a hole was closed). Output 2, the outliers: the pieces of input facets
- * that are no face of a cell inside, with the cell array OutlierReason (unsigned char, see
- * OutlierReasonType; their names are the field array OutlierReasonNames). All carry the input's
- * point data and vtkOriginalPointIds, the surfaces its cell data. Normals and texture coordinates
- * stay active.
+ * vtkResolveSelfIntersections), LostCellIds (see vtkConstrainedDelaunay3D) and TurnedCellIds.
+ * Output 1, its boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the
+ * input cell each lies on, -1 where a hole was closed) and Turned (1 where that was turned over,
+ * see Orientation). Output 2, the outliers: the pieces of input facets that are no face of a cell
+ * inside, with the cell array OutlierReason (unsigned char, see OutlierReasonType; their names are
+ * the field array OutlierReasonNames). All carry the input's point data and vtkOriginalPointIds,
+ * the surfaces its cell data. Normals and texture coordinates stay active.
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -26,7 +26,8 @@
  * Statistics of the segmentation: Energy of the solid, EnergyOfCut before the constraints,
  * ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells (labelled inside
  * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
- * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts.
+ * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts. Of
+ * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area).
  *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.
@@ -157,18 +158,21 @@ public:
   /** Which way the surface faces. */
   enum OrientationType
   {
-    AUTOMATIC = 0, ///< turned over, with a warning, when it is inside out as a whole
-    AS_GIVEN = 1,
-    REVERSE = 2
+    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to face outward, within others too
   };
 
   ///@{
   /**
-   * Which way the surface as a whole is meant to face: AUTOMATIC (0) turns it over when the sum of
-   * w times volume over the hull is negative, AS_GIVEN (1) never, REVERSE (2) always. Default
-   * AUTOMATIC.
+   * Which way facets are meant to face. AUTOMATIC (0) makes facets agree with those around them,
+   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
+   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
+   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
+   * Default AUTOMATIC.
    */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, REVERSE);
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
   vtkGetMacro(Orientation, int);
   ///@}
 

@@ -5,6 +5,7 @@
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
@@ -29,12 +30,15 @@ vtkStandardNewMacro(vtkSurfaceDefects);
 vtkSurfaceDefects::vtkSurfaceDefects()
 {
   this->SetNumberOfOutputPorts(2);
-  this->MergeTolerance = CountedChainParameters().MergeTolerance;
+  const HullMeshParameters parameters;
+  this->Orientation = static_cast<int>(parameters.Orientation);
+  this->MergeTolerance = parameters.Chain.MergeTolerance;
 }
 
 void vtkSurfaceDefects::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
 }
 
@@ -49,6 +53,7 @@ using Color = std::array<unsigned char, 3>;
 
 // Red, dark red and purple are those of the thesis's figure 8.22.
 constexpr Color CrossingColor = { { 230, 0, 0 } };
+constexpr Color TurnedColor = { { 0, 70, 230 } };
 
 struct TypeOfLine
 {
@@ -115,6 +120,8 @@ std::vector<TriangleDefects> DefectsOfCells(
     cell.Duplicate |= triangle.Duplicate;
     cell.Inconsistent |= triangle.Inconsistent;
     cell.TwoSided |= triangle.TwoSided;
+    cell.Turned |= triangle.Turned;
+    cell.Sheet |= triangle.Sheet;
   }
   return result;
 }
@@ -128,6 +135,8 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
   const auto duplicate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Duplicate", size);
   const auto inconsistent = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inconsistent", size);
   const auto twoSided = vtkInsideOutMakeArray<vtkUnsignedCharArray>("TwoSided", size);
+  const auto turned = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", size);
+  const auto sheet = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Sheet", size);
   const auto color = vtkInsideOutMakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
   for (vtkIdType c = 0; c < size; ++c)
   {
@@ -138,8 +147,12 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
     duplicate->SetValue(c, cell.Duplicate);
     inconsistent->SetValue(c, cell.Inconsistent);
     twoSided->SetValue(c, cell.TwoSided);
-    SetColor(
-      color, c, cell.SelfIntersections > 0 ? CrossingColor : ColorOfComponent(cell.Component));
+    turned->SetValue(c, cell.Turned);
+    sheet->SetValue(c, cell.Sheet);
+    SetColor(color, c,
+      cell.SelfIntersections > 0 ? CrossingColor
+        : cell.Turned            ? TurnedColor
+                                 : ColorOfComponent(cell.Component));
   }
   data->AddArray(component);
   data->AddArray(crossings);
@@ -147,6 +160,8 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
   data->AddArray(duplicate);
   data->AddArray(inconsistent);
   data->AddArray(twoSided);
+  data->AddArray(turned);
+  data->AddArray(sheet);
   data->AddArray(color);
 }
 
@@ -205,14 +220,16 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(
-        this, { Stages::Validating, Stages::FindingIntersections, Stages::TracingIntersections });
+      vtkInsideOutMonitor monitor(this,
+        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections,
+          Stages::TracingIntersections });
       const vtkInsideOutSurface given = vtkInsideOutReadSurface(input);
-      const SurfaceDefects defects = FindSurfaceDefects(given.Soup, this->MergeTolerance, monitor);
+      const SurfaceDefects defects = FindSurfaceDefects(
+        given.Soup, this->MergeTolerance, vtkInsideOutOrientation(this), monitor);
 
       vtkInsideOutMakeOutputs outputs(given);
       const auto surface = outputs.CopySurface({ "ComponentId", "SelfIntersections", "Degenerate",
-        "Duplicate", "Inconsistent", "TwoSided", "DefectColor" });
+        "Duplicate", "Inconsistent", "TwoSided", "Turned", "Sheet", "DefectColor" });
       MarkCells(DefectsOfCells(defects, given.CellOfTriangle, input->GetNumberOfCells()),
         surface->GetCellData());
       const auto lines = vtkInsideOutMakeLines(defects);

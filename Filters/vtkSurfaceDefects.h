@@ -18,8 +18,10 @@
  * - Inconsistent (unsigned char): 1 where a neighbor across an edge of exactly two facets faces the
  *   other way
  * - TwoSided (unsigned char): 1 where the whole component is given in both orientations
- * - DefectColor (3 unsigned char): red where SelfIntersections is above 0, else
- *   a light color per component
+ * - Turned (unsigned char): 1 where the orientation asks to turn a triangle over
+ * - Sheet (unsigned char): 1 where a triangle is of a shell that encloses nothing, or counts 0
+ * - DefectColor (3 unsigned char): red where SelfIntersections is above 0, else blue where Turned
+ * is 1, else a light color per component
  *
  * Output 1, the lines: polylines, and vertices where facets only touch, with the point array
  * vtkOriginalPointIds (-1 on intersection curves) and the cell arrays
@@ -31,7 +33,8 @@
  * Both carry field data Statistics_NAME, a double each: the counts of vtkResolveSelfIntersections,
  * and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on which the facets' signed sum
  * is not 0; without any the surface is closed), Planar (1: all facets lie in one plane), NearPoints
- * (points nearer than NearDistance, a millionth of the size, to another).
+ * (points nearer than NearDistance, a millionth of the size, to another). Those of orientation are
+ * explained at vtkGeneralizedWindingNumber.
  *
  * A point that is not finite or a cell with a point out of range is an error that names it; the
  * outputs are then empty.
@@ -64,6 +67,28 @@ public:
   /** The lines (output 1). */
   vtkPolyData* GetLines();
 
+  /** Which way the surface faces. */
+  enum OrientationType
+  {
+    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to face outward, within others too
+  };
+
+  ///@{
+  /**
+   * Which way facets are meant to face, as in vtkRobustTetrahedralize: Turned marks those that it
+   * would turn over. AUTOMATIC (0) makes facets agree with those around them,
+   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
+   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
+   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
+   * Default AUTOMATIC.
+   */
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
   ///@{
   /**
    * Points at most this far apart become one, in units of the surface; of several the one with the
@@ -82,6 +107,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  int Orientation;
   double MergeTolerance;
 
 private:

@@ -8,43 +8,6 @@
 
 namespace insideout
 {
-namespace
-{
-/** Turn every facet's count over. The facets' corners stay as they are. */
-void TurnOver(FacetComplex& surface)
-{
-  for (std::int16_t& multiplicity : surface.Multiplicity)
-  {
-    multiplicity = static_cast<std::int16_t>(-multiplicity);
-  }
-  for (FacetSource& source : surface.Sources)
-  {
-    source.Reversed = !source.Reversed;
-  }
-}
-
-/** Apply the orientation; whether that turned the surface over. */
-bool Orient(HullMesh& hull, Orientation orientation)
-{
-  const bool insideOut =
-    orientation == Orientation::Automatic && SignedContent(hull.Mesh, hull.W) < 0;
-  if (insideOut)
-  {
-    hull.Warnings.push_back("the surface is inside out as a whole: it is turned over");
-  }
-  const bool turned = insideOut || orientation == Orientation::Reverse;
-  if (turned)
-  {
-    TurnOver(hull.Surface);
-    for (double& w : hull.W)
-    {
-      w = 0 - w; // not -w, which would make -0 of 0
-    }
-  }
-  return turned;
-}
-} // namespace
-
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
 {
   HullMesh hull;
@@ -57,6 +20,11 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   hull.DegenerateTriangles = std::move(chain.DegenerateTriangles);
   hull.Warnings = std::move(chain.Warnings);
   AddCounts(hull.Counts, statistics);
+  const FacetTurns turns = OrientFacets(chain.Surface, parameters.Orientation, monitor);
+  hull.TurnedTriangles = TrianglesOfFacets(chain.Surface, turns.Turned);
+  hull.SheetTriangles = TrianglesOfFacets(chain.Surface, turns.IsSheet);
+  hull.Warnings.insert(hull.Warnings.end(), turns.Warnings.begin(), turns.Warnings.end());
+  AddTurns(turns, statistics);
   const double validateSeconds = stopwatch.Lap();
 
   Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);
@@ -80,10 +48,8 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   const double meshSeconds = stopwatch.Lap();
 
   hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, parameters.QuadratureOrder);
-  const bool turned = Orient(hull, parameters.Orientation);
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
   statistics.emplace_back("Closed", IsClosed(hull.Surface));
-  statistics.emplace_back("TurnedOver", turned);
   statistics.emplace_back("MinimumW", *least);
   statistics.emplace_back("MaximumW", *most);
 

@@ -3,19 +3,12 @@
 
 #include "Common/Statistics.h"
 #include "Common/TetrahedralMesh.h"
+#include "Orient/OrientFacets.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
 #include "Validate/CountedChain.h"
 
 namespace insideout
 {
-/** Which way the surface as a whole is meant to face. */
-enum class Orientation
-{
-  Automatic, ///< turned over when its signed content is negative: it was given inside out
-  AsGiven,
-  Reverse
-};
-
 struct HullMeshParameters
 {
   CountedChainParameters Chain;
@@ -27,19 +20,21 @@ struct HullMeshParameters
 /** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
 struct HullMesh
 {
-  FacetComplex Surface; ///< resolved; turned over where the orientation asked for it
+  FacetComplex Surface; ///< resolved; facets turned over as the orientation asked for
   TetrahedralMesh Mesh;
   std::vector<double> W; ///< one per cell
   SurfaceCounts Counts;
   std::vector<Id> MergedInto;          ///< as CountedChain's
   std::vector<Id> DegenerateTriangles; ///< as CountedChain's
+  std::vector<Id> TurnedTriangles;     ///< of the soup: turned over; ascending
+  std::vector<Id> SheetTriangles;      ///< of the soup: of facets that enclose nothing; ascending
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };
 
 /**
- * Stages validate to w in a row: count the facets, resolve their intersections, tetrahedralize the
- * convex hull, and find the winding numbers.
+ * Stages validate to w in a row: count the facets, turn them the way that is meant, resolve their
+ * intersections, tetrahedralize the convex hull, and find the winding numbers.
  *
  * @throws Error whatever the stages throw
  */

@@ -36,7 +36,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   }
   if (isClosed || least < -0.5)
   {
-    return "The surface faces both ways, and its parts cancel: turn its facets alike before";
+    return "The surface faces both ways, and its parts cancel: set Orientation to Automatic";
   }
   const std::string counting = hull.Counts.DuplicateFacets > 0
     ? "set CountDuplicates if its sheets are meant to add up, "

@@ -136,8 +136,7 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
   {
     triangles.push_back(triangle.Corners);
   }
-  return this->MakeSurface(
-    hull.Mesh.Points, hull.Mesh.Origins, triangles, this->CellsOfBoundary(boundary), {});
+  return this->MakeBoundary(hull.Mesh.Points, hull.Mesh.Origins, triangles, hull, boundary);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
@@ -156,20 +155,26 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
   {
     points.push_back(hull.Mesh.Points[place]);
   }
-  return this->MakeSurface(
-    points, seamed.Origins, seamed.Triangles, this->CellsOfBoundary(boundary), {});
+  return this->MakeBoundary(points, seamed.Origins, seamed.Triangles, hull, boundary);
 }
 
-std::vector<vtkIdType> vtkInsideOutMakeOutputs::CellsOfBoundary(
-  const std::vector<insideout::BoundaryTriangle>& boundary) const
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
+  const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
+  const std::vector<insideout::Triangle>& triangles, const insideout::HullMesh& hull,
+  const std::vector<insideout::BoundaryTriangle>& boundary)
 {
   std::vector<vtkIdType> cells;
+  std::vector<unsigned char> turned;
   for (const insideout::BoundaryTriangle& triangle : boundary)
   {
     cells.push_back(
       triangle.Source == insideout::None ? -1 : this->Surface->CellOfTriangle[triangle.Source]);
+    turned.push_back(std::binary_search(
+      hull.TurnedTriangles.begin(), hull.TurnedTriangles.end(), triangle.Source));
   }
-  return cells;
+  auto output = this->MakeSurface(points, origins, triangles, cells, { "Turned" });
+  output->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", turned));
+  return output;
 }
 
 std::vector<Id> vtkInsideOutMakeOutputs::AlikePoints(const insideout::HullMesh& hull) const
@@ -280,6 +285,13 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutMakeOutputs::MakeGrid(
 {
   auto grid = this->MakeGrid(hull.Surface, hull.Mesh);
   grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", hull.W));
+  std::vector<vtkIdType> turned;
+  for (const Id triangle : hull.TurnedTriangles)
+  {
+    turned.push_back(this->Surface->CellOfTriangle[triangle]);
+  }
+  turned.erase(std::unique(turned.begin(), turned.end()), turned.end()); // ascending, as triangles
+  grid->GetFieldData()->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("TurnedCellIds", turned));
   return grid;
 }
 

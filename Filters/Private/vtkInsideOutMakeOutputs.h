@@ -34,7 +34,7 @@ public:
   vtkSmartPointer<vtkPolyData> MakeSurface(
     const insideout::FacetComplex& surface, const std::vector<insideout::Id>& facets);
 
-  /** Triangles of the boundary with vtkOriginalCellIds (-1 where a hole was closed) and
+  /** Triangles of the boundary with vtkOriginalCellIds (-1 where a hole was closed), Turned and
    * vtkOriginalPointIds; merged points have the lowest id's data. */
   vtkSmartPointer<vtkPolyData> MakeBoundary(
     const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
@@ -60,7 +60,8 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
     const insideout::FacetComplex& surface, const insideout::TetrahedralMesh& mesh);
 
-  /** The same with w. */
+  /** The same with w, and the input cells that were turned over in the field array TurnedCellIds.
+   */
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const insideout::HullMesh& hull);
 
   /** Name the input cells of facets that could not be resolved in the field array LeftOutCellIds of
@@ -69,8 +70,10 @@ public:
 
 private:
   std::vector<insideout::Id> AlikePoints(const insideout::HullMesh& hull) const;
-  std::vector<vtkIdType> CellsOfBoundary(
-    const std::vector<insideout::BoundaryTriangle>& boundary) const;
+  vtkSmartPointer<vtkPolyData> MakeBoundary(const std::vector<insideout::Point>& points,
+    const std::vector<insideout::PointOrigin>& origins,
+    const std::vector<insideout::Triangle>& triangles, const insideout::HullMesh& hull,
+    const std::vector<insideout::BoundaryTriangle>& boundary);
   /** A field array of the input cells that facets are pieces of, each once, ascending. */
   void AddCellsOfFacets(const char* name, const insideout::FacetComplex& surface,
     const std::vector<insideout::Id>& facets, vtkDataSet* output) const;

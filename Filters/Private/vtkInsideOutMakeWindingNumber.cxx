@@ -11,13 +11,8 @@ std::unique_ptr<const insideout::SurfaceWindingNumber> vtkInsideOutMakeWindingNu
   insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
   warnings.insert(warnings.end(), chain.Warnings.begin(), chain.Warnings.end());
   warnings.insert(warnings.end(), surface.Warnings.begin(), surface.Warnings.end());
-  if (options.Reverse)
-  {
-    for (std::int16_t& multiplicity : chain.Surface.Multiplicity)
-    {
-      multiplicity = static_cast<std::int16_t>(-multiplicity);
-    }
-  }
+  const insideout::FacetTurns turns = OrientFacets(chain.Surface, options.Orientation, monitor);
+  warnings.insert(warnings.end(), turns.Warnings.begin(), turns.Warnings.end());
   return std::make_unique<const insideout::SurfaceWindingNumber>(
     chain.Surface, options.WindingNumber, monitor);
 }

@@ -13,7 +13,7 @@ class vtkPolyData;
 struct vtkInsideOutSurfaceOptions
 {
   insideout::CountedChainParameters Chain;
-  bool Reverse = false; ///< count every facet the other way round
+  insideout::Orientation Orientation;
   insideout::WindingNumberParameters WindingNumber;
   std::string NonParticipating; ///< cell array, not 0 where a cell does not count
 };
@@ -22,11 +22,9 @@ struct vtkInsideOutSurfaceOptions
 template <typename Class>
 vtkInsideOutSurfaceOptions vtkInsideOutReadSurfaceOptions(Class* object)
 {
-  static_assert(Class::AS_GIVEN == static_cast<int>(insideout::Orientation::AsGiven));
-  static_assert(Class::REVERSE == static_cast<int>(insideout::Orientation::Reverse));
   vtkInsideOutSurfaceOptions options;
   options.Chain = vtkInsideOutChainParameters(object);
-  options.Reverse = object->GetOrientation() == Class::REVERSE;
+  options.Orientation = vtkInsideOutOrientation(object);
   options.NonParticipating = object->GetNonParticipatingArrayName();
   return options;
 }

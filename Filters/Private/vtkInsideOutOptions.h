@@ -33,15 +33,22 @@ insideout::ConstrainedDelaunayParameters vtkInsideOutDelaunayParameters(Filter* 
 }
 
 template <typename Filter>
-insideout::HullMeshParameters vtkInsideOutHullMeshParameters(Filter* filter)
+insideout::Orientation vtkInsideOutOrientation(Filter* filter)
 {
   using insideout::Orientation;
   static_assert(Filter::AUTOMATIC == static_cast<int>(Orientation::Automatic));
   static_assert(Filter::AS_GIVEN == static_cast<int>(Orientation::AsGiven));
   static_assert(Filter::REVERSE == static_cast<int>(Orientation::Reverse));
+  static_assert(Filter::OUTWARD == static_cast<int>(Orientation::Outward));
+  return static_cast<Orientation>(filter->GetOrientation());
+}
+
+template <typename Filter>
+insideout::HullMeshParameters vtkInsideOutHullMeshParameters(Filter* filter)
+{
   insideout::HullMeshParameters parameters;
   parameters.Chain = vtkInsideOutChainParameters(filter);
-  parameters.Orientation = static_cast<Orientation>(filter->GetOrientation());
+  parameters.Orientation = vtkInsideOutOrientation(filter);
   parameters.Budgets = vtkInsideOutDelaunayParameters(filter);
   parameters.QuadratureOrder = filter->GetQuadratureOrder();
   return parameters;

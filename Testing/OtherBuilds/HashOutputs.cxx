@@ -70,7 +70,8 @@ public:
   Hash& operator<<(const TriangleDefects& triangle)
   {
     return *this << triangle.Component << triangle.SelfIntersections << triangle.Degenerate
-                 << triangle.Duplicate << triangle.Inconsistent << triangle.TwoSided;
+                 << triangle.Duplicate << triangle.Inconsistent << triangle.TwoSided
+                 << triangle.Turned << triangle.Sheet;
   }
 
   std::uint64_t Value = 0xcbf29ce484222325;
@@ -127,7 +128,7 @@ Hashes HashStages(const TriangleSoup& soup)
   const auto add = [&hashes](const char* name, const auto&... outputs)
   { hashes[name] = (Hash() << ... << outputs).Value; };
 
-  const SurfaceDefects defects = FindSurfaceDefects(soup, 0, monitor);
+  const SurfaceDefects defects = FindSurfaceDefects(soup, 0, Orientation::Automatic, monitor);
   add("defects", defects.Triangles, defects.Points, defects.Lines, defects.NearPoints);
 
   HullMeshParameters parameters;

@@ -112,7 +112,8 @@ class Success(CommandLine):
                     found["parameters"],
                     {
                         **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
-                        **{"engine": "automatic", "data_term": "uniform"},
+                        **{"engine": "automatic", "data_term": "uniform", "orientation": "automatic"},
+                        **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
                         **{"constrain_facets": False, "constrain_manifold": False},
                         **{"non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                     },
@@ -408,7 +409,7 @@ class Failure(CommandLine):
     def test_nothing_inside(self):
         source = self.file("both.ply", surfaces.closed_both_ways())
         hull, boundary, report = self.path("hull.vtu"), self.path("boundary.ply"), self.path("report.json")
-        done = run(source, self.output, "--hull", hull, "--boundary", boundary, "--report", report)
+        done = run(source, self.output, "--hull", hull, "--boundary", boundary, "--report", report, "--orientation", "as-given")
         self.check_failure(done, "nothing is inside", "w ranges from")
         self.assertGreater(read_grid(hull).GetNumberOfCells(), 0)
         self.assertFalse(os.path.exists(boundary))

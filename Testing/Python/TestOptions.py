@@ -9,11 +9,10 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from dataclasses import fields
 from pathlib import Path
-from unittest import mock
 
 import insideout
 from insideout import arguments
-from insideout.options import OPTIONS, Choice, Number, Option, Options, Switch
+from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Switch
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -50,7 +49,7 @@ def constants(class_name: str, name: str) -> dict[int, str]:
     """The values that a property of an enumeration can have, with the names of the class's constants as words."""
     own = vars(getattr(insideout, class_name))
     named = {int(value): constant for constant, value in own.items() if type(value).__name__ == name + "Type"}
-    return {value: constant.removeprefix(name.upper() + "_").replace("_", " ").lower() for value, constant in named.items()}
+    return {value: constant.removeprefix(name.upper() + "_").replace("_", "-").lower() for value, constant in named.items()}
 
 
 def proxies() -> dict[str, ElementTree.Element]:
@@ -71,6 +70,8 @@ def example(option: Option) -> object:
     """A value that an option can have and does not have by default."""
     if isinstance(option, Choice):
         return option.choices[-1]
+    if isinstance(option, Order):
+        return option.most
     return True if isinstance(option, Switch) else 7.0 if isinstance(option, Number) else "Some"
 
 
@@ -114,7 +115,7 @@ class ParaView(unittest.TestCase):
     def test_each_enumeration_has_the_constants_of_the_class(self):
         for class_name, name, element, default in plugin_properties():
             with self.subTest(filter=class_name, property=name):
-                entries = {int(entry.get("value")): entry.get("text").lower() for entry in element.iterfind("EnumerationDomain/Entry")}
+                entries = {int(entry.get("value")): entry.get("text").lower().replace(" ", "-") for entry in element.iterfind("EnumerationDomain/Entry")}
                 self.assertEqual(entries, constants(class_name, name))
                 if entries:
                     self.assertEqual(read_back(class_name, name, min(entries) - 1), min(entries))
@@ -191,7 +192,6 @@ class Python(unittest.TestCase):
 
     NO_OPTIONS = {
         "ExtractInside": "a result has both the solid and the hull",
-        "QuadratureOrder": "only for pipelines",
         "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
     }
 
@@ -215,7 +215,7 @@ class Python(unittest.TestCase):
     def test_other_functions_that_have_them_have_the_same(self):
         for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside):
             for parameter in inspect.signature(function).parameters.values():
-                if parameter.name in OPTIONS and parameter.name != "orientation":
+                if parameter.name in OPTIONS:
                     self.assertEqual(parameter.default, OPTIONS[parameter.name].default, parameter.name)
 
     def test_the_help_tells_all_and_leaves_no_gap(self):
@@ -251,6 +251,17 @@ class Python(unittest.TestCase):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(made)
 
+    def test_orders_have_the_range_of_the_class(self):
+        for name, option in OPTIONS.items():
+            if isinstance(option, Order):
+                with self.subTest(name):
+                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, -99), option.least)
+                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, 99), option.most)
+                    self.assertIn(f"default {self.defaults[option.vtk_property]}", option.help())
+                    for bad in (option.least - 1, option.most + 1, 1.5, "much"):
+                        with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
+                            Options(**{name: bad}).set_on(insideout.vtkRobustTetrahedralize())
+
     def test_choices_are_the_constants_of_the_class(self):
         for name, option in OPTIONS.items():
             if isinstance(option, Choice):
@@ -279,18 +290,18 @@ class CommandLine(unittest.TestCase):
     def parse(self, *given):
         return Options.among(vars(arguments.parse(["broken.ply", "solid.vtu", *given])[0]))
 
-    def test_it_has_each_option_but_those_that_it_names(self):
-        self.assertLessEqual(set(arguments.LEFT_OUT), set(OPTIONS))
+    def test_it_has_each_option(self):
         for name, option in OPTIONS.items():
             value = example(option)
             given = ["--" + name.replace("_", "-"), *([] if value is True else [str(value)])]
             with self.subTest(name):
-                if name in arguments.LEFT_OUT:
-                    with self.assertRaises(SystemExit), mock.patch("sys.stderr"):
-                        self.parse(*given)
-                else:
-                    self.assertEqual(self.parse(*given), Options(**{name: value}))
-                    self.parse(*given).set_on(insideout.vtkRobustTetrahedralize())
+                self.assertEqual(self.parse(*given), Options(**{name: value}))
+        self.assertEqual(self.parse("--constrained-array", "Some"), Options(constrain_facets="Some"))
+
+    def test_names_of_choices_have_no_spaces(self):
+        for name, option in OPTIONS.items():
+            if isinstance(option, Choice):
+                self.assertNotIn(" ", "".join(option.choices), name)
 
     def test_it_leaves_what_is_not_given_to_the_filter(self):
         self.assertEqual(self.parse(), Options())
@@ -299,9 +310,7 @@ class CommandLine(unittest.TestCase):
 class Everywhere(unittest.TestCase):
     """What several classes have is the same in each, but for what a class says of itself."""
 
-    DIFFERENT_DEFAULT = {"Orientation": "probes take a surface as it is given"}
     OTHER_WORDS = {
-        ("vtkProbeWindingNumber", "Orientation"): "probes turn nothing over by themselves",
         ("vtkProbeWindingNumber", "NonParticipatingArrayName"): "probes make no mesh",
         ("vtkGraphCutSegmentation", "ConstrainFacets"): "needs more of its input",
     }
@@ -310,7 +319,7 @@ class Everywhere(unittest.TestCase):
         known = properties("vtkRobustTetrahedralize")
         for class_name in CLASSES:
             for name, default in properties(class_name).items():
-                if name in known and name not in self.DIFFERENT_DEFAULT:
+                if name in known:
                     self.assertEqual(default, known[name], f"{class_name} {name}")
 
     def test_words(self):

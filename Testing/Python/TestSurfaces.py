@@ -303,14 +303,14 @@ class NothingInside(unittest.TestCase):
         self.assertIn("two-sided", self.warning(both))
 
     def test_inside_out(self):
-        self.assertIn("set Orientation", self.warning(surfaces.reversed_box(), orientation="as given"))
+        self.assertIn("set orientation", self.warning(surfaces.reversed_box(), orientation="as-given"))
 
     def test_too_open(self):
         walls = surfaces.box(facets=[surfaces.BOX_FACETS[0], surfaces.BOX_FACETS[4]])
         self.assertIn("too open", self.warning(walls))
 
     def test_both_ways(self):
-        self.assertIn("faces both ways", self.warning(surfaces.closed_both_ways()))
+        self.assertIn("faces both ways", self.warning(surfaces.closed_both_ways(), orientation="as-given"))
 
     def test_smoothed_away(self):
         """An open box in a large hull, whose boundary costs more than it is worth."""
@@ -319,7 +319,7 @@ class NothingInside(unittest.TestCase):
         surfaces.add_array(box.GetCellData(), "Frame", np.repeat([0, 1], [10, 24]))
         open_box = {"non_participating": "Frame", "sigma": 1}
         self.assertGreater(insideout.tetrahedralize(box, gamma=0, **open_box).solid.GetNumberOfCells(), 0)
-        self.assertIn("set Gamma lower", self.warning(box, gamma=1e3, **open_box))
+        self.assertIn("set gamma lower", self.warning(box, gamma=1e3, **open_box))
 
 
 class NonParticipating(unittest.TestCase):

@@ -115,7 +115,7 @@ class Laws(unittest.TestCase):
             insideout.tetrahedralize(surface, seeds=[((0, 0, 0), True), (1, 2, 3)])
 
     def test_a_data_term_is_one_of_two(self):
-        weighted = insideout.tetrahedralize(surfaces.two_boxes(), data_term="volume weighted")
+        weighted = insideout.tetrahedralize(surfaces.two_boxes(), data_term="volume-weighted")
         self.check(weighted, 15 / 8)
         with self.assertRaisesRegex(insideout.Error, "data_term is 'heavy'"):
             insideout.tetrahedralize(surfaces.two_boxes(), data_term="heavy")
@@ -136,19 +136,19 @@ class Laws(unittest.TestCase):
     def test_an_inside_out_box_is_turned_over_with_a_warning(self):
         result = insideout.tetrahedralize(surfaces.reversed_box())
         self.check(result, 1)
-        self.assertEqual(result.statistics["TurnedOver"], 1)
+        self.assertEqual(result.statistics["TurnedShells"], 1)
         self.assertEqual(len(result.warnings), 1)
         self.assertIn("inside out", result.warnings[0])
 
     def test_orientation_as_given_and_reverse(self):
-        for orientation, sign in (("as given", -1), ("reverse", 1)):
+        for orientation, sign in (("as-given", -1), ("reverse", 1)):
             with self.subTest(orientation):
                 result = insideout.tetrahedralize(surfaces.reversed_box(), orientation=orientation)
                 self.assertEqual(set(cell_array(result.hull, "w")), {float(sign)})
                 self.assertEqual(result.solid.GetNumberOfCells() > 0, sign > 0)
 
     def test_nothing_inside_is_a_warning_that_gives_the_range_of_w(self):
-        result = insideout.tetrahedralize(surfaces.reversed_box(), orientation="as given")
+        result = insideout.tetrahedralize(surfaces.reversed_box(), orientation="as-given")
         self.assertEqual(result.solid.GetNumberOfCells(), 0)
         self.assertEqual(result.boundary.GetNumberOfCells(), 0)
         self.assertEqual(result.outliers.GetNumberOfCells(), 12)

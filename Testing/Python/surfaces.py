@@ -66,7 +66,7 @@ def reversed_box() -> vtkPolyData:
 
 
 def closed_both_ways() -> vtkPolyData:
-    """A box one half of whose facets faces inward, so that w is small everywhere: nothing is inside."""
+    """A box one half of whose facets faces inward, so that w is small everywhere: as it is given nothing is inside."""
     return box(facets=[facet[::-1] if k % 2 else facet for k, facet in enumerate(BOX_FACETS)])
 
 

@@ -30,7 +30,7 @@ BoxTree::BoxTree(std::vector<Box> boxes)
   }
   const Id count = static_cast<Id>(boxes.size());
   this->Nodes.resize(NumberOfNodes(count));
-#pragma omp parallel
+#pragma omp parallel if (count > TaskSize)
 #pragma omp single
   this->Build(boxes, 0, count, 0);
   this->Boxes.reserve(boxes.size());

@@ -17,17 +17,24 @@ public:
   template <class Visitor>
   void Visit(const Box& box, const Visitor& visit) const
   {
+    this->VisitWhere([&](const Box& other) { return other.Meets(box); }, visit);
+  }
+
+  /** The same for boxes that `meets` is true for, as it has to be for all boxes around them. */
+  template <class Meets, class Visitor>
+  void VisitWhere(const Meets& meets, const Visitor& visit) const
+  {
     for (std::size_t node = 0; node < this->Nodes.size();)
     {
       const Node& here = this->Nodes[node];
-      if (!here.Bounds.Meets(box))
+      if (!meets(here.Bounds))
       {
         node = here.Next;
         continue;
       }
       for (Id k = here.Begin; k < here.End; ++k)
       {
-        if (this->Boxes[k].Meets(box))
+        if (meets(this->Boxes[k]))
         {
           visit(this->Order[k]);
         }

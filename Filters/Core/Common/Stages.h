@@ -9,6 +9,7 @@ namespace insideout::Stages
 {
 constexpr const char* Reading = "reading";                                 ///< ReadSurface
 constexpr const char* Validating = "validating";                           ///< CountFacets
+constexpr const char* Orienting = "orienting";                             ///< OrientFacets
 constexpr const char* FindingIntersections = "finding self-intersections"; ///< FindIntersections
 constexpr const char* Resolving = "resolving self-intersections";     ///< ResolveSelfIntersections
 constexpr const char* TracingIntersections = "tracing intersections"; ///< TraceIntersections

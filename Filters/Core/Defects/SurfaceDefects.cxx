@@ -178,6 +178,8 @@ void MarkTriangles(const FacetComplex& surface, const FacetComponents& component
     facet.SelfIntersections = met[f];
     facet.Inconsistent = edges.HasInconsistent[f];
     facet.TwoSided = twoSided[facet.Component];
+    facet.Turned = defects.Turns.Turned[f];
+    facet.Sheet = defects.Turns.IsSheet[f];
     for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
     {
       facet.Duplicate = s > surface.SourceOffsets[f];
@@ -204,7 +206,8 @@ std::string AdviceOnNearPoints(const NearPoints& near)
 }
 } // namespace
 
-SurfaceDefects FindSurfaceDefects(const TriangleSoup& soup, double mergeTolerance, Monitor& monitor)
+SurfaceDefects FindSurfaceDefects(
+  const TriangleSoup& soup, double mergeTolerance, Orientation orientation, Monitor& monitor)
 {
   CountedChainParameters parameters;
   parameters.MergeTolerance = mergeTolerance;
@@ -213,6 +216,9 @@ SurfaceDefects FindSurfaceDefects(const TriangleSoup& soup, double mergeToleranc
   SurfaceDefects defects;
   defects.Counts = chain.Counts;
   defects.Planar = LiesInOnePlane(surface);
+  FacetComplex oriented = surface;
+  defects.Turns = OrientFacets(oriented, orientation, monitor);
+  defects.Warnings = defects.Turns.Warnings;
 
   const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);
   defects.IntersectingPairs = static_cast<Id>(pairs.size());
@@ -244,6 +250,7 @@ SurfaceDefects FindSurfaceDefects(const TriangleSoup& soup, double mergeToleranc
 void AddDefects(const SurfaceDefects& defects, Statistics& statistics)
 {
   AddCounts(defects.Counts, statistics);
+  AddTurns(defects.Turns, statistics);
   statistics.emplace_back("IntersectingPairs", defects.IntersectingPairs);
   statistics.emplace_back("IntersectingFacets", defects.IntersectingFacets);
   statistics.emplace_back("InconsistentEdges", defects.InconsistentEdges);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Statistics.h"
+#include "Orient/OrientFacets.h"
 #include "Validate/CountedChain.h"
 
 namespace insideout
@@ -16,6 +17,8 @@ struct TriangleDefects
   bool Duplicate = false;    ///< an earlier triangle has the same three points
   bool Inconsistent = false; ///< has an edge of DefectType::InconsistentEdge
   bool TwoSided = false;     ///< of a component that is given in both orientations everywhere
+  bool Turned = false;       ///< to be turned over (OrientFacets.h)
+  bool Sheet = false;        ///< of what encloses nothing (OrientFacets.h)
 };
 
 enum class DefectType
@@ -42,6 +45,7 @@ struct SurfaceDefects
   std::vector<DefectLine> Lines; ///< by type
 
   SurfaceCounts Counts;
+  FacetTurns Turns; ///< those that the orientation asks for
   Id IntersectingPairs = 0;
   Id IntersectingFacets = 0; ///< facets in at least one pair
   Id InconsistentEdges = 0;
@@ -55,15 +59,15 @@ struct SurfaceDefects
 
 /**
  * What is wrong with a surface: the columns of the thesis's table 8.1, and where its figure 8.22
- * draws them. Facets and edges are those of the counted chain, before anything is cut. Orientation
- * is judged in the direction in which a facet counts: one that is given both ways, and so counts 0,
- * agrees with any neighbor.
+ * draws them. Facets and edges are those of the counted chain, before anything is cut or turned.
+ * Edges are judged in the direction in which a facet counts: one that is given both ways, and so
+ * counts 0, agrees with any neighbor.
  *
  * @param[in] mergeTolerance as in CountedChainParameters
  * @throws Error as CountFacets does
  */
 SurfaceDefects FindSurfaceDefects(
-  const TriangleSoup& soup, double mergeTolerance, Monitor& monitor);
+  const TriangleSoup& soup, double mergeTolerance, Orientation orientation, Monitor& monitor);
 
 /** The counts under their names, for `statistics`. */
 void AddDefects(const SurfaceDefects& defects, Statistics& statistics);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/CountedChain.h"
 
+#include "Common/Box.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
@@ -209,12 +210,17 @@ TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetC
   return twoSided;
 }
 
-void CountEdges(const std::vector<FacetEdge>& edges, SurfaceCounts& counts)
+void CountEdges(
+  const std::vector<Point>& points, const std::vector<FacetEdge>& edges, SurfaceCounts& counts)
 {
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     {
-      counts.OpenEdges += last - first == 1;
+      if (last - first == 1)
+      {
+        ++counts.OpenEdges;
+        counts.OpenLength += Distance(points[first->Low], points[first->High]);
+      }
       counts.NonManifoldEdges += last - first > 2;
     });
 }
@@ -272,7 +278,9 @@ CountedChain CountFacets(
   const std::vector<FacetEdge> edges = SortedFacetEdges(chain.Surface.Facets);
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
-  CountEdges(edges, chain.Counts);
+  CountEdges(chain.Surface.Points, edges, chain.Counts);
+  const Box box = BoundingBox(chain.Surface.Points);
+  chain.Counts.Diagonal = Distance(box.Low, box.High);
   if (soup.Multiplicity.empty())
   {
     const TwoSidedComponents twoSided = chain.Counts.NonParticipatingFacets == 0
@@ -293,6 +301,8 @@ void AddCounts(const SurfaceCounts& counts, Statistics& statistics)
   statistics.emplace_back("Points", counts.Points);
   statistics.emplace_back("Facets", counts.Facets);
   statistics.emplace_back("OpenEdges", counts.OpenEdges);
+  statistics.emplace_back("OpenLength", counts.OpenLength);
+  statistics.emplace_back("Diagonal", counts.Diagonal);
   statistics.emplace_back("NonManifoldEdges", counts.NonManifoldEdges);
   statistics.emplace_back("Components", counts.Components);
   statistics.emplace_back("MergedPoints", counts.MergedPoints);

@@ -30,6 +30,8 @@ struct SurfaceCounts
   Id DuplicateFacets = 0;        ///< input triangles whose three points an earlier one has
   Id CancelledFacets = 0;        ///< facets given in both orientations, which count 0
   Id OpenEdges = 0;              ///< edges of exactly one facet
+  double OpenLength = 0;         ///< of these edges, all together
+  double Diagonal = 0;           ///< of the box around all points in use
   Id NonManifoldEdges = 0;       ///< edges of more than two facets
   Id Components = 0;             ///< of facets joined through edges
   Id TwoSidedSolids = 0;         ///< two-sided components that close a volume: kept once

@@ -31,13 +31,11 @@ examples:
 Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C.
 """
 
-LEFT_OUT = ("orientation", "count_duplicates", "seeds")
-"""The options of `tetrahedralize` that the command does not have. Of `constrain_facets` it has only on and off."""
+CHECK_OPTIONS = ("orientation", "merge_tolerance")
+WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
+"""Those that make sense without a mesh: of `check`, and of `winding_number`."""
 
-SOLID_OPTIONS = {name: option for name, option in OPTIONS.items() if name not in LEFT_OUT}
-
-MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", *(name for name in SOLID_OPTIONS if name != "merge_tolerance"))
-"""What makes no sense without a mesh."""
+MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", *OPTIONS)
 
 
 @dataclass(frozen=True)
@@ -87,8 +85,9 @@ def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argpars
     mode = "--check" if options.check else "--winding" if options.winding is not None else None
     if options.check and options.winding is not None:
         parser.error("--check meshes nothing: it goes without --winding")
+    others = CHECK_OPTIONS if options.check else WINDING_OPTIONS
     for name in MESH_OPTIONS:
-        if mode is not None and getattr(options, name, None) is not None:
+        if mode is not None and name not in others and getattr(options, name, None) is not None:
             parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
 
 
@@ -151,9 +150,16 @@ def _parser() -> argparse.ArgumentParser:
     files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; needs no window")
     files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
     how = parser.add_argument_group("how")
-    for name, option in SOLID_OPTIONS.items():
+    for name, option in OPTIONS.items():
         flag = "--" + name.replace("_", "-")
         how.add_argument(flag, help=option.help(), default=argparse.SUPPRESS, **option.argument())
+    how.add_argument(
+        *("--constrained-array",),
+        dest="constrain_facets",
+        metavar="ARRAY",
+        default=argparse.SUPPRESS,
+        help="the same for the facets where this cell array is not 0",
+    )
     how.add_argument("--timeout", metavar="S", type=float, help="give a surface up after this many seconds; none by default")
     how.add_argument("--threads", metavar="N", type=int, help="how many threads work; by default one per processor")
     how.add_argument("--quiet", action="store_true", help="print nothing but errors")

@@ -10,8 +10,9 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .data import AnySurface, as_surface
 from .defects import DEFECTS
-from .options import Options, describe_options
+from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, run, statistics_of
+from .verdict import verdict
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 
 
@@ -40,7 +41,7 @@ class Check:
     findings: list[Finding]
     """What is wrong, with what matters first; empty when nothing is."""
     verdict: str
-    """All of it in one sentence."""
+    """Whether it bounds a solid, in one sentence: "bounds a solid of volume 2 after turning 1 of 2 shells over"."""
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
@@ -49,10 +50,11 @@ class Check:
 def check(
     surface: AnySurface,
     *,
+    orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
-    """What is wrong with a surface. Nothing is changed or cut.
+    """What is wrong with a surface. Nothing is changed or cut; what would be turned over is marked.
 
     surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
     progress  called with the stage and the fraction of all the work that is done
@@ -62,10 +64,10 @@ def check(
     Returns a `Check`. Raises `Error` with one line that names what is wrong where the surface is no
     surface at all.
     """
-    marker = Options(merge_tolerance=merge_tolerance).set_on(vtkSurfaceDefects())
+    marker = Options.among(locals()).set_on(vtkSurfaceDefects())
     polygons, warnings = as_surface(surface)
     marker.SetInputData(polygons)
-    warnings = warnings + run(marker, progress)
+    warnings = warnings + in_words_of_python(run(marker, progress))
     statistics = statistics_of(marker.GetOutput())
     findings = find(statistics)
     return Check(
@@ -73,7 +75,7 @@ def check(
         lines=marker.GetLines(),
         statistics=statistics,
         findings=findings,
-        verdict=verdict(statistics, findings),
+        verdict=verdict(statistics),
         warnings=warnings,
     )
 
@@ -88,15 +90,3 @@ def find(statistics: Mapping[str, float]) -> list[Finding]:
             text = defect.counted(statistics[defect.statistic])
             findings.append(Finding(text, defect.matters, defect.consequence.format_map(statistics)))
     return findings
-
-
-def verdict(statistics: Mapping[str, float], findings: list[Finding]) -> str:
-    """The findings in one sentence."""
-    if not findings:
-        return "nothing is wrong: the surface is closed and bounds a solid"
-    serious = [finding.text for finding in findings if finding.matters]
-    if serious:
-        return "this may matter: " + "; ".join(serious)
-    if statistics["UnbalancedEdges"] == 0:
-        return "nothing here matters: the surface is closed, and what it encloses is the solid"
-    return "nothing here needs mending; the surface is open, so that the solid is a best guess near its holes"

@@ -18,11 +18,11 @@ from typing import Any, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .arguments import SOLID_OPTIONS, Files, parse
+from .arguments import CHECK_OPTIONS, WINDING_OPTIONS, Files, parse
 from .checking import Finding, check
 from .drawing import PICTURES, display_command, draw
 from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, ending, read_surface, write_grid, write_surface
-from .options import Options
+from .options import OPTIONS, Options, in_words_of_command
 from .pipeline import Error, set_threads
 from .places import QUERIES, Places, read_places
 from .progress import StageBars
@@ -30,8 +30,9 @@ from .queries import winding_number
 from .stages import CHECK, DRAWING, READING, TETRAHEDRALIZE, WINDING, WRITING
 from .summary import check_summary, defects, summary, table, tetrahedralizer, winding_summary
 from .tetrahedralization import Tetrahedralization, tetrahedralize
+from .verdict import verdict
 from .version import __version__
-from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkSurfaceDefects
+from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects
 
 SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
 
@@ -116,9 +117,10 @@ class Job:
         """The parameters that the work will use. Raises `Error` for one out of range."""
         raise NotImplementedError
 
-    def merge_tolerance(self) -> dict[str, float]:
-        """The one parameter of the work that makes no mesh."""
-        return {"merge_tolerance": self.settings.set_on(vtkSurfaceDefects()).GetMergeTolerance()}
+    def parameters_of(self, names: Sequence[str], algorithm: Any) -> dict[str, Any]:
+        """Those of some names, which the algorithm has."""
+        self.settings.set_on(algorithm)
+        return {name: OPTIONS[name].used_by(algorithm, getattr(self.settings, name)) for name in names}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         """The endings that the file of each option may have."""
@@ -182,7 +184,7 @@ class Job:
 
     def print_summary(self) -> None:
         lines = self.summary()
-        lines += [f"Warning: {warning}" for warning in self.warnings]
+        lines += [f"Warning: {warning}" for warning in in_words_of_command(self.warnings)]
         lines += [f"Wrote {kind:10} {path}" for kind, path in self.outputs.items()]
         _print(lines)
 
@@ -195,10 +197,9 @@ class MeshJob(Job):
     lost_cells: list[int] = []
 
     def check_parameters(self) -> dict[str, Any]:
-        solid = self.settings.set_on(vtkRobustTetrahedralize())
         if self.files.plot is not None:
             display_command()
-        return {name: option.used_by(solid, getattr(self.settings, name)) for name, option in SOLID_OPTIONS.items()}
+        return self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize())
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {
@@ -256,6 +257,7 @@ class MeshJob(Job):
         return {
             "tetrahedralizer": tetrahedralizer(self.statistics),
             "defects": defects(self.statistics),
+            "verdict": verdict(self.statistics) if self.statistics else None,
             "left_out_cells": self.left_out_cells,
             "lost_cells": self.lost_cells,
         }
@@ -272,10 +274,11 @@ class CheckJob(Job):
     verdict: Optional[str] = None
 
     def check_parameters(self) -> dict[str, Any]:
-        return self.merge_tolerance()
+        return self.parameters_of(CHECK_OPTIONS, vtkSurfaceDefects())
 
     def work(self) -> None:
-        result = check(self.read(), merge_tolerance=self.settings.merge_tolerance, progress=self.show_progress)
+        options = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
+        result = check(self.read(), progress=self.show_progress, **options)
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.findings, self.verdict = result.findings, result.verdict
@@ -287,7 +290,7 @@ class CheckJob(Job):
         return {"defects": defects(self.statistics), "findings": findings, "verdict": self.verdict}
 
     def summary(self) -> list[str]:
-        return check_summary(os.path.basename(self.files.surface), self.statistics, self.findings, self.verdict or "")
+        return check_summary(os.path.basename(self.files.surface), self.statistics, self.findings)
 
 
 class WindingJob(Job):
@@ -297,7 +300,7 @@ class WindingJob(Job):
 
     def check_parameters(self) -> dict[str, Any]:
         check_input(self.options.winding, QUERIES)
-        return self.merge_tolerance()
+        return self.parameters_of(WINDING_OPTIONS, vtkProbeWindingNumber())
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {"output": (ending(self.options.winding),)}
@@ -305,9 +308,8 @@ class WindingJob(Job):
     def work(self) -> None:
         surface = self.read()
         places: Places = read_places(self.options.winding)
-        w = winding_number(
-            surface, places.data, merge_tolerance=self.settings.merge_tolerance, progress=self.show_progress
-        )
+        options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
+        w = winding_number(surface, places.data, progress=self.show_progress, **options)
         self.bars.finish()
         self.bars.show(WRITING, 0)
         output = self.files.output or ""

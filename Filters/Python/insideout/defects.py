@@ -22,9 +22,16 @@ class Defect(NamedTuple):
 DEFECTS = (
     Defect(
         *("InconsistentEdges", "inconsistent edge", "inconsistent edges"),
-        "two facets face opposite ways there, and winding numbers, which go by orientation, are wrong nearby: orient the "
-        "facets alike first",
+        "two facets face opposite ways there: those that disagree with the rest of what they are joined to are turned over",
+    ),
+    Defect(
+        *("UndecidedShells", "part that might as well face the other way", "parts that might as well face the other way"),
+        "what they enclose may be solid or not: the orientation says what is done with them",
         matters=True,
+    ),
+    Defect(
+        *("TurnedFacets", "facet that faces the wrong way", "facets that face the wrong way"),
+        "turned over, as far as can be told from what they enclose; cavities are left",
     ),
     Defect(
         *("NearPoints", "near-coincident point", "near-coincident points"),

@@ -13,9 +13,10 @@ from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
 from .pipeline import Error, at_least, one_of
+from .places import read_seeds
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
-Seeds = Union[vtkPointSet, Iterable[tuple[tuple[float, float, float], bool]]]
+Seeds = Union[vtkPointSet, str, Iterable[tuple[tuple[float, float, float], bool]]]
 Filter = TypeVar("Filter")
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -71,7 +72,7 @@ class Choice(Option):
     prefix: str = ""  # of VTK's constants, which are named like the choices
 
     def checked(self, algorithm: Any, name: str, value: Any) -> int:
-        return getattr(algorithm, self.prefix + one_of(self.choices, name, value).upper().replace(" ", "_"))
+        return getattr(algorithm, self.prefix + one_of(self.choices, name, value).upper().replace("-", "_"))
 
     def help(self) -> str:
         return f"{self.words}; default {self.default}"
@@ -91,6 +92,26 @@ class Switch(Option):
         return {"action": "store_true"}
 
 
+@dataclass(frozen=True)
+class Order(Option):
+    """A whole number within a range."""
+
+    least: int = 1
+    most: int = 1
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> int:
+        return int(one_of(tuple(range(self.least, self.most + 1)), name, value))
+
+    def used_by(self, algorithm: Any, value: Any) -> int:
+        return getattr(algorithm, "Get" + self.vtk_property)()
+
+    def help(self) -> str:
+        return f"{self.words}; {self.least} to {self.most}, default {self.used_by(vtkRobustTetrahedralize(), None)}"
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "ORDER", "type": int, "choices": range(self.least, self.most + 1)}
+
+
 class SwitchOrArray(Switch):
     """On by the name of an array too, which chooses the facets."""
 
@@ -102,7 +123,12 @@ class SwitchOrArray(Switch):
 
 class Places(Option):
     def checked(self, algorithm: Any, name: str, value: Seeds) -> vtkPointSet:
-        return value if isinstance(value, vtkPointSet) else _seed_points(value)
+        if isinstance(value, vtkPointSet):
+            return value
+        return _seed_points(read_seeds(value) if isinstance(value, str) else value)
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "FILE.csv"}
 
 
 def _is(option: Option) -> Any:
@@ -113,8 +139,8 @@ def _is(option: Option) -> Any:
 class Options:
     """The options of `tetrahedralize`, some of which other functions have too.
 
-    Of vtkRobustTetrahedralize's properties two are missing: ExtractInside, since a result has both the solid and the
-    hull, and QuadratureOrder, which only pipelines have.
+    Of vtkRobustTetrahedralize's properties one is missing: ExtractInside, since a result has both the solid and the
+    hull.
     """
 
     gamma: Optional[float] = _is(
@@ -126,9 +152,10 @@ class Options:
     orientation: str = _is(
         Choice(
             "Orientation",
-            '"automatic" turns an inside-out surface over, with a warning; "as given" never does, "reverse" always',
+            'which way facets are meant to face: "automatic" turns over what is inside out, with a warning, and leaves '
+            'cavities; "as-given" turns nothing, "reverse" everything, and "outward" all that encloses something outward',
             default="automatic",
-            choices=("automatic", "as given", "reverse"),
+            choices=("automatic", "as-given", "reverse", "outward"),
         )
     )
     merge_tolerance: Optional[float] = _is(
@@ -154,9 +181,9 @@ class Options:
     data_term: str = _is(
         Choice(
             "DataTerm",
-            'how much a cell\'s own w counts: "uniform", or "volume weighted", so that slivers do not outvote large cells',
+            'how much a cell\'s own w counts: "uniform", or "volume-weighted", so that slivers do not outvote large cells',
             default="uniform",
-            choices=("uniform", "volume weighted"),
+            choices=("uniform", "volume-weighted"),
         )
     )
     constrain_facets: Union[bool, str] = _is(
@@ -175,6 +202,9 @@ class Options:
             "the name of a cell array of the surface: cells where it is not 0 do not count in w, but shape the mesh",
         )
     )
+    quadrature_order: Optional[int] = _is(
+        Order("QuadratureOrder", "degree up to which w is integrated over a cell, which matters near holes only", most=5)
+    )
     merge_coplanar_pieces: bool = _is(
         Switch(
             "MergeCoplanarPieces",
@@ -191,8 +221,8 @@ class Options:
     seeds: Optional[Seeds] = _is(
         Places(
             "SeedsData",
-            "what has to be inside or outside: pairs of a point and a bool, or a vtkPointSet with the point array "
-            "Inside (1 or 0)",
+            "what has to be inside or outside: a table of x, y, z, inside (1 or 0)",
+            "; or pairs of a point and a bool, or a vtkPointSet with the point array Inside (1 or 0)",
         )
     )
 
@@ -212,6 +242,23 @@ class Options:
 
 OPTIONS: dict[str, Option] = {one.name: one.metadata["option"] for one in fields(Options)}
 """What stands behind each of them, by its name in Python."""
+
+
+def in_words_of_python(texts: Iterable[str]) -> list[str]:
+    """Texts that name VTK's properties, with the names that these have in Python."""
+    return _renamed(texts, {option.vtk_property: name for name, option in OPTIONS.items()})
+
+
+def in_words_of_command(texts: Iterable[str]) -> list[str]:
+    """Texts that name Python's options, with those of the command line."""
+    return _renamed(texts, {name: "--" + name.replace("_", "-") for name in OPTIONS if name != "seeds"})
+
+
+def _renamed(texts: Iterable[str], names: Mapping[str, str]) -> list[str]:
+    def new_name(found: re.Match[str]) -> str:
+        return names[found.group()]
+
+    return [re.sub(rf"\b({'|'.join(names)})\b", new_name, text) for text in texts]
 
 
 def describe_options(function: Function) -> Function:

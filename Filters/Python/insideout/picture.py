@@ -18,8 +18,8 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkTriangleFilter
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkCutter, vtkThreshold, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -37,9 +37,9 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from .data import as_surface, corners_of, make_cells
-from .pipeline import Error, run
+from .pipeline import Error, run, statistics_of
 from .tetrahedralization import inside_cells
-from .vtkFiltersInsideOut import vtkResolveSelfIntersections
+from .vtkFiltersInsideOut import vtkSurfaceDefects
 
 PANEL_WIDTH, HEIGHT = 800, 900
 WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
@@ -48,31 +48,13 @@ BACKGROUND: Colour = (1.0, 1.0, 1.0)
 INK: Colour = (0.15, 0.15, 0.18)
 SOUND: Colour = (0.86, 0.86, 0.83)
 CROSSING: Colour = (0.90, 0.20, 0.15)
+TURNED: Colour = (0.10, 0.30, 0.85)
 OPEN: Colour = (0.50, 0.05, 0.05)
 NON_MANIFOLD: Colour = (0.50, 0.15, 0.65)
 SOLID: Colour = (0.45, 0.66, 0.80)
 
 
 # --- What is seen ---
-
-
-def crossing_facets(surface: vtkPolyData) -> tuple[vtkPolyData, vtkPolyData]:
-    """The surface's triangles in two parts: those that are cut because they cross others, and the rest."""
-    triangles = vtkTriangleFilter()
-    triangles.SetInputData(surface)
-    triangles.PassVertsOff()
-    triangles.PassLinesOff()
-    triangles.Update()
-    bare = vtkPolyData()
-    bare.SetPoints(triangles.GetOutput().GetPoints())
-    bare.SetPolys(triangles.GetOutput().GetPolys())
-
-    resolve = vtkResolveSelfIntersections()
-    resolve.SetInputData(bare)
-    run(resolve)
-    ids = vtk_to_numpy(resolve.GetOutput().GetCellData().GetArray("vtkOriginalCellIds"))
-    crosses = np.bincount(ids, minlength=bare.GetNumberOfCells()) > 1
-    return some_triangles(bare, crosses), some_triangles(bare, ~crosses)
 
 
 def some_triangles(surface: vtkPolyData, chosen: NDArray[np.bool_]) -> vtkPolyData:
@@ -82,19 +64,18 @@ def some_triangles(surface: vtkPolyData, chosen: NDArray[np.bool_]) -> vtkPolyDa
     return part
 
 
-def edges(surface: vtkPolyData, kind: str) -> vtkPolyData:
-    """The edges of one facet (kind Boundary) or of more than two (NonManifold)."""
-    clean = vtkCleanPolyData()  # an STL file has every corner of its own
-    clean.SetInputData(surface)
-    clean.ToleranceIsAbsoluteOn()
-    clean.SetAbsoluteTolerance(0)
-    feature = vtkFeatureEdges()
-    feature.SetInputConnection(clean.GetOutputPort())
-    for name in ("Boundary", "NonManifold", "Feature", "Manifold"):
-        getattr(feature, "Set" + name + "Edges")(name == kind)
-    feature.ColoringOff()
-    feature.Update()
-    return feature.GetOutput()
+def lines_of(lines: vtkPolyData, kind: int) -> vtkPolyData:
+    """Those of one DefectType."""
+    threshold = vtkThreshold()
+    threshold.SetInputData(lines)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "DefectType")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_BETWEEN)
+    threshold.SetLowerThreshold(kind)
+    threshold.SetUpperThreshold(kind)
+    polylines = vtkGeometryFilter()
+    polylines.SetInputConnection(threshold.GetOutputPort())
+    polylines.Update()
+    return polylines.GetOutput()
 
 
 def slice_of(hull: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
@@ -260,20 +241,36 @@ def words(text: str, height: float, colour: Colour = INK, size: int = 24, bold: 
 
 
 def surface_panel(surface: vtkPolyData) -> list[vtkProp]:
-    crossing, sound = crossing_facets(surface)
-    open_edges, non_manifold = edges(surface, "Boundary"), edges(surface, "NonManifold")
-    drawn = [actor(sound, SOUND), actor(crossing, CROSSING)]
-    drawn += [line_actor(open_edges, OPEN, 4), line_actor(non_manifold, NON_MANIFOLD, 4)]
+    marker = vtkSurfaceDefects()
+    marker.SetInputData(surface)
+    run(marker)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(marker.GetOutput())
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.Update()
+    marked = triangles.GetOutput()
+    crossing = vtk_to_numpy(marked.GetCellData().GetArray("SelfIntersections")) > 0
+    turned = (vtk_to_numpy(marked.GetCellData().GetArray("Turned")) > 0) & ~crossing
+    drawn: list[vtkProp] = [
+        actor(some_triangles(marked, ~crossing & ~turned), SOUND),
+        actor(some_triangles(marked, crossing), CROSSING),
+        actor(some_triangles(marked, turned), TURNED),
+    ]
+    for kind, colour in ((marker.OPEN_BOUNDARY, OPEN), (marker.NON_MANIFOLD_EDGE, NON_MANIFOLD)):
+        drawn.append(line_actor(lines_of(marker.GetLines(), kind), colour, 4))
+    statistics = statistics_of(marker.GetOutput())
     found = [
-        (f"{data.GetNumberOfCells():,} {what}", colour)
-        for data, what, colour in (
-            (crossing, "facets that cross others", CROSSING),
-            (open_edges, "open edges", OPEN),
-            (non_manifold, "non-manifold edges", NON_MANIFOLD),
+        (f"{int(statistics[count]):,} {what}", colour)
+        for count, what, colour in (
+            ("IntersectingFacets", "facets that cross others", CROSSING),
+            ("TurnedFacets", "facets that face the wrong way", TURNED),
+            ("OpenEdges", "open edges", OPEN),
+            ("NonManifoldEdges", "non-manifold edges", NON_MANIFOLD),
         )
-        if data.GetNumberOfCells() > 0
+        if statistics[count] > 0
     ] or [("nothing wrong", INK)]
-    lines = [words(text, 0.085 - 0.033 * k, colour) for k, (text, colour) in enumerate(found)]
+    lines = [words(text, 0.105 - 0.03 * k, colour) for k, (text, colour) in enumerate(found)]
     return [*drawn, words("The surface and its defects", 0.95, size=30, bold=True), *lines]
 
 

@@ -31,7 +31,7 @@ Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
 
 STATISTICS_PREFIX = "Statistics_"
-MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory")  # all other statistics count
+MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Diagonal", "EnclosedVolume", "OpenLength", "OverlapVolume", "LostShare", "SheetShare", "TurnedShare")  # all other statistics count
 
 
 class Error(RuntimeError):
@@ -94,7 +94,7 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
 
 
 def cells_of(data: vtkDataObject, name: str) -> list[int]:
-    """The input cells that a filter listed in a field array: LeftOutCellIds or LostCellIds."""
+    """The input cells that a filter listed in a field array: LeftOutCellIds, LostCellIds or TurnedCellIds."""
     array = data.GetFieldData().GetArray(name)
     return [] if array is None else [int(array.GetTuple1(index)) for index in range(array.GetNumberOfValues())]
 
@@ -110,7 +110,7 @@ def at_least(least: float, name: str, value: float) -> float:
     return value
 
 
-def one_of(choices: Collection[str], name: str, value: str) -> str:
+def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
     """A choice of a function's caller. Raises `Error` for what is none."""
     if value not in choices:
         raise Error(f"{name} is {value!r}; it can be {', '.join(map(repr, choices))}")

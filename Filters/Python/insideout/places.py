@@ -37,6 +37,18 @@ def read_places(path: str) -> Places:
     return _Image(path)
 
 
+def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool]]:
+    """Points that have to be inside or outside, from a .csv file whose fourth column says which, by 1 or 0."""
+    check_input(path, (".csv",))
+    table = _Table(path)
+    seeds = []
+    for row in table.rows:
+        if len(row) < 4 or row[3].strip() not in ("0", "1"):
+            raise Error(f"{path}: a seed is x, y, z and 1 (inside) or 0 (outside), not {', '.join(row)}")
+        seeds.append(((float(row[0]), float(row[1]), float(row[2])), row[3].strip() == "1"))
+    return seeds
+
+
 class _Table:
     """A line of names that begins with x, y, z, or none, then a line of numbers for each place; further columns are kept."""
 

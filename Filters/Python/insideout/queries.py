@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .data import AnyPoints, AnySurface, as_points, as_surface
 from .options import Options, describe_options
-from .pipeline import Error, Progress, one_of, run
+from .pipeline import Error, Progress, run
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
 
 
@@ -20,17 +20,16 @@ def winding_number(
     surface: AnySurface,
     points: AnyPoints,
     *,
-    orientation: str = "as given",
+    orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.float64]:
     """How often a surface winds around each of some points.
 
-    surface      a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
-    points       an array with three columns, or a VTK data set whose points are meant
-    orientation  "as given", or "reverse" for a surface that faces inward
-    progress     called with the stage and the fraction that is done; what it raises stops the work
+    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    points    an array with three columns, or a VTK data set whose points are meant
+    progress  called with the stage and the fraction that is done; what it raises stops the work
 
     {options}
 
@@ -38,7 +37,6 @@ def winding_number(
     fraction between near holes. It is right to rounding; the surface may be open and cross itself.
     Raises `Error` with one line that names what is wrong.
     """
-    one_of(("as given", "reverse"), "orientation", orientation)
     probe = Options.among(locals()).set_on(vtkProbeWindingNumber())
     probe.SetInputData(as_points(points))
     probe.SetSurfaceData(as_surface(surface)[0])
@@ -51,7 +49,7 @@ def inside(
     points: AnyPoints,
     *,
     threshold: float = 0.5,
-    orientation: str = "as given",
+    orientation: str = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from .data import AnySurface, TriangleSurface, as_surface, as_type
-from .options import Options, describe_options
+from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections
 
@@ -47,7 +47,7 @@ def resolve(
     resolver = Options.among(locals()).set_on(vtkResolveSelfIntersections())
     polygons, warnings = as_surface(surface)
     resolver.SetInputData(polygons)
-    warnings = warnings + run(resolver, progress)
+    warnings = warnings + in_words_of_python(run(resolver, progress))
     return Resolution(
         surface=as_type(TriangleSurface, resolver.GetOutput()),
         statistics=statistics_of(resolver.GetOutput()),

@@ -2,6 +2,7 @@
 """The names under which the work reports its progress, in this order and with an equal share of it each."""
 
 VALIDATING = "validating"
+ORIENTING = "orienting"
 FINDING = "finding self-intersections"
 RESOLVING = "resolving self-intersections"
 TETRAHEDRALIZING = "tetrahedralizing"
@@ -10,9 +11,9 @@ SEGMENTING = "segmenting"
 EXTRACTING = "extracting"
 
 RESOLVE = (VALIDATING, FINDING, RESOLVING)
-TETRAHEDRALIZE = (*RESOLVE, TETRAHEDRALIZING, WINDING_NUMBERS, SEGMENTING, EXTRACTING)
-CHECK = (VALIDATING, FINDING, "tracing intersections")
-WINDING = (VALIDATING, WINDING_NUMBERS)
+TETRAHEDRALIZE = (VALIDATING, ORIENTING, FINDING, RESOLVING, TETRAHEDRALIZING, WINDING_NUMBERS, SEGMENTING, EXTRACTING)
+CHECK = (VALIDATING, ORIENTING, FINDING, "tracing intersections")
+WINDING = (VALIDATING, ORIENTING, WINDING_NUMBERS)
 
 UNNAMED = "working"
 """For what VTK reports at the very start and end."""

@@ -8,6 +8,7 @@ from typing import Iterable, Mapping, Optional, Sequence
 from . import stages
 from .checking import Finding
 from .defects import DEFECTS
+from .verdict import verdict, what_it_bounds
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
 
 OUTLIERS = (
@@ -47,10 +48,7 @@ TIMES = (
 def defects(statistics: Mapping[str, float]) -> list[str]:
     """What was wrong with the surface, one line each; none when nothing was."""
     counts = ((defect, statistics.get(defect.statistic, 0)) for defect in DEFECTS)
-    lines = [defect.counted(count) for defect, count in counts if count > 0]
-    if statistics.get("TurnedOver", 0):
-        lines.append("turned over")
-    return lines
+    return [defect.counted(count) for defect, count in counts if count > 0]
 
 
 def tetrahedralizer(statistics: Mapping[str, float]) -> Optional[str]:
@@ -65,8 +63,9 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     components = "1 component" if statistics["Components"] == 1 else f"{count['Components']} components"
     total = statistics["SecondsTotal"]
     return [
-        f"Surface {name}",
+        f"Surface {name}: {verdict(statistics)}",
         f"  {count['InputPoints']} points{merged}, {count['InputTriangles']} triangles, {components}",
+        *(f"  {line}" for line in what_it_bounds(statistics)),
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
@@ -79,16 +78,16 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     ]
 
 
-def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], verdict: str) -> list[str]:
+def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding]) -> list[str]:
     """The lines that `--check` prints: the columns of the thesis's table 8.1, and what they mean."""
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
     return [
-        f"Surface {name}",
+        f"Surface {name}: {verdict(statistics)}",
         f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
+        *(f"  {line}" for line in what_it_bounds(statistics)),
         *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),
-        f"Verdict: {verdict}",
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
     ]
 

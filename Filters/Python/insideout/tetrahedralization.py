@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
-from .options import Options, Seeds, describe_options
+from .options import Options, Seeds, describe_options, in_words_of_python
 from .pipeline import Error, Progress, cells_of, run, statistics_of
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
@@ -31,6 +31,8 @@ class Tetrahedralization:
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
     left_out_cells: list[int]
     """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
+    turned_cells: list[int]
+    """The cells of the surface that the orientation turned over."""
     lost_cells: list[int]
     """The cells of the surface that the mesh does not follow, all or in part; hardly ever any."""
     warnings: list[str]
@@ -53,6 +55,7 @@ def tetrahedralize(
     constrain_facets: Union[bool, str] = False,
     constrain_manifold: bool = False,
     non_participating: Optional[str] = None,
+    quadrature_order: Optional[int] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
     seeds: Optional[Seeds] = None,
@@ -73,7 +76,7 @@ def tetrahedralize(
     polygons, warnings = as_surface(surface)
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
-    warnings = warnings + run(tetrahedralizer, progress)
+    warnings = warnings + in_words_of_python(run(tetrahedralizer, progress))
 
     hull = tetrahedralizer.GetOutput()
     if hull.GetNumberOfCells() == 0:
@@ -85,6 +88,7 @@ def tetrahedralize(
         hull=as_type(Tetrahedra, hull),
         statistics=statistics_of(hull),
         left_out_cells=cells_of(hull, "LeftOutCellIds"),
+        turned_cells=cells_of(hull, "TurnedCellIds"),
         lost_cells=cells_of(hull, "LostCellIds"),
         warnings=warnings,
     )

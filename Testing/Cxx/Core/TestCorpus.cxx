@@ -27,7 +27,7 @@ TEST_P(CorpusSurfaces, KeepTheirLawsAndCounts)
   const CorpusEntry& expected = GetParam();
   const TriangleSoup soup = CorpusSurface(expected.Name);
   Monitor monitor;
-  const SurfaceDefects defects = FindSurfaceDefects(soup, 0, monitor);
+  const SurfaceDefects defects = FindSurfaceDefects(soup, 0, Orientation::Automatic, monitor);
   EXPECT_EQ(defects.Counts.OpenEdges, expected.OpenEdges);
 
   const FacetComplex counted = CountFacets(soup, {}, monitor).Surface;

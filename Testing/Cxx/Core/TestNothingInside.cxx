@@ -81,7 +81,8 @@ TEST(NothingInside, KnowsASurfaceThatFacesBothWays)
   {
     std::swap(box.Triangles[t][1], box.Triangles[t][2]);
   }
-  ExpectWords(Cause(box), "", "faces both ways", "turn its facets alike");
+  ExpectWords(
+    Cause(box, Orientation::AsGiven), "", "faces both ways", "set Orientation to Automatic");
 }
 
 TEST(NothingInside, KnowsThatGammaIsTooLarge)

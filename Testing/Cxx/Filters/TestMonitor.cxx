@@ -145,14 +145,14 @@ TEST(vtkInsideOutMonitor, KnowsEveryStageThatTheFiltersRun)
   ExpectStages(resolve, with(toCrossings, { Stages::Resolving }));
   vtkNew<vtkSurfaceDefects> defects;
   defects->SetInputData(box);
-  ExpectStages(defects, with(toCrossings, { Stages::TracingIntersections }));
+  ExpectStages(defects, with(toCrossings, { Stages::Orienting, Stages::TracingIntersections }));
   vtkNew<vtkConstrainedDelaunay3D> delaunay;
   delaunay->SetInputData(box);
   ExpectStages(delaunay, with(toCrossings, { Stages::Tetrahedralizing }));
   vtkNew<vtkGeneralizedWindingNumber> windingNumber;
   windingNumber->SetInputData(box);
-  const std::set<std::string> toWindingNumbers =
-    with(toCrossings, { Stages::Resolving, Stages::Tetrahedralizing, Stages::WindingNumbers });
+  const std::set<std::string> toWindingNumbers = with(toCrossings,
+    { Stages::Orienting, Stages::Resolving, Stages::Tetrahedralizing, Stages::WindingNumbers });
   ExpectStages(windingNumber, toWindingNumbers);
   vtkNew<vtkGraphCutSegmentation> cut;
   cut->SetInputConnection(windingNumber->GetOutputPort());
@@ -167,7 +167,7 @@ TEST(vtkInsideOutMonitor, KnowsEveryStageThatTheFiltersRun)
   vtkNew<vtkProbeWindingNumber> probe;
   probe->SetInputData(box);
   probe->SetSurfaceData(box);
-  ExpectStages(probe, { Stages::Validating, Stages::WindingNumbers });
+  ExpectStages(probe, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
 
   const std::string file =
     testing::TempDir() + "insideout-stages-" + std::to_string(getpid()) + ".ply";

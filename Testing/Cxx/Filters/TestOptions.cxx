@@ -126,6 +126,14 @@ using ClassesWithHulls = testing::Types<vtkGeneralizedWindingNumber, vtkRobustTe
 TYPED_TEST_SUITE(OptionsOfHulls, ClassesWithHulls, );
 
 template <typename Class>
+class OptionsOfOrientation : public testing::Test
+{
+};
+using ClassesThatOrient = testing::Types<vtkGeneralizedWindingNumber, vtkImplicitWindingNumber,
+  vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects>;
+TYPED_TEST_SUITE(OptionsOfOrientation, ClassesThatOrient, );
+
+template <typename Class>
 class OptionsOfSegmentation : public testing::Test
 {
 };
@@ -153,6 +161,15 @@ TEST(OptionsOfDefects, AreThoseOfTheStage)
   EXPECT_EQ(filter->GetMergeTolerance(), CountedChainParameters().MergeTolerance);
   EXPECT_TRUE(TakesMergeTolerance(SET(filter, MergeTolerance, -1)));
   EXPECT_TRUE(TakesMergeTolerance(SET(filter, MergeTolerance, Infinity)));
+}
+
+TYPED_TEST(OptionsOfOrientation, AreThoseOfTheStage)
+{
+  vtkNew<TypeParam> filter;
+  const HullMeshParameters parameters;
+  EXPECT_EQ(filter->GetOrientation(), static_cast<int>(parameters.Orientation));
+  EXPECT_EQ(SET(filter, Orientation, -1), static_cast<int>(Orientation::Automatic));
+  EXPECT_EQ(SET(filter, Orientation, 99), static_cast<int>(Orientation::Outward));
 }
 
 TYPED_TEST(OptionsOfTetrahedra, AreThoseOfTheStages)
@@ -201,8 +218,6 @@ TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
   EXPECT_FALSE(takesOrder(lowest - 1));
   EXPECT_TRUE(takesOrder(highest));
   EXPECT_FALSE(takesOrder(highest + 1));
-  EXPECT_EQ(SET(filter, Orientation, -1), static_cast<int>(Orientation::Automatic));
-  EXPECT_EQ(SET(filter, Orientation, 99), static_cast<int>(Orientation::Reverse));
 }
 
 TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)

@@ -18,7 +18,7 @@ namespace
 SurfaceDefects Find(const TriangleSoup& soup, double mergeTolerance = 0)
 {
   Monitor monitor;
-  return FindSurfaceDefects(soup, mergeTolerance, monitor);
+  return FindSurfaceDefects(soup, mergeTolerance, Orientation::Automatic, monitor);
 }
 
 template <typename Member>
@@ -347,7 +347,7 @@ TEST(SurfaceDefects, CanBeStoppedInEveryStage)
     monitor.Stage = stage;
     try
     {
-      FindSurfaceDefects(RandomSoup(1, 50), 0, monitor);
+      FindSurfaceDefects(RandomSoup(1, 50), 0, Orientation::Automatic, monitor);
       ADD_FAILURE() << "went on while " << stage;
     }
     catch (const Error& error)

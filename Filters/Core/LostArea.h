@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "HullMesh.h"
+#include "Output/Outliers.h"
+
+#include <string>
+
+namespace insideout
+{
+/** What share of a surface's area is no part of the solid, neither its boundary nor within. */
+struct LostArea
+{
+  double Share = 0;  ///< of all below
+  double Sheets = 0; ///< encloses nothing
+  double Turned = 0; ///< was turned over, and is no part even so
+  double Unmet = 0;  ///< the mesh does not follow it
+  double Others = 0; ///< w is below 1/2 on both sides, or the cut smoothed it away
+};
+
+LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& outliers);
+
+/** Where more than a tenth of the area is lost: how much, why, and what to set. Else empty. */
+std::string WarningAbout(const LostArea& lost);
+} // namespace insideout

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Orient/OrientFacets.h"
+
+#include "Common/ScaledPoints.h"
+#include "Common/Stages.h"
+#include "Common/Vectors.h"
+#include "Orient/ChooseTurns.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace insideout
+{
+namespace
+{
+/** Lines through a shell, fewer where there are many: all of them in 0.1 s. */
+constexpr Id LeastLines = 16;
+constexpr Id MostLines = 256;
+constexpr Id LinesOfAll = 1 << 14;
+
+/** How often twice as many lines are drawn, until the choice stays the same. */
+constexpr int MostDoublings = 3;
+
+Id FirstLines(const std::vector<ShellChain>& chains)
+{
+  const Id shells = std::max<Id>(1, static_cast<Id>(chains.size()));
+  return std::clamp(LinesOfAll / shells, LeastLines, MostLines);
+}
+
+struct ChosenTurns
+{
+  ShellTurns Turns;
+  std::vector<ShellRegion> Regions; ///< that the choice was made by
+};
+
+/** Which shells to turn by the law of ChooseTurns.h. */
+ChosenTurns ChooseAutomatically(
+  const std::vector<Point>& points, const std::vector<ShellChain>& chains, Monitor& monitor)
+{
+  std::vector<Id> facets;
+  for (const ShellChain& chain : chains)
+  {
+    facets.push_back(chain.Facets);
+  }
+  Id lines = FirstLines(chains);
+  ChosenTurns chosen;
+  for (int doublings = 0; doublings <= MostDoublings; ++doublings, lines *= 2)
+  {
+    const double end = 1 - std::ldexp(0.5, -doublings);
+    chosen.Regions =
+      SampleRegions(points, chains, lines, monitor, { Stages::Orienting, 2 * end - 1, end });
+    ShellTurns next = ChooseTurns(chosen.Regions, facets);
+    const bool same =
+      next.Turned == chosen.Turns.Turned && next.Undecided == chosen.Turns.Undecided;
+    chosen.Turns = std::move(next);
+    if (same)
+    {
+      break;
+    }
+  }
+  return chosen;
+}
+
+ChosenTurns ChooseAsTold(const std::vector<Point>& points, const std::vector<ShellChain>& chains,
+  Orientation orientation, Monitor& monitor)
+{
+  ChosenTurns chosen;
+  for (const ShellChain& chain : chains)
+  {
+    const bool facesInward = chain.Kind != ShellKind::Sheet && chain.Volume < 0;
+    const bool outward = orientation == Orientation::Outward;
+    chosen.Turns.Turned.push_back(outward ? facesInward : orientation == Orientation::Reverse);
+  }
+  chosen.Turns.Undecided.assign(chains.size(), 0);
+  chosen.Regions =
+    SampleRegions(points, chains, FirstLines(chains), monitor, { Stages::Orienting, 0, 1 });
+  return chosen;
+}
+
+/** What share of the surface's area is marked. */
+double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
+  const std::vector<Triangle>& facets)
+{
+  std::array<double, 2> areas{ { 0, 0 } };
+  for (std::size_t f = 0; f < marks.size(); ++f)
+  {
+    const std::array<Point, 3> corners = CornersOf(points, facets[f]);
+    areas[marks[f] != 0] += Length(NormalOf(corners[0], corners[1], corners[2]));
+  }
+  return areas[1] > 0 ? areas[1] / (areas[0] + areas[1]) : 0;
+}
+
+/** Find shells, and choose which facets to turn. */
+FacetTurns ChooseFacets(const FacetComplex& surface, Orientation orientation, Monitor& monitor)
+{
+  const Shells shells = FindShells(surface, SortedFacetEdges(surface.Facets));
+  const int exponent = LargestExponent(surface.Points);
+  const std::vector<Point> points = ScaledPoints(surface.Points, -exponent);
+  const std::vector<ShellChain> chains = CloseShells(surface, shells, points);
+  const bool automatic = orientation == Orientation::Automatic;
+  const ChosenTurns chosen = automatic ? ChooseAutomatically(points, chains, monitor)
+                                       : ChooseAsTold(points, chains, orientation, monitor);
+  const auto countOf = [](const std::vector<char>& marks)
+  { return static_cast<Id>(std::count(marks.begin(), marks.end(), char(1))); };
+
+  FacetTurns turns;
+  turns.Shells = shells.Count;
+  turns.TurnedShells = countOf(chosen.Turns.Turned);
+  turns.UndecidedShells = countOf(chosen.Turns.Undecided);
+  turns.DisagreeingFacets = countOf(shells.Turned);
+  turns.Enclosed = MeasureShells(chains, chosen.Turns.Turned, chosen.Regions);
+  turns.Enclosed.Solid = std::ldexp(turns.Enclosed.Solid, 3 * exponent);
+  turns.Enclosed.Overlap = std::ldexp(turns.Enclosed.Overlap, 3 * exponent);
+
+  const bool makeAgree = automatic || orientation == Orientation::Outward;
+  turns.Turned.assign(shells.Turned.size(), orientation == Orientation::Reverse);
+  turns.IsSheet.assign(shells.Turned.size(), 1);
+  for (std::size_t f = 0; f < turns.Turned.size(); ++f)
+  {
+    const Id shell = shells.Shell[f];
+    if (shell != None)
+    {
+      const bool disagrees = makeAgree && shells.Turned[f] != 0;
+      turns.Turned[f] = disagrees != (chosen.Turns.Turned[shell] != 0);
+      turns.IsSheet[f] = chains[shell].Kind == ShellKind::Sheet;
+    }
+  }
+  turns.TurnedFacets = countOf(turns.Turned);
+  turns.TurnedShare = ShareOf(turns.Turned, points, surface.Facets);
+  turns.SheetShare = ShareOf(turns.IsSheet, points, surface.Facets);
+  return turns;
+}
+
+std::string AsPercentage(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g %%", 100 * share);
+  return text;
+}
+
+std::vector<std::string> WarningsAbout(const FacetTurns& turns)
+{
+  std::vector<std::string> warnings;
+  const std::string share = std::to_string(turns.TurnedFacets) + " facets, " +
+    AsPercentage(turns.TurnedShare) + " of the area";
+  if (turns.TurnedShells > 0 && turns.TurnedShells == turns.Shells)
+  {
+    warnings.push_back("the surface is inside out as a whole: it is turned over");
+  }
+  else if (turns.TurnedShells > 0)
+  {
+    warnings.push_back(std::to_string(turns.TurnedShells) + " of " + std::to_string(turns.Shells) +
+      " shells are inside out and are turned over (" + share + ")");
+  }
+  if (turns.DisagreeingFacets > 0)
+  {
+    warnings.push_back(std::to_string(turns.DisagreeingFacets) +
+      " facets face the other way than those around them and are turned over" +
+      (turns.TurnedShells > 0 ? std::string() : " (" + share + ")"));
+  }
+  if (turns.UndecidedShells > 0)
+  {
+    warnings.push_back(std::to_string(turns.UndecidedShells) +
+      " shells might as well face the other way: Orientation says what to do with them");
+  }
+  return warnings;
+}
+} // namespace
+
+FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor)
+{
+  monitor.Check(Stages::Orienting, 0);
+  FacetTurns turns = ChooseFacets(surface, orientation, monitor);
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    if (turns.Turned[f])
+    {
+      surface.Multiplicity[f] = static_cast<std::int16_t>(-surface.Multiplicity[f]);
+      for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
+      {
+        surface.Sources[s].Reversed = !surface.Sources[s].Reversed;
+      }
+    }
+  }
+  if (orientation == Orientation::Automatic)
+  {
+    turns.Warnings = WarningsAbout(turns);
+  }
+  monitor.Check(Stages::Orienting, 1);
+  return turns;
+}
+
+std::vector<Id> TrianglesOfFacets(const FacetComplex& surface, const std::vector<char>& marks)
+{
+  std::vector<Id> triangles;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    for (Id s = surface.SourceOffsets[f]; marks[f] && s < surface.SourceOffsets[f + 1]; ++s)
+    {
+      triangles.push_back(surface.Sources[s].Triangle);
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+void AddTurns(const FacetTurns& turns, Statistics& statistics)
+{
+  statistics.emplace_back("Shells", turns.Shells);
+  statistics.emplace_back("ClosedShells", turns.Enclosed.ClosedShells);
+  statistics.emplace_back("HoledShells", turns.Enclosed.HoledShells);
+  statistics.emplace_back("SheetShells", turns.Enclosed.SheetShells);
+  statistics.emplace_back("SheetShare", turns.SheetShare);
+  statistics.emplace_back("Cavities", turns.Enclosed.Cavities);
+  statistics.emplace_back("EnclosedVolume", turns.Enclosed.Solid);
+  statistics.emplace_back("OverlapVolume", turns.Enclosed.Overlap);
+  statistics.emplace_back("TurnedShells", turns.TurnedShells);
+  statistics.emplace_back("TurnedFacets", turns.TurnedFacets);
+  statistics.emplace_back("TurnedShare", turns.TurnedShare);
+  statistics.emplace_back("DisagreeingFacets", turns.DisagreeingFacets);
+  statistics.emplace_back("UndecidedShells", turns.UndecidedShells);
+}
+} // namespace insideout

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Statistics.h"
+#include "Orient/EnclosedVolumes.h"
+
+#include <string>
+
+namespace insideout
+{
+/** Which way the facets are meant to face. */
+enum class Orientation
+{
+  Automatic, ///< facets that disagree, and shells that are inside out, are turned over
+  AsGiven,   ///< nothing is turned
+  Reverse,   ///< everything is
+  Outward    ///< every shell that encloses something faces outward, whatever lies within what
+};
+
+/** What was turned over, and how the surface is made up. A shell is what Shells.h says. */
+struct FacetTurns
+{
+  std::vector<char> Turned;  ///< one per facet
+  std::vector<char> IsSheet; ///< one per facet: of a shell that encloses nothing, or counts 0
+
+  Id Shells = 0;
+  Id TurnedFacets = 0;
+  Id TurnedShells = 0;      ///< as a whole
+  Id DisagreeingFacets = 0; ///< that were given against their shells
+  Id UndecidedShells = 0;   ///< that might as well face the other way
+  double TurnedShare = 0;   ///< of the surface's area
+  double SheetShare = 0;    ///< of the surface's area
+  EnclosedVolumes Enclosed; ///< in the end, if facets agree with their shells
+  std::vector<std::string> Warnings;
+};
+
+/**
+ * Turn facets over, so that the winding number is that of the solid that is meant (thesis, section
+ * 8.7, leaves this open). Multiplicity and Sources tell which way a facet faces; its corners stay
+ * as they are. Facets may cross.
+ *
+ * Automatic first makes the facets of each shell agree (Shells.h), then chooses which shells to
+ * turn (ChooseTurns.h) by the volumes that they enclose, holes capped (ShellChains.h,
+ * SampleRegions.h). Sheets are not turned, and turn nothing else. The choice does not depend on the
+ * number of threads.
+ *
+ * @throws Error (Stopped)
+ */
+FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor);
+
+/** The input triangles of facets that are marked, ascending. @param[in] marks one per facet */
+std::vector<Id> TrianglesOfFacets(const FacetComplex& surface, const std::vector<char>& marks);
+
+/** The counts under their names, for `statistics`. */
+void AddTurns(const FacetTurns& turns, Statistics& statistics);
+} // namespace insideout

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Orient/SampleRegions.h"
+
+#include "Common/BoxTree.h"
+#include "Common/ChunkedLoop.h"
+#include "Common/Vectors.h"
+#include "Orient/RandomNumbers.h"
+#include "WindingNumber/Pi.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace insideout
+{
+namespace
+{
+struct Line
+{
+  Point Origin;
+  Point Direction; ///< of length 1
+
+  /** False only where the line certainly misses the box: coordinates are below 1. */
+  bool MayMeet(const Box& box) const
+  {
+    constexpr double Rounding = 0x1p-45;
+    Point centre;
+    Point half;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      centre[axis] = (box.Low[axis] + box.High[axis]) / 2 - this->Origin[axis];
+      half[axis] = (box.High[axis] - box.Low[axis]) / 2;
+    }
+    const Point& d = this->Direction;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int i = (axis + 1) % 3;
+      const int j = (axis + 2) % 3;
+      if (std::abs(centre[i] * d[j] - centre[j] * d[i]) >
+        half[i] * std::abs(d[j]) + half[j] * std::abs(d[i]) + Rounding)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+/** Where a line crosses a triangle of a shell. */
+struct Crossing
+{
+  double At; ///< along the line
+  Id Shell;
+  int Rise; ///< of the shell's winding number
+};
+
+/** Part of a line in one region. */
+struct Stretch
+{
+  std::vector<ShellWinding> Windings;
+  double Length;
+};
+
+/** All triangles of all shells, to draw lines through. */
+class Scene
+{
+public:
+  Scene(const std::vector<Point>& points, const std::vector<ShellChain>& chains)
+  {
+    std::vector<Box> boxes;
+    for (Id shell = 0; shell < static_cast<Id>(chains.size()); ++shell)
+    {
+      if (chains[shell].Kind == ShellKind::Sheet)
+      {
+        continue;
+      }
+      double area = 0;
+      const std::size_t first = this->Facets.size();
+      for (const CountedTriangle& triangle : chains[shell].Triangles)
+      {
+        const std::array<Point, 3> corners = CornersOf(points, triangle.Corners);
+        area += Length(NormalOf(corners[0], corners[1], corners[2])) / 2;
+        this->Facets.push_back({ corners, shell, triangle.Count, area });
+        boxes.push_back(BoundingBox(points, triangle.Corners));
+      }
+      this->Ranges.push_back({ first, this->Facets.size() });
+      this->Areas.resize(chains.size(), 0);
+      this->Areas[shell] = area;
+    }
+    this->Tree.emplace(std::move(boxes));
+  }
+
+  Id NumberOfFacets() const { return static_cast<Id>(this->Facets.size()); }
+  Id NumberOfShells() const { return static_cast<Id>(this->Ranges.size()); }
+
+  /** A line through a shell. @param[in] part of its area, 0 to 1, in which the line begins */
+  Line Draw(Id shell, double part, RandomNumbers& random) const
+  {
+    const auto [first, last] = this->Ranges[shell];
+    const auto begin = this->Facets.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = this->Facets.begin() + static_cast<std::ptrdiff_t>(last - 1);
+    const double area = part * end->AreaUpTo;
+    const Facet& facet =
+      *std::lower_bound(begin, end, area, [](const Facet& f, double a) { return f.AreaUpTo < a; });
+    const auto& [a, b, c] = facet.Corners;
+    const double root = std::sqrt(random.Next());
+    const double share = random.Next();
+    const Point normal = NormalOf(a, b, c);
+    const double size = Length(normal);
+    Line line;
+    double length = 0;
+    while (!(length > 0x1p-20)) // all but always
+    {
+      const Point sphere = random.OnSphere();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        line.Origin[axis] = (1 - root) * a[axis] + root * ((1 - share) * b[axis] + share * c[axis]);
+        line.Direction[axis] = (size > 0 ? normal[axis] / size : 0) + sphere[axis];
+      }
+      length = Length(line.Direction);
+    }
+    for (double& x : line.Direction)
+    {
+      x /= length;
+    }
+    return line;
+  }
+
+  /**
+   * Where the line crosses the shells. A facet's side of the line is told by the signs of products
+   * of coordinates, which facets that share an edge have in common: nothing slips through.
+   *
+   * @return false where it meets an edge, as far as doubles tell
+   */
+  bool Cross(const Line& line, std::vector<Crossing>& crossings) const
+  {
+    crossings.clear();
+    const std::array<Point, 2> frame = FrameOf(line.Direction);
+    bool sure = true;
+    this->Tree->VisitWhere([&](const Box& box) { return line.MayMeet(box); },
+      [&](Id f)
+      {
+        const Facet& facet = this->Facets[f];
+        std::array<std::array<double, 3>, 3> seen; // across the line, and along it
+        for (int k = 0; k < 3; ++k)
+        {
+          const Point from = Difference(facet.Corners[k], line.Origin);
+          seen[k] = { Dot(from, frame[0]), Dot(from, frame[1]), Dot(from, line.Direction) };
+        }
+        std::array<double, 3> weights;
+        for (int k = 0; k < 3; ++k)
+        {
+          const auto& p = seen[(k + 1) % 3];
+          const auto& q = seen[(k + 2) % 3];
+          weights[k] = p[0] * q[1] - q[0] * p[1];
+        }
+        const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
+        if (*least < 0 && *most > 0)
+        {
+          return;
+        }
+        sure = sure && *least * *most > 0;
+        const double sum = weights[0] + weights[1] + weights[2];
+        crossings.push_back({ (weights[0] / sum) * seen[0][2] + (weights[1] / sum) * seen[1][2] +
+            (weights[2] / sum) * seen[2][2],
+          facet.Shell, sum > 0 ? -facet.Count : facet.Count });
+      });
+    return sure;
+  }
+
+  /** The stretches of a line between its crossings, as long as they count. */
+  std::vector<Stretch> Divide(std::vector<Crossing>& crossings) const
+  {
+    // How likely the line was to be drawn, as a density among all lines, per line of each shell.
+    double density = 0;
+    for (const Crossing& crossing : crossings)
+    {
+      density += 1 / (Pi * this->Areas[crossing.Shell]);
+    }
+    std::sort(crossings.begin(), crossings.end(),
+      [](const Crossing& a, const Crossing& b)
+      { return std::tie(a.At, a.Shell, a.Rise) < std::tie(b.At, b.Shell, b.Rise); });
+    std::vector<Stretch> stretches;
+    std::map<Id, int> windings;
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i)
+    {
+      int& w = windings[crossings[i].Shell];
+      w += crossings[i].Rise;
+      if (w == 0)
+      {
+        windings.erase(crossings[i].Shell);
+      }
+      const double length = crossings[i + 1].At - crossings[i].At;
+      if (!windings.empty() && length > 0)
+      {
+        // The lines through a place have a solid angle of 2 pi.
+        Stretch stretch = { {}, length / (2 * Pi * density) };
+        for (const auto& [shell, count] : windings)
+        {
+          stretch.Windings.push_back({ shell, count });
+        }
+        stretches.push_back(std::move(stretch));
+      }
+    }
+    return stretches;
+  }
+
+private:
+  struct Facet
+  {
+    std::array<Point, 3> Corners;
+    Id Shell;
+    int Count;
+    double AreaUpTo; ///< of the shell's facets up to this one
+  };
+
+  static std::array<Point, 2> FrameOf(const Point& direction)
+  {
+    int least = 0;
+    for (int axis = 1; axis < 3; ++axis)
+    {
+      least = std::abs(direction[axis]) < std::abs(direction[least]) ? axis : least;
+    }
+    Point axis = { 0, 0, 0 };
+    axis[least] = 1;
+    const Point across = insideout::Cross(direction, axis);
+    return { across, insideout::Cross(direction, across) };
+  }
+
+  std::vector<Facet> Facets;
+  std::vector<std::array<std::size_t, 2>> Ranges; // of the facets, per shell that is no sheet
+  std::vector<double> Areas;                      // per shell, with its caps
+  std::optional<BoxTree> Tree;
+};
+
+/** A line may meet an edge: as many others are tried. */
+constexpr int MostTries = 16;
+
+/** Lines that one thread draws in a row; where facets are few, all. */
+constexpr Id LinesInARow = 64;
+constexpr Id FewFacets = 1024;
+
+} // namespace
+
+std::vector<ShellRegion> SampleRegions(const std::vector<Point>& points,
+  const std::vector<ShellChain>& chains, Id linesPerShell, Monitor& monitor,
+  const ProgressRange& progress)
+{
+  const Scene scene(points, chains);
+  const Id lines = scene.NumberOfShells() * linesPerShell;
+  std::vector<std::vector<Stretch>> stretches(static_cast<std::size_t>(lines));
+  const auto draw = [&](Id i)
+  {
+    RandomNumbers random(static_cast<std::uint64_t>(i));
+    std::vector<Crossing> crossings;
+    for (int tries = 0; tries < MostTries; ++tries)
+    {
+      const double part = (i % linesPerShell + random.Next()) / linesPerShell;
+      if (scene.Cross(scene.Draw(i / linesPerShell, part, random), crossings))
+      {
+        stretches[i] = scene.Divide(crossings);
+        return;
+      }
+    }
+  };
+  const Id inARow = scene.NumberOfFacets() < FewFacets ? std::max<Id>(lines, 1) : LinesInARow;
+  ChunkedLoop((lines + inARow - 1) / inARow, 1e4 * inARow, monitor, progress,
+    [&](Id row)
+    {
+      for (Id i = row * inARow; i < std::min(lines, (row + 1) * inARow); ++i)
+      {
+        draw(i);
+      }
+    });
+
+  std::map<std::vector<ShellWinding>, double> volumes;
+  for (const std::vector<Stretch>& line : stretches)
+  {
+    for (const Stretch& stretch : line)
+    {
+      volumes[stretch.Windings] += stretch.Length / linesPerShell;
+    }
+  }
+  std::vector<ShellRegion> regions;
+  for (auto& [windings, volume] : volumes)
+  {
+    regions.push_back({ windings, volume });
+  }
+  return regions;
+}
+} // namespace insideout

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
+#include "Orient/ShellChains.h"
+
+namespace insideout
+{
+/** By how much a shell winds around a place. */
+struct ShellWinding
+{
+  Id Shell;
+  int W; ///< not 0
+
+  bool operator<(const ShellWinding& other) const
+  {
+    return this->Shell != other.Shell ? this->Shell < other.Shell : this->W < other.W;
+  }
+};
+
+/** All places around which the same shells wind as often. */
+struct ShellRegion
+{
+  std::vector<ShellWinding> Windings; ///< by shell; not empty
+  double Volume;
+};
+
+/**
+ * The regions into which shells cut space, and their volumes, found along random straight lines.
+ *
+ * A line meets a shell where it does, and between two such places the winding numbers of all shells
+ * are known, however they cross. The lines go through random places of each shell, in directions
+ * about its normal by the cosine law; so they are uniform among those that meet the shell, and thin
+ * shells are met as often as thick ones (Santalo, Integral Geometry and Geometric Probability,
+ * 1976). As a line may come from any shell that it meets, it is weighed by the sum of those chances
+ * (the balance heuristic of Veach and Guibas 1995). The volumes are right in the mean, and the
+ * same for any number of threads.
+ *
+ * @param[in] points that the chains refer to, below 1 in each coordinate
+ * @param[in] chains sheets are passed over
+ * @param[in] linesPerShell at least 1
+ * @return sorted by windings
+ * @throws Error (Stopped)
+ */
+std::vector<ShellRegion> SampleRegions(const std::vector<Point>& points,
+  const std::vector<ShellChain>& chains, Id linesPerShell, Monitor& monitor,
+  const ProgressRange& progress);
+} // namespace insideout

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether a surface bounds a solid: the sentence with which `check` and every run begin."""
+
+from __future__ import annotations
+
+from typing import Mapping
+
+
+def verdict(statistics: Mapping[str, float]) -> str:
+    """In one sentence, by the statistics of vtkSurfaceDefects or of a filter that finds winding numbers."""
+    solids = statistics["ClosedShells"] + statistics["HoledShells"]
+    sheets = counted(statistics["SheetShells"], "sheet")
+    if statistics.get("Planar", 0):
+        return "bounds no solid: it lies in one plane"
+    if statistics["Shells"] == 0:
+        return "bounds no solid: its facets cancel in pairs or do not count"
+    if solids == 0:
+        return f"bounds no solid: {sheets}"
+    if statistics["EnclosedVolume"] <= 0:
+        return "bounds no solid as it is oriented: it is inside out"
+    sentence = f"bounds a solid of volume {statistics['EnclosedVolume']:.6g}"
+    if statistics["TurnedShells"] >= solids:
+        sentence += " after it is turned over as a whole"
+    elif statistics["TurnedShells"] > 0:
+        sentence += f" after turning {int(statistics['TurnedShells']):,} of {counted(statistics['Shells'], 'shell')} over"
+    elif statistics["TurnedFacets"] > 0:
+        sentence += f" after turning {counted(statistics['TurnedFacets'], 'facet')} over"
+    if statistics["HoledShells"] > 0:
+        sentence += ", once its holes are closed"
+    if statistics["SheetShells"] > 0:
+        verb = "encloses" if statistics["SheetShells"] == 1 else "enclose"
+        sentence += f"; {sheets} {verb} nothing"
+    return sentence
+
+
+def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
+    """More about the solid and what is none, one line each."""
+    shells = [
+        f"{int(statistics[name]):,} {words}"
+        for name, words in (("ClosedShells", "closed"), ("HoledShells", "with holes"), ("SheetShells", "sheets"))
+        if statistics[name] > 0
+    ]
+    lines = [f"{counted(statistics['Shells'], 'shell')}: {', '.join(shells)}"] if shells else []
+    if statistics["Cavities"] > 0:
+        lines.append(f"{int(statistics['Cavities']):,} of them inward within others: cavities")
+    if statistics["OverlapVolume"] > 0:
+        lines.append(f"they overlap in a volume of about {statistics['OverlapVolume']:.2g}")
+    if statistics["OpenEdges"] > 0:
+        across = statistics["OpenLength"] / statistics["Diagonal"]
+        lines.append(f"{counted(statistics['OpenEdges'], 'open edge')}, together {across:.2g} times as long as the surface is across")
+    if statistics["SheetShare"] > 0:
+        lines.append(f"{statistics['SheetShare']:.2g} of the area encloses nothing")
+    return lines
+
+
+def counted(count: float, one: str) -> str:
+    """ "1 sheet", "2 sheets"; for one only "a sheet"."""
+    return f"a {one}" if count == 1 and one == "sheet" else f"{int(count):,} {one}{'' if count == 1 else 's'}"

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Orient/OrientFacets.h"
+
+#include "Support/StopAtEveryReport.h"
+#include "Support/TestMeshes.h"
+#include "Validate/CountedChain.h"
+
+#include <gtest/gtest.h>
+
+#include <omp.h>
+
+namespace
+{
+using namespace insideout;
+using namespace testmeshes;
+
+FacetComplex Chain(const TriangleSoup& soup)
+{
+  Monitor monitor;
+  return CountFacets(soup, {}, monitor).Surface;
+}
+
+struct Oriented
+{
+  FacetComplex Surface;
+  FacetTurns Turns;
+};
+
+Oriented Orient(const TriangleSoup& soup, Orientation orientation = Orientation::Automatic)
+{
+  Monitor monitor;
+  Oriented oriented = { Chain(soup), {} };
+  oriented.Turns = OrientFacets(oriented.Surface, orientation, monitor);
+  return oriented;
+}
+
+/** Which of some parts of 12 facets, one after the other, are turned: '+' not, '-' all, '?' some.
+ */
+std::string TurnsOfBoxes(const FacetTurns& turns)
+{
+  std::string text;
+  for (std::size_t first = 0; first + 12 <= turns.Turned.size(); first += 12)
+  {
+    const auto begin = turns.Turned.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto turned = std::count(begin, begin + 12, char(1));
+    text += turned == 0 ? '+' : turned == 12 ? '-' : '?';
+  }
+  return text;
+}
+
+TriangleSoup Cube(double low, double high, bool outward = true)
+{
+  const TriangleSoup cube = Box({ low, low, low }, { high, high, high });
+  return outward ? cube : Reversed(cube);
+}
+
+/** An open square that faces up. */
+TriangleSoup Ground(double half)
+{
+  TriangleSoup ground;
+  ground.Points = { { -half, -half, -1 }, { half, -half, -1 }, { half, half, -1 },
+    { -half, half, -1 } };
+  ground.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  return ground;
+}
+
+TEST(OrientFacets, TurnsNothingThatFacesOutward)
+{
+  const Oriented oriented = Orient(Join(Cube(0, 1), Cube(2, 3)));
+  EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
+  EXPECT_EQ(oriented.Turns.Shells, 2);
+  EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 0);
+  EXPECT_TRUE(oriented.Turns.Warnings.empty());
+}
+
+TEST(OrientFacets, TurnsTheOneOfTwoSeparateCubesThatIsInsideOut)
+{
+  const Oriented oriented = Orient(Join(Cube(0, 1), Cube(2, 4, false)));
+  EXPECT_EQ(TurnsOfBoxes(oriented.Turns), "+-");
+  EXPECT_EQ(oriented.Turns.TurnedShells, 1);
+  EXPECT_NEAR(oriented.Turns.TurnedShare, 0.8, 1e-12);
+  ASSERT_EQ(oriented.Turns.Warnings.size(), 1u);
+  EXPECT_EQ(oriented.Turns.Warnings[0],
+    "1 of 2 shells are inside out and are turned over (12 facets, 80 % of the area)");
+}
+
+TEST(OrientFacets, TurnsTheOneOfTwoOverlappingCubesThatIsInsideOut)
+{
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 2), Cube(1, 3, false))).Turns), "+-");
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 2, false), Cube(1, 3))).Turns), "-+");
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 2), Cube(1, 3))).Turns), "++");
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 2, false), Cube(1, 3, false))).Turns), "--");
+}
+
+TEST(OrientFacets, KeepsACavityAndTurnsOneThatIsInsideOutAsAWhole)
+{
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 9), Cube(3, 6, false))).Turns), "++");
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 9, false), Cube(3, 6))).Turns), "--");
+}
+
+TEST(OrientFacets, KeepsAPartWithinAPartAndTurnsBothIfBothAreInsideOut)
+{
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 9), Cube(3, 6))).Turns), "++");
+  EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 9, false), Cube(3, 6, false))).Turns), "--");
+}
+
+/** The rule that the room's page documents, for shells each within the one before: as they are, or
+ * all turned, if w is never negative; else the outermost outward and w 1 and 0 in turn. */
+std::string ExpectedOfNested(const std::string& given)
+{
+  const std::size_t depth = given.size();
+  for (const bool turn : { false, true })
+  {
+    int w = 0;
+    int least = 0;
+    for (const char sign : given)
+    {
+      w += (sign == '+') != turn ? 1 : -1;
+      least = std::min(least, w);
+    }
+    if (least == 0)
+    {
+      return std::string(depth, turn ? '-' : '+');
+    }
+  }
+  std::string turns;
+  for (std::size_t i = 0; i < depth; ++i)
+  {
+    const bool outward = given[i] == '+';
+    turns += outward == (i % 2 == 0) ? '+' : '-';
+  }
+  return turns;
+}
+
+TEST(OrientFacets, TurnsNestedShellsByTheDocumentedRule)
+{
+  for (std::size_t depth = 1; depth <= 4; ++depth)
+  {
+    for (unsigned signs = 0; signs < 1u << depth; ++signs)
+    {
+      TriangleSoup soup;
+      std::string given;
+      for (std::size_t i = 0; i < depth; ++i)
+      {
+        given += signs >> i & 1 ? '-' : '+';
+        const double inset = static_cast<double>(i);
+        soup = Join(soup, Cube(inset, 10 - inset, given.back() == '+'));
+      }
+      EXPECT_EQ(TurnsOfBoxes(Orient(soup).Turns), ExpectedOfNested(given)) << given;
+    }
+  }
+}
+
+TEST(OrientFacets, LetsAnOpenSheetTurnNothingElse)
+{
+  const TriangleSoup cubes = Join(Cube(0, 1), Cube(2, 3));
+  for (const TriangleSoup& ground : { Ground(20), Reversed(Ground(20)) })
+  {
+    const Oriented oriented = Orient(Join(cubes, ground));
+    EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
+    EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 1);
+    EXPECT_EQ(Orient(Join(Reversed(cubes), ground)).Turns.TurnedFacets, 24);
+  }
+}
+
+TEST(OrientFacets, TurnsAnOpenBoxThatIsInsideOut)
+{
+  TriangleSoup box = Cube(0, 1);
+  box.Triangles.resize(10);
+  EXPECT_EQ(Orient(box).Turns.TurnedFacets, 0);
+  const FacetTurns turns = Orient(Reversed(box)).Turns;
+  EXPECT_EQ(turns.TurnedFacets, 10);
+  EXPECT_EQ(turns.Enclosed.SheetShells, 0);
+  ASSERT_EQ(turns.Warnings.size(), 1u);
+  EXPECT_EQ(turns.Warnings[0], "the surface is inside out as a whole: it is turned over");
+}
+
+TEST(OrientFacets, MakesFacetsAgreeWithTheirShell)
+{
+  TriangleSoup cube = Cube(0, 1);
+  std::swap(cube.Triangles[3][0], cube.Triangles[3][1]);
+  std::swap(cube.Triangles[8][0], cube.Triangles[8][1]);
+  const Oriented oriented = Orient(cube);
+  EXPECT_EQ(oriented.Turns.DisagreeingFacets, 2);
+  EXPECT_EQ(oriented.Turns.TurnedFacets, 2);
+  for (Id f = 0; f < 12; ++f)
+  {
+    EXPECT_EQ(oriented.Surface.Multiplicity[f], f == 3 || f == 8 ? -1 : 1);
+    EXPECT_EQ(oriented.Surface.Sources[f].Reversed, f == 3 || f == 8);
+  }
+  EXPECT_EQ(TrianglesOfFacets(oriented.Surface, oriented.Turns.Turned), (std::vector<Id>{ 3, 8 }));
+  ASSERT_EQ(oriented.Turns.Warnings.size(), 1u);
+  EXPECT_EQ(oriented.Turns.Warnings[0].find("2 facets face the other way"), 0u);
+}
+
+TEST(OrientFacets, GivesTheSameSolidHoweverFacetsAreTurned)
+{
+  std::mt19937 random(1);
+  const TriangleSoup given = Join(Join(Cube(0, 4), Cube(3, 6)), Cube(10, 11));
+  for (int round = 0; round < 50; ++round)
+  {
+    TriangleSoup soup = given;
+    std::vector<char> turned(36);
+    for (Id t = 0; t < 36; ++t)
+    {
+      turned[t] = random() % 10 < 3;
+      if (turned[t])
+      {
+        std::swap(soup.Triangles[t][0], soup.Triangles[t][1]);
+      }
+    }
+    EXPECT_EQ(Orient(soup).Turns.Turned, turned);
+  }
+}
+
+TEST(OrientFacets, DoesAsItIsTold)
+{
+  const TriangleSoup soup = Join(Join(Cube(0, 9), Cube(3, 6, false)), Cube(10, 11, false));
+  EXPECT_EQ(TurnsOfBoxes(Orient(soup, Orientation::AsGiven).Turns), "+++");
+  EXPECT_EQ(TurnsOfBoxes(Orient(soup, Orientation::Reverse).Turns), "---");
+  EXPECT_EQ(TurnsOfBoxes(Orient(soup, Orientation::Outward).Turns), "+--");
+  EXPECT_EQ(TurnsOfBoxes(Orient(soup).Turns), "++-");
+}
+
+TEST(OrientFacets, SeesThinAndTinyShells)
+{
+  // A millionth as thick as long, and a millionth as large, within and without the large one.
+  const TriangleSoup plate = Box({ 20, 0, 0 }, { 30, 10, 1e-5 });
+  const TriangleSoup within = Box({ 1, 1, 1 }, { 1.00001, 1.00001, 1.00001 });
+  const TriangleSoup without = Box({ 12, 1, 1 }, { 12.00001, 1.00001, 1.00001 });
+  const TriangleSoup soup =
+    Join(Join(Join(Cube(0, 10), Reversed(plate)), Reversed(within)), Reversed(without));
+  EXPECT_EQ(TurnsOfBoxes(Orient(soup).Turns), "+-+-");
+}
+
+TEST(OrientFacets, DoesNotDependOnSizeOrPlace)
+{
+  const TriangleSoup soup = Join(Join(Cube(0, 2, false), Cube(1, 3)), Cube(0.25, 0.5));
+  const std::string expected = TurnsOfBoxes(Orient(soup).Turns);
+  EXPECT_EQ(expected, "-+-");
+  for (const double scale : { 0x1p-1000, 0x1p+1000 })
+  {
+    TriangleSoup scaled = soup;
+    for (Point& p : scaled.Points)
+    {
+      p = { p[0] * scale, p[1] * scale, p[2] * scale };
+    }
+    EXPECT_EQ(TurnsOfBoxes(Orient(scaled).Turns), expected);
+  }
+}
+
+TEST(OrientFacets, LeavesTheCornersAndHowOftenFacetsCount)
+{
+  const TriangleSoup soup = RandomSoup(3, 200);
+  const FacetComplex given = Chain(soup);
+  const Oriented oriented = Orient(soup);
+  ASSERT_EQ(oriented.Surface.Facets, given.Facets);
+  EXPECT_EQ(oriented.Surface.Points, given.Points);
+  for (Id f = 0; f < given.NumberOfFacets(); ++f)
+  {
+    const int sign = oriented.Turns.Turned[f] ? -1 : 1;
+    EXPECT_EQ(oriented.Surface.Multiplicity[f], sign * given.Multiplicity[f]);
+  }
+}
+
+TEST(OrientFacets, LeavesWhatCountsNothing)
+{
+  TriangleSoup soup = Join(Cube(0, 1, false), Cube(2, 3, false));
+  soup.NonParticipating.assign(24, 0);
+  std::fill_n(soup.NonParticipating.begin() + 12, 12, 1);
+  const Oriented oriented = Orient(soup);
+  EXPECT_EQ(TurnsOfBoxes(oriented.Turns), "-+");
+  EXPECT_EQ(oriented.Turns.Shells, 1);
+}
+
+TEST(OrientFacets, GivesTheSameOnAnyNumberOfThreads)
+{
+  TriangleSoup soup;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(0, 6);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double low = place(random);
+    soup = Join(soup, Cube(low, low + place(random) / 4 + 0.1, random() % 2));
+  }
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const std::vector<char> alone = Orient(soup).Turns.Turned;
+  omp_set_num_threads(8);
+  const std::vector<char> together = Orient(soup).Turns.Turned;
+  omp_set_num_threads(threads);
+  EXPECT_EQ(alone, together);
+}
+
+TEST(OrientFacets, StopsWhenAsked)
+{
+  struct Stopper : Monitor
+  {
+    bool Continue(const char*, double) override { return ++this->Reports <= this->Allowed; }
+    int Reports = 0;
+    int Allowed = 0;
+  };
+  const FacetComplex surface = Chain(Join(Cube(0, 2, false), Cube(1, 3)));
+  Stopper all;
+  all.Allowed = 1000000;
+  FacetComplex copy = surface;
+  OrientFacets(copy, Orientation::Automatic, all);
+  ASSERT_GT(all.Reports, 3);
+  for (int allowed = 0; allowed < all.Reports; ++allowed)
+  {
+    Stopper stopper;
+    stopper.Allowed = allowed;
+    copy = surface;
+    EXPECT_THROW(OrientFacets(copy, Orientation::Automatic, stopper), Error);
+  }
+}
+} // namespace
