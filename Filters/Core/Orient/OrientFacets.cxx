@@ -13,10 +13,11 @@ namespace insideout
 {
 namespace
 {
-/** Lines through a shell, fewer where there are many: all of them in 0.1 s. */
+/** Lines through a shell, fewer where there are many: all of them in some hundredths of a second.
+ */
 constexpr Id LeastLines = 16;
-constexpr Id MostLines = 256;
-constexpr Id LinesOfAll = 1 << 14;
+constexpr Id MostLines = 128;
+constexpr Id LinesOfAll = 1 << 11;
 
 /** How often twice as many lines are drawn, until the choice stays the same. */
 constexpr int MostDoublings = 3;
@@ -42,13 +43,13 @@ ChosenTurns ChooseAutomatically(
   {
     facets.push_back(chain.Facets);
   }
+  const RegionSampler sampler(points, chains);
   Id lines = FirstLines(chains);
   ChosenTurns chosen;
   for (int doublings = 0; doublings <= MostDoublings; ++doublings, lines *= 2)
   {
     const double end = 1 - std::ldexp(0.5, -doublings);
-    chosen.Regions =
-      SampleRegions(points, chains, lines, monitor, { Stages::Orienting, 2 * end - 1, end });
+    chosen.Regions = sampler.Sample(lines, monitor, { Stages::Orienting, 2 * end - 1, end });
     ShellTurns next = ChooseTurns(chosen.Regions, facets);
     const bool same =
       next.Turned == chosen.Turns.Turned && next.Undecided == chosen.Turns.Undecided;
@@ -73,7 +74,7 @@ ChosenTurns ChooseAsTold(const std::vector<Point>& points, const std::vector<She
   }
   chosen.Turns.Undecided.assign(chains.size(), 0);
   chosen.Regions =
-    SampleRegions(points, chains, FirstLines(chains), monitor, { Stages::Orienting, 0, 1 });
+    RegionSampler(points, chains).Sample(FirstLines(chains), monitor, { Stages::Orienting, 0, 1 });
   return chosen;
 }
 
@@ -85,7 +86,8 @@ double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
   for (std::size_t f = 0; f < marks.size(); ++f)
   {
     const std::array<Point, 3> corners = CornersOf(points, facets[f]);
-    areas[marks[f] != 0] += Length(NormalOf(corners[0], corners[1], corners[2]));
+    const Point normal = NormalOf(corners[0], corners[1], corners[2]);
+    areas[marks[f] != 0] += std::sqrt(Dot(normal, normal));
   }
   return areas[1] > 0 ? areas[1] / (areas[0] + areas[1]) : 0;
 }

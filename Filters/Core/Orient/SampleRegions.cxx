@@ -61,8 +61,16 @@ struct Stretch
   double Length;
 };
 
+/** A line may meet an edge: as many others are tried. */
+constexpr int MostTries = 16;
+
+/** Lines that one thread draws in a row; where facets are few, all. */
+constexpr Id LinesInARow = 64;
+constexpr Id FewFacets = 1024;
+} // namespace
+
 /** All triangles of all shells, to draw lines through. */
-class Scene
+class RegionSampler::Scene
 {
 public:
   Scene(const std::vector<Point>& points, const std::vector<ShellChain>& chains)
@@ -233,20 +241,18 @@ private:
   std::optional<BoxTree> Tree;
 };
 
-/** A line may meet an edge: as many others are tried. */
-constexpr int MostTries = 16;
-
-/** Lines that one thread draws in a row; where facets are few, all. */
-constexpr Id LinesInARow = 64;
-constexpr Id FewFacets = 1024;
-
-} // namespace
-
-std::vector<ShellRegion> SampleRegions(const std::vector<Point>& points,
-  const std::vector<ShellChain>& chains, Id linesPerShell, Monitor& monitor,
-  const ProgressRange& progress)
+RegionSampler::RegionSampler(
+  const std::vector<Point>& points, const std::vector<ShellChain>& chains)
+  : Shells(std::make_unique<const Scene>(points, chains))
 {
-  const Scene scene(points, chains);
+}
+
+RegionSampler::~RegionSampler() = default;
+
+std::vector<ShellRegion> RegionSampler::Sample(
+  Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const
+{
+  const Scene& scene = *this->Shells;
   const Id lines = scene.NumberOfShells() * linesPerShell;
   std::vector<std::vector<Stretch>> stretches(static_cast<std::size_t>(lines));
   const auto draw = [&](Id i)

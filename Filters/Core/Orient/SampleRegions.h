@@ -5,6 +5,8 @@
 #include "Common/ProgressRange.h"
 #include "Orient/ShellChains.h"
 
+#include <memory>
+
 namespace insideout
 {
 /** By how much a shell winds around a place. */
@@ -36,14 +38,27 @@ struct ShellRegion
  * 1976). As a line may come from any shell that it meets, it is weighed by the sum of those chances
  * (the balance heuristic of Veach and Guibas 1995). The volumes are right in the mean, and the
  * same for any number of threads.
- *
- * @param[in] points that the chains refer to, below 1 in each coordinate
- * @param[in] chains sheets are passed over
- * @param[in] linesPerShell at least 1
- * @return sorted by windings
- * @throws Error (Stopped)
  */
-std::vector<ShellRegion> SampleRegions(const std::vector<Point>& points,
-  const std::vector<ShellChain>& chains, Id linesPerShell, Monitor& monitor,
-  const ProgressRange& progress);
+class RegionSampler
+{
+public:
+  /**
+   * @param[in] points that the chains refer to, below 1 in each coordinate
+   * @param[in] chains sheets are passed over
+   */
+  RegionSampler(const std::vector<Point>& points, const std::vector<ShellChain>& chains);
+  ~RegionSampler();
+
+  /**
+   * @param[in] linesPerShell at least 1
+   * @return sorted by windings
+   * @throws Error (Stopped)
+   */
+  std::vector<ShellRegion> Sample(
+    Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const;
+
+private:
+  class Scene;
+  const std::unique_ptr<const Scene> Shells;
+};
 } // namespace insideout

@@ -17,7 +17,8 @@ constexpr double LargestCaps = 0.6;
 
 double AreaOf(const std::vector<Point>& points, const Triangle& t)
 {
-  return Length(NormalOf(points[t[0]], points[t[1]], points[t[2]])) / 2;
+  const Point normal = NormalOf(points[t[0]], points[t[1]], points[t[2]]);
+  return std::sqrt(Dot(normal, normal)) / 2;
 }
 
 double VolumeOf(const std::vector<Point>& points, const std::vector<CountedTriangle>& chain)

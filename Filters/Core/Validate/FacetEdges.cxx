@@ -1,30 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/FacetEdges.h"
 
+#include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace insideout
 {
 std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
 {
+  Id points = 0;
+  for (const Triangle& facet : facets)
+  {
+    points = std::max({ points, facet[0] + 1, facet[1] + 1, facet[2] + 1 });
+  }
+  // Counted into the buckets of their lower points, which are small.
+  Buckets<FacetEdge> byLow(static_cast<std::size_t>(points),
+    [&](auto visit)
+    {
+      for (std::size_t f = 0; f < facets.size(); ++f)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Id from = facets[f][k];
+          const Id to = facets[f][(k + 1) % 3];
+          const Id low = std::min(from, to);
+          visit(static_cast<std::size_t>(low),
+            FacetEdge{ low, std::max(from, to), static_cast<Id>(f), from < to ? 1 : -1 });
+        }
+      }
+    });
   std::vector<FacetEdge> edges;
   edges.reserve(3 * facets.size());
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  for (std::size_t low = 0; low < byLow.Size(); ++low)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Id from = facets[f][k];
-      const Id to = facets[f][(k + 1) % 3];
-      edges.push_back(
-        { std::min(from, to), std::max(from, to), static_cast<Id>(f), from < to ? 1 : -1 });
-    }
+    byLow.Sort(low,
+      [](const FacetEdge& a, const FacetEdge& b)
+      { return a.High != b.High ? a.High < b.High : a.Facet < b.Facet; });
+    edges.insert(edges.end(), byLow[low].begin(), byLow[low].end());
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const FacetEdge& a, const FacetEdge& b)
-    { return std::tie(a.Low, a.High, a.Facet) < std::tie(b.Low, b.High, b.Facet); });
   return edges;
 }
 

@@ -4,6 +4,8 @@
 #include "WindingNumber/HoleCaps.h"
 #include "WindingNumber/SpatialOrder.h"
 
+#include <numeric>
+
 namespace insideout
 {
 ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
@@ -27,6 +29,21 @@ std::vector<double> ExactWindingNumber::Evaluate(
     const std::vector<Tetrahedron> cells = CellsOfPoints(at.size());
     this->SumOfCaps.Add(
       { at, cells }, SpatialOrder(at), w, monitor, { progress.Stage, middle, progress.End });
+  }
+  return w;
+}
+
+std::vector<double> ExactWindingNumber::Evaluate(
+  const Sites& sites, Monitor& monitor, const ProgressRange& progress) const
+{
+  std::vector<Id> order(sites.Cells.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> w(sites.Cells.size());
+  const double middle = (progress.Begin + progress.End) / 2;
+  this->Tree.Evaluate(sites, order, w, monitor, { progress.Stage, progress.Begin, middle });
+  if (!this->SumOfCaps.IsEmpty())
+  {
+    this->SumOfCaps.Add(sites, order, w, monitor, { progress.Stage, middle, progress.End });
   }
   return w;
 }

@@ -43,6 +43,14 @@ public:
   std::vector<double> Evaluate(
     const std::vector<Point>& at, Monitor& monitor, const ProgressRange& progress) const;
 
+  /**
+   * The same at places that no double holds.
+   *
+   * @param[in] sites below 2^50 in each coordinate
+   */
+  std::vector<double> Evaluate(
+    const Sites& sites, Monitor& monitor, const ProgressRange& progress) const;
+
   /** The winding number at one point. Safe to call from several threads. */
   double At(const Point& point) const;
 

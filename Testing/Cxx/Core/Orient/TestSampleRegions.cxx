@@ -23,7 +23,7 @@ Volumes Sample(const TriangleSoup& soup, Id lines)
   const std::vector<ShellChain> chains = CloseShells(surface, shells, surface.Points);
   Volumes volumes;
   for (const ShellRegion& region :
-    SampleRegions(surface.Points, chains, lines, monitor, { "orienting", 0, 1 }))
+    RegionSampler(surface.Points, chains).Sample(lines, monitor, { "orienting", 0, 1 }))
   {
     std::vector<std::pair<Id, int>> key;
     for (const ShellWinding& winding : region.Windings)
@@ -40,7 +40,7 @@ TriangleSoup Cube(double low, double high)
   return Box({ low, low, low }, { high, high, high });
 }
 
-TEST(SampleRegions, FindsTheVolumesOfBodiesThatCross)
+TEST(RegionSampler, FindsTheVolumesOfBodiesThatCross)
 {
   const Volumes volumes =
     Sample(Join(Join(Cube(0, 0.5), Reversed(Cube(0.25, 0.75))), Cube(0.8, 0.9)), 4000);
@@ -51,7 +51,7 @@ TEST(SampleRegions, FindsTheVolumesOfBodiesThatCross)
   EXPECT_NEAR(volumes.at({ { 2, 1 } }), 0.001, 0.00003);
 }
 
-TEST(SampleRegions, FindsThinShellsAsWellAsThickOnes)
+TEST(RegionSampler, FindsThinShellsAsWellAsThickOnes)
 {
   const Volumes volumes = Sample(
     Join(Box({ 0, 0, 0 }, { 0.9, 0.9, 1e-6 }), Box({ 0.1, 0.1, -0.1 }, { 0.101, 0.101, 0.9 })),
@@ -62,7 +62,7 @@ TEST(SampleRegions, FindsThinShellsAsWellAsThickOnes)
   EXPECT_GT(volumes.at({ { 0, 1 }, { 1, 1 } }), 0);
 }
 
-TEST(SampleRegions, WindsAsOftenAsAShellOverlapsItself)
+TEST(RegionSampler, WindsAsOftenAsAShellOverlapsItself)
 {
   // One shell: a frame of boxes would be several, so a cube whose facets count twice.
   TriangleSoup soup = Cube(0.25, 0.5);
@@ -72,7 +72,7 @@ TEST(SampleRegions, WindsAsOftenAsAShellOverlapsItself)
   EXPECT_NEAR(volumes.at({ { 0, 2 } }), 0.015625, 0.0015);
 }
 
-TEST(SampleRegions, IsNotMisledByFacetsInLineWithEachOther)
+TEST(RegionSampler, IsNotMisledByFacetsInLineWithEachOther)
 {
   // Cubes side by side share planes, edges and corners; many lines come close to them.
   TriangleSoup soup;
