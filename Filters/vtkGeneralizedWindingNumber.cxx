@@ -23,6 +23,8 @@ vtkGeneralizedWindingNumber::vtkGeneralizedWindingNumber()
 {
   const HullMeshParameters hull;
   this->Orientation = static_cast<int>(hull.Orientation);
+  this->Thicken = hull.Thicken.Width;
+  this->ThickenAll = hull.Thicken.All;
   this->MergeTolerance = hull.Chain.MergeTolerance;
   this->CountDuplicates = hull.Chain.CountDuplicates;
   this->QuadratureOrder = hull.QuadratureOrder;
@@ -35,6 +37,8 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Orientation: " << this->Orientation << "\n";
+  os << indent << "Thicken: " << this->Thicken << "\n";
+  os << indent << "ThickenAll: " << this->ThickenAll << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";

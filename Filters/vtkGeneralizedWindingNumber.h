@@ -63,6 +63,25 @@ public:
 
   ///@{
   /**
+   * Give sheets, which enclose nothing, this thickness: a closed slab, half of it before the facets
+   * and half behind, that joins what it touches; the facets stay as faces within. In units of the
+   * surface. Default 0: sheets bound nothing. Range 0 to infinity.
+   */
+  vtkSetClampMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Thicken, double);
+  ///@}
+
+  ///@{
+  /**
+   * On: thicken every facet, and not only sheets. Default off.
+   */
+  vtkSetMacro(ThickenAll, bool);
+  vtkGetMacro(ThickenAll, bool);
+  vtkBooleanMacro(ThickenAll, bool);
+  ///@}
+
+  ///@{
+  /**
    * Points at most this far apart become one, in units of the surface; of several the one with the
    * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
    */
@@ -153,6 +172,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int Orientation;
+  double Thicken;
+  bool ThickenAll;
   double MergeTolerance;
   bool CountDuplicates;
   std::string NonParticipatingArrayName;

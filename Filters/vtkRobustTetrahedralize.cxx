@@ -35,11 +35,12 @@ namespace
  * not be missing here. */
 auto AsTuple(const HullMeshParameters& parameters, const std::string& nonParticipating)
 {
-  const auto& [chain, orientation, budgets, quadratureOrder] = parameters;
+  const auto& [chain, orientation, thicken, budgets, quadratureOrder] = parameters;
   const auto& [mergeTolerance, countDuplicates] = chain;
+  const auto& [width, all] = thicken;
   const auto& [seconds, mebibytes, engine] = budgets;
-  return std::make_tuple(mergeTolerance, countDuplicates, orientation, seconds, mebibytes, engine,
-    quadratureOrder, nonParticipating);
+  return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
+    mebibytes, engine, quadratureOrder, nonParticipating);
 }
 } // namespace
 
@@ -87,6 +88,8 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->ConstrainManifold = segment.ConstrainManifold;
   const HullMeshParameters hull;
   this->Orientation = static_cast<int>(hull.Orientation);
+  this->Thicken = hull.Thicken.Width;
+  this->ThickenAll = hull.Thicken.All;
   this->MergeTolerance = hull.Chain.MergeTolerance;
   this->CountDuplicates = hull.Chain.CountDuplicates;
   this->QuadratureOrder = hull.QuadratureOrder;
@@ -108,6 +111,8 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
+  os << indent << "Thicken: " << this->Thicken << "\n";
+  os << indent << "ThickenAll: " << this->ThickenAll << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";

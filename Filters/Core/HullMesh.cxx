@@ -25,6 +25,8 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   hull.SheetTriangles = TrianglesOfFacets(chain.Surface, turns.IsSheet);
   hull.Warnings.insert(hull.Warnings.end(), turns.Warnings.begin(), turns.Warnings.end());
   AddTurns(turns, statistics);
+  statistics.emplace_back(
+    "ThickenedFacets", ThickenFacets(chain.Surface, turns.IsSheet, parameters.Thicken, monitor));
   const double validateSeconds = stopwatch.Lap();
 
   Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);

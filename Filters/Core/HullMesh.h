@@ -4,6 +4,7 @@
 #include "Common/Statistics.h"
 #include "Common/TetrahedralMesh.h"
 #include "Orient/OrientFacets.h"
+#include "Orient/ThickenFacets.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
 #include "Validate/CountedChain.h"
 
@@ -13,6 +14,7 @@ struct HullMeshParameters
 {
   CountedChainParameters Chain;
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
+  ThickenParameters Thicken;
   ConstrainedDelaunayParameters Budgets;
   int QuadratureOrder = 1; ///< see WindingNumberOfCells
 };
@@ -33,8 +35,8 @@ struct HullMesh
 };
 
 /**
- * Stages validate to w in a row: count the facets, turn them the way that is meant, resolve their
- * intersections, tetrahedralize the convex hull, and find the winding numbers.
+ * Stages validate to w in a row: count the facets, turn them the way that is meant, thicken sheets,
+ * resolve their intersections, tetrahedralize the convex hull, and find the winding numbers.
  *
  * @throws Error whatever the stages throw
  */

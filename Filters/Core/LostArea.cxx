@@ -75,7 +75,8 @@ std::string WarningAbout(const LostArea& lost)
   }
   return std::to_string(std::lround(100 * lost.Share)) +
     " % of the surface's area is no part of the solid" +
-    Reason(lost.Sheets, "are sheets, which enclose nothing: ConstrainFacets keeps them") +
+    Reason(lost.Sheets,
+      "are sheets, which enclose nothing: Thicken gives them a width, ConstrainFacets keeps them") +
     Reason(lost.Turned, "were turned over and enclose nothing even so: see Orientation") +
     Reason(lost.Unmet, "could not be followed by the mesh") +
     Reason(lost.Others,

@@ -49,6 +49,8 @@ insideout::HullMeshParameters vtkInsideOutHullMeshParameters(Filter* filter)
   insideout::HullMeshParameters parameters;
   parameters.Chain = vtkInsideOutChainParameters(filter);
   parameters.Orientation = vtkInsideOutOrientation(filter);
+  parameters.Thicken.Width = filter->GetThicken();
+  parameters.Thicken.All = filter->GetThickenAll();
   parameters.Budgets = vtkInsideOutDelaunayParameters(filter);
   parameters.QuadratureOrder = filter->GetQuadratureOrder();
   return parameters;

@@ -114,6 +114,7 @@ class Success(CommandLine):
                         **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
                         **{"engine": "automatic", "data_term": "uniform", "orientation": "automatic"},
                         **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
+                        **{"thicken": 0, "thicken_all": False},
                         **{"constrain_facets": False, "constrain_manifold": False},
                         **{"non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                     },

@@ -78,7 +78,7 @@ class Solid(unittest.TestCase):
     def test_what_is_lost_is_warned_of(self):
         result = insideout.tetrahedralize(ABOVE_GROUND)
         (warning,) = [warning for warning in result.warnings if "is no part of the solid" in warning]
-        self.assertIn("97 % are sheets, which enclose nothing: constrain_facets keeps them", warning)
+        self.assertIn("97 % are sheets, which enclose nothing: thicken gives them a width, constrain_facets keeps them", warning)
         self.assertAlmostEqual(result.statistics["LostShare"], 400 / 412)
 
 
@@ -173,7 +173,7 @@ class Command(CommandLine):
 
     def test_its_warnings_name_its_options(self):
         done = run(self.file("ground.ply", ABOVE_GROUND), self.output)
-        self.assertIn("--constrain-facets keeps them", done.stdout)
+        self.assertIn("--thicken gives them a width, --constrain-facets keeps them", done.stdout)
 
     def test_seeds_of_a_table(self):
         source, seeds = self.file("hollow.ply", HOLLOW), self.path("seeds.csv")

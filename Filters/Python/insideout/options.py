@@ -158,6 +158,10 @@ class Options:
             choices=("automatic", "as-given", "reverse", "outward"),
         )
     )
+    thicken: Optional[float] = _is(
+        Number("Thicken", "give sheets, which enclose nothing, this thickness, in the surface's units; 0 leaves them")
+    )
+    thicken_all: bool = _is(Switch("ThickenAll", "thicken every facet, and not only sheets"))
     merge_tolerance: Optional[float] = _is(
         Number("MergeTolerance", "points of the surface at most this far apart become one, in its units")
     )

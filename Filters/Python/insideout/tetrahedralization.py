@@ -46,6 +46,8 @@ def tetrahedralize(
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
     orientation: str = "automatic",
+    thicken: Optional[float] = None,
+    thicken_all: bool = False,
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     time_budget: Optional[float] = None,

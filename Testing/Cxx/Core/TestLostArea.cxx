@@ -48,7 +48,7 @@ TEST(LostArea, IsWhatASheetHas)
   EXPECT_NEAR(lost.Sheets, 0.4, 1e-12);
   EXPECT_EQ(WarningAbout(lost),
     "40 % of the surface's area is no part of the solid; 40 % are sheets, which enclose nothing: "
-    "ConstrainFacets keeps them");
+    "Thicken gives them a width, ConstrainFacets keeps them");
 }
 
 TEST(LostArea, IsNotWarnedOfWhenItIsATenthOrLess)

@@ -201,10 +201,13 @@ TYPED_TEST(OptionsOfTetrahedra, AreThoseOfTheStages)
 TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
 {
   vtkNew<TypeParam> filter;
-  const auto [chain, orientation, budgets, quadratureOrder] = HullMeshParameters();
+  const auto [chain, orientation, thicken, budgets, quadratureOrder] = HullMeshParameters();
   EXPECT_EQ(filter->GetMergeTolerance(), chain.MergeTolerance);
   EXPECT_EQ(filter->GetCountDuplicates(), chain.CountDuplicates);
   EXPECT_EQ(filter->GetOrientation(), static_cast<int>(orientation));
+  EXPECT_EQ(filter->GetThicken(), thicken.Width);
+  EXPECT_EQ(filter->GetThickenAll(), thicken.All);
+  EXPECT_EQ(SET(filter, Thicken, -1), 0);
   EXPECT_EQ(filter->GetTimeBudget(), budgets.TimeBudget);
   EXPECT_EQ(filter->GetMemoryBudget(), budgets.MemoryBudget);
   EXPECT_EQ(filter->GetEngine(), static_cast<int>(budgets.Engine));
