@@ -10,6 +10,8 @@
 #include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
@@ -115,6 +117,10 @@ std::vector<TriangleDefects> DefectsOfCells(
     {
       cell.Component = triangle.Component;
     }
+    if (triangle.Shell != None && (cell.Shell == None || triangle.Shell < cell.Shell))
+    {
+      cell.Shell = triangle.Shell;
+    }
     cell.SelfIntersections += triangle.SelfIntersections;
     cell.Degenerate |= triangle.Degenerate;
     cell.Duplicate |= triangle.Duplicate;
@@ -130,6 +136,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
   const auto component = vtkInsideOutMakeArray<vtkIntArray>("ComponentId", size);
+  const auto shell = vtkInsideOutMakeArray<vtkIntArray>("ShellId", size);
   const auto crossings = vtkInsideOutMakeArray<vtkIntArray>("SelfIntersections", size);
   const auto degenerate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Degenerate", size);
   const auto duplicate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Duplicate", size);
@@ -142,6 +149,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
   {
     const TriangleDefects& cell = cells[c];
     component->SetValue(c, cell.Component);
+    shell->SetValue(c, cell.Shell);
     crossings->SetValue(c, cell.SelfIntersections);
     degenerate->SetValue(c, cell.Degenerate);
     duplicate->SetValue(c, cell.Duplicate);
@@ -155,6 +163,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
                                  : ColorOfComponent(cell.Component));
   }
   data->AddArray(component);
+  data->AddArray(shell);
   data->AddArray(crossings);
   data->AddArray(degenerate);
   data->AddArray(duplicate);
@@ -228,10 +237,12 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
         given.Soup, this->MergeTolerance, vtkInsideOutOrientation(this), monitor);
 
       vtkInsideOutMakeOutputs outputs(given);
-      const auto surface = outputs.CopySurface({ "ComponentId", "SelfIntersections", "Degenerate",
-        "Duplicate", "Inconsistent", "TwoSided", "Turned", "Sheet", "DefectColor" });
+      const auto surface = outputs.CopySurface({ "ComponentId", "ShellId", "SelfIntersections",
+        "Degenerate", "Duplicate", "Inconsistent", "TwoSided", "Turned", "Sheet", "DefectColor" });
       MarkCells(DefectsOfCells(defects, given.CellOfTriangle, input->GetNumberOfCells()),
         surface->GetCellData());
+      surface->GetFieldData()->AddArray(
+        vtkInsideOutMakeArray<vtkDoubleArray>("ShellVolumes", defects.Turns.ShellVolumes));
       const auto lines = vtkInsideOutMakeLines(defects);
       NameLines(TypesOfCells(defects.Lines), lines->GetCellData());
 

@@ -69,9 +69,9 @@ public:
   }
   Hash& operator<<(const TriangleDefects& triangle)
   {
-    return *this << triangle.Component << triangle.SelfIntersections << triangle.Degenerate
-                 << triangle.Duplicate << triangle.Inconsistent << triangle.TwoSided
-                 << triangle.Turned << triangle.Sheet;
+    return *this << triangle.Component << triangle.Shell << triangle.SelfIntersections
+                 << triangle.Degenerate << triangle.Duplicate << triangle.Inconsistent
+                 << triangle.TwoSided << triangle.Turned << triangle.Sheet;
   }
 
   std::uint64_t Value = 0xcbf29ce484222325;

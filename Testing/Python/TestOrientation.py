@@ -118,6 +118,41 @@ class Agreement(unittest.TestCase):
                     )
 
 
+class Lost(unittest.TestCase):
+    """No real surface loses more than a tenth of its area without a word; by areas that are summed up here."""
+
+    def area(self, surface):
+        corners = surfaces.points_of(surface)[surfaces.triangles_of(surface)]
+        return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+
+    def test_on_all_small_surfaces_of_a_package(self):
+        judged = warned = 0
+        with tempfile.TemporaryDirectory() as folder, tarfile.open(ARCHIVE) as archive:
+            for member in archive.getmembers():
+                if not member.name.startswith("data/meshes/") or member.size > 60_000 or not member.name.endswith((".off", ".stl", ".obj")):
+                    continue
+                with self.subTest(member.name):
+                    member.name = os.path.basename(member.name)
+                    archive.extract(member, folder)
+                    try:
+                        result = insideout.tetrahedralize(os.path.join(folder, member.name))
+                    except insideout.Error:
+                        continue  # no surface, or in one plane
+                    if result.solid.GetNumberOfCells() == 0:
+                        self.assertIn("nothing is inside", " ".join(result.warnings))
+                        continue
+                    lost = self.area(result.outliers) if result.outliers.GetNumberOfCells() else 0
+                    resolved = insideout.resolve(os.path.join(folder, member.name)).surface
+                    share = lost / self.area(resolved)
+                    self.assertAlmostEqual(result.statistics["LostShare"], share, delta=1e-6)
+                    told = any("is no part of the solid" in warning for warning in result.warnings)
+                    self.assertEqual(told, share > 0.1)
+                    judged += 1
+                    warned += told
+        self.assertGreater(judged, 50)
+        self.assertGreater(warned, 0)
+
+
 class Verdict(unittest.TestCase):
     def test_is_one_sentence_that_is_true(self):
         for surface, expected in (
@@ -152,6 +187,13 @@ class Verdict(unittest.TestCase):
         )
 
 
+    def test_each_shell_has_its_volume(self):
+        found = insideout.check(boxes(((0, 0, 0), 3, True), ((1, 1, 1), 1, False), ((5, 0, 0), 2, False), None))
+        np.testing.assert_allclose(found.shell_volumes, [27, -1, 8, 0], atol=1e-9)
+        np.testing.assert_array_equal(cell_array(found.surface, "ShellId"), np.repeat([0, 1, 2, 3], [12, 12, 12, 2]))
+        self.assertEqual(found.statistics["Cavities"], 1)
+
+
 class Command(CommandLine):
     def test_orientation_is_an_option_of_all_it_does(self):
         source = self.file("hollow.ply", HOLLOW)
@@ -164,6 +206,7 @@ class Command(CommandLine):
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(answers, encoding="utf-8") as file:
                 self.assertEqual(float(file.read().splitlines()[1].split(",")[3]), w)
+        self.assertIn("shell 1: volume -1 (a cavity)", run("--check", source).stdout)
         done = run("--check", source, "--orientation", "outward")
         self.assertIn("after turning 1 of 2 shells over", done.stdout.splitlines()[0])
         done = run(source, self.output, "--orientation", "outward")
@@ -205,4 +248,4 @@ class Command(CommandLine):
 
 
 if __name__ == "__main__":
-    unittest.main(defaultTest=["Solid", "Agreement", "Verdict", "Command"])
+    unittest.main(defaultTest=["Solid", "Agreement", "Lost", "Verdict", "Command"])

@@ -178,6 +178,7 @@ void MarkTriangles(const FacetComplex& surface, const FacetComponents& component
     facet.SelfIntersections = met[f];
     facet.Inconsistent = edges.HasInconsistent[f];
     facet.TwoSided = twoSided[facet.Component];
+    facet.Shell = defects.Turns.Shell[f];
     facet.Turned = defects.Turns.Turned[f];
     facet.Sheet = defects.Turns.IsSheet[f];
     for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)

@@ -12,6 +12,7 @@ namespace insideout
 struct TriangleDefects
 {
   Id Component = None;      ///< joined through edges, numbered by first triangle; degenerate: None
+  Id Shell = None;          ///< that faces one way together (Shells.h); None where it counts 0
   Id SelfIntersections = 0; ///< how many facets it meets beyond shared corners and edges
   bool Degenerate = false;
   bool Duplicate = false;    ///< an earlier triangle has the same three points

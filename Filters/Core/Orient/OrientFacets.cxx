@@ -114,6 +114,15 @@ FacetTurns ChooseFacets(const FacetComplex& surface, Orientation orientation, Mo
   turns.Enclosed.Solid = std::ldexp(turns.Enclosed.Solid, 3 * exponent);
   turns.Enclosed.Overlap = std::ldexp(turns.Enclosed.Overlap, 3 * exponent);
 
+  turns.Shell = shells.Shell;
+  for (std::size_t shell = 0; shell < chains.size(); ++shell)
+  {
+    const double volume = std::ldexp(chains[shell].Volume, 3 * exponent);
+    turns.ShellVolumes.push_back(chains[shell].Kind == ShellKind::Sheet ? 0
+        : chosen.Turns.Turned[shell]                                    ? -volume
+                                                                        : volume);
+  }
+
   const bool makeAgree = automatic || orientation == Orientation::Outward;
   turns.Turned.assign(shells.Turned.size(), orientation == Orientation::Reverse);
   turns.IsSheet.assign(shells.Turned.size(), 1);

@@ -22,6 +22,10 @@ struct FacetTurns
 {
   std::vector<char> Turned;  ///< one per facet
   std::vector<char> IsSheet; ///< one per facet: of a shell that encloses nothing, or counts 0
+  std::vector<Id> Shell;     ///< one per facet, None for those that count 0
+
+  /** What each shell encloses in the end, holes capped: negative for a cavity, 0 for a sheet. */
+  std::vector<double> ShellVolumes;
 
   Id Shells = 0;
   Id TurnedFacets = 0;

@@ -40,6 +40,8 @@ class Check:
     """Counts by name."""
     findings: list[Finding]
     """What is wrong, with what matters first; empty when nothing is."""
+    shell_volumes: list[float]
+    """What each shell of the surface encloses: negative for a cavity, 0 for a sheet. The cell array ShellId tells them apart."""
     verdict: str
     """Whether it bounds a solid, in one sentence: "bounds a solid of volume 2 after turning 1 of 2 shells over"."""
     warnings: list[str]
@@ -69,12 +71,14 @@ def check(
     marker.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(marker, progress))
     statistics = statistics_of(marker.GetOutput())
+    volumes = marker.GetOutput().GetFieldData().GetArray("ShellVolumes")
     findings = find(statistics)
     return Check(
         surface=marker.GetOutput(),
         lines=marker.GetLines(),
         statistics=statistics,
         findings=findings,
+        shell_volumes=[volumes.GetValue(shell) for shell in range(volumes.GetNumberOfValues())],
         verdict=verdict(statistics),
         warnings=warnings,
     )

@@ -271,6 +271,7 @@ class CheckJob(Job):
 
     stages = CHECK
     findings: list[Finding] = []
+    shell_volumes: list[float] = []
     verdict: Optional[str] = None
 
     def check_parameters(self) -> dict[str, Any]:
@@ -282,15 +283,16 @@ class CheckJob(Job):
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.findings, self.verdict = result.findings, result.verdict
+        self.shell_volumes = result.shell_volumes
         self.statistics = dict(result.statistics)
         self.measure()
 
     def more_for_the_report(self) -> dict[str, object]:
         findings = [vars(finding) for finding in self.findings]
-        return {"defects": defects(self.statistics), "findings": findings, "verdict": self.verdict}
+        return {"defects": defects(self.statistics), "findings": findings, "verdict": self.verdict, "shell_volumes": self.shell_volumes}
 
     def summary(self) -> list[str]:
-        return check_summary(os.path.basename(self.files.surface), self.statistics, self.findings)
+        return check_summary(os.path.basename(self.files.surface), self.statistics, self.findings, self.shell_volumes)
 
 
 class WindingJob(Job):

@@ -8,7 +8,7 @@ from typing import Iterable, Mapping, Optional, Sequence
 from . import stages
 from .checking import Finding
 from .defects import DEFECTS
-from .verdict import verdict, what_it_bounds
+from .verdict import verdict, volumes_of_shells, what_it_bounds
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
 
 OUTLIERS = (
@@ -78,13 +78,13 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     ]
 
 
-def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding]) -> list[str]:
+def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], volumes: Sequence[float]) -> list[str]:
     """The lines that `--check` prints: the columns of the thesis's table 8.1, and what they mean."""
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
     return [
         f"Surface {name}: {verdict(statistics)}",
         f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
-        *(f"  {line}" for line in what_it_bounds(statistics)),
+        *(f"  {line}" for line in [*what_it_bounds(statistics), *volumes_of_shells(volumes)]),
         *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),

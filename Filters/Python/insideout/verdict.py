@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Mapping
+from typing import Mapping, Sequence
 
 
 def verdict(statistics: Mapping[str, float]) -> str:
@@ -51,6 +51,16 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
     if statistics["SheetShare"] > 0:
         lines.append(f"{statistics['SheetShare']:.2g} of the area encloses nothing")
     return lines
+
+
+def volumes_of_shells(volumes: Sequence[float], most: int = 8) -> list[str]:
+    """The largest of several, a line each."""
+    order = sorted(range(len(volumes)), key=lambda shell: (-abs(volumes[shell]), shell))
+    if len(order) < 2:
+        return []
+    kinds = {1: "", 0: " (a sheet)", -1: " (a cavity)"}
+    lines = [f"shell {shell}: volume {volumes[shell]:.6g}{kinds[(volumes[shell] > 0) - (volumes[shell] < 0)]}" for shell in order[:most]]
+    return [*lines, f"and {len(order) - most:,} smaller ones"] if len(order) > most else lines
 
 
 def counted(count: float, one: str) -> str:
