@@ -4,15 +4,14 @@
 #include "vtkInsideOutArrays.h"
 #include "vtkInsideOutFileAttributes.h"
 
+#include "Validate/TriangulatePolygon.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolygon.h>
 
 #include <cmath>
 #include <limits>
@@ -81,56 +80,6 @@ vtkIdType VisitPolygons(vtkPolyData* input, const CheckPoint& checkPoint, const 
   return tooSmall;
 }
 
-void AddTriangle(
-  vtkInsideOutSurface& surface, vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
-{
-  surface.Soup.Triangles.push_back(
-    { { static_cast<Id>(a), static_cast<Id>(b), static_cast<Id>(c) } });
-  surface.CellOfTriangle.push_back(cell);
-}
-
-/** Clip a polygon into ears; false where it crosses itself, so that a fan has to do. */
-bool AddPolygon(
-  vtkInsideOutSurface& surface, vtkIdType cell, vtkIdType size, const vtkIdType* corners)
-{
-  // Polygons that are the same but for where they begin and which way they run have to give the
-  // same triangles, or they are no duplicates: begin at the lowest point and run to its lower
-  // neighbour.
-  const auto at = [&](vtkIdType k) -> const Point& { return surface.Soup.Points[corners[k]]; };
-  vtkIdType lowest = 0;
-  for (vtkIdType k = 1; k < size; ++k)
-  {
-    lowest = at(k) < at(lowest) ? k : lowest;
-  }
-  const bool reversed = at((lowest + size - 1) % size) < at((lowest + 1) % size);
-  std::vector<vtkIdType> ordered(size);
-  for (vtkIdType k = 0; k < size; ++k)
-  {
-    ordered[k] = corners[(lowest + (reversed ? size - k : k)) % size];
-  }
-  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
-  { AddTriangle(surface, cell, ordered[a], ordered[reversed ? c : b], ordered[reversed ? b : c]); };
-
-  vtkNew<vtkPolygon> polygon;
-  vtkNew<vtkIdList> triangles;
-  polygon->Initialize(static_cast<int>(size), ordered.data(), surface.Input->GetPoints());
-  if (polygon->Triangulate(triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
-  {
-    for (vtkIdType k = 0; k < triangles->GetNumberOfIds(); k += 3)
-    {
-      add(triangles->GetId(k), triangles->GetId(k + 1), triangles->GetId(k + 2));
-    }
-    return true;
-  }
-  // Where the polygon crosses itself ears run out. A fan then keeps at least its outline, so that a
-  // closed surface stays closed.
-  for (vtkIdType k = 1; k + 1 < size; ++k)
-  {
-    add(0, k, k + 1);
-  }
-  return false;
-}
-
 void ReadTriangles(vtkInsideOutSurface& surface)
 {
   const auto checkPoint = [&](vtkIdType id)
@@ -141,24 +90,25 @@ void ReadTriangles(vtkInsideOutSurface& surface)
       throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(id) + " is not finite");
     }
   };
-  vtkIdType fans = 0;
+  vtkIdType crossed = 0;
+  vtkIdType firstCrossed = 0;
+  std::vector<Id> ids;
   const vtkIdType tooSmall = VisitPolygons(surface.Input, checkPoint,
     [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
     {
-      if (size == 3)
+      ids.assign(corners, corners + size);
+      if (!insideout::TriangulatePolygon(surface.Soup.Points, ids, surface.Soup.Triangles))
       {
-        AddTriangle(surface, cell, corners[0], corners[1], corners[2]);
+        firstCrossed = crossed == 0 ? cell : firstCrossed;
+        ++crossed;
       }
-      else
-      {
-        fans += !AddPolygon(surface, cell, size, corners);
-      }
+      surface.CellOfTriangle.resize(surface.Soup.Triangles.size(), cell);
     });
-  if (fans > 0)
+  if (crossed > 0)
   {
-    surface.Warnings.push_back(std::to_string(fans) +
-      " polygons cross or touch themselves and cannot be clipped into ears: they are cut into "
-      "fans");
+    surface.Warnings.push_back(std::to_string(crossed) + " polygons, cell " +
+      std::to_string(firstCrossed) +
+      " the first, cross themselves: their triangles keep the outline, but overlap");
   }
   if (tooSmall > 0)
   {

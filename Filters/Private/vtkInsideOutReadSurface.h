@@ -32,7 +32,8 @@ struct vtkInsideOutSurface
 };
 
 /**
- * The triangles of polygons and strips. Polygons are triangulated by ear clipping. A cell array
+ * The triangles of polygons and strips. Polygons mean what their outlines enclose
+ * (TriangulatePolygon), in triangles that stand in the order of the cells. A cell array
  * FacetMultiplicity (short, as vtkResolveSelfIntersections makes it) says how often a cell counts.
  *
  * @param nonParticipating a cell array of one number per cell, which is not 0 for cells that do not

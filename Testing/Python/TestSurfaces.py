@@ -289,6 +289,58 @@ class Outliers(unittest.TestCase):
         self.assertGreater(found["OutlierFacets"], 0)
 
 
+def prism_with_a_hole(height=1):
+    """An L with a square hole through it, of polygons alone: a bridge leads to the hole in the top and the bottom."""
+    outer = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+    hole = [(0.5, 0.5), (0.5, 1.5), (1.5, 1.5), (1.5, 0.5)]
+    points = [(x, y, z) for z in (0, height) for x, y in outer + hole]
+    top = [10, 11, 12, 13, 14, 15, 10, 16, 17, 18, 19, 16]
+    bottom = [corner - 10 for corner in reversed(top)]
+    rings = [list(range(6)), list(range(6, 10))]
+    walls = [(a, b, b + 10, a + 10) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1])]
+    return polydata(points, [bottom, *walls, top])
+
+
+class Polygons(unittest.TestCase):
+    """A polygon means what its outline encloses."""
+
+    def test_a_prism_with_bridges_to_its_hole_has_the_right_volume(self):
+        prism = prism_with_a_hole()
+        result = insideout.tetrahedralize(prism)
+        self.assertEqual(result.warnings, [])
+        self.assertEqual(result.statistics["OpenEdges"], 0)
+        self.assertEqual(result.statistics["IntersectingPairs"], 0)
+        self.assertEqual(result.statistics["OutlierFacets"], 0)
+        self.assertEqual(result.statistics["Closed"], 1)
+        self.assertTrue(is_watertight(result.boundary))
+        self.assertAlmostEqual(enclosed_volume(result.boundary), 11, 12)
+
+    def test_every_triangle_names_the_polygon_that_it_is_of(self):
+        boundary = insideout.tetrahedralize(prism_with_a_hole()).boundary
+        corners = points_of(boundary)[triangles_of(boundary)]
+        areas = np.linalg.norm(np.cross(*np.diff(corners, axis=1).swapaxes(0, 1)), axis=1) / 2
+        by_polygon = np.bincount(cell_array(boundary, "vtkOriginalCellIds"), areas)
+        np.testing.assert_allclose(by_polygon, [11, 4, 2, 2, 2, 2, 4, 1, 1, 1, 1, 11], rtol=1e-12)
+
+    def test_the_winding_number_in_the_hole_and_beside_it(self):
+        implicit = insideout.vtkImplicitWindingNumber()
+        implicit.SetInput(prism_with_a_hole())
+        self.assertAlmostEqual(implicit.EvaluateFunction(1, 1, 0.5), 0.5, 12, "in the hole")
+        self.assertAlmostEqual(implicit.EvaluateFunction(3, 1, 0.5), -0.5, 12, "in the solid")
+        self.assertAlmostEqual(implicit.EvaluateFunction(3, 3, 0.5), 0.5, 12, "in the corner of the L")
+
+    def test_polygons_that_cross_themselves_are_counted_and_the_first_is_named(self):
+        """A box, and a bow tie on each of two sides of it."""
+        ties = [(0, 2, 1, 3), (4, 6, 5, 7)]
+        result = insideout.tetrahedralize(polydata(surfaces.box_points(), [*surfaces.BOX_FACETS, *ties]))
+        self.assertTrue(any("2 polygons, cell 12 the first, cross themselves" in w for w in result.warnings), result.warnings)
+
+    def test_a_polygon_that_encloses_nothing_is_degenerate(self):
+        result = insideout.tetrahedralize(polydata(surfaces.box_points(), [*surfaces.BOX_FACETS, (0, 1, 0, 1)]))
+        self.assertEqual(result.statistics["DegenerateFacets"], 1)
+        self.assertAlmostEqual(enclosed_volume(result.boundary), 1, 15)
+
+
 class NothingInside(unittest.TestCase):
     """The likely cause is named in the one warning, and what to set."""
 

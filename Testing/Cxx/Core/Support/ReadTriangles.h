@@ -3,15 +3,16 @@
 
 #include "Common/FacetComplex.h"
 #include "Files/SurfaceFile.h"
+#include "Validate/TriangulatePolygon.h"
 
-/** Files for the programs that judge and measure; the library leaves polygons to VTK. */
+/** Files for the programs that judge and measure. */
 namespace testmeshes
 {
 using namespace insideout;
 
 /**
- * A surface file as triangles. Polygons become fans from their first corner, which is not how the
- * filters triangulate those that are not convex.
+ * A surface file as triangles, as the filters see it. Polygons of fewer than three corners are left
+ * out.
  *
  * @throws Error what ReadSurface throws
  */
@@ -23,11 +24,11 @@ inline TriangleSoup ReadTriangles(const std::string& path)
   soup.Points = std::move(surface.Points);
   for (std::size_t p = 0; p + 1 < surface.Offsets.size(); ++p)
   {
-    const Id first = surface.Offsets[p];
-    for (Id c = first + 2; c < surface.Offsets[p + 1]; ++c)
+    const std::vector<Id> corners(surface.Corners.begin() + surface.Offsets[p],
+      surface.Corners.begin() + surface.Offsets[p + 1]);
+    if (corners.size() >= 3)
     {
-      soup.Triangles.push_back(
-        { surface.Corners[first], surface.Corners[c - 1], surface.Corners[c] });
+      TriangulatePolygon(soup.Points, corners, soup.Triangles);
     }
   }
   return soup;
