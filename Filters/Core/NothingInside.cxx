@@ -23,7 +23,11 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
     return "The surface is two-sided: its facets cancel in pairs. Give each once, leave one side "
            "out by NonParticipatingArrayName, or set ConstrainFacets to keep thin solids";
   }
-  if (least < -0.5 && SignedContent(hull.Mesh, hull.W) < 0)
+  // Beside sheets w may be anything between -1/2 and 1/2 for each: it tells no orientation.
+  const bool isAllSheets =
+    static_cast<Id>(hull.SheetTriangles.size()) + hull.Counts.DegenerateFacets ==
+    hull.Counts.InputTriangles;
+  if (!isAllSheets && least < -0.5 && SignedContent(hull.Mesh, hull.W) < 0)
   {
     return "The surface is inside out: set Orientation to Automatic, or to the other way";
   }
@@ -34,7 +38,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   {
     return "The graph cut smoothed away where w is above 1/2: set Gamma lower, 0 to keep it all";
   }
-  if (isClosed || least < -0.5)
+  if (!isAllSheets && (isClosed || least < -0.5))
   {
     return "The surface faces both ways, and its parts cancel: set Orientation to Automatic";
   }
@@ -42,7 +46,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
     ? "set CountDuplicates if its sheets are meant to add up, "
     : std::string();
   return "The surface is too open, w is nowhere above 1/2: close its largest holes, " + counting +
-    "or take a lower threshold of w";
+    "take a lower threshold of w, or set Thicken to give its sheets a width";
 }
 } // namespace
 

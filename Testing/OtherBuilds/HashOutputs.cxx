@@ -78,18 +78,18 @@ public:
 };
 
 /**
- * A ball that a box sticks in, of so many facets that no loop keeps to one thread: the image of a
- * grid by the inverse of the stereographic projection, which takes no function that processors or
- * libraries round differently. Open around a pole, or closed by a fan.
+ * A ball that a box sticks in: the image of a grid of `side` times `side` points by the inverse of
+ * the stereographic projection, which takes no function that processors or libraries round
+ * differently. Open around a pole, or closed by a fan.
  */
-TriangleSoup BallAndBox(bool closed)
+TriangleSoup BallAndBox(Id side, bool closed)
 {
-  constexpr Id side = 65;
+  const double step = 8.0 / (side - 1);
   TriangleSoup ball;
   for (Id i = 0; i < side * side; ++i)
   {
-    const double u = (i % side) / 8.0 - 4;
-    const double v = (i / side) / 8.0 - 4;
+    const double u = (i % side) * step - 4;
+    const double v = (i / side) * step - 4;
     const double scale = 1 / (1 + u * u + v * v);
     ball.Points.push_back({ 2 * u * scale, 2 * v * scale, 1 - 2 * scale });
   }
@@ -177,9 +177,10 @@ void PrintHashes(std::FILE* file, const std::string& name, const TriangleSoup& s
 } // namespace
 
 /**
- * HashOutputs FILE SURFACE...: writes a hash of what every stage makes of two balls, of random
- * soups and of the surface files. The same lines have to come from every compiler, with and without
- * optimization, and from any number of threads (OMP_NUM_THREADS).
+ * HashOutputs FILE [--small] SURFACE...: writes a hash of what every stage makes of balls, of
+ * random soups and of the surface files. The same lines have to come from every compiler, with and
+ * without optimization, and from any number of threads (OMP_NUM_THREADS). --small leaves out those
+ * of so many facets that no loop keeps to one thread, and all that take long.
  */
 int main(int argc, char** argv)
 {
@@ -189,11 +190,19 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "no file to write to\n");
     return 1;
   }
-  PrintHashes(file, "closed ball", BallAndBox(true));
-  PrintHashes(file, "open ball", BallAndBox(false));
-  PrintHashes(file, "grid soup", testmeshes::GridSoup(3, 60, 6));
-  PrintHashes(file, "random soup", testmeshes::RandomSoup(5, 40));
-  for (int i = 2; i < argc; ++i)
+  const bool small = argc > 2 && std::string(argv[2]) == "--small";
+  if (!small)
+  {
+    PrintHashes(file, "closed ball", BallAndBox(65, true));
+    PrintHashes(file, "open ball", BallAndBox(65, false));
+    PrintHashes(file, "grid soup", testmeshes::GridSoup(3, 60, 6));
+    PrintHashes(file, "random soup", testmeshes::RandomSoup(5, 40));
+  }
+  PrintHashes(file, "small closed ball", BallAndBox(17, true));
+  PrintHashes(file, "small open ball", BallAndBox(17, false));
+  PrintHashes(file, "small grid soup", testmeshes::GridSoup(3, 30, 6));
+  PrintHashes(file, "small random soup", testmeshes::RandomSoup(5, 15));
+  for (int i = small ? 3 : 2; i < argc; ++i)
   {
     const std::string path = argv[i];
     PrintHashes(file, path.substr(path.rfind('/') + 1), testmeshes::ReadTriangles(path));

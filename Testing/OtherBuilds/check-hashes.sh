@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# check-hashes.sh EXPECTED PROGRAM SURFACE...: whether a build of HashOutputs writes what the file says.
+# check-hashes.sh EXPECTED PROGRAM [--small] SURFACE...: whether a build of HashOutputs writes what the
+# file says; with --small, only lines that stand there.
 set -eu
 expected=$1
 program=$2
@@ -9,4 +10,8 @@ written=$(mktemp)
 trap 'rm "$written"' EXIT
 
 "$program" "$written" "$@"
-diff "$expected" "$written"
+
+case $1 in
+  --small) [ -s "$written" ] && ! grep -vxFf "$expected" "$written" ;;
+  *) diff "$expected" "$written" ;;
+esac

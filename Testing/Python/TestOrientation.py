@@ -185,6 +185,11 @@ class Verdict(unittest.TestCase):
             insideout.check(inside_out, orientation="as-given").verdict,
             "bounds no solid as it is oriented: it is inside out",
         )
+        one_turned = polydata(box_points(), [BOX_FACETS[0][::-1], *BOX_FACETS[1:]])
+        for orientation in ("as-given", "reverse"):
+            verdict = insideout.check(one_turned, orientation=orientation).verdict
+            self.assertTrue(verdict.startswith("bounds no solid as it is oriented: "), verdict)
+        self.assertIn("1 facet against those around", insideout.check(one_turned, orientation="as-given").verdict)
 
 
     def test_each_shell_has_its_volume(self):

@@ -217,8 +217,7 @@ SurfaceDefects FindSurfaceDefects(
   SurfaceDefects defects;
   defects.Counts = chain.Counts;
   defects.Planar = LiesInOnePlane(surface);
-  FacetComplex oriented = surface;
-  defects.Turns = OrientFacets(oriented, orientation, monitor);
+  defects.Turns = FindFacetTurns(surface, orientation, monitor);
   defects.Warnings = defects.Turns.Warnings;
 
   const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);

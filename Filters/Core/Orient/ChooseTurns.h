@@ -28,7 +28,7 @@ struct ShellTurns
  * So an inward shell within an outward one stays a cavity; both the wrong way round are turned as a
  * whole; and of two bodies that overlap only the one that is inside out is turned. Shells that no
  * region has in common are independent. Of up to `MostTried` that are not, all ways are looked at;
- * of more, shells are turned one by one, always the one that gains most, until none does.
+ * of more, shells are turned one by one, larger ones first, as long as one gains by it.
  *
  * Volumes that differ by less than a part of what they differ in are taken as equal, for they are
  * samples.

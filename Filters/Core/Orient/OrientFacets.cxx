@@ -178,10 +178,21 @@ std::vector<std::string> WarningsAbout(const FacetTurns& turns)
 }
 } // namespace
 
-FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor)
+FacetTurns FindFacetTurns(const FacetComplex& surface, Orientation orientation, Monitor& monitor)
 {
   monitor.Check(Stages::Orienting, 0);
   FacetTurns turns = ChooseFacets(surface, orientation, monitor);
+  if (orientation == Orientation::Automatic)
+  {
+    turns.Warnings = WarningsAbout(turns);
+  }
+  monitor.Check(Stages::Orienting, 1);
+  return turns;
+}
+
+FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor)
+{
+  FacetTurns turns = FindFacetTurns(surface, orientation, monitor);
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
     if (turns.Turned[f])
@@ -193,11 +204,6 @@ FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor&
       }
     }
   }
-  if (orientation == Orientation::Automatic)
-  {
-    turns.Warnings = WarningsAbout(turns);
-  }
-  monitor.Check(Stages::Orienting, 1);
   return turns;
 }
 

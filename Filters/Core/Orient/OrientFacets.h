@@ -39,9 +39,9 @@ struct FacetTurns
 };
 
 /**
- * Turn facets over, so that the winding number is that of the solid that is meant (thesis, section
- * 8.7, leaves this open). Multiplicity and Sources tell which way a facet faces; its corners stay
- * as they are. Facets may cross.
+ * Which facets to turn over, so that the winding number is that of the solid that is meant (thesis,
+ * section 8.7, leaves this open). Multiplicity and Sources tell which way a facet faces, not its
+ * corners. Facets may cross.
  *
  * Automatic first makes the facets of each shell agree (Shells.h), then chooses which shells to
  * turn (ChooseTurns.h) by the volumes that they enclose, holes capped (ShellChains.h,
@@ -50,6 +50,9 @@ struct FacetTurns
  *
  * @throws Error (Stopped)
  */
+FacetTurns FindFacetTurns(const FacetComplex& surface, Orientation orientation, Monitor& monitor);
+
+/** The same, and turn them. @param[in,out] surface Multiplicity and Sources change */
 FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor);
 
 /** The input triangles of facets that are marked, ascending. @param[in] marks one per facet */

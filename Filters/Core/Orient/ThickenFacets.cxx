@@ -3,6 +3,7 @@
 
 #include "Common/Box.h"
 #include "Common/DisjointSets.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "Orient/Shells.h"
 #include "Validate/CountedChain.h"
@@ -27,6 +28,7 @@ class Slab
 public:
   Slab(const FacetComplex& surface, std::vector<Id> facets)
     : Surface(surface)
+    , Scaled(ScaledPoints(surface.Points, -LargestExponent(surface.Points)))
     , Facets(std::move(facets))
     , Corners(3 * this->Facets.size())
     , IsRim(3 * this->Facets.size(), 1)
@@ -154,7 +156,7 @@ private:
   Point UnitNormal(std::size_t facet) const
   {
     const std::array<Point, 3> c =
-      CornersOf(this->Surface.Points, this->Surface.Facets[this->Facets[facet]]);
+      CornersOf(this->Scaled, this->Surface.Facets[this->Facets[facet]]);
     Point normal = NormalOf(c[0], c[1], c[2]);
     const double length = Length(normal) * (this->Turned[facet] ? -1 : 1);
     for (double& x : normal)
@@ -171,8 +173,7 @@ private:
     this->FacetsAt.assign(sums.size(), {});
     for (std::size_t i = 0; i < this->Facets.size(); ++i)
     {
-      const std::array<Point, 3> c =
-        CornersOf(this->Surface.Points, this->Surface.Facets[this->Facets[i]]);
+      const std::array<Point, 3> c = CornersOf(this->Scaled, this->Surface.Facets[this->Facets[i]]);
       const Point normal = this->UnitNormal(i);
       for (int k = 0; k < 3; ++k)
       {
@@ -215,6 +216,7 @@ private:
   }
 
   const FacetComplex& Surface;
+  const std::vector<Point> Scaled; // for angles and normals, which overflow nowhere then
   const std::vector<Id> Facets;
   DisjointSets Corners;    // corner k of facet i is 3 i + k
   std::vector<char> IsRim; // per edge, from corner k to k + 1

@@ -18,6 +18,9 @@ def verdict(statistics: Mapping[str, float]) -> str:
         return f"bounds no solid: {sheets}"
     if statistics["EnclosedVolume"] <= 0:
         return "bounds no solid as it is oriented: it is inside out"
+    if statistics["DisagreeingFacets"] > 0 and statistics["TurnedFacets"] in (0, statistics["Facets"]):
+        facets = counted(statistics["DisagreeingFacets"], "facet")
+        return f"bounds no solid as it is oriented: {facets} against those around"
     sentence = f"bounds a solid of volume {statistics['EnclosedVolume']:.6g}"
     if statistics["TurnedShells"] >= solids:
         sentence += " after it is turned over as a whole"

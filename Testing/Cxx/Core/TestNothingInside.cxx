@@ -85,6 +85,25 @@ TEST(NothingInside, KnowsASurfaceThatFacesBothWays)
     Cause(box, Orientation::AsGiven), "", "faces both ways", "set Orientation to Automatic");
 }
 
+TEST(NothingInside, DoesNotTakeSheetsForASurfaceThatIsInsideOut)
+{
+  // Above three that face up w is nearly -3/2, and turning them over would help nothing.
+  TriangleSoup soup;
+  for (const double z : { 0.0, 0.01, 0.02 })
+  {
+    TriangleSoup square;
+    square.Points = { { 0, 0, z }, { 1, 0, z }, { 1, 1, z }, { 0, 1, z + 0.001 } };
+    square.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+    soup = Join(soup, square);
+  }
+  soup =
+    Join(soup, { { { 0.4, 0.4, 0.5 }, { 0.6, 0.4, 0.5 }, { 0.5, 0.6, 0.6 } }, { { 0, 1, 2 } } });
+  const std::string text = Cause(soup);
+  EXPECT_EQ(text.find("inside out"), std::string::npos) << text;
+  EXPECT_NE(text.find("too open"), std::string::npos) << text;
+  EXPECT_NE(text.find("set Thicken"), std::string::npos) << text;
+}
+
 TEST(NothingInside, KnowsThatGammaIsTooLarge)
 {
   ExpectWords(

@@ -194,6 +194,33 @@ TEST(ThickenFacets, ComesFromTheFacetsAndPointsThatItThickens)
   }
 }
 
+TEST(ThickenFacets, DoesNotDependOnSize)
+{
+  const TriangleSoup bowl = Ball(12, -0.3);
+  Monitor monitor;
+  FacetComplex expected = CountFacets(bowl, {}, monitor).Surface;
+  const std::vector<char> isSheet(expected.Facets.size(), 1);
+  ThickenFacets(expected, isSheet, { 0.125, false }, monitor);
+  for (const double scale : { 0x1p-600, 0x1p+900 })
+  {
+    TriangleSoup scaled = bowl;
+    for (Point& p : scaled.Points)
+    {
+      p = { p[0] * scale, p[1] * scale, p[2] * scale };
+    }
+    FacetComplex surface = CountFacets(scaled, {}, monitor).Surface;
+    ThickenFacets(surface, isSheet, { 0.125 * scale, false }, monitor);
+    ASSERT_EQ(surface.Facets, expected.Facets);
+    for (std::size_t p = 0; p < surface.Points.size(); ++p)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_NEAR(surface.Points[p][axis] / scale, expected.Points[p][axis], 1e-14);
+      }
+    }
+  }
+}
+
 TEST(ThickenFacets, RefusesWidthsThatMakeNoSense)
 {
   Monitor monitor;
