@@ -79,12 +79,12 @@ std::vector<Id> ConstrainedMesh::SegmentsOf(const std::vector<Id>& facets) const
   return { segments.begin(), segments.end() };
 }
 
-std::vector<Id> ConstrainedMesh::SteinerPoints() const
+std::vector<Id> ConstrainedMesh::SteinerPoints(std::int64_t since) const
 {
   std::vector<Id> points;
   for (Id vertex = this->Mesh.Infinite() + 1; vertex < this->Mesh.Vertices().Size(); ++vertex)
   {
-    if (this->Mesh.HasVertex(vertex))
+    if (this->Mesh.HasVertex(vertex) && this->Mesh.LastChangeAround(vertex) > since)
     {
       points.push_back(vertex);
     }
@@ -133,6 +133,10 @@ void ConstrainedMesh::LetGo(const std::set<Id>& facets)
       if (facets.count(this->Mesh.Cell(cell).Facets[k]) > 0)
       {
         this->Mesh.SetFacet(cell, k, None);
+        for (const Id corner : this->Mesh.FaceCorners(cell, k))
+        {
+          this->Mesh.Touch(corner);
+        }
       }
     }
   }

@@ -32,8 +32,12 @@ public:
   /** The segments of facets, each once, ascending. */
   std::vector<Id> SegmentsOf(const std::vector<Id>& facets) const;
 
-  /** The Steiner points that are in the mesh, ascending. */
-  std::vector<Id> SteinerPoints() const;
+  /**
+   * The Steiner points that are in the mesh, ascending.
+   * @param[in] since without those around which nothing has changed since
+   *            (FlippableMesh::NumberOfChanges)
+   */
+  std::vector<Id> SteinerPoints(std::int64_t since) const;
 
   /** The facets that have one of the points, or a cell so many cells away from it. */
   std::set<Id> FacetsAround(const std::vector<Id>& points, int rings) const;

@@ -26,17 +26,7 @@ void PointDissolver::FindSupport(Id point)
 {
   this->Star.clear();
   this->Mesh.Star(point, this->Star);
-  this->Segment = None;
-  for (const Id cell : this->Star)
-  {
-    for (const Id corner : this->Mesh.Cell(cell).Corners)
-    {
-      if (this->Segment == None && corner != point)
-      {
-        this->Segment = this->Segments.Find(point, corner);
-      }
-    }
-  }
+  this->Segment = this->Segments.Around(point);
   if (this->Segment != None)
   {
     const std::array<Id, 2> ends = this->Segments.NeighborsOnPath(this->Segment, point);
@@ -150,9 +140,13 @@ bool PointDissolver::FindFans(Id point)
   return true;
 }
 
-/** Free pairs of faces between the segment's two halves: cells beyond them need not be seen. */
-void PointDissolver::AddSeparators(Id point)
+/**
+ * Free pairs of faces between the segment's two halves: cells beyond them need not be seen.
+ * @return whether there is any
+ */
+bool PointDissolver::AddSeparators(Id point)
 {
+  const std::size_t fans = this->Fans.size();
   EdgeRing before;
   EdgeRing behind;
   this->Mesh.Ring(point, this->Before, this->Mesh.FindEdge(point, this->Before), before);
@@ -168,6 +162,7 @@ void PointDissolver::AddSeparators(Id point)
       this->Fans.push_back({ None, { this->Before, p, this->Behind }, false, {} });
     }
   }
+  return this->Fans.size() > fans;
 }
 
 bool PointDissolver::IsWall(Id point, Id cell, int face) const
@@ -288,23 +283,24 @@ bool PointDissolver::TriangulateFans(Id point, int way)
 bool PointDissolver::FindSectors(Id point)
 {
   this->Sectors.clear();
-  std::vector<Id> sorted = this->Star;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<Id> sectorOf(sorted.size(), None);
-  const auto indexOf = [&sorted](Id cell)
-  { return std::lower_bound(sorted.begin(), sorted.end(), cell) - sorted.begin(); };
-  for (std::size_t seed = 0; seed < sorted.size(); ++seed)
+  this->SectorOf.resize(static_cast<std::size_t>(this->Mesh.NumberOfCells()));
+  for (const Id cell : this->Star)
   {
-    if (sectorOf[seed] != None)
+    this->SectorOf[cell] = None;
+  }
+  std::vector<Id> cells;
+  for (const Id seed : this->Star)
+  {
+    if (this->SectorOf[seed] != None)
     {
       continue;
     }
     const Id number = static_cast<Id>(this->Sectors.size());
     this->Sectors.emplace_back();
     Sector& sector = this->Sectors.back();
-    sector.IsInfinite = this->Mesh.IsInfinite(sorted[seed]);
-    sectorOf[seed] = number;
-    std::vector<Id> cells(1, sorted[seed]);
+    sector.IsInfinite = this->Mesh.IsInfinite(seed);
+    this->SectorOf[seed] = number;
+    cells.assign(1, seed);
     for (std::size_t next = 0; next < cells.size(); ++next)
     {
       const Id id = cells[next];
@@ -316,7 +312,7 @@ bool PointDissolver::FindSectors(Id point)
         {
           continue;
         }
-        Id& neighbors = sectorOf[indexOf(cell.Neighbors[k])];
+        Id& neighbors = this->SectorOf[cell.Neighbors[k]];
         if (neighbors == None && !this->IsWall(point, id, k))
         {
           neighbors = number;
@@ -326,7 +322,7 @@ bool PointDissolver::FindSectors(Id point)
     }
     SortUniquely(sector.Corners);
   }
-  return this->AddFanWalls(point, sorted, sectorOf);
+  return this->AddFanWalls(point);
 }
 
 /** A cell's face across from the point is a wall. */
@@ -343,14 +339,8 @@ void PointDissolver::AddOuterWall(Id point, Id cell, Sector& sector) const
 }
 
 /** Each fan is a wall of the sectors on its two sides, which must be two. */
-bool PointDissolver::AddFanWalls(
-  Id point, const std::vector<Id>& sortedStar, const std::vector<Id>& sectorOf)
+bool PointDissolver::AddFanWalls(Id point)
 {
-  const auto sectorOfCell = [&](Id cell)
-  {
-    return sectorOf[std::lower_bound(sortedStar.begin(), sortedStar.end(), cell) -
-      sortedStar.begin()];
-  };
   for (const Fan& fan : this->Fans)
   {
     Id cell;
@@ -360,14 +350,14 @@ bool PointDissolver::AddFanWalls(
       return false;
     }
     const Id other = this->Mesh.Cell(cell).Neighbors[face];
-    if (sectorOfCell(cell) == sectorOfCell(other))
+    if (this->SectorOf[cell] == this->SectorOf[other])
     {
       return false;
     }
     for (const Id side : { cell, other })
     {
       const bool even = IsEven(this->Mesh, side, point, fan.Points[0], fan.Points[1]);
-      std::vector<Triangle>& walls = this->Sectors[sectorOfCell(side)].Walls;
+      std::vector<Triangle>& walls = this->Sectors[this->SectorOf[side]].Walls;
       for (Triangle piece : fan.Pieces)
       {
         if (!even)
@@ -425,15 +415,14 @@ bool PointDissolver::Dissolve(Id point, VolumePoints volumePoints)
   this->FindSupport(point);
   for (const bool separate : { false, true })
   {
-    if (this->Star.empty() || (separate && this->Segment == None) || !this->FindFans(point))
+    if (this->Star.empty() || (separate && this->Segment == None) || !this->FindFans(point) ||
+      (separate && !this->AddSeparators(point)))
     {
       return false;
     }
-    if (separate)
-    {
-      this->AddSeparators(point);
-    }
-    for (int way = 0; way < WaysToTriangulate; ++way)
+    const bool oneWay = std::all_of(
+      this->Fans.begin(), this->Fans.end(), [](const Fan& fan) { return fan.Points.size() <= 3; });
+    for (int way = 0; way < (oneWay ? 1 : WaysToTriangulate); ++way)
     {
       if (this->TriangulateFans(point, way) && this->FindSectors(point) &&
         this->Fill(point, volumePoints))

@@ -40,14 +40,14 @@ private:
   void FindSupport(Id point);
   bool FindFans(Id point);
   bool FollowFan(Id point, bool onHull, Fan& fan) const;
-  void AddSeparators(Id point);
+  bool AddSeparators(Id point);
   bool IsHullFace(Id cell, int face) const;
   bool IsWall(Id point, Id cell, int face) const;
   bool TriangulateFans(Id point, int way);
   bool CutEars(Id off, int side, Fan& fan, int start) const;
   bool FindSectors(Id point);
   void AddOuterWall(Id point, Id cell, Sector& sector) const;
-  bool AddFanWalls(Id point, const std::vector<Id>& sortedStar, const std::vector<Id>& sectorOf);
+  bool AddFanWalls(Id point);
   bool Fill(Id point, VolumePoints volumePoints);
   void MarkPieces() const;
 
@@ -61,5 +61,6 @@ private:
   Id Behind = None;
   std::vector<Fan> Fans;
   std::vector<Sector> Sectors;
+  std::vector<Id> SectorOf; ///< per cell, which is told for those of Star only
 };
 } // namespace insideout

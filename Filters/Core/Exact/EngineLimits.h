@@ -41,15 +41,13 @@ struct EngineLimits
   static constexpr std::array<FlipEffort, 3> DeepFlips = { { { { -1, 10 }, 1, 40 },
     { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
 
-  /** For each of these: some ms, for the surfaces on which they do without any cut. What they do
-   * not get, cuts recover in less time. */
-  static constexpr std::int64_t WorkOnDeepFlips = 300000;
+  /** For each of these, per point and constraint, and at most: some ms, for the surfaces on which
+   * they do without any cut. What they do not get, cuts recover in less time. */
+  static constexpr std::int64_t DeepWorkPerElement = 250;
+  static constexpr std::int64_t MostWorkOnDeepFlips = 300000;
 
   /** Nearly all segments need fewer than ten flips, and some would go on for ever. */
   static constexpr int FlipsPerSegment = 50;
-
-  /** Crossings of a segment that are tried, after the first one from each end. */
-  static constexpr int CrossingsTried = 12;
 
   /** Passes over all edges that cross a facet: each leaves fewer, or other ones. */
   static constexpr int PassesPerFacet = 20;
@@ -86,8 +84,8 @@ struct EngineLimits
   /** Points are shaken so often without getting fewer. */
   static constexpr int ShakesWithoutGain = 12;
 
-  /** Steiner points that have places are shaken for one part in so many of the work so far, and
-   * some ms. */
+  /** Steiner points that have places are shaken for one part in so many of the work that this
+   * recovery took, and some ms. */
   static constexpr std::int64_t WorkPerShake = 10;
   static constexpr std::int64_t WorkOnShaking = 1000000;
 

@@ -86,6 +86,10 @@ struct Rows
   std::array<double, 3> Errors;
 };
 
+/** Double-doubles leave a normal and an offset all digits of a double where these are larger parts
+ * of what products of coordinates may be. */
+constexpr double LeastShare = 0x1p-45;
+
 /** Sizes between which products of three neither over- nor underflow. */
 constexpr double SmallestSize = 1e-90;
 constexpr double LargestSize = 1e90;
@@ -218,8 +222,7 @@ int ExactVertices::OrientExactly(const Tetrahedron& cell) const
   for (int k = 0; k < 4; ++k)
   {
     places[k] = this->Nearest(cell[k]);
-    const Id exact = this->ExactOf[cell[k]];
-    beyond[k] = exact == None ? Point{ { 0, 0, 0 } } : this->ExactPoints[exact].Beyond;
+    beyond[k] = this->Beyond(cell[k]);
   }
   Rows<double> rows;
   for (int k = 0; k < 3; ++k)
@@ -278,8 +281,55 @@ DyadicNumber ExactVertices::Determinant(Id a, Id b, Id c, Id d) const
     minor(0, 1, 3) * minor(2, 0, 2) - minor(0, 2, 3) * minor(2, 0, 1);
 }
 
+bool ExactVertices::FindPlane(Id a, Id b, Id c, const Point& origin, Plane& plane) const
+{
+  using Vector = std::array<DoubleDouble, 3>;
+  const auto difference = [this](Id p, const Point& from, const Point& fromBeyond) -> Vector
+  {
+    const Point place = this->Nearest(p);
+    const Point beyond = this->Beyond(p);
+    Vector result;
+    for (int k = 0; k < 3; ++k)
+    {
+      result[k] = TwoSum(place[k], -from[k]) + TwoSum(beyond[k], -fromBeyond[k]);
+    }
+    return result;
+  };
+  const auto size = [](const Vector& v) {
+    return std::max({ std::abs(v[0].High), std::abs(v[1].High), std::abs(v[2].High) });
+  };
+  const Vector ab = difference(b, this->Nearest(a), this->Beyond(a));
+  const Vector ac = difference(c, this->Nearest(a), this->Beyond(a));
+  const Point zero = { { 0, 0, 0 } };
+  const Vector fromOrigin = difference(a, origin, zero);
+  Vector normal;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int y = (k + 1) % 3;
+    const int z = (k + 2) % 3;
+    normal[k] = ab[y] * ac[z] - ab[z] * ac[y];
+    plane.Normal[k] = normal[k].High;
+  }
+  plane.Offset =
+    (normal[0] * fromOrigin[0] + normal[1] * fromOrigin[1] + normal[2] * fromOrigin[2]).High;
+  this->Budget->Spend(WorkOfDoubleDoubles);
+  // Coordinates are wrong by some 2^-104 of their size, and so are differences of them.
+  const double coordinate = size(difference(a, zero, zero)) + size(ab) + size(ac);
+  const double side = std::max(size(ab), size(ac));
+  const double ofNormal = coordinate * side;
+  const double ofOffset = coordinate * (side * size(fromOrigin) + size(ab) * size(ac));
+  return std::min(size(ab) * size(ac), ofOffset) > SmallestSize &&
+    std::max(ofNormal, ofOffset) < LargestSize && size(normal) > LeastShare * ofNormal &&
+    std::abs(plane.Offset) > LeastShare * ofOffset;
+}
+
 ExactVertices::Plane ExactVertices::PlaneThrough(Id a, Id b, Id c, const Point& origin) const
 {
+  Plane plane;
+  if (this->FindPlane(a, b, c, origin, plane))
+  {
+    return plane;
+  }
   std::array<std::array<DyadicNumber, 4>, 3> m = { { this->CoordinatesOf(a), this->CoordinatesOf(b),
     this->CoordinatesOf(c) } };
   for (std::array<DyadicNumber, 4>& row : m)
@@ -291,7 +341,6 @@ ExactVertices::Plane ExactVertices::PlaneThrough(Id a, Id b, Id c, const Point& 
   }
   const auto minor = [&m](int i, int j, int column, int other) -> DyadicNumber
   { return m[i][column] * m[j][other] - m[i][other] * m[j][column]; };
-  Plane plane;
   for (int k = 0; k < 3; ++k)
   {
     const int y = (k + 1) % 3;
@@ -303,6 +352,12 @@ ExactVertices::Plane ExactVertices::PlaneThrough(Id a, Id b, Id c, const Point& 
     m[0][0] * minor(1, 2, 1, 2) + m[0][1] * minor(1, 2, 2, 0) + m[0][2] * minor(1, 2, 0, 1)));
   this->Budget->Spend(WorkOfExactPredicate);
   return plane;
+}
+
+Point ExactVertices::Beyond(Id vertex) const
+{
+  const Id exact = this->ExactOf[vertex];
+  return exact == None ? Point{ { 0, 0, 0 } } : this->ExactPoints[exact].Beyond;
 }
 
 Point ExactVertices::Nearest(Id vertex) const

@@ -80,6 +80,10 @@ public:
 
   void MoveTo(Id vertex, const Point& point);
 
+  /** Forget the exact coordinates of vertices that are not in use: they are long. */
+  template <typename IsInUse>
+  void ForgetExactly(const IsInUse& isInUse);
+
 private:
   struct ExactPoint
   {
@@ -87,6 +91,12 @@ private:
     std::array<double, 3> Beyond; ///< to be added to the place in doubles
     Span Within;
   };
+
+  /** What is to be added to the place in doubles. */
+  Point Beyond(Id vertex) const;
+
+  /** PlaneThrough in double-doubles. @return whether these have digits enough */
+  bool FindPlane(Id a, Id b, Id c, const Point& origin, Plane& plane) const;
 
   std::array<DyadicNumber, 4> CoordinatesOf(Id vertex) const;
   bool AreInOnePlane(const Tetrahedron& cell) const;
@@ -97,6 +107,26 @@ private:
   std::vector<ExactPoint> ExactPoints;
   WorkBudget* Budget;
 };
+
+template <typename IsInUse>
+void ExactVertices::ForgetExactly(const IsInUse& isInUse)
+{
+  std::vector<ExactPoint> kept;
+  for (Id vertex = 0; vertex < this->Size(); ++vertex)
+  {
+    Id& exact = this->ExactOf[vertex];
+    if (exact != None && isInUse(vertex))
+    {
+      kept.push_back(std::move(this->ExactPoints[exact]));
+      exact = static_cast<Id>(kept.size() - 1);
+    }
+    else
+    {
+      exact = None;
+    }
+  }
+  this->ExactPoints = std::move(kept);
+}
 
 inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
 {

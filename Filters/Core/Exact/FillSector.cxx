@@ -14,8 +14,14 @@ namespace
 /** Steps towards a point that sees all walls of a sector from within. */
 constexpr int StepsInward = 120;
 
+/** A step that is so much shorter than the distance to the nearest wall gains little. */
+constexpr double LeastStep = 1.0 / 16;
+
 /** Each step is so much shorter than the last. */
 constexpr double StepRatio = 0.9;
+
+/** So many distances to walls are found in the time of a predicate. */
+constexpr std::int64_t DistancesPerWork = 8;
 
 /** A way out of a corner is good enough at this angle (its sine) to the walls. */
 constexpr double LeastRise = 0.05;
@@ -46,6 +52,13 @@ struct HalfSpaces
   std::vector<Eigen::Vector3d> Normals;
   std::vector<double> Distances; ///< of the point, negative outside
   double Size = 0;               ///< the largest distance of a corner
+
+  /** How many walls the point is nearer to than `near`. */
+  std::ptrdiff_t CountNear(double near) const
+  {
+    return std::count_if(this->Distances.begin(), this->Distances.end(),
+      [near](double distance) { return distance < near; });
+  }
 
   /** The distance to the nearest wall from a place, negative outside; and which wall it is. */
   double Clearance(const Eigen::Vector3d& x, std::size_t& nearest) const
@@ -79,6 +92,10 @@ Eigen::Vector3d WalkInward(const HalfSpaces& walls)
     {
       most = clearance;
       best = x;
+    }
+    if (step < LeastStep * most)
+    {
+      break;
     }
     x += step * walls.Normals[nearest];
     step *= StepRatio;
@@ -169,8 +186,17 @@ Id SectorFiller::NewApex(const Sector& sector, const Point& inside) const
   {
     return None;
   }
+  std::ptrdiff_t nearBefore = -1;
   for (const double near : { -1.0, 1e-3, 1e-6, 1e-9, 1e-12 })
   {
+    const std::ptrdiff_t isNear = near < 0 ? -1 : walls.CountNear(near * walls.Size);
+    if (near > 0 && isNear == nearBefore)
+    {
+      continue; // the same walls, and so the same place again
+    }
+    nearBefore = isNear;
+    this->Mesh.Work().Spend(
+      StepsInward * static_cast<std::int64_t>(walls.Normals.size()) / DistancesPerWork);
     Eigen::Vector3d place = near < 0 ? WalkInward(walls) : LeaveNearWalls(walls, near * walls.Size);
     std::size_t nearest = 0;
     const double clearance = walls.Clearance(place, nearest);

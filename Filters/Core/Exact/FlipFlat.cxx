@@ -167,7 +167,8 @@ bool FlatFlipper::MakeEdge(Id a, Id b)
   }
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
   std::size_t flips = EngineLimits::FlatFlipsPerCrossing * crossed.size();
-  while (!crossed.empty() && flips > 0)
+  std::size_t failed = 0; // since the last flip that was done
+  while (failed < crossed.size() && flips > 0)
   {
     --flips;
     const auto [u, v] = crossed.front();
@@ -177,8 +178,11 @@ bool FlatFlipper::MakeEdge(Id a, Id b)
     if (!this->Flip(u, v, VolumePoints::AsNeeded, p, q))
     {
       crossed.push_back({ u, v });
+      ++failed;
+      continue;
     }
-    else if (target.CostOfEdge(p, q) > 0)
+    failed = 0;
+    if (target.CostOfEdge(p, q) > 0)
     {
       crossed.push_back({ p, q });
     }

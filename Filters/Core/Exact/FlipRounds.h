@@ -4,6 +4,7 @@
 #include "Common/Monitor.h"
 #include "Exact/EngineLimits.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -57,7 +58,8 @@ std::vector<Id> RecoverInRounds(std::vector<Id> missing, const FlippableMesh& me
   {
     if (!mesh.Work().IsUsedUp())
     {
-      round(effort, EngineLimits::WorkOnDeepFlips);
+      round(effort,
+        std::min(EngineLimits::MostWorkOnDeepFlips, EngineLimits::DeepWorkPerElement * elements));
     }
   }
   return missing;

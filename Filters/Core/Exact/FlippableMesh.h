@@ -129,6 +129,12 @@ public:
   Id AddVertexBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b,
     const ExactVertices::Span& span);
 
+  /** Forget what is needed no more of vertices in no cell, so that a copy of the mesh is small. */
+  void ForgetUnused()
+  {
+    this->AllVertices.ForgetExactly([this](Id vertex) { return this->HasVertex(vertex); });
+  }
+
   /** Give a vertex another place, where all cells around it have to stay positive. */
   void MoveVertex(Id vertex, const Point& place) { this->AllVertices.MoveTo(vertex, place); }
 
@@ -137,11 +143,14 @@ public:
   bool IsMarked(Id cell) const { return this->Marks[cell] == this->Epoch; }
   void Mark(Id cell) const { this->Marks[cell] = this->Epoch; }
 
-  /** How many times Replace was called. */
+  /** How many times Replace or Touch was called. */
   std::int64_t NumberOfChanges() const { return this->Changes; }
 
   /** What NumberOfChanges was after the last change of the cells around a vertex. */
   std::int64_t LastChangeAround(Id vertex) const { return this->ChangeAround[vertex]; }
+
+  /** Take what is around a vertex as changed, where no cell but a constraint has. */
+  void Touch(Id vertex) { this->ChangeAround[vertex] = ++this->Changes; }
 
 private:
   struct PendingFace

@@ -5,27 +5,20 @@
 
 namespace insideout
 {
-PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& segments, Id vertex)
+PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& segments, Id point)
 {
   PointSupport support;
+  support.Segment = segments.Around(point);
   std::vector<Id> star;
-  mesh.Star(vertex, star);
+  mesh.Star(point, star);
   for (const Id id : star)
   {
     const FlippableCell& cell = mesh.Cell(id);
     for (int k = 0; k < 4; ++k)
     {
-      if (cell.Corners[k] == vertex)
-      {
-        continue;
-      }
-      if (cell.Facets[k] != None)
+      if (cell.Corners[k] != point && cell.Facets[k] != None)
       {
         support.Facets.push_back(cell.Facets[k]);
-      }
-      if (support.Segment == None)
-      {
-        support.Segment = segments.Find(vertex, cell.Corners[k]);
       }
     }
   }

@@ -6,12 +6,12 @@
 
 namespace insideout
 {
-/** What of the surface a vertex lies on. */
+/** What of the surface a Steiner point lies on. */
 struct PointSupport
 {
-  Id Segment = None;      ///< one that the vertex is within or an end of, None for none
-  std::vector<Id> Facets; ///< whose faces have the vertex, ascending
+  Id Segment = None;      ///< that the point is within, None for none
+  std::vector<Id> Facets; ///< whose faces have the point, ascending
 };
 
-PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& segments, Id vertex);
+PointSupport FindPointSupport(const FlippableMesh& mesh, const SegmentTable& segments, Id point);
 } // namespace insideout

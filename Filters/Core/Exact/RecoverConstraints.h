@@ -30,15 +30,16 @@ public:
    * @param[in] facets that are not there, in the order in which they are tried
    * @param[in] from the end of segments at which Steiner points begin
    * @param[in] maySplitBeside as in PointRounder::RoundAll
+   * @param[in] since Steiner points around which nothing has changed since stay as they are
    * @param[in,out] givenUp gains the facets that were given up
    * @return whether all Steiner points have places; if not, the mesh is good for nothing
    */
   bool RecoverAndRound(const std::vector<Id>& facets, SegmentRecovery::From from,
-    bool maySplitBeside, std::set<Id>& givenUp);
+    bool maySplitBeside, std::int64_t since, std::set<Id>& givenUp);
 
 private:
-  void Recover(std::vector<Id> missing, SegmentRecovery::From from);
-  void ShakeOff(SteinerPoints& steiner);
+  void Recover(std::vector<Id> missing, SegmentRecovery::From from, std::int64_t since);
+  void ShakeOff(SteinerPoints& steiner, std::int64_t since, std::int64_t workBefore);
 
   ConstrainedMesh& Constrained;
   std::mt19937& Random;

@@ -19,6 +19,7 @@ void LostFacetRecovery::Recover(const std::vector<Point>& points, SegmentRecover
     ? std::set<Id>()
     : FacetsThatCross(points, this->Constrained.Facets, this->Progress);
   std::vector<Id> wanted = Without(hopeless, lost);
+  this->Constrained.Mesh.ForgetUnused();
   for (int tries = 0; !wanted.empty() && work.Spent() - begin < mostWork && !work.IsUsedUp();
        ++tries)
   {
@@ -101,15 +102,16 @@ bool LostFacetRecovery::Recreate(
 {
   FlippableMesh& mesh = this->Constrained.Mesh;
   SegmentTable& segments = this->Constrained.Segments;
+  const std::int64_t since = mesh.NumberOfChanges();
   this->Constrained.LetGo({ ruins.begin(), ruins.end() });
-  SteinerPoints(mesh, segments, this->Progress).Tidy(mesh.Infinite() + 1);
+  SteinerPoints(mesh, segments, this->Progress).Tidy(mesh.Infinite() + 1, since);
   this->ShakeCorners(ruins);
   for (const Id segment : this->Constrained.SegmentsOf(ruins))
   {
     segments.Restore(segment);
   }
   std::set<Id> givenUp;
-  return this->Recovery.RecoverAndRound(ruins, from, maySplitBeside, givenUp);
+  return this->Recovery.RecoverAndRound(ruins, from, maySplitBeside, since, givenUp);
 }
 
 /** Other cells around facets to begin with: else flips would go the same way again. */

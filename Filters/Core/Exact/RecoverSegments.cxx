@@ -76,7 +76,7 @@ bool SegmentRecovery::Clear(
   return false;
 }
 
-/** Take away something that the segment crosses: from one end, from the other, anywhere. */
+/** Take away something that the segment crosses: from one end, or else from the other. */
 bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipEffort& effort)
 {
   const std::int64_t before = this->Mesh.NumberOfChanges();
@@ -95,22 +95,7 @@ bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipE
   {
     return false;
   }
-  if (this->Clear(last, target, effort) || changed())
-  {
-    return true;
-  }
-  Crossing crossing = NextCrossing(this->Mesh, a, b, first);
-  for (int k = 0; k < EngineLimits::CrossingsTried &&
-       (crossing.Kind == Crossing::ThroughFace || crossing.Kind == Crossing::ThroughEdge);
-       ++k)
-  {
-    if (this->Clear(crossing, target, effort) || changed())
-    {
-      return true;
-    }
-    crossing = NextCrossing(this->Mesh, a, b, crossing);
-  }
-  return false;
+  return this->Clear(last, target, effort) || changed();
 }
 
 bool SegmentRecovery::Recover(Id a, Id b, const FlipEffort& effort)

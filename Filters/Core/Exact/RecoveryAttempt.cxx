@@ -23,7 +23,7 @@ bool RecoveryAttempt::Run(SegmentRecovery::From from)
   std::vector<Id> all(this->Constrained.Facets.size());
   std::iota(all.begin(), all.end(), 0);
   ConstraintRecovery recovery(this->Constrained, this->Random, this->Progress);
-  if (!recovery.RecoverAndRound(all, from, false, this->GivenUp))
+  if (!recovery.RecoverAndRound(all, from, false, -1, this->GivenUp))
   {
     return false;
   }

@@ -175,7 +175,8 @@ void PointRounder::SplitBeside(const std::vector<Id>& points, std::mt19937& rand
 
 // --- All together --------------------------------------------------------------------------------
 
-std::vector<Id> PointRounder::RoundAll(bool maySplitBeside, std::mt19937& random)
+std::vector<Id> PointRounder::RoundAll(
+  bool maySplitBeside, std::int64_t since, std::mt19937& random)
 {
   const Id first = this->Mesh.Infinite() + 1;
   std::vector<Id> left = this->Round();
@@ -183,7 +184,7 @@ std::vector<Id> PointRounder::RoundAll(bool maySplitBeside, std::mt19937& random
   while (!left.empty() && left.size() < before)
   {
     before = left.size();
-    this->Steiner.Tidy(first);
+    this->Steiner.Tidy(first, since);
     left = this->Round();
   }
   int patience = EngineLimits::ShakesWithoutGain;
@@ -203,7 +204,7 @@ std::vector<Id> PointRounder::RoundAll(bool maySplitBeside, std::mt19937& random
   }
   if (isSplit && left.empty())
   {
-    this->Steiner.Tidy(first);
+    this->Steiner.Tidy(first, since);
     left = this->Round();
   }
   return left;

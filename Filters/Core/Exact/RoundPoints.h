@@ -31,9 +31,10 @@ public:
    * Round all points that can be, and try to do without those that cannot, first in order and then
    * at random, as long as there get fewer.
    * @param[in] maySplitBeside whether further points may come in the end (SplitBeside)
+   * @param[in] since as for SteinerPoints::Tidy
    * @return the ones that are left
    */
-  std::vector<Id> RoundAll(bool maySplitBeside, std::mt19937& random);
+  std::vector<Id> RoundAll(bool maySplitBeside, std::int64_t since, std::mt19937& random);
 
   /** Round each point at the first of its places that will do. @return the ones that are left */
   std::vector<Id> Round();

@@ -2,30 +2,76 @@
 #include "Exact/SegmentTable.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace insideout
 {
 SegmentTable::SegmentTable(const std::vector<Triangle>& facets)
 {
-  this->OfEdge.reserve(2 * facets.size());
-  this->Segments.reserve(facets.size());
+  const auto given = std::make_shared<GivenEdges>();
+  Id vertices = 0;
   for (const Triangle& facet : facets)
   {
-    std::array<Id, 3> segments;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Id u = facet[k];
-      const Id v = facet[(k + 1) % 3];
-      const std::array<Id, 2> ends = { { std::min(u, v), std::max(u, v) } };
-      const auto inserted = this->OfEdge.insert({ Key(ends[0], ends[1]), this->Size() });
-      if (inserted.second)
-      {
-        this->Ends.push_back(ends);
-      }
-      segments[k] = inserted.first->second;
-    }
-    this->Segments.push_back(segments);
+    vertices = std::max({ vertices, facet[0] + 1, facet[1] + 1, facet[2] + 1 });
   }
+  // Of edges between the same two vertices the first gives the segment its number.
+  struct Side
+  {
+    Id HigherEnd;
+    std::size_t Number;
+  };
+  Buckets<Side> sides(static_cast<std::size_t>(vertices),
+    [&facets](const auto& visit)
+    {
+      for (std::size_t number = 0; number < 3 * facets.size(); ++number)
+      {
+        const Id u = facets[number / 3][number % 3];
+        const Id v = facets[number / 3][(number % 3 + 1) % 3];
+        visit(static_cast<std::size_t>(std::min(u, v)), Side{ std::max(u, v), number });
+      }
+    });
+  std::vector<std::size_t> firstSide(3 * facets.size());
+  for (std::size_t low = 0; low < sides.Size(); ++low)
+  {
+    sides.Sort(low,
+      [](const Side& a, const Side& b)
+      { return std::tie(a.HigherEnd, a.Number) < std::tie(b.HigherEnd, b.Number); });
+    const Side* first = sides[low].begin();
+    for (const Side& side : sides[low])
+    {
+      first = side.HigherEnd == first->HigherEnd ? first : &side;
+      firstSide[side.Number] = first->Number;
+    }
+  }
+  given->OfFacets.resize(facets.size());
+  for (std::size_t number = 0; number < firstSide.size(); ++number)
+  {
+    const std::size_t first = firstSide[number];
+    if (first == number)
+    {
+      const Id u = facets[number / 3][number % 3];
+      const Id v = facets[number / 3][(number % 3 + 1) % 3];
+      given->OfFacets[number / 3][number % 3] = static_cast<Id>(given->Ends.size());
+      given->Ends.push_back({ { std::min(u, v), std::max(u, v) } });
+    }
+    given->OfFacets[number / 3][number % 3] = given->OfFacets[first / 3][first % 3];
+  }
+  given->ByLowerEnd = Buckets<HigherEnd>(static_cast<std::size_t>(vertices),
+    [&given](const auto& visit)
+    {
+      for (std::size_t s = 0; s < given->Ends.size(); ++s)
+      {
+        visit(static_cast<std::size_t>(given->Ends[s][0]),
+          HigherEnd{ given->Ends[s][1], static_cast<Id>(s) });
+      }
+    });
+  for (std::size_t low = 0; low < given->ByLowerEnd.Size(); ++low)
+  {
+    given->ByLowerEnd.Sort(
+      low, [](const HigherEnd& a, const HigherEnd& b) { return a.Vertex < b.Vertex; });
+  }
+  this->IsWhole.assign(given->Ends.size(), 1);
+  this->Given = given;
 }
 
 std::uint64_t SegmentTable::Key(Id u, Id v)
@@ -36,19 +82,35 @@ std::uint64_t SegmentTable::Key(Id u, Id v)
 
 Id SegmentTable::Find(Id u, Id v) const
 {
-  const auto found = this->OfEdge.find(Key(u, v));
-  return found == this->OfEdge.end() ? None : found->second;
+  const Id vertices = static_cast<Id>(this->Given->ByLowerEnd.Size());
+  if (u >= vertices || v >= vertices)
+  {
+    const auto piece = this->OfPiece.find(Key(u, v));
+    return piece == this->OfPiece.end() ? None : piece->second;
+  }
+  const auto ends = this->Given->ByLowerEnd[static_cast<std::size_t>(std::min(u, v))];
+  const HigherEnd* const found = std::lower_bound(ends.begin(), ends.end(), std::max(u, v),
+    [](const HigherEnd& end, Id vertex) { return end.Vertex < vertex; });
+  return found != ends.end() && found->Vertex == std::max(u, v) && this->IsWhole[found->Segment]
+    ? found->Segment
+    : None;
+}
+
+Id SegmentTable::Around(Id steiner) const
+{
+  const auto found = this->OfPoint.find(steiner);
+  return found == this->OfPoint.end() ? None : found->second;
 }
 
 std::vector<Id> SegmentTable::Path(Id segment) const
 {
-  std::vector<Id> path(1, this->Ends[segment][0]);
+  std::vector<Id> path(1, this->EndsOf(segment)[0]);
   const auto inner = this->Inner.find(segment);
   if (inner != this->Inner.end())
   {
     path.insert(path.end(), inner->second.begin(), inner->second.end());
   }
-  path.push_back(this->Ends[segment][1]);
+  path.push_back(this->EndsOf(segment)[1]);
   return path;
 }
 
@@ -59,9 +121,11 @@ void SegmentTable::Split(Id segment, Id u, Id v, Id steiner)
     std::min(std::find(path.begin(), path.end(), u), std::find(path.begin(), path.end(), v));
   std::vector<Id>& inner = this->Inner[segment];
   inner.insert(inner.begin() + (at - path.begin()), steiner);
-  this->OfEdge.erase(Key(u, v));
-  this->OfEdge[Key(u, steiner)] = segment;
-  this->OfEdge[Key(steiner, v)] = segment;
+  this->OfPoint[steiner] = segment;
+  this->IsWhole[segment] = 0;
+  this->OfPiece.erase(Key(u, v));
+  this->OfPiece[Key(u, steiner)] = segment;
+  this->OfPiece[Key(steiner, v)] = segment;
 }
 
 void SegmentTable::Join(Id segment, Id steiner)
@@ -69,32 +133,38 @@ void SegmentTable::Join(Id segment, Id steiner)
   const std::array<Id, 2> ends = this->NeighborsOnPath(segment, steiner);
   std::vector<Id>& inner = this->Inner[segment];
   inner.erase(std::find(inner.begin(), inner.end(), steiner));
-  if (inner.empty())
+  this->OfPoint.erase(steiner);
+  this->OfPiece.erase(Key(ends[0], steiner));
+  this->OfPiece.erase(Key(steiner, ends[1]));
+  if (!inner.empty())
   {
-    this->Inner.erase(segment);
+    this->OfPiece[Key(ends[0], ends[1])] = segment;
+    return;
   }
-  this->OfEdge.erase(Key(ends[0], steiner));
-  this->OfEdge.erase(Key(steiner, ends[1]));
-  this->OfEdge[Key(ends[0], ends[1])] = segment;
+  this->Inner.erase(segment);
+  this->IsWhole[segment] = 1;
 }
 
 void SegmentTable::Release(Id segment)
 {
+  this->IsWhole[segment] = 0;
+  const auto inner = this->Inner.find(segment);
+  if (inner == this->Inner.end())
+  {
+    return;
+  }
   const std::vector<Id> path = this->Path(segment);
   for (std::size_t k = 1; k < path.size(); ++k)
   {
-    this->OfEdge.erase(Key(path[k - 1], path[k]));
+    this->OfPiece.erase(Key(path[k - 1], path[k]));
+    this->OfPoint.erase(path[k]);
   }
-  this->Inner.erase(segment);
+  this->Inner.erase(inner);
 }
 
 void SegmentTable::Restore(Id segment)
 {
-  const std::array<Id, 2>& ends = this->Ends[segment];
-  if (this->Inner.count(segment) == 0)
-  {
-    this->OfEdge[Key(ends[0], ends[1])] = segment;
-  }
+  this->IsWhole[segment] = this->Inner.count(segment) == 0 ? 1 : 0;
 }
 
 std::array<Id, 2> SegmentTable::NeighborsOnPath(Id segment, Id steiner) const

@@ -1,32 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
 #include "Common/Types.h"
 
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 namespace insideout
 {
-/** The edges of facets, each once, and where Steiner points split them. */
+/**
+ * The edges of facets, each once, and where Steiner points split them. Steiner points have higher
+ * ids than all corners of facets. Copies share what never changes.
+ */
 class SegmentTable
 {
 public:
   explicit SegmentTable(const std::vector<Triangle>& facets);
 
-  Id Size() const { return static_cast<Id>(this->Ends.size()); }
+  Id Size() const { return static_cast<Id>(this->Given->Ends.size()); }
 
   /** The lower end first. */
-  const std::array<Id, 2>& EndsOf(Id segment) const { return this->Ends[segment]; }
+  const std::array<Id, 2>& EndsOf(Id segment) const { return this->Given->Ends[segment]; }
 
   /** The segment of edge k of a facet, which runs from corner k to the next. */
-  Id OfFacet(Id facet, int k) const { return this->Segments[facet][k]; }
+  Id OfFacet(Id facet, int k) const { return this->Given->OfFacets[facet][k]; }
 
   /** The segment that an edge is (a piece of), None for none. */
   Id Find(Id u, Id v) const;
 
   /** All points from end to end. */
   std::vector<Id> Path(Id segment) const;
+
+  /** The segment that a Steiner point lies within, None for none. */
+  Id Around(Id steiner) const;
 
   /** Insert a Steiner point between two neighbors on the segment. */
   void Split(Id segment, Id u, Id v, Id steiner);
@@ -46,9 +54,22 @@ public:
 private:
   static std::uint64_t Key(Id u, Id v);
 
-  std::vector<std::array<Id, 2>> Ends;
-  std::vector<std::array<Id, 3>> Segments;
-  std::unordered_map<std::uint64_t, Id> OfEdge;
+  struct HigherEnd
+  {
+    Id Vertex;
+    Id Segment;
+  };
+  struct GivenEdges
+  {
+    std::vector<std::array<Id, 2>> Ends;
+    std::vector<std::array<Id, 3>> OfFacets;
+    Buckets<HigherEnd> ByLowerEnd; ///< ascending
+  };
+
+  std::shared_ptr<const GivenEdges> Given;
+  std::vector<char> IsWhole; ///< per segment: it is there, and no Steiner point on it
+  std::unordered_map<std::uint64_t, Id> OfPiece; ///< the segments of edges at Steiner points
   std::unordered_map<Id, std::vector<Id>> Inner; ///< Steiner points of the segments that have some
+  std::unordered_map<Id, Id> OfPoint;            ///< and the segment of each of these points
 };
 } // namespace insideout

@@ -46,11 +46,11 @@ bool SteinerPoints::Collapse(Id point)
     [&](Id neighbor) { return this->Mover.Collapse(point, neighbor); });
 }
 
-void SteinerPoints::Remove(Id first)
+void SteinerPoints::Remove(Id first, std::int64_t since)
 {
   // What failed once is tried again only when something around has changed.
   std::vector<std::int64_t> triedAt(
-    static_cast<std::size_t>(this->Mesh.Vertices().Size() - first), -1);
+    static_cast<std::size_t>(this->Mesh.Vertices().Size() - first), since);
   std::size_t tried = 0;
   std::size_t removed = 1;
   for (int pass = 0;
@@ -61,10 +61,10 @@ void SteinerPoints::Remove(Id first)
     for (Id point = this->Mesh.Vertices().Size() - 1;
          point >= first && !this->Mesh.Work().IsUsedUp(); --point)
     {
-      this->Progress.Check(Phases::RemovingPoints, 0);
       if (this->Mesh.HasVertex(point) &&
         this->Mesh.LastChangeAround(point) > triedAt[point - first])
       {
+        this->Progress.Check(Phases::RemovingPoints, 0);
         ++tried;
         removed += this->RemoveOne(point) ? 1 : 0;
         triedAt[point - first] = this->Mesh.NumberOfChanges();
@@ -73,10 +73,10 @@ void SteinerPoints::Remove(Id first)
   }
 }
 
-void SteinerPoints::Tidy(Id first)
+void SteinerPoints::Tidy(Id first, std::int64_t since)
 {
-  this->MoveIntoVolume(first);
-  this->Remove(first);
+  this->MoveIntoVolume(first, since);
+  this->Remove(first, since);
 }
 
 void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
@@ -84,12 +84,17 @@ void SteinerPoints::FlipAround(Id vertex, std::mt19937& random)
   const FlipTarget nothing(this->Mesh);
   std::vector<Id> star;
   this->Mesh.Star(vertex, star);
+  std::int64_t starAt = this->Mesh.NumberOfChanges();
   const std::size_t tries =
     std::min(EngineLimits::FlipsPerCell * star.size(), std::size_t(EngineLimits::FlipsPerShake));
   for (std::size_t k = 0; k < tries; ++k)
   {
-    star.clear();
-    this->Mesh.Star(vertex, star);
+    if (this->Mesh.LastChangeAround(vertex) > starAt)
+    {
+      star.clear();
+      this->Mesh.Star(vertex, star);
+      starAt = this->Mesh.NumberOfChanges();
+    }
     const Id cell = star[random() % star.size()];
     const int i = static_cast<int>(random() % 4);
     const int j = static_cast<int>(i + 1 + random() % 3) % 4;
@@ -118,14 +123,14 @@ void SteinerPoints::Shake(const std::vector<Id>& points, std::mt19937& random)
   }
 }
 
-void SteinerPoints::MoveIntoVolume(Id first)
+void SteinerPoints::MoveIntoVolume(Id first, std::int64_t since)
 {
   for (Id point = this->Mesh.Vertices().Size() - 1; point >= first && !this->Mesh.Work().IsUsedUp();
        --point)
   {
-    this->Progress.Check(Phases::MovingPoints, 0);
-    if (this->Mesh.HasVertex(point))
+    if (this->Mesh.HasVertex(point) && this->Mesh.LastChangeAround(point) > since)
     {
+      this->Progress.Check(Phases::MovingPoints, 0);
       this->Dissolver.Dissolve(point, VolumePoints::AsNeeded);
     }
   }

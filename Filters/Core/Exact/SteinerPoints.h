@@ -36,12 +36,14 @@ public:
   /**
    * Of the Steiner points from `first` on, replace those on facets by points beside them, where the
    * mesh cannot do without, and then remove what it can do without: in the volume that is more.
+   * @param[in] since points around which nothing has changed since (FlippableMesh::NumberOfChanges)
+   *            stay as they are
    */
-  void Tidy(Id first);
+  void Tidy(Id first, std::int64_t since = -1);
 
 private:
-  void MoveIntoVolume(Id first);
-  void Remove(Id first);
+  void MoveIntoVolume(Id first, std::int64_t since);
+  void Remove(Id first, std::int64_t since);
   bool RemoveOne(Id point);
   bool Collapse(Id point);
   void LowerDegree(Id point);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -132,7 +133,115 @@ int CheckOrientations(unsigned seed, int exponents)
   }
   return coplanar;
 }
+
+/** Expect the plane that exact determinants tell, to a few units in the last place. */
+void ExpectPlane(Vertices& vertices, const Triangle& v, const Point& origin)
+{
+  ExactVertices& exact = vertices.Get();
+  const Id at = exact.Add(origin);
+  const DyadicNumber offset = DyadicNumber(0) - exact.Determinant(v[0], v[1], v[2], at);
+  exact.RemoveLast();
+  std::array<DyadicNumber, 3> normal;
+  double size = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    std::array<Id, 2> ends;
+    for (const int end : { 0, 1 })
+    {
+      Point onAxis = { { 0, 0, 0 } };
+      onAxis[k] = end;
+      ends[end] = exact.Add(onAxis);
+    }
+    normal[k] =
+      exact.Determinant(v[0], v[1], v[2], ends[1]) - exact.Determinant(v[0], v[1], v[2], ends[0]);
+    exact.RemoveLast();
+    exact.RemoveLast();
+    size = std::max(size, std::abs(CGAL::to_double(normal[k])));
+  }
+  const ExactVertices::Plane plane = exact.PlaneThrough(v[0], v[1], v[2], origin);
+  double planesSize = 0;
+  for (const double x : plane.Normal)
+  {
+    planesSize = std::max(planesSize, std::abs(x));
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(plane.Normal[k] / planesSize, CGAL::to_double(normal[k]) / size, 1e-15);
+  }
+  const double expected = CGAL::to_double(offset) / size;
+  EXPECT_NEAR(plane.Offset / planesSize, expected, 2e-15 * std::abs(expected))
+    << v[0] << ' ' << v[1] << ' ' << v[2];
+}
 } // namespace
+
+TEST(ExactVertices, APlaneHasAllDigitsHoweverNearItsPointsAreToALineOrToTheOrigin)
+{
+  int planes = 0;
+  int throughOrigin = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    Vertices vertices(seed, 0);
+    for (int trial = 0; trial < 400; ++trial)
+    {
+      const Tetrahedron v = vertices.Four();
+      const Point origin = vertices.Get().Nearest(v[3]);
+      // Four points of a line have no plane.
+      const Id any = vertices.Any();
+      if (vertices.Get().Orient(v[0], v[1], v[2], any) != 0)
+      {
+        ExpectPlane(vertices, { { v[0], v[1], v[2] } }, origin);
+        ++planes;
+        throughOrigin += vertices.Get().Orient(v[0], v[1], v[2], v[3]) == 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(planes, 2000);
+  EXPECT_GT(throughOrigin, 100);
+}
+
+TEST(ExactVertices, ForgettingWhatIsNotInUseChangesNoPredicateOfTheRest)
+{
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    Vertices vertices(seed, 0);
+    ExactVertices& exact = vertices.Get();
+    const auto isInUse = [seed](Id vertex)
+    { return vertex < 12 || (static_cast<unsigned>(vertex) + seed) % 3 != 0; };
+    std::vector<Tetrahedron> cells;
+    std::vector<int> signs;
+    while (cells.size() < 500)
+    {
+      const Tetrahedron v = vertices.Four();
+      if (std::all_of(v.begin(), v.end(), isInUse))
+      {
+        cells.push_back(v);
+        signs.push_back(exact.Orient(v[0], v[1], v[2], v[3]));
+      }
+    }
+    exact.ForgetExactly(isInUse);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      const Tetrahedron& v = cells[k];
+      EXPECT_EQ(exact.Orient(v[0], v[1], v[2], v[3]), signs[k]);
+      EXPECT_EQ(exact.Determinant(v[0], v[1], v[2], v[3]).sign(), signs[k]);
+    }
+    const Id size = exact.Size();
+    const Id added = exact.AddBetween(0, 1, DyadicNumber(2), DyadicNumber(1), { { 0, 1, 1 } });
+    EXPECT_EQ(exact.Orient(0, 1, 2, added), 0);
+    while (exact.Size() > size - 5)
+    {
+      exact.RemoveLast();
+    }
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      const Tetrahedron& v = cells[k];
+      if (*std::max_element(v.begin(), v.end()) < exact.Size())
+      {
+        EXPECT_EQ(exact.Orient(v[0], v[1], v[2], v[3]), signs[k]);
+      }
+    }
+  }
+}
 
 TEST(ExactVertices, OrientIsTheSignOfTheDeterminantOfPointsOnEdgesAndPlanesAndBesideThem)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/FlipFlat.h"
 
+#include "Exact/SegmentWalk.h"
 #include "Support/FlippableMeshLaws.h"
 #include "Support/FlippableMeshes.h"
 
@@ -149,6 +150,46 @@ TEST(FlipFlat, MakesNoEdgeAcrossASegmentOrThroughFaces)
   const MeshRecord otherBefore(other.Mesh);
   EXPECT_FALSE(FlatFlipper(other.Mesh, other.Segments).MakeEdge(4, 5));
   ExpectUnchanged(other.Mesh, otherBefore);
+}
+
+TEST(FlipFlat, TriesNoEdgeAgainOnceNoneThatIsCrossedCanBeFlipped)
+{
+  constexpr Id size = 9;
+  std::vector<Triangle> facets; // which keep all edges from the first point
+  for (Id k = 2; k < size - 1; ++k)
+  {
+    facets.push_back({ { 0, k, size } });
+  }
+  MeshWithFacets mesh(Parabola(size).Mesh, facets);
+  const WorkBudget& work = mesh.Mesh.Work();
+  const auto workOf = [&work](const auto& run)
+  {
+    const std::int64_t begin = work.Spent();
+    run();
+    return work.Spent() - begin;
+  };
+  FlatFlipper flips(mesh.Mesh, mesh.Segments);
+  const std::int64_t ofWalk = workOf(
+    [&]
+    {
+      Crossing crossing = FirstCrossing(mesh.Mesh, 1, size - 1);
+      while (crossing.Kind == Crossing::ThroughEdge)
+      {
+        crossing = NextCrossing(mesh.Mesh, 1, size - 1, crossing);
+      }
+    });
+  const std::int64_t ofFlips = workOf(
+    [&]
+    {
+      std::array<Id, 2> ends;
+      for (Id k = 2; k < size - 1; ++k)
+      {
+        EXPECT_FALSE(flips.Flip(0, k, VolumePoints::AsNeeded, ends[0], ends[1]));
+      }
+    });
+  EXPECT_GT(ofFlips, 0);
+  const std::int64_t ofEdge = workOf([&] { EXPECT_FALSE(flips.MakeEdge(1, size - 1)); });
+  EXPECT_LT(ofEdge, ofWalk + 3 * ofFlips);
 }
 
 /**

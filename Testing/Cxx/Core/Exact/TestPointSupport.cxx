@@ -6,46 +6,89 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 using namespace testflips;
 
-TEST(PointSupport, NamesTheFacetsAndASegmentOfEachVertex)
+namespace
 {
-  int onSegments = 0;
-  int onNothing = 0;
-  for (unsigned seed = 1; seed <= 6; ++seed)
+/** A mesh with Steiner points on edges, faces and in cells, constraints among them. */
+MeshWithFacets SplitAtRandom(unsigned seed)
+{
+  MeshWithFacets mesh = RandomMeshWithFacets(seed, 16, 12);
+  std::mt19937 random(seed);
+  for (int k = 0; k < 5; ++k)
   {
-    const MeshWithFacets mesh = RandomMeshWithFacets(seed, 16, 12);
-    for (Id vertex = 0; vertex < mesh.Mesh.Infinite(); ++vertex)
+    const std::vector<Id> path =
+      mesh.Segments.Path(static_cast<Id>(random() % static_cast<unsigned>(mesh.Segments.Size())));
+    mesh.SplitEdge(path[0], path[1]);
+    for (const bool cell : { false, true })
     {
-      std::vector<Id> facets;
-      std::set<Id> segments;
-      for (Id f = 0; f < static_cast<Id>(mesh.Facets.size()); ++f)
+      const std::vector<Id> cells = FiniteCells(mesh.Mesh);
+      const Id any = cells[random() % cells.size()];
+      cell ? mesh.SplitCell(any) : mesh.SplitFace({ any, static_cast<int>(random() % 4) });
+    }
+  }
+  return mesh;
+}
+
+/** The facets of which a face has the vertex: all cells are looked at. */
+std::vector<Id> FacetsAt(const FlippableMesh& mesh, Id vertex)
+{
+  std::set<Id> facets;
+  for (const Id cell : FiniteCells(mesh))
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Triangle corners = mesh.FaceCorners(cell, k);
+      if (mesh.Cell(cell).Facets[k] != None &&
+        std::count(corners.begin(), corners.end(), vertex) > 0)
       {
-        for (int k = 0; k < 3; ++k)
-        {
-          if (mesh.Facets[f][k] == vertex)
-          {
-            facets.push_back(f);
-            segments.insert(mesh.Segments.OfFacet(f, k));
-          }
-        }
-      }
-      const PointSupport support = FindPointSupport(mesh.Mesh, mesh.Segments, vertex);
-      EXPECT_EQ(support.Facets, facets);
-      EXPECT_EQ(support.Segment != None, !segments.empty());
-      if (support.Segment != None)
-      {
-        const std::array<Id, 2>& ends = mesh.Segments.EndsOf(support.Segment);
-        EXPECT_TRUE(ends[0] == vertex || ends[1] == vertex);
-        ++onSegments;
-      }
-      else
-      {
-        ++onNothing;
+        facets.insert(mesh.Cell(cell).Facets[k]);
       }
     }
   }
+  return { facets.begin(), facets.end() };
+}
+
+/** The segment whose path has the point between its ends. */
+Id SegmentAround(const SegmentTable& segments, Id point)
+{
+  for (Id segment = 0; segment < segments.Size(); ++segment)
+  {
+    const std::vector<Id> path = segments.Path(segment);
+    if (std::find(path.begin() + 1, path.end() - 1, point) != path.end() - 1)
+    {
+      return segment;
+    }
+  }
+  return None;
+}
+} // namespace
+
+TEST(PointSupport, NamesTheFacetsOfEachPointAndTheSegmentThatItIsWithin)
+{
+  int onSegments = 0;
+  int onFacets = 0;
+  int onNothing = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed)
+  {
+    const MeshWithFacets mesh = SplitAtRandom(seed);
+    for (Id vertex = 0; vertex < mesh.Mesh.Vertices().Size(); ++vertex)
+    {
+      if (vertex == mesh.Mesh.Infinite())
+      {
+        continue;
+      }
+      const PointSupport support = FindPointSupport(mesh.Mesh, mesh.Segments, vertex);
+      EXPECT_EQ(support.Facets, FacetsAt(mesh.Mesh, vertex));
+      EXPECT_EQ(support.Segment, SegmentAround(mesh.Segments, vertex));
+      ++(support.Segment != None ? onSegments : support.Facets.empty() ? onNothing : onFacets);
+    }
+  }
   EXPECT_GT(onSegments, 10);
+  EXPECT_GT(onFacets, 10);
   EXPECT_GT(onNothing, 10);
 }
 

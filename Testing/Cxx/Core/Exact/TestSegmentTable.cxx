@@ -17,10 +17,11 @@ using Path = std::vector<Id>;
 const std::vector<Triangle> Faces = { { { 4, 7, 9 } }, { { 7, 4, 5 } }, { { 9, 7, 5 } },
   { { 4, 9, 5 } } };
 
-/** Expect that just the pieces of the paths are found, under the names of their segments. */
+/** Expect that just the pieces and points of the paths are found, under their segments' names. */
 void ExpectPaths(const SegmentTable& table, const std::map<Id, Path>& paths, Id vertices)
 {
   std::map<std::array<Id, 2>, Id> pieces;
+  std::map<Id, Id> inner;
   for (const auto& [segment, path] : paths)
   {
     EXPECT_EQ(table.Path(segment), path);
@@ -31,11 +32,13 @@ void ExpectPaths(const SegmentTable& table, const std::map<Id, Path>& paths, Id 
       {
         EXPECT_EQ(table.NeighborsOnPath(segment, path[k]),
           (std::array<Id, 2>{ { path[k - 1], path[k + 1] } }));
+        inner[path[k]] = segment;
       }
     }
   }
   for (Id v = 0; v < vertices; ++v)
   {
+    ASSERT_EQ(table.Around(v), inner.count(v) > 0 ? inner[v] : None) << v;
     for (Id u = 0; u < v; ++u)
     {
       const auto piece = pieces.find({ { u, v } });
@@ -148,4 +151,16 @@ TEST(SegmentTable, ReleasingASegmentTwiceChangesNothing)
   table.Release(segment);
   table.Release(segment);
   ExpectPaths(table, paths, 10);
+}
+
+TEST(SegmentTable, CopiesGoTheirOwnWays)
+{
+  SegmentTable table(Faces);
+  const std::map<Id, Path> whole = WholePaths(table);
+  const SegmentTable before = table;
+  table.Split(table.Find(4, 7), 4, 7, 10);
+  table.Release(table.Find(5, 9));
+  ExpectPaths(before, whole, 11);
+  table = before;
+  ExpectPaths(table, whole, 11);
 }

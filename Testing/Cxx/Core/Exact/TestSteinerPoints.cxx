@@ -126,6 +126,31 @@ TEST(SteinerPoints, TidyingLeavesThoseAloneThatWereThereBefore)
   }
 }
 
+TEST(SteinerPoints, TidyingLeavesThoseAloneAroundWhichNothingHasChanged)
+{
+  std::size_t touched = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    MeshWithFacets mesh = WithSteinerPoints(seed, false);
+    const Id first = mesh.Mesh.Infinite() + 1;
+    const std::vector<Id> points = SteinerPointsOf(mesh.Mesh);
+    const MeshRecord before(mesh.Mesh);
+    const std::int64_t since = mesh.Mesh.NumberOfChanges();
+    Monitor monitor;
+    SteinerPoints steiner(mesh.Mesh, mesh.Segments, monitor);
+    steiner.Tidy(first, since);
+    ExpectUnchanged(mesh.Mesh, before);
+    if (!points.empty())
+    {
+      mesh.Mesh.Touch(points[0]);
+      steiner.Tidy(first, since);
+      touched += mesh.Mesh.HasVertex(points[0]) ? 0 : 1;
+      ExpectKept(mesh, before);
+    }
+  }
+  EXPECT_GT(touched, 6u);
+}
+
 TEST(SteinerPoints, FlippingAroundAVertexChangesItsCellsAndNoConstraint)
 {
   int changed = 0;
