@@ -284,8 +284,9 @@ public:
   ///@{
   /**
    * Seconds that tetrahedralizing may take, an equal part of it in each of the ways that are tried
-   * in turn. Default 0: in each 4 s of processor time, and 0.3 ms for each point and facet, or five
-   * times that for exact cuts. Range 0 to infinity.
+   * in turn. Default 0: no clock. Exact cuts are then limited by a count of their work, so that a
+   * busy machine gives the same mesh; TetGen, should it have its turn, by 4 s of processor time in
+   * each of its ways, and 0.3 ms for each point and facet. Range 0 to infinity.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);

@@ -101,7 +101,6 @@ TetrahedralizerBudget BudgetOfARung(
 {
   constexpr double MinimumSeconds = 4;
   constexpr double SecondsPerElement = 3e-4;
-  constexpr double SlowestMachine = 10;
   constexpr double MinimumMebibytes = 1024;
   constexpr double MebibytesPerElement = 1.0 / 64;
   constexpr double ShareOfMachine = 0.75;
@@ -114,7 +113,6 @@ TetrahedralizerBudget BudgetOfARung(
   else
   {
     budget.ProcessorSeconds = MinimumSeconds + SecondsPerElement * elements;
-    budget.Seconds = SlowestMachine * budget.ProcessorSeconds;
   }
   const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
     static_cast<double>(sysconf(_SC_PAGE_SIZE)) / (1024 * 1024);

@@ -20,10 +20,11 @@ enum class TetrahedralizationEngine
 /** Who works, and what it may use up. Beyond it the next rung has its turn. */
 struct ConstrainedDelaunayParameters
 {
-  /** Wall-clock seconds for all rungs, an equal part for each. 0 is 4 s of processor time for each
-   * rung, and 0.3 ms for each point and facet: many times what TetGen needs where it does not loop,
-   * however busy the machine is; and ten times as much by the clock. The exact way has
-   * five times as much processor time as each of the others, and as much by the clock. */
+  /** Wall-clock seconds for all rungs, an equal part for each. With 0 there is no clock: the exact
+   * way counts its work (TetrahedralizeExactly), so that the same input gives the same mesh on a
+   * machine however busy. TetGen's process, whose work cannot be counted and which may loop, then
+   * has 4 s of processor time for each rung, and 0.3 ms for each point and facet: many times what
+   * it needs where it does not loop. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
@@ -61,7 +62,8 @@ struct Tetrahedralization
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
  *
- * The same input gives the same mesh, unless a rung takes about as long as it may.
+ * The same input gives the same mesh, unless TetGen's process or, with a TimeBudget, any rung takes
+ * about as long as it may.
  *
  * @param[in] surface a complex whose constraints do not cross, with no point in the interior of a
  *            constraint or of its edges; if they do cross facets are lost

@@ -9,7 +9,6 @@
 #include "Tetrahedralize/TetgenProcess.h"
 
 #include <algorithm>
-#include <ctime>
 
 namespace insideout
 {
@@ -58,22 +57,20 @@ TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
   return UseTetgen(attempt, { SurfaceSteinerPoints::Allow });
 }
 
-/** Ends the exact rung when its time is over: it has no process of its own to be killed. */
+/** Ends the exact rung when the time is over that a user gave it: without one there is no clock. */
 class DeadlineMonitor : public Monitor
 {
 public:
-  DeadlineMonitor(const TetrahedralizerBudget& budget, Monitor& caller)
-    : Budget(budget)
+  DeadlineMonitor(double seconds, Monitor& caller)
+    : Seconds(seconds)
     , Caller(caller)
-    , ProcessorStart(ProcessorSeconds())
   {
   }
 
   bool Continue(const char*, double fraction) override
   {
     this->Elapsed += this->Watch.Lap();
-    if (this->Elapsed > this->Budget.Seconds ||
-      ProcessorSeconds() - this->ProcessorStart > this->Budget.ProcessorSeconds)
+    if (this->Elapsed > this->Seconds)
     {
       throw Error(ErrorCode::TetrahedralizerFailed, "it took more than the time it may");
     }
@@ -83,27 +80,15 @@ public:
 private:
   static constexpr double ShareOfProgress = 0.9; ///< the rest is AssembleMesh's
 
-  static double ProcessorSeconds()
-  {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-
-  const TetrahedralizerBudget& Budget;
+  const double Seconds;
   Monitor& Caller;
   Stopwatch Watch;
   double Elapsed = 0;
-  const double ProcessorStart;
 };
 
 TetrahedralMesh FlipAndCutExactly(const Attempt& attempt)
 {
-  /** Nearly all surfaces need much less, and those for which the other rungs are worse need it. */
-  constexpr double Patience = 5;
-  TetrahedralizerBudget budget = attempt.Budget;
-  budget.ProcessorSeconds *= Patience;
-  DeadlineMonitor deadline(budget, attempt.Caller);
+  DeadlineMonitor deadline(attempt.Budget.Seconds, attempt.Caller);
   const FacetComplex& surface = attempt.Surface;
   ExactTetrahedralization exact = TetrahedralizeExactly(surface.Points,
     { surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints }, deadline);

@@ -37,6 +37,8 @@ constexpr std::chrono::seconds GraceToEnd(1);
 constexpr std::size_t LargestLeap = std::size_t(1) << 24;
 /** TetGen's time per point and facet on an ordinary surface; for the progress bar alone. */
 constexpr double SecondsPerElement = 1e-5;
+/** A helper that gets less of a processor than one second in so many waits for what never comes. */
+constexpr double MostSecondsPerProcessorSecond = 100;
 
 [[noreturn]] void ThrowDied(const std::string& what)
 {
@@ -396,9 +398,11 @@ private:
       const double seconds = std::chrono::duration<double>(now - this->Start).count();
       // TetGen says nothing of how far it is.
       this->Caller.Check(Stages::Tetrahedralizing, seconds / (seconds + this->ExpectedSeconds));
-      if (seconds > this->Budget.Seconds)
+      const double mostSeconds = std::min(
+        this->Budget.Seconds, MostSecondsPerProcessorSecond * this->Budget.ProcessorSeconds);
+      if (seconds > mostSeconds)
       {
-        ThrowBudget("took", this->Budget.Seconds, "s");
+        ThrowBudget("took", mostSeconds, "s");
       }
       if (this->Child.ProcessorSeconds() > this->Budget.ProcessorSeconds)
       {

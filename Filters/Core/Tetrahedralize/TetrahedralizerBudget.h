@@ -9,7 +9,7 @@ namespace insideout
 struct TetrahedralizerBudget
 {
   double Seconds = HUGE_VAL;          ///< wall-clock time
-  double ProcessorSeconds = HUGE_VAL; ///< on a busy machine the fairer measure
+  double ProcessorSeconds = HUGE_VAL; ///< of a process of its own; other ways count their work
   double Mebibytes = HUGE_VAL;        ///< memory held at a time, where it is watched
 };
 } // namespace insideout

@@ -167,7 +167,7 @@ class Options:
     )
     count_duplicates: bool = _is(Switch("CountDuplicates", "count a facet as often as it is given"))
     time_budget: Optional[float] = _is(
-        Number("TimeBudget", "seconds that tetrahedralizing may take, all tries together; 0 goes by the surface's size")
+        Number("TimeBudget", "seconds that tetrahedralizing may take, all tries together; 0 goes by work, not by time")
     )
     memory_budget: Optional[float] = _is(
         Number("MemoryBudget", "MiB that TetGen's process may hold; 0 goes by the surface's size")

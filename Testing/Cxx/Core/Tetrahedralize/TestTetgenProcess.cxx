@@ -247,6 +247,13 @@ TEST(TetgenProcess, EndsAHelperThatComputesTooLong)
     "insideout-tetgen computed more than the 0.25 s that it may", UnitBox(), { HUGE_VAL, 0.25 });
 }
 
+TEST(TetgenProcess, EndsAHelperThatComputesNothingWhereOnlyComputingIsLimited)
+{
+  const StandIn standIn(SleepForEver);
+  ExpectError(ErrorCode::TetrahedralizerFailed, "insideout-tetgen took more than the 0.3 s",
+    UnitBox(), { HUGE_VAL, 0.003 });
+}
+
 TEST(TetgenProcess, EndsAHelperThatHoldsTooMuch)
 {
   // tail keeps what it reads until the end of a line, which never comes.

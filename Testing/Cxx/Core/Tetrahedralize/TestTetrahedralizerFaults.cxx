@@ -540,6 +540,14 @@ TEST(TetrahedralizerFaults, TheExactEngineKeepsItsTime)
   testmeshes::ExpectMeshLaws(surface, result.Mesh);
 }
 
+TEST(TetrahedralizerFaults, TheExactEngineTakesNoProcessorTimeIntoAccount)
+{
+  const TetrahedralizerBudget noProcessorTime = { HUGE_VAL, 0 };
+  Monitor monitor;
+  const TetrahedralMesh mesh = TryRung(1, UnitBox(), noProcessorTime, monitor);
+  EXPECT_TRUE(mesh.LostFacets.empty());
+}
+
 TEST(TetrahedralizerFaults, NothingOfTetGenIsPrinted)
 {
   // Facets that cross make TetGen print, fail assertions and crash.
