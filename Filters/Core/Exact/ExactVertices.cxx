@@ -2,6 +2,7 @@
 #include "Exact/ExactVertices.h"
 
 #include "Common/DoubleDouble.h"
+#include "Common/SignOfDeterminant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,6 @@ constexpr std::int64_t WorkOfExactPredicate = 100;
 
 /** The same for one that double-doubles decide. */
 constexpr std::int64_t WorkOfDoubleDoubles = 20;
-
-/** Relative error of a sum or product of doubles. */
-constexpr double DoubleEpsilon = 0x1p-53;
 
 /** Relative error of a quotient. */
 constexpr double ErrorOfQuotient = 0x1p-50;
@@ -78,50 +76,9 @@ double Quotient(const DyadicNumber& x, const DyadicNumber& y)
   return middle != 0 ? middle : low != 0 ? low : high;
 }
 
-/** Three vectors, and how far off each component is at most: the same for all three. */
-template <typename Number>
-struct Rows
-{
-  std::array<std::array<Number, 3>, 3> Entries;
-  std::array<double, 3> Errors;
-};
-
 /** Double-doubles leave a normal and an offset all digits of a double where these are larger parts
  * of what products of coordinates may be. */
 constexpr double LeastShare = 0x1p-45;
-
-/** Sizes between which products of three neither over- nor underflow. */
-constexpr double SmallestSize = 1e-90;
-constexpr double LargestSize = 1e90;
-
-constexpr int Undecided = 2;
-
-/** The sign of a determinant, if errors leave no doubt. */
-template <typename Number>
-int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
-{
-  const auto& m = rows.Entries;
-  std::array<double, 3> sizes;
-  for (int k = 0; k < 3; ++k)
-  {
-    sizes[k] = rows.Errors[k] +
-      std::max({ std::abs(static_cast<double>(m[0][k])), std::abs(static_cast<double>(m[1][k])),
-        std::abs(static_cast<double>(m[2][k])) });
-    if (!(sizes[k] > SmallestSize && sizes[k] < LargestSize))
-    {
-      return Undecided;
-    }
-  }
-  const double determinant = static_cast<double>(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
-  // Six products, each off by an error in one of its factors and by some 16 roundings.
-  const double bound = 7 *
-      (rows.Errors[0] * sizes[1] * sizes[2] + sizes[0] * rows.Errors[1] * sizes[2] +
-        sizes[0] * sizes[1] * rows.Errors[2]) +
-    100 * epsilon * sizes[0] * sizes[1] * sizes[2];
-  return determinant > bound ? 1 : determinant < -bound ? -1 : Undecided;
-}
 } // namespace
 
 ExactVertices::ExactVertices(const std::vector<Point>& points, WorkBudget& work)
@@ -136,7 +93,7 @@ ExactVertices::ExactVertices(const std::vector<Point>& points, WorkBudget& work)
 
 Id ExactVertices::Add(const Point& point)
 {
-  this->Places.emplace_back(point[0], point[1], point[2]);
+  this->Places.push_back(point);
   this->ExactOf.push_back(None);
   return this->Size() - 1;
 }
@@ -186,8 +143,8 @@ std::array<DyadicNumber, 4> ExactVertices::CoordinatesOf(Id vertex) const
   {
     return this->ExactPoints[this->ExactOf[vertex]].Coordinates;
   }
-  const Kernel::Point_3& p = this->Places[vertex];
-  return { { DyadicNumber(p.x()), DyadicNumber(p.y()), DyadicNumber(p.z()), DyadicNumber(1) } };
+  const Point& p = this->Places[vertex];
+  return { { DyadicNumber(p[0]), DyadicNumber(p[1]), DyadicNumber(p[2]), DyadicNumber(1) } };
 }
 
 /** Whether all four are in the affine hull of three vertices. */
@@ -362,13 +319,12 @@ Point ExactVertices::Beyond(Id vertex) const
 
 Point ExactVertices::Nearest(Id vertex) const
 {
-  const Kernel::Point_3& p = this->Places[vertex];
-  return { { p.x(), p.y(), p.z() } };
+  return this->Places[vertex];
 }
 
 void ExactVertices::MoveTo(Id vertex, const Point& point)
 {
-  this->Places[vertex] = Kernel::Point_3(point[0], point[1], point[2]);
+  this->Places[vertex] = point;
   this->ExactOf[vertex] = None;
 }
 } // namespace insideout

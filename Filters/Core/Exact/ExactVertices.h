@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Kernel.h"
 #include "Common/Numbers.h"
+#include "Common/PointPredicates.h"
 #include "Common/Types.h"
 #include "Exact/WorkBudget.h"
 
@@ -19,8 +19,6 @@ namespace insideout
 class ExactVertices
 {
 public:
-  using Kernel = insideout::Kernel;
-
   /**
    * Up to three doubles in the affine hull of which a vertex lies, the last again in place of those
    * that are not needed: of a Steiner point, the ends of its segment or the corners of its facet.
@@ -102,7 +100,7 @@ private:
   bool AreInOnePlane(const Tetrahedron& cell) const;
   int OrientExactly(const Tetrahedron& cell) const;
 
-  std::vector<Kernel::Point_3> Places;
+  std::vector<Point> Places;
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
   std::vector<ExactPoint> ExactPoints;
   WorkBudget* Budget;
@@ -133,7 +131,7 @@ inline int ExactVertices::Orient(Id a, Id b, Id c, Id d) const
   this->Budget->Spend(1);
   if ((this->ExactOf[a] & this->ExactOf[b] & this->ExactOf[c] & this->ExactOf[d]) == None)
   {
-    return CGAL::orientation(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);
+    return Orient3D(this->Places[a], this->Places[b], this->Places[c], this->Places[d]);
   }
   return this->OrientExactly({ { a, b, c, d } });
 }

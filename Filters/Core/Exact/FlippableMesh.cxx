@@ -3,6 +3,7 @@
 
 #include "Common/Buckets.h"
 #include "Common/Error.h"
+#include "Common/Kernel.h"
 #include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Exact/InsertPoints.h"
@@ -20,7 +21,6 @@ namespace insideout
 {
 namespace
 {
-using Kernel = ExactVertices::Kernel;
 using DelaunayVertex = CGAL::Triangulation_vertex_base_with_info_3<Id, Kernel>;
 using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Id, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,

@@ -33,6 +33,13 @@ int Sign(const testmeshes::Rational& x)
 {
   return (x > 0) - (x < 0);
 }
+
+int ExactOrientation(const std::vector<Point>& p)
+{
+  const auto edge = [&p](int k)
+  { return testmeshes::Minus(testmeshes::Exact(p[k]), testmeshes::Exact(p[0])); };
+  return Sign(testmeshes::Dot(testmeshes::Cross(edge(1), edge(2)), edge(3)));
+}
 } // namespace
 
 TEST(Orient3D, IsExactWhereDoublesAreNot)
@@ -43,15 +50,62 @@ TEST(Orient3D, IsExactWhereDoublesAreNot)
   {
     const std::vector<Point> p = { point(), point(), point(),
       trial % 10 == 0 ? Point{ 0.5, 0.5, 0.5 } : point() };
-    const auto edge = [&](int k)
-    { return testmeshes::Minus(testmeshes::Exact(p[k]), testmeshes::Exact(p[0])); };
-    const int expected = Sign(testmeshes::Dot(testmeshes::Cross(edge(1), edge(2)), edge(3)));
+    const int expected = ExactOrientation(p);
     EXPECT_EQ(Orient3D(p, { 0, 1, 2, 3 }), expected);
     EXPECT_EQ(Orient3D(p[1], p[0], p[2], p[3]), -expected);
     EXPECT_EQ(Orient3D(p, { 0, 1, 2, 1 }), 0);
     apart += std::abs(expected);
   }
   EXPECT_GT(apart, 1000);
+}
+
+TEST(Orient3D, IsExactForRectanglesOfWhatIsExtrudedAndBesideThem)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  int flat = 0;
+  for (int trial = 0; trial < 6000; ++trial)
+  {
+    // All points with coordinates that are few: many are the same, or a rounding apart.
+    std::array<std::array<double, 3>, 3> few;
+    for (std::array<double, 3>& values : few)
+    {
+      const double size = std::ldexp(1, static_cast<int>(random() % 3) * 100 - 100);
+      values = { { size * coordinate(random), size * coordinate(random), 0 } };
+      values[2] = random() % 2 == 0 ? 0 : std::nextafter(values[0], size);
+    }
+    std::vector<Point> p(4);
+    for (Point& point : p)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        point[k] = few[k][random() % 3];
+      }
+    }
+    const int expected = ExactOrientation(p);
+    EXPECT_EQ(Orient3D(p, { 0, 1, 2, 3 }), expected);
+    flat += expected == 0 ? 1 : 0;
+  }
+  EXPECT_GT(flat, 1000);
+  EXPECT_LT(flat, 5000);
+}
+
+TEST(Orient3D, IsExactWhereProductsOverOrUnderflow)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    std::vector<Point> p(4);
+    for (Point& point : p)
+    {
+      for (double& x : point)
+      {
+        x = std::ldexp(coordinate(random), static_cast<int>(random() % 2040) - 1030);
+      }
+    }
+    EXPECT_EQ(Orient3D(p, { 0, 1, 2, 3 }), ExactOrientation(p));
+  }
 }
 
 TEST(Orient3D, IsPositiveWhereTheFirstThreeRunCounterClockwiseSeenFromTheFourth)
