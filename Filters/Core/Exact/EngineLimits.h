@@ -41,10 +41,10 @@ struct EngineLimits
   static constexpr std::array<FlipEffort, 3> DeepFlips = { { { { -1, 10 }, 1, 40 },
     { { 0, 12 }, 2, 150 }, { { 1, 12 }, 3, 500 } } };
 
-  /** For each of these, per point and constraint, and at most: some ms, for the surfaces on which
-   * they do without any cut. What they do not get, cuts recover in less time. */
+  /** For each of these, per point and constraint, and at most: a ms or two, for the surfaces on
+   * which they do without any cut. What they do not get, cuts recover in less time. */
   static constexpr std::int64_t DeepWorkPerElement = 250;
-  static constexpr std::int64_t MostWorkOnDeepFlips = 300000;
+  static constexpr std::int64_t MostWorkOnDeepFlips = 60000;
 
   /** Nearly all segments need fewer than ten flips, and some would go on for ever. */
   static constexpr int FlipsPerSegment = 50;

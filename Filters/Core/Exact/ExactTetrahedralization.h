@@ -40,7 +40,7 @@ struct ExactTetrahedralization
  * @param[in] monitor hears the phases by name (Phases.h), and a fraction that only grows
  * @param[in] workPerElement for each point and facet (WorkBudget). When it is done nothing is cut
  *            any more, and what is missing then is lost. The default is some 4 ms for each; of 150
- *            real surfaces one took a tenth of it, and the others less
+ *            real surfaces one took three tenths of it, and the others at most a tenth
  * @throws Error Planar, Inconsistent, Stopped
  */
 ExactTetrahedralization TetrahedralizeExactly(const std::vector<Point>& points,

@@ -73,6 +73,9 @@ public:
 
   bool HasVertex(Id vertex) const { return this->CellOf[vertex] != None; }
 
+  /** One of the cells around a vertex, None where it is in no cell. */
+  Id CellAt(Id vertex) const { return this->CellOf[vertex]; }
+
   /** The index that `cell` has among the neighbors of the cell across its face k. */
   int MirrorIndex(Id cell, int k) const;
   Id Opposite(Id cell, int k) const;

@@ -76,12 +76,15 @@ bool SegmentRecovery::Clear(
   return false;
 }
 
-/** Take away something that the segment crosses: from one end, or else from the other. */
-bool SegmentRecovery::ClearOne(Id a, Id b, const FlipTarget& target, const FlipEffort& effort)
+/**
+ * Take away something that the segment crosses: from one end, or else from the other.
+ * @param[in] first what it crosses first
+ */
+bool SegmentRecovery::ClearOne(
+  Id a, Id b, const Crossing& first, const FlipTarget& target, const FlipEffort& effort)
 {
   const std::int64_t before = this->Mesh.NumberOfChanges();
   const auto changed = [&]() { return this->Mesh.NumberOfChanges() != before; };
-  const Crossing first = FirstCrossing(this->Mesh, a, b);
   if (first.Kind == Crossing::AtVertex)
   {
     return false;
@@ -103,11 +106,13 @@ bool SegmentRecovery::Recover(Id a, Id b, const FlipEffort& effort)
   const FlipTarget target = FlipTarget::Segment(this->Mesh, a, b);
   for (int flips = 0; flips < EngineLimits::FlipsPerSegment; ++flips)
   {
-    if (this->Mesh.FindEdge(a, b) != None)
+    const Crossing first = FirstCrossing(this->Mesh, a, b);
+    if (first.Kind == Crossing::AtEnd)
     {
       return true;
     }
-    if (this->Mesh.Work().Spent() > effort.EndOfWork || !this->ClearOne(a, b, target, effort))
+    if (this->Mesh.Work().Spent() > effort.EndOfWork ||
+      !this->ClearOne(a, b, first, target, effort))
     {
       return false;
     }

@@ -46,7 +46,8 @@ public:
 
 private:
   bool Recover(Id a, Id b, const FlipEffort& effort);
-  bool ClearOne(Id a, Id b, const FlipTarget& target, const FlipEffort& effort);
+  bool ClearOne(
+    Id a, Id b, const Crossing& first, const FlipTarget& target, const FlipEffort& effort);
   bool Clear(const Crossing& crossing, const FlipTarget& target, const FlipEffort& effort);
   bool SplitAndRecover(Id segment, Id start, Id end);
   bool IsFree(Id vertex) const;

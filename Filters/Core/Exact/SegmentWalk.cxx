@@ -7,6 +7,9 @@ namespace insideout
 {
 namespace
 {
+/** From one cell at a point towards another vertex: of some twenty cells, few walks see as many. */
+constexpr int StepsInStar = 40;
+
 Crossing End(Id cell)
 {
   return { Crossing::AtEnd, cell, -1, None, None };
@@ -27,21 +30,65 @@ Crossing Face(Id cell, int face)
   return { Crossing::ThroughFace, cell, face, None, None };
 }
 
-/** The way from a to b leaves `cell`, which has the corner a, across from a: where? */
-bool LeavesStarCell(const FlippableMesh& mesh, Id a, Id b, Id cell, std::array<int, 3>& sides,
-  std::array<Id, 3>& link)
+/** A finite cell, seen from its corner a. */
+struct Cone
 {
-  link = mesh.FaceCorners(cell, mesh.CornerIndex(cell, a));
-  for (int k = 0; k < 3; ++k)
+  Triangle Link;            ///< the face across from a, counter-clockwise seen from a
+  std::array<int, 3> Sides; ///< of b: positive where it is inside of a, Link[k] and the next
+  int Outside;              ///< the first k with a negative side, -1 where b is within
+};
+
+Cone ConeTowards(const FlippableMesh& mesh, Id a, Id b, Id cell)
+{
+  Cone cone = { mesh.FaceCorners(cell, mesh.CornerIndex(cell, a)), {}, -1 };
+  for (int k = 0; k < 3 && cone.Outside < 0; ++k)
   {
-    // Counter-clockwise seen from a: a point within the cone has all three edges on its left.
-    sides[k] = -mesh.Vertices().Orient(a, link[k], link[(k + 1) % 3], b);
-    if (sides[k] < 0)
+    cone.Sides[k] = -mesh.Vertices().Orient(a, cone.Link[k], cone.Link[(k + 1) % 3], b);
+    cone.Outside = cone.Sides[k] < 0 ? k : -1;
+  }
+  return cone;
+}
+
+/** Where the way from a leaves a cell whose cone it is in. */
+Crossing WayOut(const FlippableMesh& mesh, Id a, Id cell, const Cone& cone)
+{
+  const std::array<int, 3>& sides = cone.Sides;
+  const auto zeros = std::count(sides.begin(), sides.end(), 0);
+  if (zeros == 0)
+  {
+    return Face(cell, mesh.CornerIndex(cell, a));
+  }
+  if (zeros > 1)
+  {
+    const int between = sides[0] != 0 ? 2 : sides[1] != 0 ? 0 : 1;
+    return { Crossing::AtVertex, cell, -1, cone.Link[between], None };
+  }
+  const auto k = std::find(sides.begin(), sides.end(), 0) - sides.begin();
+  return Edge(cell, cone.Link[k], cone.Link[(k + 1) % 3]);
+}
+
+/** Of all cells around a the one whose cone b is in. */
+Crossing SearchStar(const FlippableMesh& mesh, Id a, Id b)
+{
+  std::vector<Id> star;
+  mesh.Star(a, star);
+  for (const Id cell : star)
+  {
+    if (mesh.Has(cell, b))
     {
-      return false;
+      return End(cell);
+    }
+    if (mesh.IsInfinite(cell))
+    {
+      continue;
+    }
+    const Cone cone = ConeTowards(mesh, a, b, cell);
+    if (cone.Outside < 0)
+    {
+      return WayOut(mesh, a, cell, cone);
     }
   }
-  return true;
+  return Vertex(star.empty() ? None : star[0]);
 }
 
 Crossing AfterFace(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)
@@ -139,35 +186,27 @@ Crossing AfterEdge(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossi
 
 Crossing FirstCrossing(const FlippableMesh& mesh, Id a, Id b)
 {
-  const Id known = mesh.FindEdge(a, b);
-  if (known != None)
+  Id cell = mesh.CellAt(a);
+  if (cell != None && mesh.IsInfinite(cell))
   {
-    return End(known);
+    cell = mesh.Cell(cell).Neighbors[mesh.CornerIndex(cell, mesh.Infinite())];
   }
-  std::vector<Id> star;
-  mesh.Star(a, star);
-  std::array<int, 3> sides;
-  std::array<Id, 3> link;
-  for (const Id cell : star)
+  // From cell to cell around a, across a side that b is beyond. That may go round in circles.
+  for (int step = 0; step < StepsInStar && cell != None && !mesh.IsInfinite(cell); ++step)
   {
-    if (mesh.IsInfinite(cell) || !LeavesStarCell(mesh, a, b, cell, sides, link))
+    if (mesh.Has(cell, b))
     {
-      continue;
+      return End(cell);
     }
-    const auto zeros = std::count(sides.begin(), sides.end(), 0);
-    if (zeros == 0)
+    const Cone cone = ConeTowards(mesh, a, b, cell);
+    if (cone.Outside < 0)
     {
-      return Face(cell, mesh.CornerIndex(cell, a));
+      return WayOut(mesh, a, cell, cone);
     }
-    if (zeros > 1)
-    {
-      const int between = sides[0] != 0 ? 2 : sides[1] != 0 ? 0 : 1;
-      return { Crossing::AtVertex, cell, -1, link[between], None };
-    }
-    const auto k = std::find(sides.begin(), sides.end(), 0) - sides.begin();
-    return Edge(cell, link[k], link[(k + 1) % 3]);
+    const Id off = cone.Link[(cone.Outside + 2) % 3];
+    cell = mesh.Cell(cell).Neighbors[mesh.CornerIndex(cell, off)];
   }
-  return Vertex(star.empty() ? None : star[0]);
+  return SearchStar(mesh, a, b);
 }
 
 Crossing NextCrossing(const FlippableMesh& mesh, Id a, Id b, const Crossing& crossing)

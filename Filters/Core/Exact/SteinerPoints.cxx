@@ -13,17 +13,19 @@ namespace insideout
 void SteinerPoints::LowerDegree(Id point)
 {
   const FlipTarget nothing(this->Mesh);
-  bool changed = true;
-  while (changed)
+  std::int64_t before = -1; // an edge that stayed stays where nothing has changed since
+  while (this->Mesh.NumberOfChanges() > before)
   {
-    changed = false;
-    const std::vector<Id> neighbors = this->Mesh.NeighborsOf({ point });
-    for (const Id neighbor : neighbors)
+    const std::int64_t since = before;
+    before = this->Mesh.NumberOfChanges();
+    for (const Id neighbor : this->Mesh.NeighborsOf({ point }))
     {
-      const Id cell = this->Mesh.FindEdge(point, neighbor);
-      changed = (cell != None &&
-                  this->Flips.RemoveEdge(point, neighbor, cell, nothing, EngineLimits::AnyFlip)) ||
-        changed;
+      const Id cell =
+        this->Mesh.LastChangeAround(neighbor) > since ? this->Mesh.FindEdge(point, neighbor) : None;
+      if (cell != None)
+      {
+        this->Flips.RemoveEdge(point, neighbor, cell, nothing, EngineLimits::AnyFlip);
+      }
     }
   }
 }

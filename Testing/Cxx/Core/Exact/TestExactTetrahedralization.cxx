@@ -309,7 +309,8 @@ TEST(ExactTetrahedralization, NamesItsPhasesAndTheirProgressGrows)
   PhaseMonitor monitor;
   for (const FacetComplex& surface : { testmeshes::ToComplex(testmeshes::Chazelle(12)),
          testmeshes::ToComplex(testmeshes::RandomSoup(1, 20)),
-         Resolved(testmeshes::GridSoup(80412, 40, 5)) })
+         Resolved(testmeshes::GridSoup(51, 40, 5)), Resolved(testmeshes::GridSoup(104, 40, 5)),
+         Resolved(testmeshes::GridSoup(383, 40, 5)) })
   {
     monitor.Fractions.clear();
     TetrahedralizeExactly(surface.Points, ConstraintsOf(surface), monitor);
