@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Common/Team.h"
 #include "Defects/SurfaceDefects.h"
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
@@ -179,8 +180,8 @@ void PrintHashes(std::FILE* file, const std::string& name, const TriangleSoup& s
 /**
  * HashOutputs FILE [--small] SURFACE...: writes a hash of what every stage makes of balls, of
  * random soups and of the surface files. The same lines have to come from every compiler, with and
- * without optimization, and from any number of threads (OMP_NUM_THREADS). --small leaves out those
- * of so many facets that no loop keeps to one thread, and all that take long.
+ * without optimization, and from any number of threads (OMP_NUM_THREADS), all of which take part in
+ * every loop. --small leaves out those of many facets, and all that take long.
  */
 int main(int argc, char** argv)
 {
@@ -190,6 +191,7 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "no file to write to\n");
     return 1;
   }
+  const WholeTeams teams;
   const bool small = argc > 2 && std::string(argv[2]) == "--small";
   if (!small)
   {

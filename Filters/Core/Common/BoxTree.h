@@ -98,7 +98,9 @@ private:
     }
   }
 
-  void Build(const std::vector<Box>& boxes, Id begin, Id end, std::size_t node);
+  struct Part;
+  bool Divide(const std::vector<Box>& boxes, const Part& part);
+  void Build(const std::vector<Box>& boxes, const Part& part);
 
   std::vector<Id> Order;  ///< of the boxes in the leaves
   std::vector<Box> Boxes; ///< in that order

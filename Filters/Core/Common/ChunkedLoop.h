@@ -9,9 +9,9 @@
 namespace insideout
 {
 /**
- * Calls body(i) for every i in [0, count) on all threads, and asks the monitor between chunks of
- * about a tenth of a second, from outside any parallel region and equally often for any number of
- * threads.
+ * Calls body(i) for every i in [0, count), on as many threads as that is worth, and asks the
+ * monitor between chunks of about a tenth of a second, from outside any parallel loop and equally
+ * often for any number of threads.
  *
  * @param[in] cost of one call of body, in nanoseconds; a guess will do
  * @throws what a body or the monitor throws
@@ -23,18 +23,12 @@ void ChunkedLoop(
   const double nanosecondsPerChunk = 1e8;
   const Id perChunk =
     static_cast<Id>(std::min(std::max(nanosecondsPerChunk / std::max(cost, 1.0), 16.0), 1e9));
-  Monitor silent;
   for (std::int64_t first = 0; first < count; first += perChunk)
   {
     monitor.Check(progress.Stage,
       progress.Begin + (progress.End - progress.Begin) * static_cast<double>(first) / count);
     const Id size = static_cast<Id>(std::min<std::int64_t>(perChunk, count - first));
-    if (size == 1)
-    {
-      body(static_cast<Id>(first));
-      continue;
-    }
-    ParallelLoop(size, silent, progress, [&](Id i) { body(static_cast<Id>(first + i)); });
+    ParallelLoop(size, cost, [&](Id i) { body(static_cast<Id>(first + i)); });
   }
 }
 } // namespace insideout

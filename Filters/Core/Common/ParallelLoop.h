@@ -3,54 +3,87 @@
 
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
-#include "Common/Types.h"
+#include "Common/Team.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
-#include <omp.h>
+#include <mutex>
+#include <thread>
 
 namespace insideout
 {
 /**
- * Calls body(i) for every i in [0, count) on all threads. The monitor is asked from the calling
- * thread only. The first exception that a body or the monitor throws ends the loop and is thrown
- * on to the caller.
+ * How many calls a thread takes at once: for about 20 microseconds, so that what it costs to take
+ * them does not count, and few enough that the threads end at about the same time.
  */
-template <class Body>
-void ParallelLoop(Id count, Monitor& monitor, const ProgressRange& progress, const Body& body)
+inline std::int64_t CallsPerTurn(double count, double cost, int threads)
 {
-  std::atomic<Id> done{ 0 };
-  std::atomic<bool> stop{ false };
+  const double nanosecondsPerTurn = 20000;
+  const double turnsPerThread = 8;
+  return static_cast<std::int64_t>(
+    std::max(std::min(nanosecondsPerTurn / cost, count / (turnsPerThread * threads)), 1.0));
+}
+
+/**
+ * Calls body(i) for every i in [0, count), on as many threads as that is worth. The monitor is
+ * asked from the calling thread only. The first exception that a body or the monitor throws ends
+ * the loop and is thrown on to the caller.
+ *
+ * @param[in] cost of one call of body, in nanoseconds; a guess will do
+ */
+template <class Index, class Body>
+void ParallelLoop(
+  Index count, double cost, Monitor& monitor, const ProgressRange& progress, const Body& body)
+{
+  const std::int64_t end = static_cast<std::int64_t>(count);
+  const int threads = static_cast<int>(std::clamp<std::int64_t>(
+    TeamSize(static_cast<double>(count) * cost), 1, std::max<std::int64_t>(end, 1)));
+  const std::int64_t perTurn = CallsPerTurn(static_cast<double>(count), cost, threads);
+  std::atomic<std::int64_t> next{ 0 };
+  std::mutex mutex; // of the error
   std::exception_ptr error;
-  const int caller = 0; // OpenMP numbers the thread that meets the parallel region 0.
-#pragma omp parallel for schedule(dynamic)
-  for (Id i = 0; i < count; ++i)
+  const std::thread::id caller = std::this_thread::get_id();
+  const auto takeTurns = [&]
   {
-    if (stop)
-    {
-      continue;
-    }
     try
     {
-      body(i);
-      const double fraction = static_cast<double>(++done) / count;
-      if (omp_get_thread_num() == caller)
+      for (std::int64_t first = next.fetch_add(perTurn); first < end;
+           first = next.fetch_add(perTurn))
       {
-        monitor.Check(progress.Stage, progress.Begin + fraction * (progress.End - progress.Begin));
+        const std::int64_t last = std::min(first + perTurn, end);
+        for (std::int64_t i = first; i < last; ++i)
+        {
+          body(static_cast<Index>(i));
+        }
+        if (std::this_thread::get_id() == caller)
+        {
+          const double fraction = static_cast<double>(last) / static_cast<double>(end);
+          monitor.Check(
+            progress.Stage, progress.Begin + fraction * (progress.End - progress.Begin));
+        }
       }
     }
     catch (...)
     {
-#pragma omp critical(InsideOutParallelLoop)
-      {
-        error = error ? error : std::current_exception();
-      }
-      stop = true;
+      const std::lock_guard<std::mutex> lock(mutex);
+      error = error ? error : std::current_exception();
+      next = end;
     }
-  }
+  };
+  WorkAsTeam(threads, takeTurns);
   if (error)
   {
     std::rethrow_exception(error);
   }
+}
+
+/** The same of what is too short to be stopped. */
+template <class Index, class Body>
+void ParallelLoop(Index count, double cost, const Body& body)
+{
+  Monitor silent;
+  ParallelLoop(count, cost, silent, { "", 0, 1 }, body);
 }
 } // namespace insideout

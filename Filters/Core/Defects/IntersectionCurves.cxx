@@ -15,6 +15,9 @@ namespace
 /** Pairs or points that a thread takes at once. */
 constexpr Id BlockSize = 256;
 
+constexpr double NanosecondsPerPair = 600; // to find what they share
+constexpr double NanosecondsPerEnd = 1000; // to construct and round it
+
 using CurveSegment = std::array<ConstructedPoint, 2>;
 
 /** Adds the segments, or a point twice, that two facets have in common. */
@@ -34,12 +37,13 @@ void Trace(
   }
 }
 
-/** Calls body(i) for every i in [0, count), in blocks on all threads. */
+/** Calls body(i) for every i in [0, count), in blocks. */
 template <class Body>
-void InBlocks(std::size_t count, Monitor& monitor, double begin, double end, const Body& body)
+void InBlocks(
+  std::size_t count, double cost, Monitor& monitor, double begin, double end, const Body& body)
 {
   const Id blocks = static_cast<Id>((count + BlockSize - 1) / BlockSize);
-  ParallelLoop(blocks, monitor, { Stages::TracingIntersections, begin, end },
+  ParallelLoop(blocks, cost * BlockSize, monitor, { Stages::TracingIntersections, begin, end },
     [&](Id block)
     {
       const std::size_t first = static_cast<std::size_t>(block) * BlockSize;
@@ -59,7 +63,7 @@ IntersectionCurves TraceIntersections(const std::vector<Point>& points,
   monitor.Check(Stages::TracingIntersections, 0);
   const FacetList surface{ points, facets };
   std::vector<std::vector<CurveSegment>> parts((pairs.size() + BlockSize - 1) / BlockSize);
-  InBlocks(pairs.size(), monitor, 0, 0.4,
+  InBlocks(pairs.size(), NanosecondsPerPair, monitor, 0, 0.4,
     [&](std::size_t i, Id block) { Trace(surface, pairs[i], parts[block]); });
 
   std::vector<ConstructedPoint> ends;
@@ -72,7 +76,7 @@ IntersectionCurves TraceIntersections(const std::vector<Point>& points,
   }
   SortUniquely(ends);
   std::vector<Point> places(ends.size());
-  InBlocks(ends.size(), monitor, 0.4, 0.9,
+  InBlocks(ends.size(), NanosecondsPerEnd, monitor, 0.4, 0.9,
     [&](std::size_t i, Id) { places[i] = Nearest(ends[i], surface); });
 
   IntersectionCurves curves;

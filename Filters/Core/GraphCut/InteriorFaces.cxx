@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/InteriorFaces.h"
 
+#include "Common/ParallelLoop.h"
 #include "Common/ScaledPoints.h"
 
 #include <Eigen/Geometry>
@@ -11,6 +12,8 @@ namespace insideout
 {
 namespace
 {
+constexpr double NanosecondsPerElement = 10; // per face or cell, its corners here and there
+
 /** The points below 1: only ratios count, and products of very large or small coordinates leave the
  * range. */
 std::vector<Point> PointsBelowOne(const TetrahedralMesh& mesh)
@@ -50,11 +53,10 @@ std::vector<InteriorFace> InteriorFaces(const TetrahedralMesh& mesh)
       }
     }
   }
-#pragma omp parallel for schedule(static)
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    faces[f].Area = AreaOf(points[corners[f][0]], points[corners[f][1]], points[corners[f][2]]);
-  }
+  ParallelLoop(faces.size(), NanosecondsPerElement,
+    [&](std::size_t f) {
+      faces[f].Area = AreaOf(points[corners[f][0]], points[corners[f][1]], points[corners[f][2]]);
+    });
   return faces;
 }
 
@@ -62,15 +64,15 @@ std::vector<double> CellVolumes(const TetrahedralMesh& mesh)
 {
   const std::vector<Point> points = PointsBelowOne(mesh);
   std::vector<double> volumes(mesh.Cells.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t c = 0; c < volumes.size(); ++c)
-  {
-    const Tetrahedron& t = mesh.Cells[c];
-    const Point& apex = points[t[0]];
-    const double product =
-      Edge(apex, points[t[1]]).cross(Edge(apex, points[t[2]])).dot(Edge(apex, points[t[3]]));
-    volumes[c] = std::abs(product) / 6; // a sliver's may round below 0
-  }
+  ParallelLoop(volumes.size(), NanosecondsPerElement,
+    [&](std::size_t c)
+    {
+      const Tetrahedron& t = mesh.Cells[c];
+      const Point& apex = points[t[0]];
+      const double product =
+        Edge(apex, points[t[1]]).cross(Edge(apex, points[t[2]])).dot(Edge(apex, points[t[3]]));
+      volumes[c] = std::abs(product) / 6; // a sliver's may round below 0
+    });
   return volumes;
 }
 } // namespace insideout

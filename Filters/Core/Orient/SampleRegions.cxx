@@ -63,10 +63,6 @@ struct Stretch
 
 /** A line may meet an edge: as many others are tried. */
 constexpr int MostTries = 16;
-
-/** Lines that one thread draws in a row; where facets are few, all. */
-constexpr Id LinesInARow = 64;
-constexpr Id FewFacets = 1024;
 } // namespace
 
 /** All triangles of all shells, to draw lines through. */
@@ -98,7 +94,6 @@ public:
     this->Tree.emplace(std::move(boxes));
   }
 
-  Id NumberOfFacets() const { return static_cast<Id>(this->Facets.size()); }
   Id NumberOfShells() const { return static_cast<Id>(this->Ranges.size()); }
 
   /** A line through a shell. @param[in] part of its area, 0 to 1, in which the line begins */
@@ -269,15 +264,8 @@ std::vector<ShellRegion> RegionSampler::Sample(
       }
     }
   };
-  const Id inARow = scene.NumberOfFacets() < FewFacets ? std::max<Id>(lines, 1) : LinesInARow;
-  ChunkedLoop((lines + inARow - 1) / inARow, 1e4 * inARow, monitor, progress,
-    [&](Id row)
-    {
-      for (Id i = row * inARow; i < std::min(lines, (row + 1) * inARow); ++i)
-      {
-        draw(i);
-      }
-    });
+  const double nanosecondsPerLine = 5000; // tens of thousands of facets; with few it is half
+  ChunkedLoop(lines, nanosecondsPerLine, monitor, progress, draw);
 
   std::map<std::vector<ShellWinding>, double> volumes;
   for (const std::vector<Stretch>& line : stretches)

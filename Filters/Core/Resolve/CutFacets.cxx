@@ -68,12 +68,16 @@ std::vector<PlanarSubdivision> CutFacets(const FacetList& surface,
 {
   const double middle = (progress.Begin + progress.End) / 2;
   std::vector<Meeting> meetings(pairs.size());
-  ParallelLoop(static_cast<Id>(pairs.size()), monitor, { progress.Stage, progress.Begin, middle },
+  const double nanosecondsPerPair = 600;
+  ParallelLoop(static_cast<Id>(pairs.size()), nanosecondsPerPair, monitor,
+    { progress.Stage, progress.Begin, middle },
     [&](Id i) { meetings[i] = Meet(surface, pairs[i][0], pairs[i][1]); });
 
   const std::vector<Group> groups = MakeGroups(surface.Facets.size(), pairs, meetings);
   std::vector<PlanarSubdivision> subdivisions(groups.size());
-  ParallelLoop(static_cast<Id>(groups.size()), monitor, { progress.Stage, middle, progress.End },
+  const double nanosecondsPerGroup = 8000; // of one facet and a cut or two
+  ParallelLoop(static_cast<Id>(groups.size()), nanosecondsPerGroup, monitor,
+    { progress.Stage, middle, progress.End },
     [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i].Facets, groups[i].Cuts); });
   return subdivisions;
 }

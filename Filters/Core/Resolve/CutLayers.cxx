@@ -170,7 +170,8 @@ std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
   const std::vector<std::vector<Id>> groups =
     SpreadOverLayers(surface, facets, radius, monitor, progress);
   std::vector<PlanarSubdivision> subdivisions(groups.size());
-  ParallelLoop(static_cast<Id>(groups.size()), monitor, progress,
+  const double nanosecondsPerGroup = 8000;
+  ParallelLoop(static_cast<Id>(groups.size()), nanosecondsPerGroup, monitor, progress,
     [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i], {}); });
   return subdivisions;
 }

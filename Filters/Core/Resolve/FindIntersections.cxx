@@ -80,7 +80,9 @@ std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& point
       tree.Visit(BoundingBox(points, facets[i]), [&](Id leaf) { test(i, firstNew + leaf); });
     }
   };
-  ParallelLoop(blocks, monitor, { Stages::FindingIntersections, 0, 1 }, search);
+  const double nanosecondsPerFacet = 1000;
+  ParallelLoop(blocks, nanosecondsPerFacet * BlockSize, monitor,
+    { Stages::FindingIntersections, 0, 1 }, search);
 
   std::vector<std::array<Id, 2>> pairs;
   for (const auto& part : found)

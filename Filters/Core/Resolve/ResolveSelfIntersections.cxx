@@ -258,8 +258,9 @@ std::vector<std::vector<Id>> Resolver::PlacePoints(
 
   std::vector<Point> rounded(names.size());
   const FacetList facets{ this->Now.Points, this->Now.Facets };
-  ParallelLoop(static_cast<Id>(names.size()), this->Watch, { Stages::Resolving, 0, 0 },
-    [&](Id i) { rounded[i] = Nearest(names[i], facets); });
+  const double nanosecondsPerName = 1000; // to construct and round it
+  ParallelLoop(static_cast<Id>(names.size()), nanosecondsPerName, this->Watch,
+    { Stages::Resolving, 0, 0 }, [&](Id i) { rounded[i] = Nearest(names[i], facets); });
 
   std::vector<Id> placed(names.size(), None);
   std::vector<std::vector<Id>> ids;

@@ -294,7 +294,9 @@ std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
   std::vector<PointOrigin> origins = this->Given->Origins;
   const Id given = static_cast<Id>(origins.size());
   origins.resize(this->Points.size());
-  ParallelLoop(static_cast<Id>(this->Points.size()) - given, monitor, { Stages::Resolving, 1, 1 },
+  const double nanosecondsPerPoint = 1400;
+  ParallelLoop(static_cast<Id>(this->Points.size()) - given, nanosecondsPerPoint, monitor,
+    { Stages::Resolving, 1, 1 },
     [&](Id i)
     {
       const Triangle& corners = this->Given->Facets[this->Roots[i]];

@@ -2,6 +2,7 @@
 #include "WindingNumber/ApproximateWindingNumber.h"
 
 #include "Common/Error.h"
+#include "Common/ParallelLoop.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
 #include "WindingNumber/SolidAngle.h"
@@ -44,11 +45,12 @@ ApproximateWindingNumber::ApproximateWindingNumber(const std::vector<Point>& poi
     throw Error(ErrorCode::InvalidParameter, "the accuracy of the approximation is below 1");
   }
   this->Expansions.resize(this->Tree.Nodes.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::size_t i = 0; i < this->Expansions.size(); ++i)
-  {
-    this->Expansions[i] = this->Expand(this->Tree.Nodes[i]);
-  }
+  // Every level of the tree has each triangle once.
+  const double size = static_cast<double>(this->Expansions.size());
+  const double nanosecondsPerTriangle = 20;
+  const double nanosecondsPerNode = nanosecondsPerTriangle * LeafSize * std::log2(size + 1);
+  ParallelLoop(this->Expansions.size(), nanosecondsPerNode,
+    [&](std::size_t i) { this->Expansions[i] = this->Expand(this->Tree.Nodes[i]); });
 }
 
 ApproximateWindingNumber::Expansion ApproximateWindingNumber::Expand(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/ChainFacets.h"
 
+#include "Common/ParallelLoop.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
 #include "WindingNumber/SolidAngle.h"
@@ -12,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-constexpr std::size_t SmallSize = 1024; // not worth a second thread
+constexpr double NanosecondsPerFacet = 40; // for its plane
 
 /** A place about 1 away from a site, opposite to another place. */
 Point Opposite(const RoundedSite& site, const Point& place)
@@ -37,12 +38,12 @@ ChainFacets::ChainFacets(
   : NumberOfFacets(static_cast<Id>(triangles.size()))
   , Facets(new Facet[triangles.size()])
 {
-#pragma omp parallel for schedule(static) if (triangles.size() > SmallSize)
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-  {
-    const std::array<Point, 3> corners = CornersOf(points, triangles[f].Corners);
-    this->Facets[f] = { PlaneOfTriangle(corners), corners, triangles[f].Count };
-  }
+  ParallelLoop(triangles.size(), NanosecondsPerFacet,
+    [&](std::size_t f)
+    {
+      const std::array<Point, 3> corners = CornersOf(points, triangles[f].Corners);
+      this->Facets[f] = { PlaneOfTriangle(corners), corners, triangles[f].Count };
+    });
 }
 
 int ChainFacets::SideOf(Id facet, const Point& place) const

@@ -2,9 +2,9 @@
 #include "WindingNumber/CountedBoundary.h"
 
 #include "Common/Buckets.h"
+#include "Common/ParallelLoop.h"
 
 #include <algorithm>
-#include <omp.h>
 #include <unordered_map>
 
 namespace insideout
@@ -18,7 +18,7 @@ struct HigherEnd
   int Count;
 };
 
-constexpr std::size_t SmallSize = 4096; // not worth a second thread
+constexpr double NanosecondsPerTriangle = 35; // mostly to sort its edges into buckets
 
 /** The edges whose lower point is in a range, in buckets by that point. */
 Buckets<HigherEnd> EdgesByLowerPoint(
@@ -89,15 +89,12 @@ std::vector<CountedEdge> CountedBoundary(
   const std::vector<CountedTriangle>& triangles, Id numberOfPoints)
 {
   // As many parts as threads, for each of them reads all triangles.
-  const int parts = triangles.size() < SmallSize ? 1 : omp_get_max_threads();
+  const int parts = TeamSize(NanosecondsPerTriangle * static_cast<double>(triangles.size()));
   std::vector<std::vector<CountedEdge>> found(static_cast<std::size_t>(parts));
   const auto beginOf = [&](int part)
   { return static_cast<Id>(static_cast<std::int64_t>(numberOfPoints) * part / parts); };
-#pragma omp parallel for schedule(static) if (parts > 1)
-  for (int part = 0; part < parts; ++part)
-  {
-    found[part] = PartOfBoundary(triangles, beginOf(part), beginOf(part + 1));
-  }
+  ParallelLoop(parts, NanosecondsPerTriangle * static_cast<double>(triangles.size()),
+    [&](int part) { found[part] = PartOfBoundary(triangles, beginOf(part), beginOf(part + 1)); });
   std::vector<CountedEdge> boundary = std::move(found.front());
   for (int part = 1; part < parts; ++part)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/ReferenceGrid.h"
 
+#include "Common/ParallelLoop.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/PlaceInBox.h"
 
@@ -13,7 +14,7 @@ namespace insideout
 {
 namespace
 {
-constexpr Id SmallSize = 1024; // not worth a second thread
+constexpr double NanosecondsPerFacet = 60; // in each of two passes, of a few cubes each
 
 // About so many cubes, and entries of facets in cubes, there are at most per facet.
 constexpr double CubesPerFacet = 2;
@@ -287,22 +288,22 @@ bool ReferenceGrid::Try(const std::vector<char>& isWanted)
   std::vector<std::uint32_t> next(cubes, 0);
   const std::vector<char> isWantedColumn = this->ColumnsOf(isWanted);
   std::atomic<bool> decided{ true };
-#pragma omp parallel for schedule(static) if (facets > SmallSize)
-  for (Id f = 0; f < facets; ++f)
-  {
-    const bool good = this->AddRises(f, isWantedColumn) &&
-      this->ForCubesOf(f, isWanted,
-        [&](std::size_t cube, int)
-        {
-          std::uint32_t& count = next[cube];
-#pragma omp atomic
-          ++count;
-        });
-    if (!good)
+  ParallelLoop(facets, NanosecondsPerFacet,
+    [&](Id f)
     {
-      decided = false;
-    }
-  }
+      const bool good = this->AddRises(f, isWantedColumn) &&
+        this->ForCubesOf(f, isWanted,
+          [&](std::size_t cube, int)
+          {
+            std::uint32_t& count = next[cube];
+#pragma omp atomic
+            ++count;
+          });
+      if (!good)
+      {
+        decided = false;
+      }
+    });
   if (!decided)
   {
     return false;
@@ -324,19 +325,19 @@ bool ReferenceGrid::Try(const std::vector<char>& isWanted)
   }
   this->First[cubes] = static_cast<std::uint32_t>(sum);
   this->Entries.resize(sum, SidedFacet(0, 0));
-#pragma omp parallel for schedule(static) if (facets > SmallSize)
-  for (Id f = 0; f < facets; ++f)
-  {
-    this->ForCubesOf(f, isWanted,
-      [&](std::size_t cube, int side)
-      {
-        std::uint32_t place;
-        std::uint32_t& counter = next[cube];
+  ParallelLoop(facets, NanosecondsPerFacet,
+    [&](Id f)
+    {
+      this->ForCubesOf(f, isWanted,
+        [&](std::size_t cube, int side)
+        {
+          std::uint32_t place;
+          std::uint32_t& counter = next[cube];
 #pragma omp atomic capture
-        place = counter++;
-        this->Entries[place] = SidedFacet(f, side);
-      });
-  }
+          place = counter++;
+          this->Entries[place] = SidedFacet(f, side);
+        });
+    });
   return true;
 }
 

@@ -2,6 +2,7 @@
 #include "WindingNumber/SpatialOrder.h"
 
 #include "Common/Box.h"
+#include "Common/ParallelLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace insideout
 {
 namespace
 {
-constexpr std::size_t SmallSize = 4096; // not worth a second thread
+constexpr double NanosecondsPerPlace = 7;
 constexpr int BitsPerAxis = 10;
 constexpr std::uint32_t CellsPerAxis = 1u << BitsPerAxis;
 
@@ -72,14 +73,14 @@ std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
     return std::min(CellsPerAxis - 1, static_cast<std::uint32_t>(part * CellsPerAxis));
   };
   std::vector<Key> keys(positions.size());
-#pragma omp parallel for if (positions.size() > SmallSize)
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    const Point& p = positions[i];
-    keys[i] = { Spread(digit(p[0], box.Low[0])) | Spread(digit(p[1], box.Low[1])) << 1 |
-        Spread(digit(p[2], box.Low[2])) << 2,
-      static_cast<Id>(i) };
-  }
+  ParallelLoop(positions.size(), NanosecondsPerPlace,
+    [&](std::size_t i)
+    {
+      const Point& p = positions[i];
+      keys[i] = { Spread(digit(p[0], box.Low[0])) | Spread(digit(p[1], box.Low[1])) << 1 |
+          Spread(digit(p[2], box.Low[2])) << 2,
+        static_cast<Id>(i) };
+    });
   SortByCode(keys);
   std::vector<Id> order(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
@@ -92,19 +93,19 @@ std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
 std::vector<Id> SpatialOrder(const Sites& sites)
 {
   std::vector<Point> positions(sites.Cells.size());
-#pragma omp parallel for if (positions.size() > SmallSize)
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    const Site site = sites[i];
-    for (int axis = 0; axis < 3; ++axis)
+  ParallelLoop(positions.size(), NanosecondsPerPlace,
+    [&](std::size_t i)
     {
-      positions[i][axis] = 0;
-      for (int k = 0; k < 4; ++k)
+      const Site site = sites[i];
+      for (int axis = 0; axis < 3; ++axis)
       {
-        positions[i][axis] += site.Weights[k] * site.Corners[k][axis];
+        positions[i][axis] = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+          positions[i][axis] += site.Weights[k] * site.Corners[k][axis];
+        }
       }
-    }
-  }
+    });
   return SpatialOrder(positions);
 }
 } // namespace insideout

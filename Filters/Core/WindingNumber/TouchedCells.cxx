@@ -2,6 +2,7 @@
 #include "WindingNumber/TouchedCells.h"
 
 #include "Common/Box.h"
+#include "Common/ParallelLoop.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/SitePredicates.h"
 #include "WindingNumber/SpatialOrder.h"
@@ -113,13 +114,14 @@ std::vector<char> TouchedCells(const std::vector<Point>& points,
   }
   const std::vector<Group> made = MakeGroups(points, all);
   std::vector<char> touched(cells.size(), 0);
-#pragma omp parallel for schedule(static)
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
-    const Box box = BoundingBox(points, cells[c]);
-    touched[c] = std::any_of(made.begin(), made.end(),
-      [&](const Group& group) { return MayTouch(group, points, cells[c], box); });
-  }
+  const double nanosecondsPerCell = 10 + 5 * static_cast<double>(made.size());
+  ParallelLoop(cells.size(), nanosecondsPerCell,
+    [&](std::size_t c)
+    {
+      const Box box = BoundingBox(points, cells[c]);
+      touched[c] = std::any_of(made.begin(), made.end(),
+        [&](const Group& group) { return MayTouch(group, points, cells[c], box); });
+    });
   return touched;
 }
 } // namespace insideout

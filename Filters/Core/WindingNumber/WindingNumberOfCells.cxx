@@ -92,8 +92,8 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   UntouchedParts parts;
   std::vector<Id> order;
   // Walking takes one thread; another one may sort meanwhile.
-  Monitor silent;
-  ParallelLoop(2, silent, { Stages::WindingNumbers, 0, 0.05 },
+  const double nanosecondsPerCell = 30; // of each of the two
+  ParallelLoop(2, nanosecondsPerCell * static_cast<double>(mesh.Cells.size()),
     [&](Id i)
     {
       if (i == 0)

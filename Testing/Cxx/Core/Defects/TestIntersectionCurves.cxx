@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Defects/IntersectionCurves.h"
 
+#include "Common/Team.h"
 #include "Common/TrianglePredicates.h"
 #include "Resolve/FindIntersections.h"
 #include "Support/RationalVectors.h"
@@ -232,6 +233,7 @@ TEST(IntersectionCurves, CloseAroundSolidsThatOverlap)
 
 TEST(IntersectionCurves, AreTheSameForAnyThreadCount)
 {
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   const TriangleSoup soup = RandomSoup(3, 250);
   omp_set_num_threads(1);

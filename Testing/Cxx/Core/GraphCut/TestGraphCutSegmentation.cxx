@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/GraphCutSegmentation.h"
 
+#include "Common/Team.h"
 #include "GraphCut/CertainCells.h"
 #include "GraphCut/InteriorFaces.h"
 #include "HullMesh.h"
@@ -392,6 +393,7 @@ TEST(GraphCutSegmentation, DoesNotDependOnTheSizeOfTheSurface)
 TEST(GraphCutSegmentation, IsTheSameForAnyNumberOfThreads)
 {
   const Problem problem = HullProblem(TornBall(16));
+  const WholeTeams teams;
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
   const Segmentation alone = Solve(problem);

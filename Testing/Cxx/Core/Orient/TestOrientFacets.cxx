@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Orient/OrientFacets.h"
 
+#include "Common/Team.h"
 #include "Support/StopAtEveryReport.h"
 #include "Support/TestMeshes.h"
 #include "Validate/CountedChain.h"
@@ -283,6 +284,7 @@ TEST(OrientFacets, GivesTheSameOnAnyNumberOfThreads)
     const double low = place(random);
     soup = Join(soup, Cube(low, low + place(random) / 4 + 0.1, random() % 2));
   }
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const std::vector<char> alone = Orient(soup).Turns.Turned;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/FindIntersections.h"
 
+#include "Common/Team.h"
 #include "Support/ExactReference.h"
 #include "Support/TestMeshes.h"
 
@@ -189,6 +190,7 @@ TEST(FindIntersections, TakesOnlyPairsWithANewFacetWhenAsked)
 
 TEST(FindIntersections, IsTheSameForAnyThreadCount)
 {
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   const TriangleSoup soup = RandomSoup(1, 1500);
   omp_set_num_threads(1);

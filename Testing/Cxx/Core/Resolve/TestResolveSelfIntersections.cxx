@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/ResolveSelfIntersections.h"
 
+#include "Common/Team.h"
 #include "Support/Corpus.h"
 #include "Support/ExactReference.h"
 #include "Support/TestMeshes.h"
@@ -208,6 +209,7 @@ void ExpectSameWindingNumbers(const FacetComplex& before, const FacetComplex& af
 /** All laws that hold for any complex whose facet f is made of triangle f alone. */
 void ExpectLaws(const FacetComplex& before)
 {
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const Resolution one = Resolve(before);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Common/Team.h"
 #include "Support/Corpus.h"
 #include "Support/ExactReference.h"
 #include "Support/ResolutionLaws.h"
@@ -33,6 +34,7 @@ Resolution Resolve(const FacetComplex& surface, int threads)
 {
   const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
+  const WholeTeams teams;
   Monitor monitor;
   Resolution resolution = ResolveSelfIntersections(surface, monitor);
   omp_set_num_threads(before);

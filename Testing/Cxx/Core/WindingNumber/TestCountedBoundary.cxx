@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/CountedBoundary.h"
 
+#include "Common/Team.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -31,6 +33,7 @@ TEST(CountedBoundary, IsTheSumOfAllEdgesForAnyNumberOfThreads)
       sum[std::minmax(from, to)] += from < to ? triangles.back().Count : -triangles.back().Count;
     }
   }
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   for (const int number : { 1, 2, 3, 7 })
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SurfaceWindingNumber.h"
 
+#include "Common/Team.h"
 #include "Support/Corpus.h"
 #include "Support/TestMeshes.h"
 #include "Support/WindingNumberInQuads.h"
@@ -382,6 +383,7 @@ TEST(SurfaceWindingNumber, GivesTheSameBytesForAnyNumberOfThreads)
 {
   const FacetComplex surface = Counted(WithHoles(Ball(24, 1024), 1));
   const std::vector<Point> points = PointsAround(surface, 3, 300);
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   for (int method = 0; method < 4; ++method)
   {

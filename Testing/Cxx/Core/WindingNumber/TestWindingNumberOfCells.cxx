@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/WindingNumberOfCells.h"
 
+#include "Common/Team.h"
 #include "Support/TestMeshes.h"
 #include "Support/TestTetrahedra.h"
 #include "Support/WindingNumberInQuads.h"
@@ -460,6 +461,7 @@ TEST(WindingNumberSum, GivesTheSameBytesForAnyNumberOfThreads)
 {
   TetrahedralMesh mesh = MakeMesh(Flattened, 7, 4);
   const FacetComplex surface = RandomFaces(mesh, 7);
+  const WholeTeams teams;
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const std::vector<double> w = Sum(surface, mesh);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+namespace insideout
+{
+/**
+ * How many threads are worth their while for work that takes one thread so many nanoseconds. At
+ * most as many as OpenMP would take (OMP_NUM_THREADS, omp_set_num_threads); one within a team.
+ */
+int TeamSize(double nanoseconds);
+
+/**
+ * Calls work() on this thread and on up to threads - 1 others, and returns when all is done. Work
+ * takes what is to do piece by piece, and must not throw.
+ *
+ * A thread that comes when nothing is left is not waited for, and nobody spins. OpenMP's teams do
+ * both: beside two busy processes on two processors, a loop of 0.05 ms took 13 ms with them, and
+ * 0.06 ms like this. To ask another thread to come costs 0.01 ms, busy or not.
+ */
+void WorkAsTeam(int threads, const std::function<void()>& work);
+
+/**
+ * While it lives, all work is worth all threads, and none of them begins before all have come: for
+ * tests, to which small surfaces are to show what large ones would. Not while something works.
+ */
+class WholeTeams
+{
+public:
+  WholeTeams();
+  ~WholeTeams();
+  WholeTeams(const WholeTeams&) = delete;
+  WholeTeams& operator=(const WholeTeams&) = delete;
+};
+} // namespace insideout
