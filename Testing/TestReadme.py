@@ -7,7 +7,6 @@ Blocks of sh run in one shell after the other, those of Python one after the oth
 pvbatch; the C++ is built with the CMake lines beside it, against the package as installed.
 """
 
-import os
 import re
 import shutil
 import subprocess
@@ -119,5 +118,4 @@ class TestReadme(unittest.TestCase):
 if __name__ == "__main__":
     if shutil.which("cmake") is None:
         sys.exit("cmake is not on PATH")
-    os.environ["OMP_WAIT_POLICY"] = "passive"
     unittest.main(argv=sys.argv[:1])

@@ -102,7 +102,7 @@ inline double ResetHighWaterMark()
   return HighWaterMark();
 }
 
-/** A line for machines. Names begin with the stage: pre, detect, cdt, w, cut, rerun, scale, ... */
+/** A line for machines. Names begin with the stage: pre, cdt, w, cut, rerun, scale, busy, ... */
 inline void PrintRatio(const std::string& name, double value, const Limit& limit)
 {
   std::printf("ratio %s %.3f %s %g\n", name.c_str(), value,

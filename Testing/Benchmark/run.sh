@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkGraphCut"
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkGraphCut BenchmarkBusy"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -45,8 +45,6 @@ for name in Beast AlienSpaceObject; do
   esac
 done
 
-# Threads that wait do not take the processor from those that work, in any of the programs.
-export OMP_WAIT_POLICY=passive
 bin=$build/Testing/Benchmark
 if [ -x "$bin/BenchmarkWindingNumber" ]; then
   "$bin/BenchmarkWindingNumber" "$@" "$surfaces"/man.off "$open_surfaces"/*
@@ -69,6 +67,7 @@ for surface in "$@" "$surfaces/man.off" "$figures/surfaces/camel.off"; do
   "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
 done
 "$bin/BenchmarkConstrainedDelaunay" --growth
+"$bin/BenchmarkBusy" "$figures/surfaces/pig.off"
 "$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*
 "$bin/BenchmarkResolve" "$@"
