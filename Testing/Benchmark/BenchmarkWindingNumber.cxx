@@ -3,8 +3,10 @@
 #include "HullMesh.h"
 #include "Measure.h"
 #include "Support/ReadTriangles.h"
+#include "WindingNumber/CountedBoundary.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "WindingNumber/WindingNumberOfCells.h"
+#include "WindingNumber/WindingNumberSum.h"
 #include "WindingNumberByEmbree.h"
 
 #include <cmath>
@@ -32,12 +34,22 @@ struct Targets
 constexpr Targets Closed = { AtLeast(100), AtLeast(3), AtLeast(10), AtLeast(1), AtLeast(1) };
 constexpr Targets Open = { AtLeast(10), AtLeast(10), AtLeast(5), AtLeast(1), AtLeast(1) };
 constexpr Limit GrowthTarget = { Limit::Side::AtMost, 1 };
+constexpr Limit SoupTarget = AtMost(1);
+constexpr Limit OpenTarget = AtMost(1);
 
 constexpr int Threads = 2;
 constexpr int PointsInBox = 200000;
 const char* const SurfaceToOpen = "Beast";
 constexpr int Holes = 20;
 constexpr std::size_t EdgesPerHole = 60;
+
+// Random triangles, the smaller the more, so that each of them crosses about as many others.
+constexpr int SoupSizes[] = { 250, 500, 1000, 2000 };
+constexpr int SoupOfUnitSize = 250;
+
+// Open edges of the surfaces that w of cells is compared with the expansion on.
+constexpr std::size_t LeastOpenEdges = 100;
+constexpr std::size_t MostOpenEdges = 5000;
 
 // As for the thesis's figures 8.10 and 8.11.
 constexpr int PointsOfFigures = 1000;
@@ -189,6 +201,69 @@ void Measure(const std::string& name, const TriangleSoup& soup)
   }
 }
 
+/** Random triangles, each with its corners in a cube somewhere. */
+TriangleSoup TrianglesInCubes(int number)
+{
+  const double size = std::cbrt(static_cast<double>(SoupOfUnitSize) / number);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(0, 1);
+  TriangleSoup soup;
+  for (Id t = 0; t < number; ++t)
+  {
+    const Point corner = { part(random), part(random), part(random) };
+    for (int k = 0; k < 3; ++k)
+    {
+      Point p = corner;
+      for (double& x : p)
+      {
+        x += size * part(random);
+      }
+      soup.Points.push_back(p);
+    }
+    soup.Triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
+  }
+  return soup;
+}
+
+/** The stage on the cells of a soup's hull, against the plain sum over the soup's own triangles. */
+void MeasureSoup(int number)
+{
+  Monitor monitor;
+  const TriangleSoup soup = TrianglesInCubes(number);
+  const HullMesh hull = MeshHull(soup, {}, monitor);
+  const FacetComplex given = Validated(soup);
+  const Sites sites = { hull.Mesh.Points, hull.Mesh.Cells };
+  const std::string name = "soup/" + std::to_string(number);
+  std::printf("%-28s %9zu cells\n", name.c_str(), hull.Mesh.Cells.size());
+  const auto seconds =
+    MedianSeconds([&] { WindingNumberOfCells(hull.Surface, hull.Mesh, monitor); },
+      [&] { WindingNumberSum(given, sites, monitor); });
+  PrintSeconds(name, hull.Surface.Facets.size(), "exact", "sum", seconds);
+  PrintRatio(name, seconds[0] / seconds[1], SoupTarget);
+}
+
+/** The stage on the cells of an open surface's hull, against the expansion at its usual setting. */
+void MeasureOpen(const std::string& stem, const TriangleSoup& soup)
+{
+  const FacetComplex given = Validated(soup);
+  const std::size_t open =
+    CountedBoundary(CountedFacets(given), static_cast<Id>(given.Points.size())).size();
+  if (open < LeastOpenEdges || open > MostOpenEdges)
+  {
+    return;
+  }
+  Monitor monitor;
+  const HullMesh hull = MeshHull(soup, {}, monitor);
+  const std::vector<Point> centres = Barycentres(hull.Mesh);
+  const std::string name = "open/" + stem;
+  std::printf("%-28s %9zu cells\n", name.c_str(), centres.size());
+  const auto seconds =
+    MedianSeconds([&] { WindingNumberOfCells(hull.Surface, hull.Mesh, monitor); },
+      [&] { AtPoints(hull.Surface, centres, WindingNumberMethod::Approximate); });
+  PrintSeconds(name, hull.Surface.Facets.size(), "exact", "approximate", seconds);
+  PrintRatio(name, seconds[0] / seconds[1], OpenTarget);
+}
+
 /**
  * Seconds per evaluation by one method, without what it builds: the least of some runs, for these
  * are so short that other programs disturb many of them.
@@ -274,6 +349,8 @@ void DrawFigures(const std::string& folder, const std::vector<std::string>& path
 
 /**
  * BenchmarkWindingNumber SURFACE...: times w on cells and at points against its peers.
+ * BenchmarkWindingNumber --soups: times w on the cells of soups.
+ * BenchmarkWindingNumber --open SURFACE...: times w on the cells of those with some open edges.
  * BenchmarkWindingNumber --figures FOLDER SURFACE...: writes the tables of the thesis's
  * figures 8.10 and 8.11, which plot-figures.py draws. Lines as in Measure.h; on two threads.
  */
@@ -286,6 +363,22 @@ int main(int argc, char** argv)
     if (argc > 3 && std::strcmp(argv[1], "--figures") == 0)
     {
       DrawFigures(argv[2], std::vector<std::string>(argv + 3, argv + argc));
+      return 0;
+    }
+    if (argc > 1 && std::strcmp(argv[1], "--soups") == 0)
+    {
+      for (const int number : SoupSizes)
+      {
+        MeasureSoup(number);
+      }
+      return 0;
+    }
+    if (argc > 1 && std::strcmp(argv[1], "--open") == 0)
+    {
+      for (int i = 2; i < argc; ++i)
+      {
+        MeasureOpen(StemOf(argv[i]), testmeshes::ReadTriangles(argv[i]));
+      }
       return 0;
     }
     for (int i = 1; i < argc; ++i)

@@ -47,6 +47,8 @@ done
 
 bin=$build/Testing/Benchmark
 if [ -x "$bin/BenchmarkWindingNumber" ]; then
+  "$bin/BenchmarkWindingNumber" --soups
+  "$bin/BenchmarkWindingNumber" --open "$@" "$surfaces"/* "$open_surfaces"/*
   "$bin/BenchmarkWindingNumber" "$@" "$surfaces"/man.off "$open_surfaces"/*
   "$bin/BenchmarkWindingNumber" --figures "$figures" "$figures/surfaces"/*
   /usr/bin/python3 "$here/plot-figures.py" "$figures" || echo "missing: python3-matplotlib; nothing is drawn"

@@ -205,7 +205,7 @@ FacetComplex FacesAndFacetsBeyond(const FacetComplex& surface, const Tetrahedral
     result.Facets.push_back(facet);
     result.Multiplicity.push_back(static_cast<std::int16_t>(count));
   };
-  for (const CountedTriangle& face : FaceCounts(surface, mesh).Chain())
+  for (const CountedTriangle& face : FaceCounts(surface, mesh).Chain().Triangles)
   {
     add(face.Corners, face.Count);
   }

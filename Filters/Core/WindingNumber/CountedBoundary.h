@@ -15,6 +15,13 @@ struct CountedTriangle
   int Count;
 };
 
+/** Such triangles, and for each the facet of a complex that it belongs to. */
+struct ChainOfFacets
+{
+  std::vector<CountedTriangle> Triangles;
+  std::vector<Id> Facets;
+};
+
 /** The facets of a complex that count, in its order. */
 std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface);
 

@@ -15,6 +15,9 @@ namespace
 // Of longer loops only so many corners are tried, evenly spread.
 constexpr std::size_t MostApexes = 16;
 
+// Longer loops are cut into arcs of so many edges: few of many small fans are near any place.
+constexpr std::size_t EdgesPerArc = 32;
+
 Triangle FanTriangle(const Loop& loop, std::size_t apex, std::size_t i)
 {
   const std::size_t size = loop.size();
@@ -41,6 +44,42 @@ std::size_t BestApex(const std::vector<Point>& points, const Loop& loop)
     }
   }
   return best;
+}
+
+/** The triangles that are not degenerate of the fan from the best corner. */
+std::vector<CountedTriangle> Fan(const std::vector<Point>& points, const Loop& loop)
+{
+  const std::size_t apex = BestApex(points, loop);
+  std::vector<CountedTriangle> fan;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+  {
+    const Triangle triangle = FanTriangle(loop, apex, i);
+    if (!IsDegenerate(points, triangle))
+    {
+      fan.push_back({ triangle, 1 });
+    }
+  }
+  return fan;
+}
+
+/** Make a cap of each arc and its chord. @return the loop of the chords */
+Loop CutOffArcs(const std::vector<Point>& points, const Loop& loop,
+  std::vector<std::vector<CountedTriangle>>& caps)
+{
+  Loop chords;
+  for (std::size_t first = 0; first < loop.size(); first += EdgesPerArc)
+  {
+    const std::size_t last = std::min(first + EdgesPerArc, loop.size());
+    Loop arc(loop.begin() + static_cast<std::ptrdiff_t>(first),
+      loop.begin() + static_cast<std::ptrdiff_t>(last));
+    arc.push_back(loop[last % loop.size()]);
+    chords.push_back(arc.front());
+    if (arc.size() > 2)
+    {
+      caps.push_back(Fan(points, arc));
+    }
+  }
+  return chords;
 }
 
 /** Triangles with the same corners become one, or none where they cancel. */
@@ -76,19 +115,13 @@ std::vector<std::vector<CountedTriangle>> CapHoles(
   const std::vector<Point>& points, const std::vector<CountedEdge>& boundary)
 {
   std::vector<std::vector<CountedTriangle>> caps;
-  for (const Loop& loop : LoopsOf(boundary))
+  for (Loop loop : LoopsOf(boundary))
   {
-    const std::size_t apex = BestApex(points, loop);
-    std::vector<CountedTriangle> cap;
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    while (loop.size() >= 2 * EdgesPerArc)
     {
-      const Triangle triangle = FanTriangle(loop, apex, i);
-      if (!IsDegenerate(points, triangle))
-      {
-        cap.push_back({ triangle, 1 });
-      }
+      loop = CutOffArcs(points, loop, caps);
     }
-    caps.push_back(std::move(cap));
+    caps.push_back(Fan(points, loop));
   }
   return caps;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insideout
 {
@@ -22,6 +23,11 @@ constexpr double RelativeError = 0x1p-48;
 // difference below the second has lost digits.
 constexpr double LeastDecided = 1e-250;
 constexpr double LeastDifference = 0x1p-45;
+
+// The same for long doubles, which may be no longer than doubles. A rounded site is known to some
+// 2^-104.
+constexpr long double LongRelativeError = 16 * std::numeric_limits<long double>::epsilon();
+constexpr long double LeastLongDifference = 0x1p-36L;
 
 /** From the site to a point, rounded. */
 Point RoundedVectorFrom(const PreparedSite& site, const Point& point)
@@ -40,9 +46,38 @@ double SumOfComponents(const Point& d)
   return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
 }
 
-double LargestComponent(const Point& d)
+/** The sign of the determinant of the vectors from the site, 0 where such numbers do not tell. */
+template <typename Number>
+int QuickSign(const PreparedSite& site, const Point& a, const Point& b, const Point& c,
+  Number relativeError, Number leastDifference)
 {
-  return std::max(std::max(std::abs(d[0]), std::abs(d[1])), std::abs(d[2]));
+  const std::array<Point, 3> points = { a, b, c };
+  std::array<Vector<Number>, 3> d;
+  bool precise = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    Number largest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      d[k][axis] = (Number(points[k][axis]) - site.High[axis]) - site.Low[axis];
+      largest = std::max(largest, std::abs(d[k][axis]));
+    }
+    precise = precise && largest > leastDifference;
+  }
+  const auto& [u, v, w] = d;
+  Number determinant = 0;
+  Number permanent = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const Number first = v[j] * w[k];
+    const Number second = v[k] * w[j];
+    determinant += u[i] * (first - second);
+    permanent += std::abs(u[i]) * (std::abs(first) + std::abs(second));
+  }
+  const bool decided = std::abs(determinant) > relativeError * permanent + LeastDecided && precise;
+  return !decided ? 0 : determinant > 0 ? 1 : -1;
 }
 } // namespace
 
@@ -67,7 +102,7 @@ int SideOfPlane(
   const PlaneOfTriangle& plane, const std::array<Point, 3>& triangle, const PreparedSite& site)
 {
   const int side = QuickSide(plane, RoundedVectorFrom(site, triangle[0]));
-  return side != 0 ? side : -SignOfDeterminant(site.Exact, triangle[0], triangle[1], triangle[2]);
+  return side != 0 ? side : -SignOfDeterminant(site, triangle[0], triangle[1], triangle[2]);
 }
 
 int SideOfPlane(
@@ -86,27 +121,13 @@ int SignOfDeterminant(const Site& site, const Point& a, const Point& b, const Po
 
 int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c)
 {
-  const Point u = RoundedVectorFrom(site, a);
-  const Point v = RoundedVectorFrom(site, b);
-  const Point w = RoundedVectorFrom(site, c);
-  double determinant = 0;
-  double permanent = 0;
-  for (int i = 0; i < 3; ++i)
+  const int quick = QuickSign<double>(site, a, b, c, RelativeError, LeastDifference);
+  if (quick != 0)
   {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    const double first = v[j] * w[k];
-    const double second = v[k] * w[j];
-    determinant += u[i] * (first - second);
-    permanent += std::abs(u[i]) * (std::abs(first) + std::abs(second));
+    return quick;
   }
-  const bool precise = LargestComponent(u) > LeastDifference &&
-    LargestComponent(v) > LeastDifference && LargestComponent(w) > LeastDifference;
-  if (std::abs(determinant) > RelativeError * permanent + LeastDecided && precise)
-  {
-    return determinant > 0 ? 1 : -1;
-  }
-  return SignOfDeterminant(site.Exact, a, b, c);
+  const int sign = QuickSign<long double>(site, a, b, c, LongRelativeError, LeastLongDifference);
+  return sign != 0 ? sign : SignOfDeterminant(site.Exact, a, b, c);
 }
 
 bool IsInTriangle(const std::array<Point, 3>& triangle, const Site& site)

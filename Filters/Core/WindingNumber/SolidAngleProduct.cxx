@@ -3,7 +3,7 @@
 
 #include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
-#include "WindingNumber/VectorClones.h"
+#include "WindingNumber/TurningProduct.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,30 +40,6 @@ constexpr double LeastSide = 1e-180;
 constexpr double LeastSquaredDistance = 0x1p-96;
 
 /**
- * Multiply one site's product by z.
- *
- * Arguments are in (-pi, pi], and an imaginary part of -0 counts as 0. The argument of a product
- * wraps around only if both factors have it in [0, pi] and the product has not, or both have not
- * and the product has. The one exception, two negative real factors, cannot happen, for z never is
- * one. Rounding does no harm: where the arguments add up to nearly 0 or 2 pi, both summands of the
- * imaginary part have the same sign, so it cannot come out on the wrong side of the real axis;
- * where they add up to nearly pi it can, but then the turn is counted along with it.
- */
-INSIDEOUT_ALWAYS_INLINE void Multiply(Products& products, int lane, double zReal, double zImaginary)
-{
-  const double pReal = products.Real[lane];
-  const double pImaginary = products.Imaginary[lane];
-  const double qReal = pReal * zReal - pImaginary * zImaginary;
-  const double qImaginary = pReal * zImaginary + pImaginary * zReal;
-  const double pBelow = pImaginary < 0 ? 1 : 0;
-  const double zBelow = zImaginary < 0 ? 1 : 0;
-  const double qBelow = qImaginary < 0 ? 1 : 0;
-  products.Turns[lane] += pBelow == zBelow ? qBelow - pBelow : 0;
-  products.Real[lane] = qReal;
-  products.Imaginary[lane] = qImaginary;
-}
-
-/**
  * Multiply each site's product by the facet's z, except in the sites where doubles do not decide
  * it: those get a 1 in `undecided`, the others a 0.
  *
@@ -96,19 +72,6 @@ INSIDEOUT_ALWAYS_INLINE bool MultiplyByFacet(const SummedFacet& facet, const Uni
     any = std::max(any, undecided[lane]);
   }
   return any > 0;
-}
-
-INSIDEOUT_ALWAYS_INLINE void Normalize(Products& products)
-{
-#pragma omp simd
-  for (int lane = 0; lane < Lanes; ++lane)
-  {
-    const double inverse = 1 /
-      std::sqrt(products.Real[lane] * products.Real[lane] +
-        products.Imaginary[lane] * products.Imaginary[lane]);
-    products.Real[lane] *= inverse;
-    products.Imaginary[lane] *= inverse;
-  }
 }
 
 /** a + b = sum + the value returned, exactly (Knuth). */

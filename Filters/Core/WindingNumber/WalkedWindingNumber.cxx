@@ -176,9 +176,9 @@ FaceCounts::FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh)
   }
 }
 
-std::vector<CountedTriangle> FaceCounts::Chain() const
+ChainOfFacets FaceCounts::Chain() const
 {
-  std::vector<CountedTriangle> faces;
+  ChainOfFacets faces;
   for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
   {
     for (int k = 0; k < 4; ++k)
@@ -186,11 +186,23 @@ std::vector<CountedTriangle> FaceCounts::Chain() const
       const int count = this->OnEntering(cell, k);
       if (count != 0 && this->Mesh.Neighbors[cell][k] < cell)
       {
-        faces.push_back({ FaceOf(this->Mesh.Cells[cell], k), count });
+        faces.Triangles.push_back({ FaceOf(this->Mesh.Cells[cell], k), count });
+        faces.Facets.push_back(this->Mesh.Facets[cell][k]);
       }
     }
   }
   return faces;
+}
+
+void FaceCounts::LeaveOut(const std::vector<char>& facets)
+{
+  for (std::size_t f = 0; f < this->Count.size(); ++f)
+  {
+    if (facets[f])
+    {
+      this->Count[f] = 0;
+    }
+  }
 }
 
 UntouchedParts WalkParts(

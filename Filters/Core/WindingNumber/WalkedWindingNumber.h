@@ -34,7 +34,10 @@ public:
   }
 
   /** The faces that count, each once, along the outward normal of one of its cells. */
-  std::vector<CountedTriangle> Chain() const;
+  ChainOfFacets Chain() const;
+
+  /** Let faces count nothing where `facets`, one per facet, is not 0. */
+  void LeaveOut(const std::vector<char>& facets);
 
 private:
   const TetrahedralMesh& Mesh;

@@ -11,32 +11,42 @@
 #include "WindingNumber/TouchedCells.h"
 #include "WindingNumber/WalkedWindingNumber.h"
 #include "WindingNumber/WindingNumberOfCaps.h"
+#include "WindingNumber/WindingNumberOfStraightCaps.h"
 
 #include <algorithm>
-#include <numeric>
+#include <memory>
 
 namespace insideout
 {
 namespace
 {
 /** Facets that count and are no faces of the mesh: lost by it, or left out before. */
-std::vector<CountedTriangle> FacetsBeyondMesh(
-  const FacetComplex& surface, const TetrahedralMesh& mesh)
+ChainOfFacets FacetsBeyondMesh(const FacetComplex& surface, const TetrahedralMesh& mesh)
 {
   std::vector<Id> facets = mesh.LostFacets;
   for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
   {
     facets.push_back(f);
   }
-  std::vector<CountedTriangle> beyond;
+  ChainOfFacets beyond;
   for (const Id f : facets)
   {
     if (surface.Multiplicity[f] != 0)
     {
-      beyond.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+      beyond.Triangles.push_back({ surface.Facets[f], surface.Multiplicity[f] });
+      beyond.Facets.push_back(f);
     }
   }
   return beyond;
+}
+
+/** The mesh's faces that count, and the facets beyond it. */
+ChainOfFacets WholeChain(const FaceCounts& counts, const ChainOfFacets& beyond)
+{
+  ChainOfFacets chain = counts.Chain();
+  chain.Triangles.insert(chain.Triangles.end(), beyond.Triangles.begin(), beyond.Triangles.end());
+  chain.Facets.insert(chain.Facets.end(), beyond.Facets.begin(), beyond.Facets.end());
+  return chain;
 }
 
 /** A chain of triangles in pieces: its caps, which close its holes, and the chain less these. */
@@ -46,11 +56,8 @@ struct ClosedWithCaps
   std::vector<std::vector<CountedTriangle>> Caps;
 };
 
-ClosedWithCaps CloseMeshChain(const FaceCounts& counts, const std::vector<Point>& points,
-  const std::vector<CountedTriangle>& beyond)
+ClosedWithCaps Close(std::vector<CountedTriangle> chain, const std::vector<Point>& points)
 {
-  std::vector<CountedTriangle> chain = counts.Chain();
-  chain.insert(chain.end(), beyond.begin(), beyond.end());
   ClosedWithCaps result;
   result.Caps = CapHoles(points, CountedBoundary(chain, static_cast<Id>(points.size())));
   result.Closed = CloseChain(std::move(chain), result.Caps);
@@ -74,48 +81,121 @@ std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
 }
 
 /**
- * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain
- * is the mesh's faces and the facets beyond it, and its holes have caps: on cells that neither caps
- * nor facets beyond the mesh may touch, the whole part is walked; elsewhere it is evaluated.
+ * The winding number of a chain that is open, or part of which is no faces of the mesh. Its holes
+ * have caps: on cells that neither caps nor what is beyond the mesh may touch, the whole part is
+ * walked; elsewhere it is evaluated.
  */
-std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const TetrahedralMesh& mesh,
-  const std::vector<CountedTriangle>& beyond, const QuadratureRule& rule, Monitor& monitor)
+class PartlyWalked
+{
+public:
+  /**
+   * @param[in] beyond the part of the chain that is no faces; everything has to live as long as
+   * this object
+   */
+  PartlyWalked(const std::vector<Point>& points, const TetrahedralMesh& mesh,
+    const FaceCounts& counts, std::vector<CountedTriangle> chain,
+    const std::vector<CountedTriangle>& beyond, const QuadratureRule& rule, Monitor& monitor)
+  {
+    if (chain.empty())
+    {
+      return;
+    }
+    const ClosedWithCaps closed = Close(std::move(chain), points);
+    std::vector<std::vector<CountedTriangle>> apart = closed.Caps;
+    apart.push_back(beyond);
+    const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
+    this->Caps = std::make_unique<const WindingNumberOfCaps>(points, closed.Caps);
+    // Walking takes one thread; another one may sort meanwhile.
+    const double nanosecondsPerCell = 30; // of each of the two
+    ParallelLoop(2, nanosecondsPerCell * static_cast<double>(mesh.Cells.size()),
+      [&](Id i)
+      {
+        if (i == 0)
+        {
+          this->Parts = WalkParts(counts, mesh, touched);
+        }
+        else if (!this->Caps->IsEmpty())
+        {
+          this->Order = SpatialOrder({ points, mesh.Cells });
+        }
+      });
+    this->Evaluated = this->Parts.FirstCell;
+    for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+    {
+      if (touched[cell])
+      {
+        this->Evaluated.push_back(cell);
+      }
+    }
+    this->Tree = std::make_unique<const ClosedChainTree>(points, closed.Closed,
+      RoundedPlaces(points, mesh.Cells, this->Evaluated, rule), monitor,
+      ProgressRange{ Stages::WindingNumbers, 0.05, 0.1 });
+  }
+
+  /** All cells, neighbours in space next to each other; none where this was not needed. */
+  const std::vector<Id>& OrderOfCells() const { return this->Order; }
+
+  /** Set all cells' values. */
+  void Evaluate(const Sites& sites, std::vector<double>& w, Monitor& monitor,
+    const ProgressRange& progress) const
+  {
+    if (!this->Tree)
+    {
+      std::fill(w.begin(), w.end(), 0.0);
+      return;
+    }
+    const double middle = progress.Begin + (progress.End - progress.Begin) / 8;
+    this->Tree->Evaluate(
+      sites, this->Evaluated, w, monitor, { progress.Stage, progress.Begin, middle });
+    for (std::size_t cell = 0; cell < w.size(); ++cell)
+    {
+      const UntouchedParts::Place& place = this->Parts.OfCell[cell];
+      if (place.Part != None)
+      {
+        w[cell] = w[this->Parts.FirstCell[place.Part]] + place.Rise;
+      }
+    }
+    this->Caps->Add(sites, this->Order, w, monitor, { progress.Stage, middle, progress.End });
+  }
+
+private:
+  std::unique_ptr<const WindingNumberOfCaps> Caps;
+  UntouchedParts Parts;
+  std::vector<Id> Order;
+  std::vector<Id> Evaluated;
+  std::unique_ptr<const ClosedChainTree> Tree;
+};
+
+/**
+ * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain
+ * is the mesh's faces and the facets beyond it: pieces of triangles that stand in for them, and the
+ * rest.
+ */
+std::vector<double> PartlyWalkedMeans(const FacetComplex& surface,
+  const std::vector<CountedEdge>& boundary, const TetrahedralMesh& mesh,
+  const ChainOfFacets& beyond, const QuadratureRule& rule, Monitor& monitor)
 {
   monitor.Check(Stages::WindingNumbers, 0);
   const std::vector<Point> points = ScaledPoints(mesh.Points, -LargestExponent(mesh.Points));
-  const FaceCounts counts(surface, mesh);
-  const ClosedWithCaps chain = CloseMeshChain(counts, points, beyond);
-  std::vector<std::vector<CountedTriangle>> apart = chain.Caps;
-  apart.push_back(beyond);
-  const std::vector<char> touched = TouchedCells(points, mesh.Cells, apart);
-  const WindingNumberOfCaps caps(points, chain.Caps);
-  UntouchedParts parts;
-  std::vector<Id> order;
-  // Walking takes one thread; another one may sort meanwhile.
-  const double nanosecondsPerCell = 30; // of each of the two
-  ParallelLoop(2, nanosecondsPerCell * static_cast<double>(mesh.Cells.size()),
-    [&](Id i)
-    {
-      if (i == 0)
-      {
-        parts = WalkParts(counts, mesh, touched);
-      }
-      else if (!caps.IsEmpty())
-      {
-        order = SpatialOrder({ points, mesh.Cells });
-      }
-    });
-  std::vector<Id> evaluated = parts.FirstCell;
-  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  FaceCounts counts(surface, mesh);
+  StraightCaps straight = FindStraightCaps(surface, points, WholeChain(counts, beyond), boundary);
+  counts.LeaveOut(straight.HasCap);
+  std::vector<CountedTriangle> beyondRest;
+  for (std::size_t i = 0; i < beyond.Facets.size(); ++i)
   {
-    if (touched[cell])
+    if (!straight.HasCap[beyond.Facets[i]])
     {
-      evaluated.push_back(cell);
+      beyondRest.push_back(beyond.Triangles[i]);
     }
   }
-  const ClosedChainTree tree(points, chain.Closed,
-    RoundedPlaces(points, mesh.Cells, evaluated, rule), monitor,
-    { Stages::WindingNumbers, 0.05, 0.1 });
+  const PartlyWalked rest(
+    points, mesh, counts, std::move(straight.Rest), beyondRest, rule, monitor);
+  const WindingNumberOfStraightCaps caps(points, straight);
+  std::vector<Id> order = rest.OrderOfCells();
+  if (order.empty() && !straight.Caps.empty())
+  {
+    order = SpatialOrder({ points, mesh.Cells });
+  }
 
   // As the first place's value and differences to it, so that what is constant stays exact.
   std::vector<double> means;
@@ -126,17 +206,8 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   {
     const Sites sites = { points, mesh.Cells, rule.Sites[i] };
     const double begin = 0.1 + step * static_cast<double>(i);
-    tree.Evaluate(
-      sites, evaluated, w, monitor, { Stages::WindingNumbers, begin, begin + step / 8 });
-    for (std::size_t cell = 0; cell < w.size(); ++cell)
-    {
-      const UntouchedParts::Place& place = parts.OfCell[cell];
-      if (place.Part != None)
-      {
-        w[cell] = w[parts.FirstCell[place.Part]] + place.Rise;
-      }
-    }
-    caps.Add(sites, order, w, monitor, { Stages::WindingNumbers, begin + step / 8, begin + step });
+    rest.Evaluate(sites, w, monitor, { Stages::WindingNumbers, begin, begin + step / 2 });
+    caps.Add(sites, order, w, monitor, { Stages::WindingNumbers, begin + step / 2, begin + step });
     if (i == 0)
     {
       first = means = w;
@@ -151,6 +222,11 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface, const Tetrahe
   return means;
 }
 
+std::vector<CountedEdge> BoundaryOf(const FacetComplex& surface)
+{
+  return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size()));
+}
+
 /** Six times the volume, positive where the cell is positively oriented. */
 double SixfoldVolume(const std::array<Point, 4>& p)
 {
@@ -160,19 +236,20 @@ double SixfoldVolume(const std::array<Point, 4>& p)
 
 bool IsClosed(const FacetComplex& surface)
 {
-  return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size())).empty();
+  return BoundaryOf(surface).empty();
 }
 
 std::vector<double> WindingNumberOfCells(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor, int quadratureOrder)
 {
   const QuadratureRule rule = TetrahedronQuadrature(quadratureOrder);
-  const std::vector<CountedTriangle> beyond = FacetsBeyondMesh(surface, mesh);
-  if (beyond.empty() && IsClosed(surface))
+  const ChainOfFacets beyond = FacetsBeyondMesh(surface, mesh);
+  const std::vector<CountedEdge> boundary = BoundaryOf(surface);
+  if (beyond.Facets.empty() && boundary.empty())
   {
     return WalkedWindingNumbers(surface, mesh, monitor);
   }
-  return PartlyWalkedMeans(surface, mesh, beyond, rule, monitor);
+  return PartlyWalkedMeans(surface, boundary, mesh, beyond, rule, monitor);
 }
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/WindingNumberOfStraightCaps.h"
+
+#include "Common/ChunkedLoop.h"
+#include "Common/Vectors.h"
+#include "WindingNumber/ChainFacets.h"
+#include "WindingNumber/Pi.h"
+#include "WindingNumber/PlaceInBox.h"
+#include "WindingNumber/SolidAngle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+// From a site amid pieces a line leads to a place so far above them, and anywhere in a cube around
+// that of half the size. It fails only where it meets an edge or a corner exactly.
+constexpr double Above = 0x1p-30;
+constexpr int MostLines = 64;
+
+/** Long doubles err by at most so many of their rounding errors in a height. */
+constexpr long double RoundingErrors = 16;
+} // namespace
+
+WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(
+  const std::vector<Point>& points, const StraightCaps& caps)
+  : Points(points)
+  , Caps(caps)
+  , Slivers(points, caps.Slivers)
+{
+  for (std::size_t i = 0; i < caps.Caps.size(); ++i)
+  {
+    const StraightCap& cap = caps.Caps[i];
+    const CapTriangle triangle = MakeCapTriangle(CornersOf(points, cap.Whole.Corners), cap.Height);
+    this->Triangles.insert(
+      this->Triangles.end(), static_cast<std::size_t>(cap.Whole.Count), triangle);
+    this->CapOf.insert(this->CapOf.end(), static_cast<std::size_t>(cap.Whole.Count), i);
+  }
+  this->Trees.assign(caps.Caps.size(), BoxTree({}));
+  this->IsTreeMade = std::make_unique<std::once_flag[]>(caps.Caps.size());
+}
+
+/** Of a cap's pieces, then of its slivers. Few caps are asked for it: it is made when one is. */
+const BoxTree& WindingNumberOfStraightCaps::TreeOf(std::size_t index) const
+{
+  const StraightCap& cap = this->Caps.Caps[index];
+  const auto make = [&]
+  {
+    std::vector<Box> boxes;
+    for (std::size_t k = cap.FirstPiece; k < cap.LastPiece; ++k)
+    {
+      boxes.push_back(BoundingBox(this->Points, this->Caps.Pieces[k].Corners));
+    }
+    for (std::size_t k = cap.FirstSliver; k < cap.LastSliver; ++k)
+    {
+      boxes.push_back(BoundingBox(this->Points, this->Caps.Slivers[k].Corners));
+    }
+    this->Trees[index] = BoxTree(std::move(boxes));
+  };
+  std::call_once(this->IsTreeMade[index], make);
+  return this->Trees[index];
+}
+
+/** False only where the site certainly is farther from the cap's plane than all pieces. */
+bool WindingNumberOfStraightCaps::MayBeAmid(const StraightCap& cap, const RoundedSite& site) const
+{
+  const std::array<Point, 3> corners = CornersOf(this->Points, cap.Whole.Corners);
+  std::array<Vector<long double>, 3> d;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    d[0][axis] = (static_cast<long double>(corners[0][axis]) - site.High[axis]) - site.Low[axis];
+    for (int k = 1; k < 3; ++k)
+    {
+      d[k][axis] = static_cast<long double>(corners[k][axis]) - corners[0][axis];
+    }
+  }
+  const Vector<long double> normal = Cross(d[1], d[2]);
+  const long double lengths = std::sqrt(Dot(d[0], d[0]) * Dot(d[1], d[1]) * Dot(d[2], d[2]));
+  const long double error = RoundingErrors * std::numeric_limits<long double>::epsilon() * lengths;
+  return !(std::abs(Dot(d[0], normal)) > cap.Height * std::sqrt(Dot(normal, normal)) + error);
+}
+
+/** Of pieces less triangle and slivers, those that may meet the box. */
+std::vector<CountedTriangle> WindingNumberOfStraightCaps::ChainAround(
+  std::size_t cap, const Box& box) const
+{
+  const StraightCap& of = this->Caps.Caps[cap];
+  const Id pieces = static_cast<Id>(of.LastPiece - of.FirstPiece);
+  std::vector<CountedTriangle> chain = { { of.Whole.Corners, -of.Whole.Count } };
+  this->TreeOf(cap).Visit(box,
+    [&](Id i)
+    {
+      if (i < pieces)
+      {
+        chain.push_back(this->Caps.Pieces[of.FirstPiece + static_cast<std::size_t>(i)]);
+        return;
+      }
+      const CountedTriangle& sliver =
+        this->Caps.Slivers[of.FirstSliver + static_cast<std::size_t>(i - pieces)];
+      chain.push_back({ sliver.Corners, -sliver.Count });
+    });
+  return chain;
+}
+
+double WindingNumberOfStraightCaps::Label(std::size_t cap, const Site& site) const
+{
+  const PreparedSite from(site);
+  const auto [a, b, c] = CornersOf(this->Points, this->Caps.Caps[cap].Whole.Corners);
+  const Point normal = NormalOf(a, b, c);
+  const double scale = Above / Length(normal);
+  Point low, high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double middle = from.High[axis] + scale * normal[axis];
+    low[axis] = middle - Above / 4;
+    high[axis] = middle + Above / 4;
+  }
+  Box box = { from.High, from.High };
+  box.Add({ low, high });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Low[axis] -= ReachOfStraightCap;
+    box.High[axis] += ReachOfStraightCap;
+  }
+  const std::vector<CountedTriangle> chain = this->ChainAround(cap, box);
+  const ChainFacets facets(this->Points, chain);
+  for (int line = 0; line < MostLines; ++line)
+  {
+    const Point to = PlaceInBox(low, high, line);
+    std::vector<SidedFacet> sided;
+    for (Id f = 0; f < facets.Size(); ++f)
+    {
+      sided.emplace_back(f, facets.SideOf(f, to));
+    }
+    std::vector<Id> touched;
+    double label = 0;
+    if (facets.CountCrossings(sided.data(), sided.data() + sided.size(), from, to, &touched, label))
+    {
+      return touched.empty() ? label : label - facets.AngleOfTouched(std::move(touched), from, to);
+    }
+  }
+  throw Error(ErrorCode::Inconsistent,
+    "no line from a site beside the pieces of a triangle avoids the edges of all of them");
+}
+
+/** @return the label that belongs to the triangle */
+double WindingNumberOfStraightCaps::MultiplyByUndecided(
+  std::size_t triangle, const Site& site, Products& products, int lane) const
+{
+  const std::complex<double> z = HalfSolidAngle(this->Triangles[triangle].Corners, site);
+  MultiplyBy(products, lane, z.real(), z.imag());
+  const std::size_t cap = this->CapOf[triangle];
+  const bool isFirst = triangle == 0 || this->CapOf[triangle - 1] != cap;
+  return isFirst && this->MayBeAmid(this->Caps.Caps[cap], RoundedSite(site))
+    ? this->Label(cap, site)
+    : 0;
+}
+
+/** Multiply by the triangles, and add their labels. */
+void WindingNumberOfStraightCaps::AddTriangles(
+  const Sites& sites, SiteProducts& block, double (&labels)[Lanes]) const
+{
+  const CapTriangle* const begin = this->Triangles.data();
+  const CapTriangle* const end = begin + this->Triangles.size();
+  for (const CapTriangle* triangle = begin; triangle != end;)
+  {
+    double undecided[Lanes] = {};
+    triangle = MultiplyByTriangles(triangle, end, block.Rounded, block.Product, undecided);
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      // The last site stands for those that the block lacks.
+      if (undecided[lane] > 0 && (lane == 0 || block.Index[lane] != block.Index[lane - 1]))
+      {
+        labels[lane] += this->MultiplyByUndecided(static_cast<std::size_t>(triangle - 1 - begin),
+          sites[block.Index[lane]], block.Product, lane);
+      }
+    }
+  }
+}
+
+void WindingNumberOfStraightCaps::AddBlocks(const Sites& sites, const std::vector<Id>& order,
+  std::size_t first, std::size_t last, std::vector<double>& w) const
+{
+  std::vector<SiteProducts> blocks;
+  Box box = Box::Empty();
+  for (std::size_t i = first; i < last; i += Lanes)
+  {
+    blocks.push_back(MakeBlock(sites, order, i));
+    box.Add(BoxOfSites(blocks.back().Rounded));
+  }
+  const SliverTree::Selection slivers = this->Slivers.Select(box);
+  for (std::size_t i = first; i < last; i += Lanes)
+  {
+    SiteProducts& block = blocks[(i - first) / Lanes];
+    double labels[Lanes] = {};
+    this->AddTriangles(sites, block, labels);
+    double halfAngles[Lanes] = {};
+    this->Slivers.Add(slivers, sites, block, halfAngles);
+    for (std::size_t k = i; k < std::min(last, i + Lanes); ++k)
+    {
+      const int lane = static_cast<int>(k - i);
+      w[order[k]] +=
+        labels[lane] + (WindingNumber(block.Product, lane) + halfAngles[lane] / (2 * Pi));
+    }
+  }
+}
+
+void WindingNumberOfStraightCaps::Add(const Sites& sites, const std::vector<Id>& order,
+  std::vector<double>& w, Monitor& monitor, const ProgressRange& progress) const
+{
+  if (this->Triangles.empty())
+  {
+    return;
+  }
+  const std::size_t sitesPerCall = 16 * Lanes;
+  const Id calls = static_cast<Id>((order.size() + sitesPerCall - 1) / sitesPerCall);
+  const double nanosecondsPerTriangle = 2;
+  ChunkedLoop(calls,
+    nanosecondsPerTriangle * sitesPerCall * static_cast<double>(this->Triangles.size()), monitor,
+    progress,
+    [&](Id call)
+    {
+      const std::size_t first = static_cast<std::size_t>(call) * sitesPerCall;
+      this->AddBlocks(sites, order, first, std::min(order.size(), first + sitesPerCall), w);
+    });
+}
+} // namespace insideout
