@@ -27,8 +27,9 @@ namespace
 /** On two processors, two threads that share them fairly with two others take twice their time. */
 constexpr Limit Target = AtMost(3);
 
-constexpr int Rounds = 15;
-constexpr double SecondsPerSample = 0.03; ///< several of the scheduler's time slices
+constexpr int Rounds = 7;
+constexpr double SecondsPerSample =
+  0.3; ///< so long that the scheduler shares the processors fairly
 
 /** Two processes that do nothing but keep the processors busy, and end with this one. */
 class BusyProcesses

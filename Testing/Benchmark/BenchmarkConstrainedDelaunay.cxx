@@ -307,7 +307,8 @@ void MeasureMemory(const std::string& path)
 /**
  * BenchmarkConstrainedDelaunay [--memory|--growth] SURFACE...: measures stage CDT on resolved
  * surfaces against TetGen's library: TetGen in its process, and both of our engines, with what they
- * make; or the memory that each takes at most; or how our own engine's time grows. Lines as in
+ * make; or the memory that each takes at most; or how our own engine's time grows. With --tetgen
+ * SURFACE it prints the seconds of TetGen's library alone, which has to manage. Lines as in
  * Measure.h; a surface that cannot be read is named and passed over. Where TetGen needs a second
  * try, or cannot do it at all, its library is not called.
  */
@@ -317,6 +318,12 @@ int main(int argc, char** argv)
   if (option == "--growth")
   {
     MeasureGrowth();
+    return 0;
+  }
+  if (option == "--tetgen" && argc > 2)
+  {
+    const FacetComplex surface = Resolved(argv[2]);
+    std::printf("%.4f\n", SecondsOf([&] { RunTetgenDirectly(surface); }));
     return 0;
   }
   const bool memory = option == "--memory";

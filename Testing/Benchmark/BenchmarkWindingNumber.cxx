@@ -15,8 +15,6 @@
 #include <omp.h>
 #include <random>
 
-#include <malloc.h>
-
 using namespace insideout;
 using namespace benchmark;
 
@@ -55,17 +53,6 @@ constexpr std::size_t MostOpenEdges = 5000;
 constexpr int PointsOfFigures = 1000;
 const char* const SubdividedSurface = "dino";
 constexpr int SubdivisionLevels = 5;
-
-/**
- * Let the process keep the memory that it frees. A page that the system gives anew takes 0.2
- * microseconds on one machine and 10 on a virtual one: for arrays of some megabytes more than the
- * work on them, which is what is compared.
- */
-void KeepFreedMemory()
-{
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-}
 
 FacetComplex Validated(const TriangleSoup& soup)
 {
@@ -357,7 +344,6 @@ void DrawFigures(const std::string& folder, const std::vector<std::string>& path
 int main(int argc, char** argv)
 {
   omp_set_num_threads(Threads);
-  KeepFreedMemory();
   try
   {
     if (argc > 3 && std::strcmp(argv[1], "--figures") == 0)

@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkGraphCut BenchmarkBusy"
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -59,7 +59,8 @@ filters=$build/filters
 if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DPython3_EXECUTABLE=/usr/bin/python3 >"$build/filters.log" 2>&1 &&
   cmake --build "$filters" >>"$build/filters.log" 2>&1; then
-  (. "$filters/env.sh" && /usr/bin/python3 "$here/measure-rerun.py" "$@")
+  (. "$filters/env.sh" && /usr/bin/python3 "$here/measure-rerun.py" "$@" &&
+    /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@")
 else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"
 fi
@@ -69,6 +70,12 @@ for surface in "$@" "$surfaces/man.off" "$figures/surfaces/camel.off"; do
   "$bin/BenchmarkConstrainedDelaunay" --memory "$surface"
 done
 "$bin/BenchmarkConstrainedDelaunay" --growth
+"$bin/BenchmarkDelaunayLimit" "$@" "$surfaces"/* "$open_surfaces"/* "$figures/surfaces"/*
+for surface; do
+  case $surface in
+    */Beast.*|Beast.*) "$bin/BenchmarkWhole" "$surface" ;;
+  esac
+done
 "$bin/BenchmarkBusy" "$figures/surfaces/pig.off"
 "$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*

@@ -43,7 +43,7 @@ struct EngineLimits
 
   /** For each of these, per point and constraint, and at most: a ms or two, for the surfaces on
    * which they do without any cut. What they do not get, cuts recover in less time. */
-  static constexpr std::int64_t DeepWorkPerElement = 250;
+  static constexpr std::int64_t DeepWorkPerElement = 375;
   static constexpr std::int64_t MostWorkOnDeepFlips = 60000;
 
   /** Nearly all segments need fewer than ten flips, and some would go on for ever. */

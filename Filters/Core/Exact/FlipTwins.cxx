@@ -19,7 +19,7 @@ void FlipTwinsAway(ConstrainedMesh& constrained)
     {
       Id cell;
       int face;
-      if (segments.Path(segments.OfFacet(facet, k)).size() > 2 &&
+      if (segments.IsSplit(segments.OfFacet(facet, k)) &&
         mesh.FindFace(corners[0], corners[1], corners[2], cell, face) &&
         !flips.RemoveFace(cell, face, nothing, effort.Limits))
       {

@@ -153,7 +153,13 @@ std::vector<Id> FacetRecovery::MarkWholeFacets(const std::vector<Id>& facets)
   std::vector<Id> others;
   for (std::size_t i = 0; i < facets.size(); ++i)
   {
-    if (faces[i].Cell != None)
+    // A face beside a Steiner point that was rounded off the facet's edge is not the facet.
+    bool isSplit = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      isSplit = isSplit || this->Segments.IsSplit(this->Segments.OfFacet(facets[i], k));
+    }
+    if (faces[i].Cell != None && !isSplit)
     {
       this->Mark(facets[i], { faces[i] });
     }

@@ -20,7 +20,8 @@ public:
   {
   }
 
-  /** Mark every facet that is one face. @return the others */
+  /** Mark every facet that is one face between segments none of which is split. @return the others
+   */
   std::vector<Id> MarkWholeFacets(const std::vector<Id>& facets);
 
   /** Recover facets by flips alone. @return the ones that are still missing */

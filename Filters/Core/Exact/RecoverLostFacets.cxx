@@ -77,7 +77,7 @@ void LostFacetRecovery::AddFacetsBesideSteinerPoints(std::set<Id>& facets) const
   {
     for (const Id segment : this->Constrained.SegmentsOf({ facets.begin(), facets.end() }))
     {
-      if (segments.Path(segment).size() > 2)
+      if (segments.IsSplit(segment))
       {
         split.insert(segment);
       }

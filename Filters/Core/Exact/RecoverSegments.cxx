@@ -20,8 +20,8 @@ std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) co
   std::vector<Id> missing;
   for (const Id segment : segments)
   {
-    const std::vector<Id> path = this->Segments.Path(segment);
-    if (path.size() == 2 && this->Mesh.FindEdge(path[0], path[1]) == None)
+    const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
+    if (!this->Segments.IsSplit(segment) && this->Mesh.FindEdge(ends[0], ends[1]) == None)
     {
       missing.push_back(segment);
     }

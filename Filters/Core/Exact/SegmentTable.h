@@ -30,6 +30,9 @@ public:
   /** The segment that an edge is (a piece of), None for none. */
   Id Find(Id u, Id v) const;
 
+  /** Whether Steiner points split it. */
+  bool IsSplit(Id segment) const { return this->Inner.count(segment) > 0; }
+
   /** All points from end to end. */
   std::vector<Id> Path(Id segment) const;
 

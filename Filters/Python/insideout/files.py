@@ -24,6 +24,10 @@ READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp")
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj")
 WRITABLE_GRIDS = (".vtu",)
 
+# Of zlib, which every reader of VTK's XML files knows. VTK's default takes 2.5 times as long to write
+# a solid of 123,000 tetrahedra, for 7 % fewer bytes.
+FASTEST_COMPRESSION = 1
+
 # What VTK's .vtp reader calls an error and is none: that a surface is empty, which whoever takes it
 # says better, and that a range which VTK noted beside an array is not finite.
 HARMLESS_WHEN_READING = ("No Points element available", "Error reading InformationKey element")
@@ -135,6 +139,7 @@ def _write(writer: Union[vtkWriter, vtkXMLWriter], data: Union[vtkPolyData, vtkU
     writer.SetInputData(data)
     if isinstance(writer, vtkXMLWriter):
         writer.SetDataModeToBinary()
+        writer.SetCompressionLevel(FASTEST_COMPRESSION)
     try:
         run(writer)
     except Error as error:

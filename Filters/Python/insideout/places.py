@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
 from .data import as_points
-from .files import check_input, check_xml, ending
+from .files import FASTEST_COMPRESSION, check_input, check_xml, ending
 from .pipeline import Error, run
 
 QUERIES = (".csv", ".vti")
@@ -93,6 +93,7 @@ class _Image:
             self.data.GetPointData().AddArray(array)
         writer = vtkXMLImageDataWriter()
         writer.SetDataModeToBinary()
+        writer.SetCompressionLevel(FASTEST_COMPRESSION)
         writer.SetFileName(path)
         writer.SetInputData(self.data)
         run(writer)

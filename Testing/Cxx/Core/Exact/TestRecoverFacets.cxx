@@ -105,6 +105,19 @@ TEST(RecoverFacets, MarksThoseThatAreFacesAndReturnsTheOthers)
   ExpectFlippableMeshLaws(recovery.Mesh.Mesh);
 }
 
+TEST(RecoverFacets, AFaceBesideAPointOfTheFacetsEdgeIsNotTheFacet)
+{
+  // The point 4 of the edge from 0 to 1 was rounded into the space above the face 0 1 2.
+  Recovery recovery(
+    MeshOfCells(
+      { { { 0, 0, 0 } }, { { 8, 0, 0 } }, { { 0, 8, 0 } }, { { 0, 0, 8 } }, { { 1, 0.5, 0.5 } } },
+      { { { 0, 1, 2, 4 } }, { { 0, 1, 3, 4 } }, { { 0, 2, 3, 4 } }, { { 1, 2, 3, 4 } } }),
+    { { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } } });
+  recovery.Segments.Split(recovery.Segments.OfFacet(0, 0), 0, 1, 4);
+  EXPECT_EQ(recovery.Facets.MarkWholeFacets(recovery.All()), (std::vector<Id>{ 0, 1 }));
+  recovery.ExpectThere({ 0, 1 });
+}
+
 TEST(RecoverFacets, FlipsTheEdgeAwayThatPiercesAFacet)
 {
   Recovery recovery(ThreeCells(), { { { 0, 1, 2 } } });

@@ -25,6 +25,7 @@ void ExpectPaths(const SegmentTable& table, const std::map<Id, Path>& paths, Id 
   for (const auto& [segment, path] : paths)
   {
     EXPECT_EQ(table.Path(segment), path);
+    EXPECT_EQ(table.IsSplit(segment), path.size() > 2);
     for (std::size_t k = 1; k < path.size(); ++k)
     {
       pieces[{ { std::min(path[k - 1], path[k]), std::max(path[k - 1], path[k]) } }] = segment;
