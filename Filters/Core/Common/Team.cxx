@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <omp.h>
-#include <system_error>
 #include <thread>
 
 namespace insideout
@@ -106,9 +106,9 @@ int AskOthers(int others, const std::shared_ptr<Roll>& roll, const std::function
         })
         .detach();
     }
-    catch (const std::system_error&)
+    catch (const std::exception&)
     {
-      return i; // the system has no more threads
+      return i; // no more threads, or no memory for one: those that were asked must be waited for
     }
   }
   return others;

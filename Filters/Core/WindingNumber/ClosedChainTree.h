@@ -53,14 +53,14 @@ public:
   double At(const Point& point) const;
 
   /**
-   * Set w[order[i]] to the winding number at site order[i], for all i, on all threads.
+   * Set w[order[i]] to the winding number at site order[i], for all i.
    *
    * @throws Error (Stopped)
    */
   void Evaluate(const Sites& sites, const std::vector<Id>& order, std::vector<double>& w,
     Monitor& monitor, const ProgressRange& progress) const;
 
-  /** Set w[i] to the winding number at points[i], for all i, on all threads. */
+  /** Set w[i] to the winding number at points[i], for all i. */
   void Evaluate(const std::vector<Point>& points, std::vector<double>& w, Monitor& monitor,
     const ProgressRange& progress) const;
 

@@ -35,7 +35,7 @@ public:
   void operator=(const ExactWindingNumber&) = delete;
 
   /**
-   * The winding number at each point, on all threads; the values do not depend on their number.
+   * The winding number at each point; the values do not depend on the number of threads.
    *
    * @param[in] at below 2^50 in each coordinate
    * @throws Error (Stopped)

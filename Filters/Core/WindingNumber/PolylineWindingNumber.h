@@ -42,7 +42,7 @@ public:
   double At(const PlanarPoint& p) const;
 
   /**
-   * One value per point, on all threads.
+   * One value per point, on as many threads as that is worth.
    * @throws Error (Stopped)
    */
   std::vector<double> At(const std::vector<PlanarPoint>& points, Monitor& monitor) const;

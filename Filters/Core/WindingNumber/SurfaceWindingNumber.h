@@ -44,7 +44,7 @@ public:
   ~SurfaceWindingNumber();
 
   /**
-   * One value per point, on all threads; the values do not depend on their number.
+   * One value per point; the values do not depend on the number of threads.
    *
    * @param[in] progress what part of the work these points are
    * @throws Error (Stopped)

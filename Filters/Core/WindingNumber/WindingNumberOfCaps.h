@@ -29,7 +29,7 @@ public:
     const std::vector<Point>& points, const std::vector<std::vector<CountedTriangle>>& caps);
 
   /**
-   * Add the winding number at site order[i] to w[order[i]], for all i, on all threads. Fastest
+   * Add the winding number at site order[i] to w[order[i]], for all i. Fastest
    * where neighbours in `order` are neighbours in space; the values do not depend on the number of
    * threads.
    *
