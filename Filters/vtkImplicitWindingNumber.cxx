@@ -2,6 +2,9 @@
 #include "vtkImplicitWindingNumber.h"
 
 #include "Private/vtkInsideOutMakeWindingNumber.h"
+#include "Private/vtkInsideOutRun.h"
+
+#include "Common/ForkableMutex.h"
 
 #include <vtkDataArray.h>
 #include <vtkObjectFactory.h>
@@ -20,7 +23,7 @@ class vtkImplicitWindingNumber::Internal
 public:
   std::unique_ptr<const SurfaceWindingNumber> WindingNumber; ///< null without a usable surface
   std::atomic<vtkMTimeType> BuildTime{ 0 };
-  std::mutex Mutex;
+  ForkableMutex Mutex;
 };
 
 vtkImplicitWindingNumber::vtkImplicitWindingNumber()
@@ -76,7 +79,7 @@ void vtkImplicitWindingNumber::Build()
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< vtkInsideOutWordsOf(error));
   }
 }
 
@@ -86,7 +89,7 @@ const vtkImplicitWindingNumber::Internal& vtkImplicitWindingNumber::UpToDate()
   const vtkMTimeType now = this->GetMTime();
   if (this->Built->BuildTime.load(std::memory_order_acquire) < now)
   {
-    const std::lock_guard<std::mutex> lock(this->Built->Mutex);
+    const std::lock_guard<ForkableMutex> lock(this->Built->Mutex);
     if (this->Built->BuildTime.load(std::memory_order_relaxed) < now)
     {
       this->Build();
@@ -108,21 +111,28 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
   const vtkIdType size = input->GetNumberOfTuples();
   output->SetNumberOfComponents(1);
   output->SetNumberOfTuples(size);
+  output->Fill(0.5);
   if (!built.WindingNumber)
   {
-    output->Fill(0.5);
     return;
   }
-  std::vector<Point> points(size);
-  for (vtkIdType i = 0; i < size; ++i)
+  try
   {
-    input->GetTuple(i, points[i].data());
+    std::vector<Point> points(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      input->GetTuple(i, points[i].data());
+    }
+    Monitor silent;
+    const std::vector<double> w = built.WindingNumber->At(points, silent);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      output->SetComponent(i, 0, 0.5 - w[i]);
+    }
   }
-  Monitor silent;
-  const std::vector<double> w = built.WindingNumber->At(points, silent);
-  for (vtkIdType i = 0; i < size; ++i)
+  catch (const std::exception& error)
   {
-    output->SetComponent(i, 0, 0.5 - w[i]);
+    vtkErrorMacro(<< vtkInsideOutWordsOf(error)); // no caller of VTK's expects it to be thrown
   }
 }
 

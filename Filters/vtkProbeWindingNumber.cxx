@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutAttributes.h"
+#include "Private/vtkInsideOutBlock.h"
 #include "Private/vtkInsideOutMakeWindingNumber.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutRun.h"
@@ -97,6 +98,13 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  for (int port = 0; port < 2; ++port)
+  {
+    if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
+    {
+      vtkInsideOutRememberBlocks(input);
+    }
+  }
   if (vtkInformation* surface = inputVector[1]->GetInformationObject(0))
   {
     surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
@@ -169,6 +177,7 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRun(this, outputVector,
     [&]()
     {
+      vtkInsideOutWarnOfThreads(this);
       vtkInsideOutMonitor monitor(
         this, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
       const bool atPoints = this->Association == POINTS;

@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "LostArea.h"
 #include "NothingInside.h"
+#include "Output/MassProperties.h"
 #include "Output/MergePieces.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
@@ -200,15 +201,8 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
     ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
     : outputs.MakeBoundary(hull, boundary);
   monitor.Check(Stages::Extracting, 0.3);
-  const Id seamPoints = outputs.CountSeamPoints(hull);
-  if (seamPoints > 0 && !splitSeams)
-  {
-    outputs.Warnings.push_back(std::to_string(seamPoints) +
-      " points were merged with ones that have other texture coordinates or normals: the boundary "
-      "has the lowest id's; SplitSeams keeps them all");
-  }
   surfaces.Counts.emplace_back("BoundaryFaces", boundary.size());
-  surfaces.Counts.emplace_back("SeamPoints", seamPoints);
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
 
   const std::vector<OutlierPiece> outliers =
     OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 });
@@ -218,6 +212,7 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   CountOutliers(hull, outliers, surfaces.Counts);
   surfaces.Lost = MeasureLostArea(hull, outliers);
   surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
+  AppendMass(MeasureMass(hull.Mesh, inside), surfaces.Counts);
   return surfaces;
 }
 } // namespace

@@ -27,7 +27,9 @@
  * ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells (labelled inside
  * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
  * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts. Of
- * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area).
+ * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area). Of
+ * the solid, with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and the
+ * inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x y).
  *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.
@@ -242,7 +244,8 @@ public:
    * they are one point of the boundary (output 1), which has the lowest id's data; a warning counts
    * them. On: the boundary has a point for each, so that every triangle has the data of the input
    * triangle that it lies on, also where triangles were cut along each other; it is watertight by
-   * the points' places then, not by their ids. Default off.
+   * the points' places then, not by their ids. How many points of the input are such copies is in
+   * `Statistics_SeamPoints`. Default off.
    */
   vtkSetMacro(SplitSeams, bool);
   vtkGetMacro(SplitSeams, bool);

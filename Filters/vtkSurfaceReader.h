@@ -3,10 +3,10 @@
  * @class   vtkSurfaceReader
  * @brief   reads a surface from an OBJ, OFF, PLY or STL file in full precision
  *
- * Reads polygons from the four formats that surfaces travel in, ascii or binary. Coordinates
- * keep all their digits (points are double), and nothing in the file is trusted: an id out of
- * range, a count that the file does not hold, or a truncated file is an error that names the
- * line or the element, and the output is empty.
+ * Reads polygons from the four formats that surfaces travel in, ascii or binary, compressed with
+ * gzip or not. Coordinates keep all their digits (points are double), and nothing in the file is
+ * trusted: an id out of range, a count that the file does not hold, or a truncated file is an error
+ * that names the line or the element, and the output is empty.
  *
  * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors,
  * GroupIds and MaterialIds, and any other property of a PLY file under its own name. Points
@@ -30,7 +30,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file to read. The format is told by its content, or else by the name's ending. */
+  /**
+   * The file to read. The format is told by its content, or else by the name's ending, in upper or
+   * lower case, with .gz behind it or not. A name that says something else gives a warning.
+   */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

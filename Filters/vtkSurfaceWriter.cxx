@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceWriter.h"
 
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutReadSurface.h"
 #include "Private/vtkInsideOutRun.h"
 
@@ -51,10 +53,15 @@ void vtkSurfaceWriter::WriteData()
       {
         throw Error(ErrorCode::FileUnwritable, "no file name is set");
       }
-      WriteSurface(this->FileName, vtkInsideOutReadPolygons(this->GetInput()));
+      vtkInsideOutMonitor monitor(this, { Stages::Writing });
+      WriteSurface(this->FileName, vtkInsideOutReadPolygons(this->GetInput()), monitor);
     });
   if (!written)
   {
     this->SetErrorCode(vtkErrorCode::UnknownError); // Write() gives 0 then
+  }
+  else if (vtkInsideOutMonitor::ShouldAbort(this))
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
   }
 }

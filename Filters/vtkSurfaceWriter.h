@@ -11,8 +11,12 @@
  * Normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are written to PLY
  * and OBJ, every other numeric array to PLY. Lines and vertices are not written.
  *
- * Write() gives 1, or 0 after an error event that says which file cannot be written or which cell
- * refers to a point that does not exist.
+ * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
+ * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
+ * permissions of an earlier file are kept. Devices and pipes are written at once.
+ *
+ * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
+ * which cell refers to a point that does not exist. It gives 0 without one when it was aborted.
  *
  * @sa vtkSurfaceReader
  *
@@ -33,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file to write, with the ending .ply, .obj or .stl. An older file is overwritten. */
+  /** The file to write, with the ending .ply, .obj or .stl. An older file is replaced. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

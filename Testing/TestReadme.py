@@ -63,18 +63,16 @@ class TestReadme(unittest.TestCase):
 
     def test_the_shell_blocks(self):
         ran = 0
+        (self.folder / "Examples").symlink_to(ROOT / "Examples")
+        (self.folder / "build").symlink_to(BUILD)
         for block in blocks("sh"):
             if any(words in block for words in LEFT_OUT) or block.strip() == ". build/env.sh":
                 continue
             with self.subTest(block):
-                if "--install" in block:
-                    (self.folder / "Examples").symlink_to(ROOT / "Examples")
-                    (self.folder / "build").symlink_to(BUILD)
-                    block = block.replace("/where/you/like", str(self.folder / "prefix"))
-                self.run_shell(ENVIRONMENT + block)
+                self.run_shell(ENVIRONMENT + block.replace("/where/you/like", str(self.folder / "prefix")))
                 ran += 1
         self.assertGreaterEqual(ran, 5)
-        for name in ("solid.vtu", "boundary.ply", "solids/mine.png", "w.csv"):
+        for name in ("solid.vtu", "boundary.ply", "solids/mine.png", "w.csv", "results/solid.pvtu"):
             self.assertTrue((self.folder / name).exists(), name)
 
     def test_the_python_blocks(self):
@@ -88,6 +86,17 @@ class TestReadme(unittest.TestCase):
             self.run_shell(f"{ENVIRONMENT}{runner} {name}")
         for name in ("boundary.stl", "solid.vtu", "boundary.vtp"):
             self.assertTrue((self.folder / name).exists(), name)
+
+    def test_the_batch_script_says_that_its_folder_is_missing(self):
+        for mpirun in ("", "mpirun --allow-run-as-root --oversubscribe -np 2 "):
+            said = self.run_shell(
+                f"{ENVIRONMENT}status=0\n"
+                f"{mpirun}pvbatch '{ROOT}/Examples/ParaView/batch.py' broken.ply missing || status=$?\necho status $status\n"
+            )
+            self.assertIn("missing is not a folder that exists\n", said)
+            self.assertIn("status 1\n", said)
+            self.assertNotIn("tetrahedra", said)
+            self.assertFalse((self.folder / "missing").exists())
 
     def test_the_cpp_block(self):
         (cpp,), (cmake,) = blocks("cpp"), blocks("cmake")

@@ -8,7 +8,7 @@ as_root=
 
 # What the project itself uses.
 packages="g++ cmake ninja-build paraview paraview-dev python3-paraview python3-dev python3-numpy
-  libcgal-dev libeigen3-dev libtet1.5-dev libmaxflow-dev libgtest-dev"
+  libcgal-dev libeigen3-dev libtet1.5-dev libmaxflow-dev zlib1g-dev libgtest-dev"
 
 # What find_package(ParaView) asks for beyond what paraview-dev brings.
 packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev libqt5x11extras5-dev
@@ -16,7 +16,7 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libhdf5-mpi-dev mpi-default-dev libxml2-dev libexpat1-dev liblz4-dev liblzma-dev libjsoncpp-dev
   libfreetype-dev libjpeg-dev libpng-dev libtiff-dev libdouble-conversion-dev libglew-dev libgl-dev
   libx11-dev libxcursor-dev libxt-dev libtheora-dev libogg-dev libnetcdf-dev libproj-dev libcgns-dev
-  libpugixml-dev libxcb1-dev zlib1g-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
+  libpugixml-dev libxcb1-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libgl2ps-dev"
 
 # Real meshes, a display for pictures, the checks of style and types, and a second compiler with its

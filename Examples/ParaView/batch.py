@@ -2,10 +2,11 @@
 """InsideOut in ParaView without its window.
 
     pvbatch batch.py SURFACE FOLDER
-    mpirun -np 2 pvbatch batch.py SURFACE FOLDER
+    mpirun --allow-run-as-root --oversubscribe -np 2 pvbatch batch.py SURFACE FOLDER
 
 writes solid.vtu, boundary.vtp and outliers.vtp (with mpirun .pvtu and .pvtp with their pieces) into
-the folder. ParaView loads the plugin itself from a folder of PV_PLUGIN_PATH. Where it is installed
+the folder, which has to be there; mpirun takes the first option for root, the second for more ranks than
+cores. ParaView loads the plugin itself from a folder of PV_PLUGIN_PATH. Where it is installed
 among ParaView's own plugins it is loaded by name; otherwise INSIDEOUT_PLUGIN names its file.
 """
 
@@ -54,5 +55,7 @@ def main(surface_file, folder):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
+    if not os.path.isdir(sys.argv[2]):
+        sys.exit(f"{sys.argv[2]} is not a folder that exists")
     if not main(*sys.argv[1:]):
         sys.exit("no tetrahedra")

@@ -6,6 +6,7 @@
 #include <vtkDataSet.h>
 
 #include <limits>
+#include <new>
 
 std::vector<insideout::Point> vtkInsideOutReadPoints(vtkDataSet* input, const std::string& name)
 {
@@ -25,8 +26,16 @@ std::vector<insideout::Point> vtkInsideOutReadPoints(vtkDataSet* input, const st
   return points;
 }
 
+void vtkInsideOutRequireMemory(vtkIdType bytes)
+{
+  constexpr vtkIdType ForWhatIsSmall = vtkIdType(1) << 20;
+  void* volatile memory = operator new(static_cast<std::size_t>(bytes + ForWhatIsSmall));
+  operator delete(memory);
+}
+
 vtkSmartPointer<vtkPoints> vtkInsideOutMakePoints(const std::vector<insideout::Point>& values)
 {
+  vtkInsideOutRequireMemory(static_cast<vtkIdType>(values.size() * sizeof(insideout::Point)));
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(values.size()));

@@ -27,6 +27,14 @@ class vtkDataSet;
  */
 std::vector<insideout::Point> vtkInsideOutReadPoints(vtkDataSet* input, const std::string& name);
 
+/**
+ * Before VTK's arrays take memory: they end the program where there is none, if VTK was built with
+ * assertions, as Debian's is.
+ *
+ * @throws std::bad_alloc where there are not so many bytes, and some more
+ */
+void vtkInsideOutRequireMemory(vtkIdType bytes);
+
 /** Points in double precision. */
 vtkSmartPointer<vtkPoints> vtkInsideOutMakePoints(const std::vector<insideout::Point>& values);
 
@@ -35,6 +43,7 @@ template <std::size_t Size>
 vtkSmartPointer<vtkCellArray> vtkInsideOutMakeCells(
   const std::vector<std::array<insideout::Id, Size>>& values)
 {
+  vtkInsideOutRequireMemory(static_cast<vtkIdType>((Size + 2) * values.size() * sizeof(vtkIdType)));
   vtkNew<vtkIdTypeArray> connectivity;
   connectivity->SetNumberOfValues(static_cast<vtkIdType>(Size * values.size()));
   if (!values.empty())
@@ -51,6 +60,7 @@ template <typename Array>
 vtkSmartPointer<Array> vtkInsideOutMakeArray(const char* name, vtkIdType size, int components = 1)
 {
   auto array = vtkSmartPointer<Array>::New();
+  vtkInsideOutRequireMemory(size * components * array->GetDataTypeSize());
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(size);

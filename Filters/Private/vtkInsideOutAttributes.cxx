@@ -84,6 +84,16 @@ void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
     data->GetAbstractArray(i)->SetNumberOfTuples(size);
   }
 }
+
+/** Before `size` tuples of every array are made. */
+void RequireMemory(vtkDataSetAttributes* data, vtkIdType size)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    vtkInsideOutRequireMemory(size * array->GetNumberOfComponents() * array->GetDataTypeSize());
+  }
+}
 } // namespace
 
 void vtkInsideOutAttributes::RenameArrays(
@@ -100,6 +110,7 @@ void vtkInsideOutAttributes::RenameArrays(
       }
       vtkSmartPointer<vtkAbstractArray> clone;
       clone.TakeReference(array->NewInstance());
+      vtkInsideOutRequireMemory(static_cast<vtkIdType>(array->GetActualMemorySize()) << 10);
       clone->DeepCopy(array);
       clone->SetName(renamed.c_str());
       data->RemoveArray(name);
@@ -117,6 +128,7 @@ void vtkInsideOutAttributes::PassPointData(vtkDataSet* input,
   const vtkIdType size = static_cast<vtkIdType>(origins.size());
   const vtkSmartPointer<vtkPointData> source = UsableArrays(
     input->GetPointData(), input->GetNumberOfPoints(), { "vtkOriginalPointIds" }, warnings);
+  RequireMemory(source, size);
   output->InterpolateAllocate(source, size);
   SetNumberOfTuples(output, size);
 
@@ -154,6 +166,7 @@ void vtkInsideOutAttributes::PassCellData(vtkDataSet* input, const std::vector<v
   const vtkSmartPointer<vtkCellData> source = UsableArrays(input->GetCellData(),
     input->GetNumberOfCells(), { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
   RenameArrays(source, added, warnings);
+  RequireMemory(source, size);
   output->CopyAllocate(source, size);
   SetNumberOfTuples(output, size);
   for (vtkIdType c = 0; c < size; ++c)

@@ -321,6 +321,13 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolygons(const insideout::PolygonSu
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeLines(const insideout::SurfaceDefects& defects)
 {
+  std::size_t corners = 0;
+  for (const insideout::DefectLine& line : defects.Lines)
+  {
+    corners += line.Points.size() + 1;
+  }
+  // Arrays that grow are twice as large as what they hold, and there for a while beside the new.
+  vtkInsideOutRequireMemory(static_cast<vtkIdType>(4 * corners * sizeof(vtkIdType)));
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
   for (const insideout::DefectLine& line : defects.Lines)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutRun.h"
 
+#include "vtkInsideOutBlock.h"
 #include "vtkInsideOutMonitor.h"
 #include "vtkInsideOutWholeInput.h"
+
+#include "Common/Team.h"
+#include "Common/ThreadLocals.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkAlgorithm.h>
@@ -17,6 +21,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <exception>
+#include <new>
 
 namespace
 {
@@ -76,6 +81,7 @@ int vtkInsideOutRun(
   try
   {
     MakeEmpty(outputs);
+    insideout::AllocateThreadLocals();
     if (vtkInsideOutMonitor::ShouldAbort(algorithm))
     {
       return 1;
@@ -91,17 +97,14 @@ int vtkInsideOutRun(
     {
       return 1;
     }
-    vtkErrorWithObjectMacro(algorithm, << error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    MakeEmpty(outputs);
-    vtkErrorWithObjectMacro(algorithm, << "out of memory");
+    vtkErrorWithObjectMacro(
+      algorithm, << vtkInsideOutBlock(algorithm) << vtkInsideOutWordsOf(error));
   }
   catch (const std::exception& error)
   {
     MakeEmpty(outputs);
-    vtkErrorWithObjectMacro(algorithm, << "internal error: " << error.what());
+    vtkErrorWithObjectMacro(
+      algorithm, << vtkInsideOutBlock(algorithm) << vtkInsideOutWordsOf(error));
   }
   return 0;
 }
@@ -110,13 +113,43 @@ int vtkInsideOutRunOnWhole(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work)
 {
   const bool isFurtherPiece = vtkInsideOutIsFurtherPiece(outputs);
-  return vtkInsideOutRun(algorithm, outputs, isFurtherPiece ? std::function<void()>([] {}) : work);
+  return vtkInsideOutRun(algorithm, outputs,
+    [&]()
+    {
+      if (!isFurtherPiece)
+      {
+        vtkInsideOutWarnOfThreads(algorithm);
+        work();
+      }
+    });
+}
+
+std::string vtkInsideOutWordsOf(const std::exception& error)
+{
+  if (dynamic_cast<const insideout::Error*>(&error))
+  {
+    return error.what();
+  }
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+  {
+    return "not enough memory for this surface";
+  }
+  return std::string("internal error: ") + error.what();
+}
+
+void vtkInsideOutWarnOfThreads(vtkAlgorithm* algorithm)
+{
+  const std::string warning = insideout::TooManyThreads();
+  if (!warning.empty())
+  {
+    vtkInsideOutWarn(algorithm, { warning });
+  }
 }
 
 void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings)
 {
   for (const std::string& warning : warnings)
   {
-    vtkWarningWithObjectMacro(algorithm, << warning);
+    vtkWarningWithObjectMacro(algorithm, << vtkInsideOutBlock(algorithm) << warning);
   }
 }

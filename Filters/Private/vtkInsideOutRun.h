@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,6 +26,12 @@ int vtkInsideOutRun(
 /** The same for a filter that needs all of its input: further pieces of its output are empty. */
 int vtkInsideOutRunOnWhole(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
+
+/** What went wrong, in one line. */
+std::string vtkInsideOutWordsOf(const std::exception& error);
+
+/** A warning event where more threads are asked for than work. */
+void vtkInsideOutWarnOfThreads(vtkAlgorithm* algorithm);
 
 /** A warning event of the algorithm for each line. */
 void vtkInsideOutWarn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings);

@@ -26,10 +26,12 @@ public:
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this);
   }
 
-  void End()
+  /** @return whether there was no error */
+  bool End()
   {
     this->Algorithm->RemoveObserver(this);
     this->Algorithm->GetExecutive()->RemoveObserver(this);
+    return !this->Failed;
   }
 
   void Execute(vtkObject* caller, unsigned long event, void* data) override
@@ -50,6 +52,8 @@ public:
 
   void Tell(vtkInsideOutEvent event, const char* text, double fraction)
   {
+    this->Failed =
+      this->Failed || event == VTK_INSIDEOUT_ERROR || event == VTK_INSIDEOUT_REQUEST_FAILED;
     if (this->Listener(event, text, fraction) != 0)
     {
       this->Algorithm->SetAbortExecute(1);
@@ -59,10 +63,11 @@ public:
 private:
   vtkAlgorithm* Algorithm = nullptr;
   vtkInsideOutListener Listener = nullptr;
+  bool Failed = false;
 };
 } // namespace
 
-extern "C" void vtkInsideOutUpdate(void* object, int wholeExtent, vtkInsideOutListener listener)
+extern "C" int vtkInsideOutUpdate(void* object, int wholeExtent, vtkInsideOutListener listener)
 {
   auto* algorithm = static_cast<vtkAlgorithm*>(static_cast<vtkObjectBase*>(object));
   vtkNew<Observation> observation;
@@ -73,11 +78,11 @@ extern "C" void vtkInsideOutUpdate(void* object, int wholeExtent, vtkInsideOutLi
   }
   catch (const std::bad_alloc&)
   {
-    observation->Tell(VTK_INSIDEOUT_ERROR, "out of memory", 0);
+    observation->Tell(VTK_INSIDEOUT_ERROR, "not enough memory", 0);
   }
   catch (const std::exception& error)
   {
     observation->Tell(VTK_INSIDEOUT_ERROR, error.what(), 0);
   }
-  observation->End();
+  return observation->End() ? 1 : 0;
 }

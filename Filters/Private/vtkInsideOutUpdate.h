@@ -31,7 +31,8 @@ extern "C"
    *
    * @param algorithm address of a vtkAlgorithm as a vtkObjectBase
    * @param wholeExtent 0, or 1 to update all of its input's extent, which is how writers write
+   * @return 1, or 0 after an error
    */
-  VTKFILTERSINSIDEOUT_EXPORT void vtkInsideOutUpdate(
+  VTKFILTERSINSIDEOUT_EXPORT int vtkInsideOutUpdate(
     void* algorithm, int wholeExtent, vtkInsideOutListener listener);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutWholeInput.h"
 
+#include "vtkInsideOutBlock.h"
+
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -24,6 +26,7 @@ void vtkInsideOutRequestWhole(
     {
       continue;
     }
+    vtkInsideOutRememberBlocks(input);
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
     input->Set(
       Pipeline::UPDATE_NUMBER_OF_PIECES(), vtkInsideOutIsFurtherPiece(outputVector) ? 0 : 1);

@@ -15,8 +15,11 @@ import signal
 import subprocess
 import sys
 import unittest
+import xml.etree.ElementTree
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
+
+from insideout.picture import colours_of_w
 
 SURFACE, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 HERE = Path(__file__).resolve().parent
@@ -72,6 +75,10 @@ def save_state(path: Path) -> list[str]:
     ]
 
 
+def color_by(array: str) -> str:
+    return do("pqClientMainWindow/variableToolbar/displayColor/Variables", "set_string", array)
+
+
 SMOOTH_LESS = do(PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5")
 WHOLE_HULL = do(PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false")
 
@@ -125,6 +132,66 @@ def write_spheres(path: Path, rings: int) -> None:
             triangles += [(a, a + 2 * rings, b), (b, a + 2 * rings, b + 2 * rings)]
     lines = [f"OFF\n{len(points)} {len(triangles)} 0", *(f"{x!r} {y!r} {z!r}" for x, y, z in points)]
     path.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in triangles]) + "\n", encoding="ascii")
+
+
+def write_box_and_sheet(path: Path) -> None:
+    """A box without a lid, and beside it a square, which encloses nothing."""
+    corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    square = [(2, 0, 0.25), (3, 0, 0.25), (3, 1, 0.75), (2, 1, 0.75)]
+    faces = [(0, 2, 3, 1), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6), (8, 9, 10, 11)]
+    lines = [f"OFF\n12 {len(faces)} 0", *(f"{x} {y} {z}" for x, y, z in corners + square)]
+    path.write_text("\n".join(lines + ["4 {} {} {} {}".format(*face) for face in faces]) + "\n", encoding="ascii")
+
+
+class State:
+    """What a state file says of how things look."""
+
+    def __init__(self, path: Path):
+        self.root = xml.etree.ElementTree.parse(path).getroot().find("ServerManagerState")
+        self.names = {item.get("id"): item.get("name") for item in self.root.iterfind("ProxyCollection/Item")}
+
+    def proxies(self, group: str):
+        return self.root.iterfind(f"Proxy[@group='{group}']")
+
+    @staticmethod
+    def values(proxy, name: str) -> list[str]:
+        return [element.get("value") for element in proxy.iterfind(f"Property[@name='{name}']/Element")]
+
+    def looks(self) -> dict[tuple[str, int], tuple[str, str, str]]:
+        """Of each thing that is shown, by name and port: how, by which array, in which color."""
+        found = {}
+        for proxy in self.proxies("representations"):
+            source = proxy.find("Property[@name='Input']/Proxy")
+            if source is not None and self.values(proxy, "Visibility") == ["1"]:
+                representation = self.values(proxy, "Representation")[0]
+                array = self.values(proxy, "ColorArrayName")[4]
+                color = " ".join(self.values(proxy, "DiffuseColor"))
+                place = (self.names[source.get("value")], int(source.get("output_port")))
+                found[place] = (representation, array, color)
+        return found
+
+    def named(self, group: str, name: str):
+        return next(proxy for proxy in self.proxies(group) if self.names[proxy.get("id")] == name)
+
+    def colors_of_w(self) -> list[float]:
+        return [float(value) for value in self.values(self.named("lookup_tables", "w.PVLookupTable"), "RGBPoints")]
+
+    def normal_of(self, slice_name: str) -> list[str]:
+        plane = self.named("filters", slice_name).find("Property[@name='CutFunction']/Proxy").get("value")
+        return self.values(self.root.find(f"Proxy[@id='{plane}']"), "Normal")
+
+
+def colors_of_pictures() -> list[float]:
+    """Those of w in the Python package's pictures: w, red, green, blue and so on."""
+    colors, node = colours_of_w(), [0.0] * 6
+    found = []
+    for i in range(colors.GetSize()):
+        colors.GetNodeValue(i, node)
+        found += node[:4]
+    return found
+
+
+COLORS_OF_W = colors_of_pictures()
 
 
 # Two that look for a free display at once may take the same one; the second is then without. A display
@@ -229,6 +296,7 @@ class TestGui(unittest.TestCase):
                 choose("/0/0"),
                 add("RobustTetrahedralize"),
                 APPLY,
+                *save_state(FOLDER / "aborted.pvsm"),
             ],
         )
         self.assertEqual(window.status, 0, window.messages)
@@ -241,6 +309,9 @@ class TestGui(unittest.TestCase):
         wholes = re.findall(r"^RobustTetrahedralize(\d): (\d+) cells$", window.messages, re.M)
         self.assertEqual([name for name, _ in wholes], ["1", "2"], "each whole once")
         self.assertEqual(wholes[0][1], wholes[1][1], "as if it had never been stopped")
+        looks = State(FOLDER / "aborted.pvsm").looks()
+        first, second = (looks[f"RobustTetrahedralize{k}", 0] for k in (1, 2))
+        self.assertEqual((first, len(looks)), (second, 2), "shown as if it had never been stopped")
 
     def test_6_the_information_panel_tells_the_statistics(self):
         arrays = INFORMATION + "dataArraysTable"
@@ -289,6 +360,40 @@ class TestGui(unittest.TestCase):
         window = Window("toolbar", events=[*open_file(SURFACE), do(TOOLBAR + "2"), do(TOOLBAR + "3")])
         self.assertIn(f"Couldn't find object  `{TOOLBAR}3`", window.messages)
         self.assertNotIn(f"Couldn't find object  `{TOOLBAR}2`", window.messages)
+
+    def play(self, name: str, *events: str, options=()):
+        window = Window(name, *options, events=events)
+        self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
+
+    def test_9_a_solid_looks_like_one_after_apply_and_then_as_the_user_likes(self):
+        first, later, loaded = (FOLDER / f"{name}.pvsm" for name in ("first", "later", "loaded"))
+        solid = ("RobustTetrahedralize1", 0)
+        self.play(
+            "solid",
+            *[*open_file(SURFACE), add("RobustTetrahedralize"), APPLY, *save_state(first)],
+            *[color_by("w"), SMOOTH_LESS, APPLY, *save_state(later)],
+        )
+        self.assertEqual(State(first).looks(), {solid: ("Surface", "", "1 1 1")})
+        self.assertEqual(State(later).looks(), {solid: ("Surface", "w", "1 1 1")})
+        self.assertEqual(State(later).colors_of_w(), COLORS_OF_W)
+        self.play("solid-loaded", *save_state(loaded), options=[f"--state={later}"])
+        self.assertEqual(State(loaded).looks(), State(later).looks())
+
+    def test_10_outliers_are_red_after_apply(self):
+        surface, state = FOLDER / "outliers.off", FOLDER / "outliers.pvsm"
+        write_box_and_sheet(surface)
+        self.play("outliers", *open_file(surface), add("RobustTetrahedralize"), APPLY, *save_state(state))
+        solid, outliers = ("RobustTetrahedralize1", 0), ("RobustTetrahedralize1", 2)
+        red = "0.9 0.2 0.15"
+        self.assertEqual(
+            State(state).looks(), {solid: ("Surface", "", "1 1 1"), outliers: ("Surface", "", red)}
+        )
+
+    def test_11_slices_face_the_camera_in_colors_with_a_meaning(self):
+        state = State(self.state)
+        self.assertEqual(state.looks()["SliceWindingNumber1", 0][:2], ("Surface", "w"))
+        self.assertEqual(state.normal_of("SliceWindingNumber1"), ["0", "0", "1"])
+        self.assertEqual(state.colors_of_w(), COLORS_OF_W)
 
 
 if __name__ == "__main__":

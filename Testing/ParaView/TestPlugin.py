@@ -117,6 +117,12 @@ class TestPlugin(unittest.TestCase):
                 names = [readers.GetString(i) for i in range(1, readers.GetLength(), 3)]
                 self.assertEqual(len(names), 1, names)  # of several ParaView would ask which
                 self.assertEqual(names == ["SurfaceReader"], ending == "off", names)
+            for ending in ("OFF", "off.gz", "obj.gz", "ply.gz", "stl.gz", "STL.GZ"):
+                file = os.path.join(folder, "any." + ending)
+                with open(file, "w", encoding="utf-8") as stream:
+                    stream.write("anything\n")
+                readers = factory.GetReaders(file, session)
+                self.assertIn("SurfaceReader", [readers.GetString(i) for i in range(1, readers.GetLength(), 3)])
         self.assertIn("Surface in Full Precision (Inside Out)", factory.GetSupportedFileTypes(session))
 
     def test_statistics_are_among_the_information(self):
@@ -140,6 +146,33 @@ class TestPlugin(unittest.TestCase):
         simple.FindSource("slice of it").SliceType.Origin = [0.7, 0.7, 0.4]
         simple.FindSource("slice of it").UpdatePipeline()
         self.assertIn("w", simple.FindSource("slice of it").CellData.keys())
+
+    def test_arrays_are_chosen_from_those_that_fit(self):
+        """Cell arrays of one number per cell, and none."""
+        marked = self.surface
+        for name, association, formula in (
+            ("chosen", "Cell Data", "1"), ("of points", "Point Data", "1"), ("vector", "Cell Data", "iHat")
+        ):
+            marked = simple.Calculator(Input=marked, AttributeType=association, ResultArrayName=name, Function=formula)
+        marked.UpdatePipeline()
+        seen = []
+        for name in FILTERS:
+            surface = "Surface" if name == "ProbeWindingNumber" else "Input"
+            proxy = servermanager.ProxyManager().NewProxy("filters", name)
+            properties = proxy.NewPropertyIterator()
+            properties.Begin()
+            while not properties.IsAtEnd():
+                key, prop = properties.GetKey(), properties.GetProperty()
+                properties.Next()
+                if key.endswith("ArrayName"):
+                    proxy.GetProperty(surface).AddInputConnection(marked.SMProxy, 0)
+                    domain = prop.FindDomain("vtkSMArrayListDomain")
+                    offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+                    self.assertEqual(sorted(offered), ["", "chosen"], (name, key))
+                    self.assertEqual(prop.GetElement(0), "", "and none of them at first")
+                    seen.append((name, key))
+        self.assertIn(("RobustTetrahedralize", "ConstrainedFacetsArrayName"), seen)
+        self.assertEqual(len(seen), 6)
 
     def test_each_block_has_its_solid_and_keeps_its_name(self):
         blocks = simple.GroupDatasets(Input=[self.surface, simple.Box()], BlockNames=["boxes", "box"])

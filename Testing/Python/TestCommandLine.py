@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`python3 -m insideout`, each time as a process of its own."""
 
+import gzip
 import json
 import os
+import select
 import signal
 import subprocess
 import sys
@@ -18,6 +20,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
+
+
+SIGNALS = ((signal.SIGINT, "interrupted", 130), (signal.SIGTERM, "terminated", 143))
 
 
 def run(*arguments: str, **options) -> subprocess.CompletedProcess:
@@ -81,6 +86,7 @@ class Success(CommandLine):
             ("box.vtp", surfaces.box()),
             ("box.off", OFF_BOX),
             ("SHOUTED.OFF", OFF_BOX),
+            ("box.off.gz", gzip.compress(OFF_BOX.encode())),
         ):
             with self.subTest(name):
                 done = run(self.file(name, content), self.output)
@@ -120,6 +126,16 @@ class Success(CommandLine):
                     },
                 )
                 self.assertEqual(found["tetrahedralizer"], "exact flips and cuts")
+
+    def test_the_report_is_json_of_a_surface_beyond_all_volumes(self):
+        report = self.path("report.json")
+        huge = insideout.data.make_surface(surfaces.points_of(surfaces.box()) * 1e110, surfaces.BOX_FACETS)
+        done = run(self.file("huge.ply", huge), self.output, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(report, encoding="utf-8") as file:
+            found = json.load(file, parse_constant=self.fail)["statistics"]
+        self.assertIsNone(found["Volume"])
+        self.assertEqual(found["CenterOfMassX"], 5e109)
 
     def test_a_picture_of_it(self):
         picture = self.path("picture.png")
@@ -226,6 +242,33 @@ class Success(CommandLine):
         self.assertIn("\rtetrahedralizing", shown)
         self.assertIn("[##############################] 100 %", shown)
 
+    def test_quiet_keeps_the_reason_of_each_failure(self):
+        names = [self.file("flat.ply", surfaces.polydata(surfaces.box_points()[:4], [(0, 1, 2)])), self.path("missing.ply")]
+        names += [self.file("box.ply", surfaces.box()), self.file("bad.off", "OFF\n1 1 0\n")]
+        for mode in ([self.path("{}.vtu")], ["--check"]):
+            with self.subTest(mode):
+                done = run(*names, *mode, "--quiet")
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                failing = [name for name in names if "box" not in name and (mode != ["--check"] or "flat" not in name)]
+                lines = done.stderr.splitlines()
+                self.assertEqual(len(lines), len(failing), done.stderr)
+                for name, line in zip(failing, lines):
+                    self.assertTrue(line.startswith("insideout: "), line)
+                    self.assertIn(name, line)
+
+    def test_points_merged_across_seams_of_textures_are_one_note_and_no_warning(self):
+        obj = "".join("v {} {} {}\n".format(*point) for point in surfaces.box_points()) + "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n"
+        corners = [[(corner, 1 + (k + turn) % 4) for turn, corner in enumerate(facet)] for k, facet in enumerate(surfaces.BOX_FACETS)]
+        obj += "".join("f " + " ".join(f"{corner + 1}/{place}" for corner, place in facet) + "\n" for facet in corners)
+        file = self.file("box.obj", obj)
+        done = run(file, self.output)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("Warning", done.stdout)
+        (line,) = [line for line in done.stdout.splitlines() if "texture" in line]
+        self.assertRegex(line, r"^Note: \d+ points, copies .* --split-seams keeps them all$")
+        self.assertNotIn("texture", run(file, self.output, "--split-seams").stdout)
+        self.assertNotIn("Note", run(self.file("box.ply", surfaces.box()), self.output).stdout)
+
     def test_quiet_prints_nothing(self):
         done = run(self.file("inverted.ply", surfaces.reversed_box()), self.output, "--quiet")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
@@ -252,6 +295,40 @@ class Success(CommandLine):
         self.assertGreater(read_grid(self.output).GetNumberOfCells(), 0)
 
 
+class StandardInput(CommandLine):
+    def content(self, name: str) -> bytes:
+        with open(self.file(name, surfaces.box()), "rb") as file:
+            return file.read()
+
+    def run_on(self, content: bytes, *arguments: str) -> subprocess.CompletedProcess:
+        done = subprocess.run([sys.executable, "-m", "insideout", *arguments], input=content, capture_output=True, check=False)
+        return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
+
+    def test_its_content_tells_what_it_is(self):
+        for content in (self.content("box.ply"), self.content("box.vtp"), gzip.compress(self.content("box.stl"))):
+            done = self.run_on(content, "-", self.path("{}.vtu"), "--boundary", self.path("{}-boundary.ply"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("Surface standard input: bounds a solid", done.stdout)
+            self.assertNotIn("Warning", done.stdout)
+            self.assertEqual(read_surface(self.path("stdin-boundary.ply"))[0].GetNumberOfCells(), 12)
+        self.assertEqual(self.run_on(self.content("box.obj"), "--check", "-").returncode, 0)
+
+    def test_or_the_format_that_is_given(self):
+        content = b"f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\nv 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\n"
+        self.check_failure(self.run_on(content, "-", self.output), "standard input: neither content", "--format")
+        done = self.run_on(content, "-", self.output, "--format", "obj")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.check_failure(self.run_on(b"", "-", self.path("other.vtu")), "standard input: is empty")
+        self.check_failure(self.run_on(b"ply\n", "-", self.path("other.vtu")), "standard input, line 2")
+        self.check_failure(self.run_on(b"", "-", "-", self.path("{}.vtu")), "named twice")
+        self.check_failure(run(self.path("a.ply"), self.path("a.vtu"), "--format", "ply"), "--format")
+
+    def check_failure(self, done: subprocess.CompletedProcess, *expected: str):
+        if os.path.exists(self.output):
+            os.remove(self.output)
+        super().check_failure(done, *expected)
+
+
 class Several(CommandLine):
     def test_one_that_fails_does_not_keep_the_others_and_a_table_tells_all(self):
         first, last = self.file("first.ply", surfaces.box()), self.file("last.ply", surfaces.open_box())
@@ -272,11 +349,31 @@ class Several(CommandLine):
         self.assertEqual([line.split()[0] for line in table], [first, missing, last])
         self.assertEqual(table[2].split()[1:3], ["10", "4"])
         self.assertIn("no such file", table[1])
+        self.assertEqual(heading.split()[-2:], ["seconds", "result"])
+        self.assertIn("bounds a solid of volume 1", table[0])
         self.assertEqual(end, "2 of 3 surfaces done")
 
     def test_several_are_checked(self):
         names = [self.file("a.ply", surfaces.box()), self.file("b.ply", surfaces.open_box())]
         done = run("--check", *names)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.splitlines()[-1], "2 of 2 surfaces done")
+        self.assertIn("bounds a solid of volume 1, once its holes are closed", done.stdout.splitlines()[-2])
+
+    def test_of_several_that_are_checked_or_evaluated_one_may_fail(self):
+        box, broken = self.file("a.ply", surfaces.box()), self.file("broken.ply", "ply\n")
+        query = self.file("query.csv", "0.5,0.5,0.5\n2,2,2\n")
+        for arguments in (("--check", broken, box), ("--winding", query, broken, box, self.path("{}.csv"))):
+            with self.subTest(arguments):
+                done = run(*arguments)
+                self.assertEqual(done.returncode, 1)
+                *_, first, last, end = done.stdout.splitlines()
+                self.assertRegex(first, rf"^{broken} .*- .*broken.ply, line 2")
+                self.assertTrue(last.startswith(box))
+                self.assertEqual(end, "1 of 2 surfaces done")
+
+    def test_devices_may_be_written_for_each(self):
+        done = run(self.file("a.ply", surfaces.box()), self.file("b.ply", surfaces.box()), "/dev/null")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout.splitlines()[-1], "2 of 2 surfaces done")
 
@@ -296,6 +393,31 @@ class Winding(CommandLine):
         with open(result, encoding="utf-8") as file:
             self.assertEqual(file.read().splitlines(), ["x,y,z,name,w,inside", "0.5,0.5,0.5,in,1.0,1", "2,2,2,out,0.0,0"])
         self.assertIn("1 of 2 places are inside", done.stdout)
+
+    def test_a_table_that_has_w_gets_it_anew_and_keeps_all_else(self):
+        box = self.file("box.ply", surfaces.box())
+        for text, expected in (
+            ("x,y,z,w,Name\n0.50,5e-1,.5,7,\"a, b\"\n2,2,2,,größer\n", 'x,y,z,w,Name,inside\n0.50,5e-1,.5,1.0,"a, b",1\n2,2,2,0.0,größer,0\n'),
+            ("X,Y,Z,Inside,note,W\n2,2,2,maybe,0x1F,nan\n", "X,Y,Z,Inside,note,W\n2,2,2,0,0x1F,0.0\n"),
+            ("x,y,z, w \n2,2,2\n", "x,y,z, w ,inside\n2,2,2,0.0,0\n"),
+            ("2,2,2,left\n3,3,3\n", "x,y,z,,w,inside\n2,2,2,left,0.0,0\n3,3,3,,0.0,0\n"),
+        ):
+            with self.subTest(text):
+                done = run("--winding", self.file("query.csv", text), box, self.path("w.csv"))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(self.path("w.csv"), encoding="utf-8") as file:
+                    self.assertEqual(file.read(), expected)
+                again = run("--winding", self.path("w.csv"), box, self.path("again.csv"))
+                self.assertEqual(again.returncode, 0, again.stderr)
+                with open(self.path("again.csv"), encoding="utf-8") as file:
+                    self.assertEqual(file.read(), expected)
+
+    def test_bytes_of_other_columns_that_are_no_text_are_kept(self):
+        query = self.file("query.csv", b"x,y,z,name\r\n2,2,2,gr\xf6\xdfer\r\n")
+        done = run("--winding", query, self.file("box.ply", surfaces.box()), self.path("w.csv"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("w.csv"), "rb") as file:
+            self.assertEqual(file.read(), b"x,y,z,name,w,inside\r\n2,2,2,gr\xf6\xdfer,0.0,0\r\n")
 
     def test_a_table_may_lack_a_heading_and_may_be_empty(self):
         for text, lines in (("0.5,0.5,0.5\n", 2), ("x,y,z\n", 1), ("", 1)):
@@ -350,22 +472,66 @@ class Stopping(CommandLine):
         done = run(self.file("box.ply", surfaces.box()), self.output, "--engine", "tetgen", "--timeout", "1", env=self.environment)
         self.check_failure(done, "stopped while tetrahedralizing", "--timeout")
 
-    def test_ctrl_c_ends_the_command_with_status_130(self):
-        report = self.path("report.json")
+    def signalled(self, stage: str, number: int, *arguments: str, env=None) -> tuple:
+        """What a command says after a signal that comes in a stage, and its exit status."""
         with subprocess.Popen(
-            [sys.executable, "-m", "insideout", self.file("box.ply", surfaces.box()), self.output]
-            + ["--engine", "tetgen", "--report", report],
-            stderr=subprocess.PIPE,
-            env=self.environment,
-            text=True,
+            [sys.executable, "-m", "insideout", *arguments], stderr=subprocess.PIPE, env=env, text=True
         ) as process:
-            while "resolving" not in process.stderr.readline():
-                pass
-            process.send_signal(signal.SIGINT)
-            self.assertEqual(process.stderr.read(), "insideout: interrupted\n")
-            self.assertEqual(process.wait(), 130)
-        with open(report, encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["exit_status"], 130)
+            self.assertTrue(any(stage in line for line in process.stderr))
+            process.send_signal(number)
+            return process.stderr.read(), process.wait()
+
+    def test_a_signal_ends_the_command(self):
+        report, box = self.path("report.json"), self.file("box.ply", surfaces.box())
+        arguments = (box, self.output, "--engine", "tetgen", "--report", report)
+        for number, words, status in SIGNALS:
+            with self.subTest(words):
+                said = self.signalled("resolving", number, *arguments, env=self.environment)
+                self.assertEqual(said, (f"insideout: {box}: {words}\n", status))
+                with open(report, encoding="utf-8") as file:
+                    self.assertEqual(json.load(file)["exit_status"], status)
+
+    def test_a_signal_ends_it_while_a_pipe_waits_for_a_reader(self):
+        os.mkfifo(self.output)
+        box = self.file("box.ply", surfaces.box())
+        for number, words, status in SIGNALS:
+            with self.subTest(words):
+                errors, found = self.signalled("extracting", number, box, self.output)
+                self.assertRegex(errors, f"^insideout: .*: {words}\n$")
+                self.assertEqual(found, status)
+
+    def test_a_signal_ends_a_drawing_and_leaves_nothing(self):
+        """A program takes the display's place that makes a file, says so, and never ends."""
+        begun, never = self.path("begun"), self.path("never")
+        os.mkfifo(begun)
+        os.mkfifo(never)
+        display = self.file("xvfb-run", f"#!/bin/sh\n: >$TMPDIR/made\necho >'{begun}'\nexec cat '{never}'\n")
+        os.chmod(display, 0o700)
+        folder, picture = self.path("temporary"), self.path("picture.png")
+        os.mkdir(folder)
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        environment.update(TMPDIR=folder, PATH=f"{self.folder}{os.pathsep}{os.environ['PATH']}")
+        box = self.file("box.ply", surfaces.box())
+        for number, words, status in SIGNALS:
+            with self.subTest(words), open(os.open(begun, os.O_RDONLY | os.O_NONBLOCK), encoding="utf-8") as display_says, subprocess.Popen(
+                [sys.executable, "-m", "insideout", box, self.output, "--plot", picture, "--quiet"],
+                stderr=subprocess.PIPE,
+                env=environment,
+                text=True,
+            ) as process:
+                heard, _, _ = select.select([display_says, process.stderr], [], [])
+                self.assertEqual(heard, [display_says])
+                drawing = os.open(never, os.O_WRONLY)
+                self.addCleanup(os.close, drawing)
+                self.assertEqual(len(os.listdir(folder)), 1)
+                process.send_signal(number)
+                self.assertEqual(process.stderr.read(), f"insideout: {picture}: {words}\n")
+                self.assertEqual(process.wait(), status)
+                self.assertEqual(os.listdir(folder), [])
+                self.assertFalse(os.path.exists(picture))
+                ended = select.poll()
+                ended.register(drawing, 0)
+                self.assertEqual(ended.poll(), [(drawing, select.POLLERR)])  # nobody reads it any more
 
 
 class Failure(CommandLine):
@@ -423,6 +589,9 @@ class Failure(CommandLine):
 
     def test_outputs_are_checked_before_the_work(self):
         source = self.file("box.ply", surfaces.box())
+        os.symlink("box.ply", self.path("link.ply"))
+        os.link(source, self.path("hard.stl"))
+        os.symlink("solid.vtu", self.path("link.vtu"))
         os.mkdir(self.path("folder.vtu"))
         for arguments, expected in (
             ((self.path("solid.vtk"),), "solid.vtk: unknown ending"),
@@ -433,12 +602,39 @@ class Failure(CommandLine):
             ((self.output, "--outliers", self.path("outliers")), "outliers: unknown ending"),
             ((self.output, "--report", self.path("report.txt")), "report.txt: unknown ending"),
             ((self.output, "--hull", self.output), "is named twice"),
-            ((self.output, "--boundary", source), "is named twice"),
+            ((self.output, "--boundary", source), "is read"),
+            ((self.output, "--boundary", self.path("./box.ply")), "is read"),
+            ((self.output, "--boundary", self.path("link.ply")), "is read"),
+            ((self.output, "--boundary", self.path("hard.stl")), "is read"),
+            ((self.output, "--hull", self.path("link.vtu")), "is named twice"),
         ):
             with self.subTest(expected):
                 done = run(source, *arguments)
                 self.check_failure(done, expected)
                 self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")
+
+    def test_no_input_of_any_kind_is_an_output(self):
+        box, other = self.file("box.ply", surfaces.box()), self.file("other.stl", surfaces.box())
+        query, seeds = self.file("query.csv", "0,0,0\n"), self.file("seeds.csv", "0.5,0.5,0.5,1\n")
+        os.link(seeds, self.path("seeds.vtu"))
+        for arguments in (
+            ("--winding", query, box, query),
+            ("--winding", query, box, self.path("./query.csv")),
+            (box, self.path("seeds.vtu"), "--seeds", seeds),
+            (other, box, self.path("{}.vtu"), "--boundary", self.path("{}.ply"), "--outliers", self.path("{}-outliers.stl")),
+        ):
+            with self.subTest(arguments):
+                before = {name: os.stat(self.path(name)).st_mtime_ns for name in os.listdir(self.folder)}
+                done = run(*arguments)
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")
+                self.assertIn("is read", done.stderr)
+                self.assertEqual({name: os.stat(self.path(name)).st_mtime_ns for name in os.listdir(self.folder)}, before)
+
+    def test_devices_may_be_named_twice(self):
+        done = run(self.file("box.ply", surfaces.box()), "/dev/null", "--hull", "/dev/null", "--report", "/dev/stdout", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(json.loads(done.stdout)["outputs"], {"solid": "/dev/null", "hull": "/dev/null"})
 
     def test_a_folder_without_permission(self):
         if os.geteuid() == 0:

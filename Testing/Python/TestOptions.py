@@ -187,6 +187,42 @@ class Readme(unittest.TestCase):
         self.assertEqual(told, {class_name: set(properties(class_name)) for class_name in told})
 
 
+class ThreeWays(unittest.TestCase):
+    """README.md's table of what a property is on the command line and in Python."""
+
+    def rows(self) -> dict[str, tuple[str, str]]:
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        (body,) = re.findall(r"^\| property \| option \| Python argument \|\n\|[-|]+\n((?:\|.*\n)+)", text, re.MULTILINE)
+        rows = [re.fullmatch(r"\| `(\w+)` \| (.+) \| (.+) \|", line).groups() for line in body.splitlines()]
+        self.assertEqual(len({name for name, _, _ in rows}), len(rows))
+        return {name: (option, argument) for name, option, argument in rows}
+
+    def test_it_has_every_property_once(self):
+        self.assertEqual(set(self.rows()), set(properties("vtkRobustTetrahedralize")) | {"Seeds"})
+
+    def test_each_option_and_argument_is_there_and_sets_the_property(self):
+        usage = " ".join(arguments._parser().format_help().split())
+        others = dict(Python.NO_OPTIONS)
+        for name, (option, argument) in self.rows().items():
+            with self.subTest(name):
+                if others.pop(name, None) is not None:
+                    continue
+                key = argument.strip("`")
+                self.assertEqual(OPTIONS[key].vtk_property.removesuffix("Data"), name)
+                self.assertIn(key, inspect.signature(insideout.tetrahedralize).parameters)
+                self.assertEqual(option.strip("`").split()[0], "--" + key.replace("_", "-"))
+                self.assertIn(f" {option.strip('`')} {OPTIONS[key].help()}".replace("%%", "%")[:60], usage)
+        self.assertEqual(others, {})
+
+    def test_the_two_that_are_something_else(self):
+        rows = self.rows()
+        self.assertEqual(rows["ExtractInside"], ("off: `--hull FILE.vtu`", "off: `result.hull`"))
+        self.assertEqual(rows["ConstrainedFacetsArrayName"], ("`--constrained-array ARRAY`", '`constrain_facets="ARRAY"`'))
+        parsed = arguments.parse(["broken.ply", "solid.vtu", "--hull", "hull.vtu", "--constrained-array", "Some"])[0]
+        self.assertEqual((parsed.hull, parsed.constrain_facets), ("hull.vtu", "Some"))
+        self.assertIn("hull", {field.name for field in fields(insideout.Tetrahedralization)})
+
+
 class Python(unittest.TestCase):
     """The options of `tetrahedralize`."""
 

@@ -20,7 +20,9 @@ import insideout
 import numpy as np
 import surfaces
 from insideout.files import write_surface
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 try:
@@ -44,6 +46,36 @@ def tables(surface: vtkPolyData):
     return surfaces.points_of(surface), surfaces.triangles_of(surface)
 
 
+def masked(table, row: int):
+    mask = np.zeros(table.shape, bool)
+    mask[row, 1] = True
+    return np.ma.masked_array(table, mask=mask)
+
+
+def blocks(surface: vtkPolyData) -> vtkMultiBlockDataSet:
+    data = vtkMultiBlockDataSet()
+    data.SetBlock(0, surface)
+    return data
+
+
+def source_of(data) -> vtkTrivialProducer:
+    source = vtkTrivialProducer()
+    source.SetOutput(data)
+    return source
+
+
+def missing_file():
+    reader = insideout.vtkSurfaceReader()
+    reader.SetFileName("missing.ply")
+    return reader
+
+
+def downstream(source) -> vtkCleanPolyData:
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(source.GetOutputPort())
+    return clean
+
+
 class Inputs(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -62,6 +94,14 @@ class Inputs(unittest.TestCase):
         yield "other numbers", (points.astype(np.float32), triangles.astype(np.uint32)[:, ::1])
         if meshio is not None:
             yield "meshio", meshio.Mesh(points, [("triangle", triangles)])
+        yield "vertices and faces", types.SimpleNamespace(vertices=points, faces=triangles)
+        yield "unmasked", (np.ma.masked_array(points), np.ma.masked_array(triangles, mask=False))
+        reader = insideout.vtkSurfaceReader()
+        reader.SetFileName(file)
+        yield "algorithm", reader
+        same = vtkTriangleFilter()
+        same.SetInputConnection(reader.GetOutputPort())
+        yield "output port", same.GetOutputPort()
 
     def test_every_function_gives_the_same_for_every_kind_of_surface(self):
         for name, (function, result_type, essence) in FUNCTIONS.items():
@@ -87,6 +127,19 @@ class Inputs(unittest.TestCase):
             ((points, triangles + 1), "refers to point 16 of 16"),
             ((points, triangles[:0]), "empty"),
             ("missing.ply", "cannot read missing.ply"),
+            ((masked(points, 5), triangles), "points is masked in row 5"),
+            ((points, masked(triangles, 3)), "triangles is masked in row 3"),
+            ((points + 0j, triangles), "points holds complex numbers"),
+            ((points, triangles + 0j), "triangles holds complex numbers"),
+            (types.SimpleNamespace(vertices=points[:, :2], faces=triangles), "vertices has 2 columns"),
+            (types.SimpleNamespace(vertices=points, faces=masked(triangles, 0)), "faces is masked in row 0"),
+            (blocks(self.surface), "the surface is a vtkMultiBlockDataSet, which has blocks: give one of them"),
+            (source_of(blocks(self.surface)), "the output of the vtkTrivialProducer is a vtkMultiBlockDataSet, which has blocks"),
+            (source_of(vtkUnstructuredGrid()), "the output of the vtkTrivialProducer is a vtkUnstructuredGrid; it must be"),
+            (missing_file(), "missing.ply"),
+            (vtkCleanPolyData(), "vtkCleanPolyData.* has 0 connections"),
+            (downstream(missing_file()), "missing.ply"),
+            (insideout.vtkSurfaceWriter(), "vtkSurfaceWriter, which has no output"),
         ):
             for name, (function, _, _) in FUNCTIONS.items():
                 with self.subTest(function=name, expected=expected):
@@ -95,7 +148,7 @@ class Inputs(unittest.TestCase):
                     self.assertNotIn("\n", str(caught.exception))
 
     def test_bad_queries_and_parameters(self):
-        for points in ([1, 2, 3], [(1, 2)], "here", None):
+        for points in ([1, 2, 3], [(1, 2)], "here", None, [(1j, 0, 0)], masked(np.zeros((4, 3)), 2), blocks(self.surface)):
             with self.subTest(points), self.assertRaisesRegex(insideout.Error, "points"):
                 insideout.winding_number(self.surface, points)
         for parameters in ({"orientation": "sideways"}, {"merge_tolerance": -1}, {"threshold": float("nan")}):

@@ -2,7 +2,6 @@
 """What every result has to hold, on dirty meshes that the Debian package libcgal-demo brings."""
 
 import os
-import tarfile
 import tempfile
 import unittest
 
@@ -11,6 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import insideout
 from insideout.files import read_surface
+from real_surfaces import unpack_cgal
 from surfaces import (
     cell_array,
     count_not_manifold,
@@ -23,7 +23,6 @@ from surfaces import (
     triangles_of,
 )
 
-ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"
 
 # Open edges and intersecting pairs of each mesh, counted by brute force with exact predicates.
 MESHES = {
@@ -74,15 +73,11 @@ class TestRealMeshes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        with tarfile.open(ARCHIVE) as archive:
-            for name in MESHES:
-                member = archive.getmember("data/meshes/" + name)
-                member.name = name
-                archive.extract(member, cls.folder.name)
         cls.results = {}
-        for name in MESHES:
-            surface, _ = read_surface(os.path.join(cls.folder.name, name))
-            cls.results[name] = surface, insideout.tetrahedralize(surface)
+        for path in unpack_cgal(cls.folder.name, MESHES):
+            surface, _ = read_surface(path)
+            cls.results[os.path.basename(path)] = surface, insideout.tetrahedralize(surface)
+        assert set(cls.results) == set(MESHES)
 
     @classmethod
     def tearDownClass(cls):

@@ -53,6 +53,27 @@ class Laws(unittest.TestCase):
         self.assertEqual(counted["HullCells"], result.hull.GetNumberOfCells())
         self.assertEqual(counted["BoundaryFaces"], result.boundary.GetNumberOfCells())
         self.assertEqual(counted["OutlierFacets"], result.outliers.GetNumberOfCells())
+        self.assertAlmostEqual(counted["Volume"], volume, delta=1e-12)
+
+    def test_mass_properties_are_those_of_a_box(self):
+        box = surfaces.box((10, 20, 30), 2)
+        for scale in (1, 1e-3):
+            points = surfaces.points_of(box) * (1, 2, 3) * scale
+            found = insideout.tetrahedralize((points, surfaces.triangles_of(box))).statistics
+            mass = 2 * 4 * 6 * scale**3
+            self.assertAlmostEqual(found["Volume"] / mass, 1, 14)
+            for axis, expected, others in (("X", 11, (4, 6)), ("Y", 42, (2, 6)), ("Z", 93, (2, 4))):
+                self.assertAlmostEqual(found["CenterOfMass" + axis] / scale / expected, 1, 14)
+                inertia = mass * scale**2 * (others[0] ** 2 + others[1] ** 2) / 12
+                self.assertAlmostEqual(found["Inertia" + axis + axis] / inertia, 1, 13)
+            for pair in ("XY", "YZ", "XZ"):
+                self.assertLess(abs(found["Inertia" + pair]), 1e-12 * found["InertiaXX"])
+
+    def test_mass_properties_do_not_depend_on_the_tetrahedra(self):
+        surface = surfaces.two_boxes()
+        found = [insideout.tetrahedralize(surface, engine=engine).statistics for engine in ("exact", "tetgen")]
+        for name in ("Volume", "CenterOfMassX", "InertiaXX", "InertiaYZ"):
+            self.assertAlmostEqual(found[0][name], found[1][name], 12)
 
     def test_a_box_is_filled(self):
         result = insideout.tetrahedralize(surfaces.box())

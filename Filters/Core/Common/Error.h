@@ -23,6 +23,7 @@ enum class ErrorCode
   TetrahedralizerDied,   ///< the helper program crashed, could not be started or sent garbage
   TetrahedralizerFailed, ///< the helper program ran and reported that it cannot do it
   Inconsistent,          ///< a result failed its own check: a bug worth reporting
+  Forked,                ///< this process was forked in the middle of a loop, without its threads
   Stopped                ///< the monitor asked to stop
 };
 

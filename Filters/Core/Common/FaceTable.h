@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Buckets.h"
+#include "Common/ParallelLoop.h"
 #include "Common/SortedTriangle.h"
 
 #include <algorithm>
@@ -54,10 +55,8 @@ public:
           }
         })
   {
-    for (std::size_t p = 0; p < points; ++p)
-    {
-      this->Entries.Sort(p, std::less<FaceEntry>());
-    }
+    ParallelLoop(points, CostOfPoint,
+      [this](std::size_t p) { this->Entries.Sort(p, std::less<FaceEntry>()); });
   }
 
   using Range = Buckets<FaceEntry>::Range;
@@ -76,11 +75,14 @@ public:
     return { first, EndOfFace(first, all.Last, wanted) };
   }
 
-  /** Call visit(range, lowest point) for each face once. */
+  /**
+   * Call visit(range, lowest point) for each face once, on several threads. It may throw: what is
+   * thrown on is what it throws for the first such face, for which it is called twice then.
+   */
   template <typename Visit>
-  void ForEach(Visit visit) const
+  void ForEach(const Visit& visit) const
   {
-    for (std::size_t p = 0; p < this->Entries.Size(); ++p)
+    const auto visitFacesOf = [this, &visit](std::size_t p)
     {
       const Range all = this->Entries[p];
       for (const FaceEntry* first = all.First; first != all.Last;)
@@ -89,10 +91,25 @@ public:
         visit(Range{ first, last }, static_cast<Id>(p));
         first = last;
       }
+    };
+    try
+    {
+      ParallelLoop(this->Entries.Size(), CostOfPoint, visitFacesOf);
+    }
+    catch (...)
+    {
+      for (std::size_t p = 0; p < this->Entries.Size(); ++p)
+      {
+        visitFacesOf(p);
+      }
+      throw;
     }
   }
 
 private:
+  /** To sort or to visit the faces of a point takes so many nanoseconds. */
+  static constexpr double CostOfPoint = 500;
+
   /** Behind the last of the entries from `first` on that are of the same face as `wanted`. */
   static const FaceEntry* EndOfFace(
     const FaceEntry* first, const FaceEntry* end, const FaceEntry& wanted)

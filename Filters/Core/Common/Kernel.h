@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/GmpMemory.h"
 #include "Common/Types.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/GmpMemory.h"
+
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 

@@ -17,4 +17,5 @@ constexpr const char* Tetrahedralizing = "tetrahedralizing";          ///< Const
 constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
 constexpr const char* Segmenting = "segmenting"; ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting"; ///< whatever is in the room Output
+constexpr const char* Writing = "writing";       ///< OutputFile
 } // namespace insideout::Stages

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Common/Team.h"
 
+#include "Common/Error.h"
+#include "Common/ThreadLocals.h"
+
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <omp.h>
+#include <pthread.h>
 #include <thread>
+#include <unistd.h>
 
 namespace insideout
 {
@@ -17,17 +23,41 @@ namespace
  * guess. */
 constexpr double NanosecondsPerThread = 250000;
 
+constexpr int ThreadsPerProcessor = 4;
+const int Processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+
 bool AreTeamsWhole = false;
-thread_local bool IsInTeam = false;
+
+/** Whether a thread is in a team. No thread-local variable, for with it came all of CGAL's. */
+class MembershipKey
+{
+public:
+  MembershipKey() { pthread_key_create(&this->Key, nullptr); }
+  ~MembershipKey() { pthread_key_delete(this->Key); }
+  MembershipKey(const MembershipKey&) = delete;
+  MembershipKey& operator=(const MembershipKey&) = delete;
+
+  bool IsSet() const { return pthread_getspecific(this->Key) != nullptr; }
+
+  /** @return false without memory for it */
+  bool Set(bool isInTeam) { return pthread_setspecific(this->Key, isInTeam ? this : nullptr) == 0; }
+
+private:
+  pthread_key_t Key = 0;
+};
+
+MembershipKey IsInTeam;
 
 /** Sets IsInTeam, for a while. */
 class Membership
 {
 public:
-  Membership() { IsInTeam = true; }
-  ~Membership() { IsInTeam = false; }
+  Membership() = default;
+  ~Membership() { IsInTeam.Set(false); }
   Membership(const Membership&) = delete;
   Membership& operator=(const Membership&) = delete;
+
+  const bool HasBegun = IsInTeam.Set(true);
 };
 
 /** What a team knows of itself; its threads share it, for some may come when the others are gone.
@@ -56,6 +86,14 @@ public:
     return true;
   }
 
+  /** Comes so far as to be waited for no longer, but not to work. */
+  void Miss()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    ++this->Came;
+    this->Changed.notify_all();
+  }
+
   void Want(int wanted)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -70,6 +108,12 @@ public:
     this->Changed.notify_all();
   }
 
+  /**
+   * Whether this process is a copy of the one that the team works in. It has no other threads, and
+   * any of them may have held the mutex.
+   */
+  bool IsCopy() const { return getpid() != this->Process; }
+
   /** Waits for those that came; nobody else may. */
   void End()
   {
@@ -79,6 +123,7 @@ public:
   }
 
 private:
+  const pid_t Process = getpid();
   std::mutex Mutex;
   std::condition_variable Changed;
   int Wanted;
@@ -97,9 +142,13 @@ int AskOthers(int others, const std::shared_ptr<Roll>& roll, const std::function
       std::thread(
         [roll, &work]
         {
-          if (roll->Come())
+          const Membership membership;
+          if (!membership.HasBegun || !AllocateThreadLocalsOfTeam())
           {
-            const Membership membership;
+            roll->Miss();
+          }
+          else if (roll->Come())
+          {
             work();
             roll->Leave();
           }
@@ -115,13 +164,32 @@ int AskOthers(int others, const std::shared_ptr<Roll>& roll, const std::function
 }
 } // namespace
 
+int MostThreads()
+{
+  return ThreadsPerProcessor * Processors;
+}
+
+int AllowedThreads()
+{
+  return std::min(omp_get_max_threads(), MostThreads());
+}
+
+std::string TooManyThreads()
+{
+  const int asked = omp_get_max_threads();
+  return asked <= MostThreads() ? std::string()
+                                : std::to_string(asked) + " threads are asked for, but " +
+      std::to_string(MostThreads()) + " work: more than " + std::to_string(ThreadsPerProcessor) +
+      " for each of the machine's " + std::to_string(Processors) + " processors help nobody";
+}
+
 int TeamSize(double nanoseconds)
 {
-  if (IsInTeam || omp_in_parallel())
+  if (IsInTeam.IsSet() || omp_in_parallel())
   {
     return 1;
   }
-  const int most = omp_get_max_threads();
+  const int most = AllowedThreads();
   const double worth = AreTeamsWhole ? most : nanoseconds / NanosecondsPerThread;
   return static_cast<int>(std::min(std::max(worth, 1.0), static_cast<double>(most)));
 }
@@ -133,13 +201,21 @@ void WorkAsTeam(int threads, const std::function<void()>& work)
     work();
     return;
   }
+  const Membership membership;
+  if (!membership.HasBegun)
+  {
+    throw std::bad_alloc();
+  }
   const auto roll = std::make_shared<Roll>(AreTeamsWhole ? threads : 1);
   const int others = AskOthers(threads - 1, roll, work);
   roll->Want(AreTeamsWhole ? others + 1 : 1);
   roll->Come();
+  work();
+  if (roll->IsCopy())
   {
-    const Membership membership;
-    work();
+    throw Error(ErrorCode::Forked,
+      "this process was forked in the middle of the work, and has not the threads to go on with "
+      "it");
   }
   roll->Leave();
   roll->End();

@@ -2,12 +2,22 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace insideout
 {
+/** Four for each of the machine's processors: more would only take memory from each other. */
+int MostThreads();
+
+/** As many as OpenMP would take (OMP_NUM_THREADS, omp_set_num_threads), but at most MostThreads. */
+int AllowedThreads();
+
+/** That OpenMP would take more threads than are allowed, in words; empty where it would not. */
+std::string TooManyThreads();
+
 /**
  * How many threads are worth their while for work that takes one thread so many nanoseconds. At
- * most as many as OpenMP would take (OMP_NUM_THREADS, omp_set_num_threads); one within a team.
+ * most AllowedThreads; one within a team.
  */
 int TeamSize(double nanoseconds);
 
@@ -18,6 +28,11 @@ int TeamSize(double nanoseconds);
  * A thread that comes when nothing is left is not waited for, and nobody spins. OpenMP's teams do
  * both: beside two busy processes on two processors, a loop of 0.05 ms took 13 ms with them, and
  * 0.06 ms like this. To ask another thread to come costs 0.01 ms, busy or not.
+ *
+ * Where the system gives no more threads, or no memory for them, those that there are do the work.
+ * Threads live as long as the work, so that a process that is forked between two works lacks none.
+ *
+ * @throws Error Forked in a process that was forked by the work itself
  */
 void WorkAsTeam(int threads, const std::function<void()>& work);
 

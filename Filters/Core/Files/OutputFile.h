@@ -1,30 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Error.h"
+#include "Common/Monitor.h"
 #include "Files/ByteOrder.h"
+#include "Files/UnfinishedFile.h"
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
-#include <system_error>
 
 namespace insideout
 {
-/** A file that is written through a buffer; what fails is an Error. */
+/**
+ * @class OutputFile
+ * @brief a file that is written whole or not at all
+ *
+ * It is written beside its final name and put there when it is closed: until then, and whatever
+ * fails, an earlier file of that name stays as it was. A symbolic link stays, and what it leads to
+ * is replaced; permissions and, where the user may give it away, the owner of an earlier file are
+ * kept. Devices, pipes and descriptors (`/dev/stdout`) cannot be replaced: they are written at
+ * once.
+ *
+ * What fails is an Error FileUnwritable, with the file and the system's reason. The monitor is told
+ * of Stages::Writing, and may stop the writing until the file is in its place.
+ */
 class OutputFile
 {
 public:
-  explicit OutputFile(const std::string& path)
-    : Path(path)
-    , File(std::fopen(path.c_str(), "wb"), &std::fclose)
-  {
-    this->FailUnless(this->File != nullptr);
-    this->Buffer.reserve(BufferLength + 4096);
-  }
+  OutputFile(const std::string& path, Monitor& monitor);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
 
   void Text(std::string_view text)
   {
@@ -53,35 +61,26 @@ public:
     this->Text({ bytes.data(), bytes.size() });
   }
 
-  /** Has to be called last: only then is everything known to be written. */
-  void Close()
-  {
-    this->Flush();
-    this->FailUnless(std::fclose(this->File.release()) == 0);
-  }
+  /** Has to be called last: only then is the file there. */
+  void Close();
 
 private:
   static constexpr std::size_t BufferLength = std::size_t(1) << 20;
 
-  void Flush()
-  {
-    const std::size_t written =
-      std::fwrite(this->Buffer.data(), 1, this->Buffer.size(), this->File.get());
-    this->FailUnless(written == this->Buffer.size());
-    this->Buffer.clear();
-  }
+  void Open();
+  void OpenInPlace();
+  void OpenBeside();
+  void Flush();
+  std::size_t WriteSome(std::string_view text);
+  void WaitUntilWritable();
+  void CheckMonitor(double fraction);
+  [[noreturn]] void Fail(int error) const;
 
-  void FailUnless(bool succeeded) const
-  {
-    if (!succeeded)
-    {
-      throw Error(
-        ErrorCode::FileUnwritable, this->Path + ": " + std::generic_category().message(errno));
-    }
-  }
-
-  const std::string Path;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> File;
+  const std::string Path; ///< as the user gave it
+  Monitor& Progress;
+  std::string Target;                   ///< what the path leads to
+  std::optional<UnfinishedFile> Beside; ///< what is to take the target's place
+  int Descriptor = -1;                  ///< of that, or of a target that cannot be replaced
   std::string Buffer;
 };
 } // namespace insideout

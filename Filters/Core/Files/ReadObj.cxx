@@ -515,7 +515,42 @@ private:
   PassedOver LinesAndPoints;
   PassedOver Unknown;
 };
+
+bool HasThreeNumbers(TextScanner& line)
+{
+  try
+  {
+    line.Number();
+    line.Number();
+    line.Number();
+    return true;
+  }
+  catch (const Error& error)
+  {
+    if (error.Code != ErrorCode::FileMalformed)
+    {
+      throw;
+    }
+    return false;
+  }
+}
 } // namespace
+
+bool IsObj(const FileContent& file, Monitor& monitor)
+{
+  constexpr std::string_view before[] = { "mtllib", "usemtl", "o", "g", "s", "vn", "vt", "vp" };
+  TextScanner scanner(file, file.TextBegin(), 1, { true, true }, monitor);
+  while (scanner.SkipToContent())
+  {
+    const std::string_view word = scanner.Word();
+    if (std::find(std::begin(before), std::end(before), word) == std::end(before))
+    {
+      return word == "v" && HasThreeNumbers(scanner);
+    }
+    scanner.SkipLine();
+  }
+  return false;
+}
 
 PolygonSurface ReadObj(const FileContent& file, Monitor& monitor)
 {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Files/SurfaceFile.h"
 
+#include "Common/MachineMemory.h"
 #include "Common/Stages.h"
+#include "Files/Gunzip.h"
 #include "Files/SurfaceReaders.h"
 #include "Files/TextScanner.h"
 
@@ -77,6 +79,14 @@ void LoadBytes(const std::string& path, FileContent& content, Monitor& monitor)
   }
 }
 
+void CheckNotEmpty(const FileContent& content)
+{
+  if (content.Size == 0)
+  {
+    throw Malformed(content, "is empty");
+  }
+}
+
 FileContent Load(const std::string& path, Monitor& monitor)
 {
   FileContent content;
@@ -84,37 +94,88 @@ FileContent Load(const std::string& path, Monitor& monitor)
   content.Size = LengthOf(path);
   content.Bytes.reset(new char[content.Size]);
   LoadBytes(path, content, monitor);
-  if (content.Size == 0)
-  {
-    throw Malformed(content, "is empty");
-  }
+  CheckNotEmpty(content);
   return content;
 }
 
-PolygonSurface ReadByMarkOrEnding(
-  const FileContent& file, const std::string& ending, Monitor& monitor)
+struct Format
 {
-  if (IsPly(file) || EqualsIgnoringCase(ending, ".ply"))
+  const char* Name;
+  const char* Ending;
+  bool (*HasMark)(const FileContent& file, Monitor& monitor);
+  PolygonSurface (*Read)(const FileContent& file, Monitor& monitor);
+};
+
+/** Those with the surest marks come first. */
+constexpr Format Formats[] = {
+  { "PLY", ".ply", [](const FileContent& file, Monitor&) { return IsPly(file); }, ReadPly },
+  { "OFF", ".off", IsOff, ReadOff },
+  { "STL", ".stl", [](const FileContent& file, Monitor&) { return IsStl(file); }, ReadStl },
+  { "OBJ", ".obj", IsObj, ReadObj },
+};
+
+/** By its mark, and else by the name's ending. */
+const Format& FormatOf(const FileContent& file, const std::string& ending, Monitor& monitor)
+{
+  for (const Format& format : Formats)
   {
-    return ReadPly(file, monitor);
+    if (format.HasMark(file, monitor))
+    {
+      return format;
+    }
   }
-  if (IsOff(file, monitor))
+  for (const Format& format : Formats)
   {
-    return ReadOff(file, monitor);
+    if (EqualsIgnoringCase(ending, format.Ending))
+    {
+      return format;
+    }
   }
-  if (IsStl(file) || EqualsIgnoringCase(ending, ".stl"))
+  if (file.TextBegin() != file.End() && *file.TextBegin() == '<')
   {
-    return ReadStl(file, monitor);
-  }
-  if (EqualsIgnoringCase(ending, ".off"))
-  {
-    return ReadOff(file, monitor);
-  }
-  if (EqualsIgnoringCase(ending, ".obj"))
-  {
-    return ReadObj(file, monitor);
+    throw Malformed(file, "is an XML file; vtkXMLPolyDataReader reads those of VTK");
   }
   throw Malformed(file, "neither content nor ending is of .obj, .off, .ply or .stl");
+}
+
+/** Whether it is the ending of another format that holds surfaces. */
+bool IsOfAnother(const Format& format, const std::string& ending)
+{
+  const auto is = [&](const char* known) { return EqualsIgnoringCase(ending, known); };
+  return !is(format.Ending) &&
+    (is(".vtp") ||
+      std::any_of(
+        std::begin(Formats), std::end(Formats), [&](const Format& f) { return is(f.Ending); }));
+}
+
+PolygonSurface ReadCompressedOrNot(
+  FileContent file, const std::filesystem::path& path, Monitor& monitor)
+{
+  std::vector<std::string> warnings;
+  const bool isCompressed = IsGzip(file);
+  const bool isCalledSo = EqualsIgnoringCase(path.extension().string(), ".gz");
+  if (isCompressed)
+  {
+    constexpr double shareOfMachine = 0.75;
+    file = Gunzip(file, shareOfMachine * MachineMemory(), monitor);
+    CheckNotEmpty(file);
+  }
+  if (isCompressed != isCalledSo)
+  {
+    warnings.push_back(file.Name +
+      (isCompressed ? ": is compressed with gzip, but its name does not end in .gz"
+                    : ": is not compressed, but its name ends in .gz"));
+  }
+  const std::string ending = (isCalledSo ? path.stem() : path).extension().string();
+  const Format& format = FormatOf(file, ending, monitor);
+  if (IsOfAnother(format, ending))
+  {
+    warnings.push_back(
+      file.Name + ": holds " + format.Name + ", not what its name says, and was read as such");
+  }
+  PolygonSurface surface = format.Read(file, monitor);
+  surface.Warnings.insert(surface.Warnings.begin(), warnings.begin(), warnings.end());
+  return surface;
 }
 } // namespace
 
@@ -122,9 +183,7 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor)
 {
   try
   {
-    const FileContent file = Load(path, monitor);
-    PolygonSurface surface =
-      ReadByMarkOrEnding(file, std::filesystem::path(path).extension().string(), monitor);
+    PolygonSurface surface = ReadCompressedOrNot(Load(path, monitor), path, monitor);
     monitor.Check(Stages::Reading, 1.0);
     return surface;
   }

@@ -33,12 +33,14 @@ struct PolygonSurface
 };
 
 /**
- * Read a surface from an OBJ, OFF, PLY or STL file, ascii or binary, by its content where the
- * format has a mark and else by the name's ending. (OFF is read as ascii only, OBJ has no other.)
- * Coordinates are kept to the last bit; what is written in decimal becomes the nearest double,
- * whatever its declared type and the locale. Every count and id is checked before it is used: an id
- * out of range, a truncated or malformed file is an error whose message names the file, then the
- * line or the element. Coordinates may be infinite or NaN here: validation names the point.
+ * Read a surface from an OBJ, OFF, PLY or STL file, ascii or binary, by its content where it has
+ * the mark of a format and else by the name's ending, upper or lower case. (OFF is read as ascii
+ * only, OBJ has no other.) Each may be compressed with gzip, and its name then end in `.gz`. Where
+ * the name says something else than the content there is a warning. Coordinates are kept to the
+ * last bit; what is written in decimal becomes the nearest double, whatever its declared type and
+ * the locale. Every count and id is checked before it is used: an id out of range, a truncated or
+ * malformed file is an error whose message names the file, then the line or the element.
+ * Coordinates may be infinite or NaN here: validation names the point.
  *
  * Points keep the file's order. Where an OBJ file gives one point several texture coordinates or
  * normals, a copy of the point per combination follows behind the last. STL points are the corners
@@ -72,9 +74,13 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor);
  * written: `Colors`, `Normals` and `TCoords` of points in PLY and OBJ, and any other attribute in
  * PLY, one property per component: NAME_0, NAME_1, ...
  *
+ * The file is there whole or not at all, and an earlier one stays as it was until then
+ * (OutputFile). `monitor` is told of Stages::Writing.
+ *
  * @throws Error FileUnwritable; InvalidParameter for another ending, for attributes or offsets of
  * the wrong length, and in STL for polygons that are no triangles and points that no float holds;
- * PointOutOfRange for a corner that is no point. A surface in error leaves the file as it was.
+ * PointOutOfRange for a corner that is no point; TooLarge (memory does not hold what is to be
+ * written); Stopped. In error the file is as it was.
  */
-void WriteSurface(const std::string& path, const PolygonSurface& surface);
+void WriteSurface(const std::string& path, const PolygonSurface& surface, Monitor& monitor);
 } // namespace insideout

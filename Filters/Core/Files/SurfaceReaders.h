@@ -29,14 +29,17 @@ struct FileContent
   void ReportPosition(const char* at, Monitor& monitor) const;
 };
 
-/** Whether the first word is that of an OFF file. */
-bool IsOff(const FileContent& file, Monitor& monitor);
-
 /** Whether the first line is that of a PLY file. */
 bool IsPly(const FileContent& file);
 
+/** Whether the first word is that of an OFF file. */
+bool IsOff(const FileContent& file, Monitor& monitor);
+
 /** Whether it begins as an ascii STL file does, or is as long as a binary one has to be. */
 bool IsStl(const FileContent& file);
+
+/** Whether a vertex of three numbers comes first, but for what may stand before it in OBJ. */
+bool IsObj(const FileContent& file, Monitor& monitor);
 
 /** The readers, with ReadSurface's errors. Each file has at least one byte. @{ */
 PolygonSurface ReadObj(const FileContent& file, Monitor& monitor);

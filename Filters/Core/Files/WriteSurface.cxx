@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 
 namespace insideout
 {
@@ -78,7 +79,7 @@ bool IsTCoord(const Attribute& attribute)
   return attribute.Name == "TCoords" && HasFractions(attribute) && attribute.Components == 2;
 }
 
-void WriteSurface(const std::string& path, const PolygonSurface& surface)
+void WriteSurface(const std::string& path, const PolygonSurface& surface, Monitor& monitor)
 {
   CheckSurface(surface);
   const std::string ending = std::filesystem::path(path).extension().string();
@@ -93,8 +94,15 @@ void WriteSurface(const std::string& path, const PolygonSurface& surface)
   {
     CheckForStl(surface);
   }
-  OutputFile file(path);
-  isStl ? WriteStl(file, surface) : isPly ? WritePly(file, surface) : WriteObj(file, surface);
-  file.Close();
+  try
+  {
+    OutputFile file(path, monitor);
+    isStl ? WriteStl(file, surface) : isPly ? WritePly(file, surface) : WriteObj(file, surface);
+    file.Close();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Error(ErrorCode::TooLarge, path + ": not enough memory to write it");
+  }
 }
 } // namespace insideout

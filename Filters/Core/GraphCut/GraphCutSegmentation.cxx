@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <new>
 
 namespace insideout
 {
@@ -22,9 +23,9 @@ using FlowGraph = maxflow::Graph<double, double, double>;
 
 /** libmaxflow ends the program if this returns; it reports nothing else with the calls made here.
  */
-void ThrowOutOfMemory(const char* message)
+void ThrowOutOfMemory(const char*)
 {
-  throw Error(ErrorCode::TooLarge, std::string("graph cut: ") + message);
+  throw std::bad_alloc();
 }
 
 /** The open cells, numbered, and the faces between them. */

@@ -2,13 +2,15 @@
 #include "Tetrahedralize/AssembleMesh.h"
 
 #include "Common/FaceTable.h"
-#include "Common/Kernel.h"
+#include "Common/ParallelLoop.h"
+#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Tetrahedralize/CheckConvexHull.h"
 #include "Tetrahedralize/PlaceFacets.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -119,22 +121,27 @@ void RemoveUnusedSteinerPoints(
 /** Whatever the tetrahedralizer's own orientation is: TetGen's is the other way than VTK's. */
 void OrientCells(const std::vector<Point>& points, std::vector<Tetrahedron>& cells)
 {
-  const auto at = [&](Id p) { return Kernel::Point_3(points[p][0], points[p][1], points[p][2]); };
-  for (std::size_t c = 0; c < cells.size(); ++c)
+  const double cost = 50;
+  std::atomic<std::size_t> firstFlat{ cells.size() };
+  ParallelLoop(cells.size(), cost,
+    [&](std::size_t c)
+    {
+      const int orientation = Orient3D(points, cells[c]);
+      if (orientation < 0)
+      {
+        std::swap(cells[c][2], cells[c][3]);
+      }
+      for (std::size_t first = firstFlat; orientation == 0 && c < first;)
+      {
+        firstFlat.compare_exchange_weak(first, c);
+      }
+    });
+  if (firstFlat < cells.size())
   {
-    Tetrahedron& cell = cells[c];
-    const CGAL::Orientation orientation =
-      CGAL::orientation(at(cell[0]), at(cell[1]), at(cell[2]), at(cell[3]));
-    if (orientation == CGAL::COPLANAR)
-    {
-      ThrowInconsistent("cell " + std::to_string(c) + " (points " + std::to_string(cell[0]) + " " +
-        std::to_string(cell[1]) + " " + std::to_string(cell[2]) + " " + std::to_string(cell[3]) +
-        ") is flat");
-    }
-    if (orientation == CGAL::NEGATIVE)
-    {
-      std::swap(cell[2], cell[3]);
-    }
+    const Tetrahedron& cell = cells[firstFlat];
+    ThrowInconsistent("cell " + std::to_string(firstFlat) + " (points " + std::to_string(cell[0]) +
+      " " + std::to_string(cell[1]) + " " + std::to_string(cell[2]) + " " +
+      std::to_string(cell[3]) + ") is flat");
   }
 }
 

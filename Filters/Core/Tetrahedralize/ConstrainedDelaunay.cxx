@@ -2,6 +2,7 @@
 #include "Tetrahedralize/ConstrainedDelaunay.h"
 
 #include "Common/Kernel.h"
+#include "Common/MachineMemory.h"
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "Tetrahedralize/Ladder.h"
@@ -11,8 +12,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-
-#include <unistd.h>
 
 namespace insideout
 {
@@ -114,8 +113,7 @@ TetrahedralizerBudget BudgetOfARung(
   {
     budget.ProcessorSeconds = MinimumSeconds + SecondsPerElement * elements;
   }
-  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-    static_cast<double>(sysconf(_SC_PAGE_SIZE)) / (1024 * 1024);
+  const double machine = MachineMemory() / (1024 * 1024);
   budget.Mebibytes = parameters.MemoryBudget > 0
     ? parameters.MemoryBudget
     : std::min(MinimumMebibytes + MebibytesPerElement * elements, ShareOfMachine * machine);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/SolidAngle.h"
 
+#include "Common/GmpMemory.h" // for MPFR, too
 #include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
 #include "WindingNumber/SitePredicates.h"

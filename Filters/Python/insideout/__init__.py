@@ -23,9 +23,11 @@ them are inside::
 
 SURFACES
     Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
-    .stl or .vtp file, as a pair (points, triangles) of arrays with three columns each, or as a
-    meshio.Mesh. What it returns does not depend on that. `to_meshio()` of the surfaces and tetrahedra in a
-    result gives a meshio.Mesh back. Faces should run counterclockwise seen from outside.
+    .stl or .vtp file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
+    with three columns each, as a meshio.Mesh, as an object that has arrays `vertices` and `faces`, such as a
+    trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
+    What comes back does not depend on that. `to_meshio()` of the surfaces and tetrahedra in a result gives a
+    meshio.Mesh back. Faces should run counterclockwise seen from outside.
 
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
@@ -34,6 +36,9 @@ RESULTS
     winding_number  an array of float64, one value per point
     inside          an array of bool, one value per point
 
+    They can be pickled, and so sent to other processes, and copied. A notebook shows them as a table, with a
+    picture where one can be drawn.
+
 ERRORS
     What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy.
     What is worth knowing comes back as `warnings`; nothing is printed.
@@ -41,7 +46,7 @@ ERRORS
 STOPPING
     Ctrl-C stops the work within a second and raises KeyboardInterrupt. `progress`, a function that is called
     with the stage and the fraction done, may raise whatever it likes to the same end. Other threads run
-    meanwhile, and several may work at once.
+    meanwhile, and several may work at once, and so may processes that are forked or spawned.
 
 PIPELINES
     The VTK filters are here too, for those who think in pipelines::
@@ -54,7 +59,8 @@ COMMAND
 MODULES
     `checking`, `resolving`, `queries` and `tetrahedralization` have the functions, `options` what can be chosen,
     `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files` reads and
-    writes, `pipeline` runs any VTK algorithm with its errors as exceptions, `command_line` is the command.
+    writes, `pipeline` runs any VTK algorithm with its errors as exceptions, `results` and `serializing` are
+    how results are shown and pickled, `command_line` is the command.
 """
 
 # The wrapped classes derive from VTK's, which Python has to know first.
@@ -73,9 +79,9 @@ from .queries import inside, winding_number
 from .resolving import Resolution, resolve
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .version import __version__
+from .vtkFiltersInsideOut import *  # noqa: F403
 
 _class_names = [name for name in dir(_classes) if name.startswith("vtk")]
-globals().update({name: getattr(_classes, name) for name in _class_names})
 
 __all__ = [
     *_class_names,

@@ -1,36 +1,34 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`python3 -m insideout`."""
 
-import os
-import signal
 import sys
-import threading
-import time
 
-PATIENCE = 0.8
-"""Seconds from Ctrl-C in which the work may come to its own end and tell so; then it is ended."""
+from . import interruption
 
 
-def end_soon_after_ctrl_c() -> None:
-    """See to it that the process ends within a second of Ctrl-C, with status 130, whatever it is doing."""
-    heard, signalled = os.pipe()
-    os.set_blocking(signalled, False)
-    signal.set_wakeup_fd(signalled, warn_on_full_buffer=False)
+def is_short_of_memory(error: Exception) -> bool:
+    """Whether that is why Python or a library could not begin."""
+    words = ("failed to map segment", "annot allocate memory", "can't start new thread")
+    return isinstance(error, MemoryError) or any(part in str(error) for part in words)
 
-    def watch() -> None:
-        while os.read(heard, 1) != bytes([signal.SIGINT]):
-            pass
-        time.sleep(PATIENCE)
-        os._exit(130)
 
-    threading.Thread(target=watch, daemon=True).start()
+def run() -> int:
+    """Returns the exit status."""
+    try:
+        interruption.end_soon_after_signals()
+        from .command_line import main
+    except Exception as error:
+        if not is_short_of_memory(error):
+            raise
+        sys.stderr.write("insideout: not enough memory to begin\n")
+        return 1
+    return main()
 
 
 if __name__ == "__main__":
-    end_soon_after_ctrl_c()
     try:
-        from .command_line import main
-
-        sys.exit(main())
-    except KeyboardInterrupt:
-        sys.exit(130)
+        sys.exit(run())
+    except KeyboardInterrupt as interrupt:
+        print(f"insideout: {interruption.message(interrupt)}", file=sys.stderr)
+        interruption.told()
+        sys.exit(interruption.exit_status(interrupt))

@@ -8,7 +8,7 @@ import os
 from dataclasses import dataclass, fields
 from typing import NoReturn, Optional, Sequence
 
-from .files import READABLE_SURFACES, WRITABLE_SURFACES
+from .files import GZIP, READABLE_SURFACES, STANDARD_INPUT, WRITABLE_SURFACES, identity
 from .options import OPTIONS
 from .places import QUERIES
 from .version import __version__
@@ -25,10 +25,13 @@ examples:
       the watertight boundary, a picture and a report too
   python3 -m insideout *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
       several; {} is each one's name without ending, and a table comes at the end
+  zcat broken.obj.gz | python3 -m insideout - solid.vtu --format obj
+      standard input; a .gz is read as it is, too
   python3 -m insideout --winding grid.vti broken.ply w.vti
       the winding number at places of yours, without a mesh
 
-Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C.
+Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C,
+143 after SIGTERM. A file is written whole or not at all: an earlier one of its name stays until then.
 """
 
 CHECK_OPTIONS = ("orientation", "merge_tolerance")
@@ -50,9 +53,13 @@ class Files:
     plot: Optional[str] = None
     report: Optional[str] = None
 
-    def all(self) -> list[str]:
-        """Those that there are."""
-        paths = [getattr(self, field.name) for field in fields(self)]
+    def name(self) -> str:
+        """What messages call the surface."""
+        return STANDARD_INPUT if self.surface == "-" else self.surface
+
+    def outputs(self) -> list[str]:
+        """Those that are written."""
+        paths = [getattr(self, name) for name in FILE_OPTIONS]
         return [path for path in paths if path is not None]
 
 
@@ -74,6 +81,10 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
     elif surfaces[-1].lower().endswith(".vtu"):
         parser.error("--check meshes nothing: it goes without OUTPUT.vtu")
     _refuse_what_makes_no_mesh(parser, options)
+    if surfaces.count("-") > 1:
+        parser.error("- is named twice: standard input can be read once")
+    if options.format is not None and "-" not in surfaces:
+        parser.error("--format is for standard input: it goes with - as SURFACE")
     if options.threads is not None and options.threads < 1:
         parser.error(f"--threads is {options.threads}; it must be at least 1")
     if options.timeout is not None and not options.timeout > 0:
@@ -97,15 +108,21 @@ def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surface
     seen: dict[str, str] = {}
     all_files = []
     for surface in surfaces:
-        stem = os.path.splitext(os.path.basename(surface))[0]
+        stem = "stdin" if surface == "-" else _stem(surface)
         named = {name: pattern.replace("{}", stem) for name, pattern in patterns.items()}
         for name, path in named.items():
-            if path in seen:
+            if path in seen and identity(path) is not None:
                 way = "write {} in it for the surface's name" if "{}" not in patterns[name] else "rename one"
                 parser.error(f"{seen[path]} and {surface} would both be written to {path}: {way}")
         seen.update({path: surface for path in named.values() if len(surfaces) > 1})
         all_files.append(Files(surface, **named))
     return all_files
+
+
+def _stem(surface: str) -> str:
+    """A file's name without folder and ending, nor that of its compression."""
+    name, last = os.path.splitext(os.path.basename(surface))
+    return os.path.splitext(name)[0] if last.lower() == GZIP else name
 
 
 class _Parser(argparse.ArgumentParser):
@@ -132,7 +149,7 @@ def _parser() -> argparse.ArgumentParser:
         *("files",),
         metavar="SURFACE... OUTPUT",
         nargs="+",
-        help=f"the surfaces ({', '.join(READABLE_SURFACES)}), and where to write the tetrahedra inside (.vtu); in the name "
+        help=f"the surfaces ({', '.join(READABLE_SURFACES)}, each also with .gz; - is standard input), and where to write the tetrahedra inside (.vtu); in the name "
         "of every file that is written {} stands for the surface's name without folder and ending",
     )
     mode = parser.add_argument_group("instead of tetrahedra")
@@ -160,8 +177,13 @@ def _parser() -> argparse.ArgumentParser:
         default=argparse.SUPPRESS,
         help="the same for the facets where this cell array is not 0",
     )
+    how.add_argument(
+        *("--format",),
+        choices=[known[1:] for known in READABLE_SURFACES],
+        help="what standard input holds, where its content does not tell",
+    )
     how.add_argument("--timeout", metavar="S", type=float, help="give a surface up after this many seconds; none by default")
-    how.add_argument("--threads", metavar="N", type=int, help="how many threads work; by default one per processor")
+    how.add_argument("--threads", metavar="N", type=int, help="how many threads work, at most four per processor; by default one each")
     how.add_argument("--quiet", action="store_true", help="print nothing but errors")
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
     return parser

@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Mapping, Optional
+from typing import Any, Mapping, Optional
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .data import AnySurface, as_surface
 from .defects import DEFECTS
-from .options import Options, describe_options, in_words_of_python
+from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Progress, run, statistics_of
+from .results import Result
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 
@@ -28,8 +29,8 @@ class Finding:
     """What InsideOut makes of it."""
 
 
-@dataclass(frozen=True)
-class Check:
+@dataclass(frozen=True, repr=False)
+class Check(Result):
     """What `check` found. The VTK class vtkSurfaceDefects describes the arrays."""
 
     surface: vtkPolyData
@@ -47,18 +48,28 @@ class Check:
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
+    def figures(self) -> list[tuple[str, str]]:
+        return [
+            ("", self.verdict),
+            *((finding.text, finding.consequence) for finding in self.findings),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+    def seen(self) -> dict[str, Any]:
+        return {"surface": self.surface, "lines": self.lines}
+
 
 @describe_options
 def check(
     surface: AnySurface,
     *,
-    orientation: str = "automatic",
+    orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
     """What is wrong with a surface. Nothing is changed or cut; what would be turned over is marked.
 
-    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done
 
     {options}

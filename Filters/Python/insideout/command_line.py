@@ -10,47 +10,82 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import resource
 import sys
 import time
-from typing import Any, Iterator, Optional, Sequence
+from typing import Any, Callable, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .arguments import CHECK_OPTIONS, WINDING_OPTIONS, Files, parse
 from .checking import Finding, check
-from .drawing import PICTURES, display_command, draw
-from .files import WRITABLE_GRIDS, WRITABLE_SURFACES, check_input, check_output, ending, read_surface, write_grid, write_surface
+from .drawing import draw, up_of
+from .files import (
+    WRITABLE_GRIDS,
+    WRITABLE_SURFACES,
+    check_input,
+    check_output,
+    ending,
+    identity,
+    read_standard_input,
+    read_surface,
+    write_grid,
+    write_surface,
+)
+from .interruption import exit_status, message, told, work_on
 from .options import OPTIONS, Options, in_words_of_command
-from .pipeline import Error, set_threads
+from .pipeline import Error, set_threads, write_bytes
+from .panels import PICTURES, display_command
 from .places import QUERIES, Places, read_places
 from .progress import StageBars
-from .queries import winding_number
+from .queries import winding_number_and_warnings
 from .stages import CHECK, DRAWING, READING, TETRAHEDRALIZE, WINDING, WRITING
-from .summary import check_summary, defects, summary, table, tetrahedralizer, winding_summary
+from .summary import check_summary, defects, seams, summary, table, tetrahedralizer, winding_summary
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .verdict import verdict
 from .version import __version__
 from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects
 
-SUCCESS, FAILURE, INTERRUPTED = 0, 1, 130
+SUCCESS, FAILURE = 0, 1
+"""Of the exit status; above are those of signals."""
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Do what the arguments say. Returns the exit status: 0 when that was done for every surface."""
     options, all_files = parse(arguments)
+    try:
+        check_names(options, all_files)
+    except Error as error:
+        _print_error(str(error))
+        return FAILURE
     if options.threads is not None:
         set_threads(options.threads)
     kind = CheckJob if options.check else WindingJob if options.winding else MeshJob
     jobs = []
     for files in all_files:
         jobs.append(kind(options, files))
-        if jobs[-1].run() == INTERRUPTED:
-            return INTERRUPTED
-    if len(jobs) > 1 and not options.quiet:
-        _print(table([(job.files.surface, job.statistics, job.error) for job in jobs]))
+        if jobs[-1].run() > FAILURE:
+            break  # interrupted
+    if len(all_files) > 1 and not options.quiet:
+        rows = [(job.files.name(), {"SecondsTotal": job.seconds, **job.statistics}, job.result()) for job in jobs]
+        _print(table(rows, sum(job.status == SUCCESS for job in jobs), len(all_files)))
     return max(job.status for job in jobs)
+
+
+def check_names(options: argparse.Namespace, all_files: Sequence[Files]) -> None:
+    """Raise `Error` where a file would be written that is read too, or written twice, under whatever names."""
+    read = [*(files.surface for files in all_files), options.winding, getattr(options, "seeds", None)]
+    inputs = {identity(path): path for path in read if path not in (None, "-")}
+    outputs: dict[object, str] = {}
+    for path in (path for files in all_files for path in files.outputs()):
+        which = identity(path)
+        if which is not None and which in inputs:
+            raise Error(f"{path} is named twice: it is read as {inputs[which]}, and no output may replace it")
+        if which is not None and which in outputs:
+            raise Error(f"{path} is named twice: it is {outputs[which]}, and a file cannot be two things")
+        outputs[which] = path
 
 
 class Job:
@@ -71,28 +106,37 @@ class Job:
         self.error: Optional[str] = None
         self.status = FAILURE
         self.begin = time.monotonic()
+        self.seconds = 0.0
 
     def run(self) -> int:
         """Returns the exit status."""
-        try:
-            self.check()
-            self.work()
-            self.status = SUCCESS
-        except Error as error:
-            self.error = str(error)
-        except OSError as error:
-            self.error = f"{error.filename or 'system'}: {(error.strerror or str(error)).lower()}"
-        except MemoryError:
-            self.error = "out of memory"
-        except KeyboardInterrupt:
-            self.error, self.status = "interrupted", INTERRUPTED
+        work_on(self.files.name())
+        self.status = self.attempt(self.check, self.work)
+        self.seconds = time.monotonic() - self.begin
         self.bars.abandon()
-        self.write_report()
+        self.status = max(self.status, self.attempt(self.write_report))
         if self.statistics and not self.options.quiet:
             self.print_summary()
         if self.error is not None:
-            _print_error(self.error)
+            self.print_error(self.error)
         return self.status
+
+    def attempt(self, *tasks: Callable[[], None]) -> int:
+        """Do these. Returns the exit status; of several errors the first is kept."""
+        try:
+            for task in tasks:
+                task()
+            return SUCCESS
+        except Error as failure:
+            error, status = str(failure), FAILURE
+        except OSError as failure:
+            error, status = f"{failure.filename or 'system'}: {(failure.strerror or str(failure)).lower()}", FAILURE
+        except MemoryError:
+            error, status = f"{self.files.name()}: not enough memory", FAILURE
+        except KeyboardInterrupt as interrupt:
+            error, status = message(interrupt), exit_status(interrupt)
+        self.error = self.error or error
+        return status
 
     def check(self) -> None:
         """Raise `Error` for whatever can be known to fail before the work begins."""
@@ -101,17 +145,12 @@ class Job:
             check_output(files.report, (".json",))
             self.report_is_writable = True
         self.parameters = self.check_parameters()
-        check_input(files.surface)
+        if files.surface != "-":
+            check_input(files.surface)
         for name, endings in self.endings().items():
             path = getattr(files, name)
             if path is not None:
                 check_output(path, endings)
-        seen = set()
-        for path in files.all():
-            real = os.path.realpath(path)
-            if real in seen:
-                raise Error(f"{path} is named twice: a file cannot be two things")
-            seen.add(real)
 
     def check_parameters(self) -> dict[str, Any]:
         """The parameters that the work will use. Raises `Error` for one out of range."""
@@ -132,12 +171,24 @@ class Job:
     def summary(self) -> list[str]:
         raise NotImplementedError
 
+    def result(self) -> str:
+        """What came out, in a few words."""
+        return self.error or self.success()
+
+    def success(self) -> str:
+        return verdict(self.statistics)
+
     def read(self) -> vtkPolyData:
         began = time.monotonic()
         self.bars.show(READING, 0)
-        surface, self.warnings = read_surface(
-            self.files.surface, lambda _, fraction: self.show((READING,), READING, fraction)
-        )
+
+        def show(_: str, fraction: float) -> None:
+            self.show((READING,), READING, fraction)
+
+        if self.files.surface == "-":
+            surface, self.warnings = read_standard_input(self.options.format, show)
+        else:
+            surface, self.warnings = read_surface(self.files.surface, show)
         self.bars.finish()
         self.seconds_read = time.monotonic() - began
         return surface
@@ -148,7 +199,7 @@ class Job:
     def show(self, stages: Sequence[str], stage: str, fraction: float) -> None:
         timeout = self.options.timeout
         if timeout is not None and time.monotonic() - self.begin > timeout:
-            raise Error(f"{self.files.surface}: stopped while {stage}, after the {timeout:g} s of --timeout")
+            raise Error(f"{self.files.name()}: stopped while {stage}, after the {timeout:g} s of --timeout")
         self.bars.show_part(stages, stage, fraction)
 
     def measure(self) -> None:
@@ -162,7 +213,7 @@ class Job:
             return
         report = {
             "version": __version__,
-            "input": self.files.surface,
+            "input": self.files.name(),
             "outputs": self.outputs,
             "parameters": self.parameters,
             "exit_status": self.status,
@@ -171,19 +222,26 @@ class Job:
             "statistics": self.statistics,
             **self.more_for_the_report(),
         }
-        try:
-            with open(self.files.report, "w", encoding="utf-8", errors="backslashreplace") as file:
-                json.dump(report, file, indent=2)
-                file.write("\n")
-        except OSError as error:
-            self.error = self.error or f"cannot write {self.files.report}: {(error.strerror or str(error)).lower()}"
-            self.status = self.status or FAILURE
+        work_on(self.files.report)
+        text = json.dumps(_without_infinities(report), indent=2, allow_nan=False) + "\n"
+        write_bytes(text.encode(errors="backslashreplace"), self.files.report)
 
     def more_for_the_report(self) -> dict[str, object]:
         return {}
 
+    def print_error(self, message: str) -> None:
+        """One line, which says of which surface it is where there are several."""
+        surface = self.files.surface
+        several = len(self.options.files) > (1 if self.options.check else 2)
+        _print_error(f"{surface}: {message}" if several and surface not in message else message)
+
+    def notes(self) -> list[str]:
+        """What is as it should be, but good to know, one line each."""
+        return []
+
     def print_summary(self) -> None:
         lines = self.summary()
+        lines += [f"Note: {note}" for note in self.notes()]
         lines += [f"Warning: {warning}" for warning in in_words_of_command(self.warnings)]
         lines += [f"Wrote {kind:10} {path}" for kind, path in self.outputs.items()]
         _print(lines)
@@ -224,20 +282,23 @@ class MeshJob(Job):
             self.measure()
         if "solid" not in self.outputs:
             least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
-            raise Error(f"{self.files.surface}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
+            raise Error(f"{self.files.name()}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
 
     def write(self, surface: vtkPolyData, result: Tetrahedralization) -> None:
         """Write what was asked for; when nothing is inside, the hull and the picture alone."""
         began = time.monotonic()
         self.bars.show(WRITING, 0)
         for kind, data, path, write in self.files_to_write(result):
+            work_on(path)
             write(data, path)
             self.outputs[kind] = path
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
         if self.files.plot is not None:
             self.bars.show(DRAWING, 0)
-            draw(surface, result.hull, self.files.plot)
+            marks = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
+            work_on(self.files.plot)
+            draw(surface, result.hull, self.files.plot, up=up_of(self.files.surface), **marks)
             self.bars.finish()
             self.outputs["picture"] = self.files.plot
             self.statistics["SecondsDraw"] = time.monotonic() - began - self.statistics["SecondsWrite"]
@@ -263,7 +324,10 @@ class MeshJob(Job):
         }
 
     def summary(self) -> list[str]:
-        return summary(os.path.basename(self.files.surface), self.statistics)
+        return summary(os.path.basename(self.files.name()), self.statistics)
+
+    def notes(self) -> list[str]:
+        return [] if self.settings.split_seams else seams(self.statistics)
 
 
 class CheckJob(Job):
@@ -292,7 +356,7 @@ class CheckJob(Job):
         return {"defects": defects(self.statistics), "findings": findings, "verdict": self.verdict, "shell_volumes": self.shell_volumes}
 
     def summary(self) -> list[str]:
-        return check_summary(os.path.basename(self.files.surface), self.statistics, self.findings, self.shell_volumes)
+        return check_summary(os.path.basename(self.files.name()), self.statistics, self.findings, self.shell_volumes)
 
 
 class WindingJob(Job):
@@ -311,10 +375,12 @@ class WindingJob(Job):
         surface = self.read()
         places: Places = read_places(self.options.winding)
         options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
-        w = winding_number(surface, places.data, progress=self.show_progress, **options)
+        w, warnings = winding_number_and_warnings(surface, places.data, Options(**options), self.show_progress)
+        self.warnings = self.warnings + warnings
         self.bars.finish()
         self.bars.show(WRITING, 0)
         output = self.files.output or ""
+        work_on(output)
         places.write(w, output)
         self.bars.finish()
         self.outputs["winding"] = output
@@ -323,8 +389,11 @@ class WindingJob(Job):
             self.statistics.update(MinimumW=float(w.min()), MaximumW=float(w.max()))
         self.measure()
 
+    def success(self) -> str:
+        return "evaluated"
+
     def summary(self) -> list[str]:
-        return winding_summary(os.path.basename(self.files.surface), self.statistics)
+        return winding_summary(os.path.basename(self.files.name()), self.statistics)
 
 
 def _print(lines: Sequence[str]) -> None:
@@ -335,8 +404,18 @@ def _print(lines: Sequence[str]) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _print_error(message: str) -> None:
+def _without_infinities(value: Any) -> Any:
+    """The same for JSON, which has none: None in place of what is beyond all doubles, as the volume of 1e110 cubed."""
+    if isinstance(value, dict):
+        return {key: _without_infinities(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_without_infinities(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _print_error(error: str) -> None:
     try:
-        print(f"insideout: {message}", file=sys.stderr, flush=True)
+        print(f"insideout: {error}", file=sys.stderr, flush=True)
+        told()
     except OSError:
         pass  # the exit status says it

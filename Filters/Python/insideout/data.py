@@ -4,35 +4,103 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Mapping, Sequence, Tuple, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Mapping, Protocol, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
+    vtkCompositeDataSet,
+    vtkDataObject,
     vtkDataSet,
     vtkDataSetAttributes,
     vtkPolyData,
     vtkUnstructuredGrid,
 )
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from .files import Path, read_surface
-from .pipeline import Error
+from .pipeline import Error, run_with_upstream
+from .serializing import packed, unpacked, vtk_array
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPointSet as _PointSet
 else:
     _PointSet = object  # of VTK's classes only one can be a base: that of the class with the views
 
-PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
-AnySurface = Union[vtkPolyData, Path, PointsAndTriangles, Any]
-"""What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
-.stl or .vtp file; a pair (points, triangles) of arrays with three columns; or a meshio.Mesh."""
+# What type checkers know of classes that are not there to them: VTK brings no types, and the others need not be installed.
 
-AnyPoints = Union[vtkDataSet, ArrayLike]
+
+class PolyData(Protocol):
+    """A vtkPolyData."""
+
+    def GetPolys(self) -> Any: ...
+
+    def GetStrips(self) -> Any: ...
+
+
+class Algorithm(Protocol):
+    """A vtkAlgorithm."""
+
+    def GetOutputPort(self) -> Any: ...
+
+    def GetOutputDataObject(self, port: int) -> Any: ...
+
+
+class AlgorithmOutput(Protocol):
+    """A vtkAlgorithmOutput, which GetOutputPort() of an algorithm gives."""
+
+    def GetProducer(self) -> Any: ...
+
+    def GetIndex(self) -> int: ...
+
+
+class DataSetOfPoints(Protocol):
+    """A vtkDataSet."""
+
+    def GetPoint(self, index: int) -> Any: ...
+
+    def GetNumberOfPoints(self) -> int: ...
+
+
+class MeshioMesh(Protocol):
+    """A meshio.Mesh."""
+
+    @property
+    def points(self) -> Any: ...
+
+    @property
+    def cells(self) -> Any: ...
+
+    @property
+    def point_data(self) -> Any: ...
+
+    @property
+    def cell_data(self) -> Any: ...
+
+
+class Trimesh(Protocol):
+    """A trimesh.Trimesh, or whatever else has `vertices` (n, 3) and `faces` (m, 3)."""
+
+    @property
+    def vertices(self) -> Any: ...
+
+    @property
+    def faces(self) -> Any: ...
+
+
+PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
+AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Algorithm, AlgorithmOutput]
+"""What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
+.stl or .vtp file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
+`vertices` and `faces`, as a trimesh.Trimesh; or a VTK algorithm, or an output port of one, which is updated."""
+
+AnyPoints = Union[DataSetOfPoints, ArrayLike]
 """What every function takes for points: an array with three columns, or the points of a VTK data set."""
+
+ARRAYS = ("points", "triangles")
 
 _POLYGONS = ("triangle", "quad", "polygon")  # meshio's types of cells that are one
 
@@ -41,6 +109,15 @@ DataSet = TypeVar("DataSet", bound=vtkDataSet)
 
 class _Views(_PointSet):
     """Arrays of a vtkPointSet as numpy views: they show VTK's memory and cost nothing."""
+
+    def __reduce__(self) -> tuple:
+        return unpacked, (type(self), packed(self))
+
+    def __copy__(self) -> Any:
+        return as_type(type(self), self)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.GetNumberOfPoints():,} points, {self.GetNumberOfCells():,} cells>"
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -103,30 +180,67 @@ def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:
 
 def as_surface(surface: AnySurface) -> tuple[vtkPolyData, list[str]]:
     """The surface as VTK holds it, and what was passed over on the way. Raises `Error` for what is none."""
+    try:
+        return _as_surface(surface)
+    except MemoryError:
+        raise Error("not enough memory for this surface") from None
+
+
+def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
     if isinstance(surface, vtkPolyData):
         return surface, []
     if isinstance(surface, (str, os.PathLike)):
         return read_surface(surface)
+    if isinstance(surface, (vtkAlgorithm, vtkAlgorithmOutput)):
+        return _output_of(surface)
+    _refuse_composite("surface", surface)
     if hasattr(surface, "points") and hasattr(surface, "cells"):
         return _surface_of_meshio(surface)
+    if hasattr(surface, "vertices") and hasattr(surface, "faces"):
+        return make_surface(surface.vertices, surface.faces, names=("vertices", "faces")), []
     if isinstance(surface, (tuple, list)) and len(surface) == 2:
         return make_surface(*surface), []
     raise Error(
         f"the surface is of type {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
-        "a pair (points, triangles) of arrays, or a meshio.Mesh"
+        "a pair (points, triangles) of arrays, a meshio.Mesh, an object with vertices and faces, or a VTK algorithm"
     )
 
 
-def make_surface(points: ArrayLike, *polygons: ArrayLike) -> TriangleSurface:
+def _output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput]) -> tuple[vtkPolyData, list[str]]:
+    """The surface that an algorithm makes, which is updated, and its warnings."""
+    algorithm, port = (source, 0) if isinstance(source, vtkAlgorithm) else (source.GetProducer(), source.GetIndex())
+    name = algorithm.GetClassName()
+    if algorithm.GetNumberOfOutputPorts() == 0:
+        raise Error(f"the surface is a {name}, which has no output")
+    warnings = run_with_upstream(algorithm)
+    output = algorithm.GetOutputDataObject(port)
+    _refuse_composite(f"output of the {name}", output)
+    if not isinstance(output, vtkPolyData):
+        raise Error(f"the output of the {name} is a {output.GetClassName()}; it must be a vtkPolyData")
+    return output, warnings
+
+
+def _refuse_composite(what: str, data: Any) -> None:
+    if isinstance(data, vtkCompositeDataSet):
+        raise Error(
+            f"the {what} is a {data.GetClassName()}, which has blocks: give one of them, "
+            "or all as one by the filter vtkCompositeDataGeometryFilter"
+        )
+
+
+def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str] = ARRAYS) -> TriangleSurface:
     """A surface of points and polygons: arrays of as many columns as the polygons have corners."""
-    cells = vtkCellArray()
+    offsets, corners = [np.zeros(1, np.int64)], [np.zeros(0, np.int64)]
     for block in polygons:
-        corners = _rows("triangles", block, np.int64)
-        if len(corners) and corners.shape[1] < 3:
-            raise Error(f"triangles has {corners.shape[1]} columns; it must have 3: ids of points, from 0")
-        cells.Append(make_cells(corners))
+        rows = _rows(names[1], block, np.int64)
+        if len(rows) and rows.shape[1] < 3:
+            raise Error(f"{names[1]} has {rows.shape[1]} columns; it must have 3: ids of points, from 0")
+        offsets.append(offsets[-1][-1] + rows.shape[1] * np.arange(1, len(rows) + 1))
+        corners.append(rows.ravel())
+    cells = vtkCellArray()
+    cells.SetData(*(vtk_array(np.concatenate(ids), VTK_ID_TYPE) for ids in (offsets, corners)))
     surface = TriangleSurface()
-    surface.SetPoints(_make_points(points))
+    surface.SetPoints(_make_points(points, names[0]))
     surface.SetPolys(cells)
     return surface
 
@@ -135,26 +249,36 @@ def as_points(points: AnyPoints) -> vtkDataSet:
     """A VTK data set with these points. Raises `Error` for what is no table of them."""
     if isinstance(points, vtkDataSet):
         return points
+    if isinstance(points, vtkDataObject):
+        raise Error(f"points is a {points.GetClassName()}; it can be a vtkDataSet, or an array with three columns")
     data = vtkPolyData()
-    data.SetPoints(_make_points(points))
+    try:
+        data.SetPoints(_make_points(points, ARRAYS[0]))
+    except MemoryError:
+        raise Error("not enough memory for these points") from None
     return data
 
 
-def _make_points(values: ArrayLike) -> vtkPoints:
+def _make_points(values: Any, name: str) -> vtkPoints:
     """VTK's points, in double precision, with a copy of the coordinates."""
-    rows = _rows("points", values, float)
+    rows = _rows(name, values, float)
     if rows.shape[1] != 3:
-        raise Error(f"points has {rows.shape[1]} columns; it must have 3: x, y and z")
+        raise Error(f"{name} has {rows.shape[1]} columns; it must have 3: x, y and z")
     points = vtkPoints()
     points.SetDataTypeToDouble()
-    points.SetData(numpy_to_vtk(rows, deep=True))
+    points.SetData(vtk_array(rows))
     return points
 
 
 def _rows(name: str, values: ArrayLike, kind: type) -> NDArray:
     """A table as one array of a type, whatever holds it."""
+    if np.ma.is_masked(values):
+        row = np.argwhere(np.ma.getmaskarray(values))[0][0]
+        raise Error(f"{name} is masked in row {row}: a surface has no gaps, fill them or leave the rows out")
     try:
         table = np.asarray(values)
+        if table.dtype.kind == "c":
+            raise Error(f"{name} holds complex numbers; it must hold real ones")
         rows: NDArray = np.ascontiguousarray(table, dtype=kind)
     except (TypeError, ValueError):
         raise Error(f"{name} is no table of numbers") from None
@@ -170,7 +294,7 @@ def _rows(name: str, values: ArrayLike, kind: type) -> NDArray:
 def make_cells(corners: NDArray[np.int64]) -> vtkCellArray:
     """VTK's cells of a table with the points of each."""
     cells = vtkCellArray()
-    cells.SetData(corners.shape[1], numpy_to_vtkIdTypeArray(corners.ravel(), deep=True))
+    cells.SetData(corners.shape[1], vtk_array(corners.ravel(), VTK_ID_TYPE))
     return cells
 
 
@@ -194,7 +318,7 @@ def _add_arrays(arrays: Mapping[str, ArrayLike], data: vtkDataSetAttributes) -> 
     for name, values in arrays.items():
         rows = np.ascontiguousarray(values)
         if rows.dtype.kind in "iuf" and rows.ndim in (1, 2):
-            array = numpy_to_vtk(rows, deep=True)
+            array = vtk_array(rows)
             array.SetName(name)
             data.AddArray(array)
 

@@ -1,50 +1,61 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`draw`: one picture of what InsideOut does to a surface."""
+"""Draw a surface and what became of it."""
 
 from __future__ import annotations
 
 import os
-import shutil
-import subprocess
-import sys
-import tempfile
+from typing import Optional
 
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
-from .data import AnySurface, as_surface
-from .files import Path, check_output, write_grid, write_surface
-from .pipeline import Error
+from .checking import check
+from .data import AnySurface
+from .files import Path, check_output, input_ending
+from .options import Orientation, describe_options
+from .panels import PICTURES, draw_panels
+from .pipeline import Error, one_of, write_bytes
 
-PICTURES = (".png",)
 
-
-def draw(surface: AnySurface, hull: vtkUnstructuredGrid, picture: Path) -> None:
+@describe_options
+def draw(
+    surface: AnySurface,
+    hull: vtkUnstructuredGrid,
+    picture: Path,
+    *,
+    up: Optional[str] = None,
+    orientation: Orientation = "automatic",
+    merge_tolerance: Optional[float] = None,
+) -> None:
     """Draw a surface's defects, a slice of w through its hull, and the tetrahedra inside, as a .png file.
 
-    surface  a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    surface  what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     hull     all tetrahedra of its hull: `tetrahedralize(surface).hull`
     picture  the file's name
+    up       which axis is up, "x", "y" or "z"; if it is not given z for a .stl file, otherwise y, or z where
+             the surface is longer along it by a tenth
+
+    {options}
+
+    It is seen from the side that shows most: of the four sides, or from above if it is very flat, the one
+    whose outline is largest, and of two opposite ones that with more points before the middle. The counts
+    are those of the run that made the hull, and stand in the file's description, too; give the options it
+    had for the marks to agree with them.
 
     Draws in a process of its own, without a window; where there is no display it takes xvfb-run's.
     Raises `Error` with one line that names what is wrong.
     """
+    picture = os.fspath(picture)
     check_output(picture, PICTURES)
-    command = [*display_command(), sys.executable, "-m", "insideout.picture"]
-    with tempfile.TemporaryDirectory() as folder:
-        files = [os.path.join(folder, "surface.vtp"), os.path.join(folder, "hull.vtu")]
-        write_surface(as_surface(surface)[0], files[0])
-        write_grid(hull, files[1])
-        done = subprocess.run([*command, *files, os.fspath(picture)], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        lines = [line for line in done.stderr.splitlines() if line.strip()]
-        raise Error(f"cannot draw {os.fspath(picture)}: {lines[-1] if lines else 'the drawing process ended'}")
+    up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
+    checked = check(surface, orientation=orientation, merge_tolerance=merge_tolerance)
+    try:
+        drawn = draw_panels(surface=checked.surface, lines=checked.lines, hull=hull, up=up)
+    except (Error, OSError) as error:
+        raise Error(f"cannot draw {picture}: {error}") from None
+    write_bytes(drawn, picture)
 
 
-def display_command() -> list[str]:
-    """What to begin a command with that needs a display. Raises `Error` where there is none to be had."""
-    if os.environ.get("DISPLAY"):
-        return []
-    if shutil.which("xvfb-run") is None:
-        raise Error("there is no display to draw on: set DISPLAY, or apt-get install xvfb xauth")
-    # One that does not start anew, and turn clients away meanwhile, when its last client goes.
-    return ["xvfb-run", "-a", "-s", "-noreset -screen 0 1280x1024x24"]
+def up_of(surface: AnySurface) -> Optional[str]:
+    """Which axis is up by the kind of file: STL's are of machines, where it is z; others may be either way."""
+    is_stl = isinstance(surface, (str, os.PathLike)) and input_ending(surface) == ".stl"
+    return "z" if is_stl else None

@@ -1,21 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Read surfaces and write results. The ending of a file's name says what it holds.
 
-XML files are written in VTK's inline binary mode: what VTK writes by default, appended mode, cannot
-be read back where expat has a certain security update.
+A file is written beside its name and then put there, so that an earlier one stays as it was until all is
+well. XML files are written in VTK's inline binary mode: what VTK writes by default, appended mode, cannot be
+read back where expat has a certain security update.
 """
 
 from __future__ import annotations
 
+import gzip
 import os
-from typing import Optional, Union
+import shutil
+import sys
+import tempfile
+import zlib
+from contextlib import contextmanager
+from typing import Iterator, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkIOCore import vtkWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter, vtkXMLWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkIOXMLParser import vtkXMLDataParser
 
-from .pipeline import Error, Messages, Progress, run
+from .interruption import cleaning_up
+from .pipeline import Error, Messages, Progress, run, write_data
 from .vtkFiltersInsideOut import vtkSurfaceReader, vtkSurfaceWriter
 
 Path = Union[str, os.PathLike]
@@ -23,10 +30,16 @@ Path = Union[str, os.PathLike]
 READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp")
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj")
 WRITABLE_GRIDS = (".vtu",)
+GZIP = ".gz"
 
-# Of zlib, which every reader of VTK's XML files knows. VTK's default takes 2.5 times as long to write
-# a solid of 123,000 tetrahedra, for 7 % fewer bytes.
-FASTEST_COMPRESSION = 1
+STANDARD_INPUT = "standard input"
+
+SHARE_OF_MACHINE = 0.75
+"""Of its memory: more is not taken out of a compressed file."""
+
+PIECE = 1 << 20  # bytes, decompressed at once
+
+LONGEST_CHAIN = 40  # of links, as in Linux
 
 # What VTK's .vtp reader calls an error and is none: that a surface is empty, which whoever takes it
 # says better, and that a range which VTK noted beside an array is not finite.
@@ -34,40 +47,152 @@ HARMLESS_WHEN_READING = ("No Points element available", "Error reading Informati
 
 
 def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
-    """The surface in a .ply, .obj, .off, .stl or .vtp file, and what was passed over in the file.
+    """The surface in a .ply, .obj, .off, .stl or .vtp file, or one of these with .gz behind it, and what was passed over.
 
-    Coordinates keep all the digits that the file gives. Raises `Error` that names the file.
+    Coordinates keep all the digits that the file gives. A file whose name says something else than its content
+    is read by its content, with a warning. Raises `Error` that names the file.
     """
     path = os.fspath(path)
     check_input(path)
+    return _read(path, progress)
+
+
+def read_standard_input(kind: Optional[str] = None, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
+    """The surface that standard input holds, and what was passed over. Its content tells what it is, or else `kind` ("obj")."""
+    if sys.stdin is None:
+        raise Error(f"{STANDARD_INPUT} is closed")
+    name = "stdin" if kind is None else f"stdin.{kind}"
+    with temporary_folder() as folder:
+        path = os.path.join(folder, name)
+        try:
+            with open(path, "wb") as file:
+                shutil.copyfileobj(sys.stdin.buffer, file)
+        except OSError as error:
+            raise Error(f"cannot keep {STANDARD_INPUT} in {path}: {_reason(error)}") from None
+        if _is_compressed(path):
+            os.rename(path, path + GZIP)
+            path, name = path + GZIP, name + GZIP
+        try:
+            surface, warnings = _read(path, progress)
+        except Error as error:
+            hint = "; say what it is by --format" if kind is None and "neither content nor ending" in str(error) else ""
+            raise Error(str(error).replace(path, STANDARD_INPUT) + hint) from None
+    return surface, [warning.replace(name, STANDARD_INPUT) for warning in warnings]
+
+
+def _read(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
+    if _holds_xml(path):
+        return _read_xml(path, progress)
     reader = vtkSurfaceReader()
-    if ending(path) == ".vtp":
-        check_xml(path, "PolyData", "polygons")
-        reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
     try:
-        warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)
+        warnings = run(reader, progress)
     except Error as error:
         raise _naming(path, error) from None
     return reader.GetOutput(), warnings
+
+
+def _read_xml(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
+    reader = vtkXMLPolyDataReader()
+    with _decompressed(path) as plain:
+        try:
+            check_xml(plain, "PolyData", "polygons")
+            reader.SetFileName(plain)
+            warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)
+        except Error as error:
+            raise _naming(path, Error(str(error).replace(plain, path))) from None
+    return reader.GetOutput(), [*_false_names(path), *warnings]
+
+
+def _false_names(path: str) -> Iterator[str]:
+    """What the name of a VTP file says that is not so; vtkSurfaceReader says the same of other files."""
+    name = os.path.basename(path)
+    if _is_compressed(path) and ending(path) != GZIP:
+        yield f"{name}: is compressed with gzip, but its name does not end in .gz"
+    if ending(path) == GZIP and not _is_compressed(path):
+        yield f"{name}: is not compressed, but its name ends in .gz"
+    if input_ending(path) in READABLE_SURFACES and input_ending(path) != ".vtp":
+        yield f"{name}: holds VTP, not what its name says, and was read as such"
+
+
+def _holds_xml(path: str) -> bool:
+    """Whether the content begins as VTK's XML does. What cannot be decompressed is not looked at: who reads it says why."""
+    try:
+        with gzip.open(path, "rb") if _is_compressed(path) else open(path, "rb") as file:
+            begin = file.read(1000).removeprefix(b"\xef\xbb\xbf").lstrip()
+    except (OSError, EOFError, zlib.error):
+        return False
+    return begin.startswith((b"<?xml", b"<VTKFile")) or input_ending(path) == ".vtp" and begin.startswith(b"<")
+
+
+def _is_compressed(path: str) -> bool:
+    with open(path, "rb") as file:
+        return file.read(2) == b"\x1f\x8b"
+
+
+@contextmanager
+def _decompressed(path: str) -> Iterator[str]:
+    """A file that holds what this one does, without compression."""
+    if not _is_compressed(path):
+        yield path
+        return
+    most = SHARE_OF_MACHINE * os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    with temporary_folder() as folder:
+        plain = os.path.join(folder, "plain.vtp")
+        try:
+            with gzip.open(path) as source, open(plain, "wb") as file:
+                while piece := source.read(PIECE):
+                    file.write(piece)
+                    if file.tell() > most:
+                        raise Error(f"{path}: is compressed with gzip, and holds more than {most:.0f} bytes, too many for this machine")
+        except EOFError:
+            raise Error(f"{path}: is compressed with gzip, and its end is missing") from None
+        except (gzip.BadGzipFile, zlib.error) as error:
+            raise Error(f"{path}: is compressed with gzip, and damaged: {error}") from None
+        except OSError as error:
+            raise Error(f"cannot decompress {path}: {_reason(error)}") from None
+        yield plain
+
+
+@contextmanager
+def temporary_folder() -> Iterator[str]:
+    """A folder that is removed in the end, with all that is in it."""
+    try:
+        folder = tempfile.mkdtemp()
+    except OSError as error:
+        raise Error(f"there is no folder for temporary files: {_reason(error)}") from None
+    with cleaning_up(lambda: shutil.rmtree(folder, ignore_errors=True)):
+        yield folder
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> None:
     """Write a surface as .vtp, .ply, .obj or .stl (which has only floats). Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
-    _write(vtkXMLPolyDataWriter() if ending(path) == ".vtp" else vtkSurfaceWriter(), surface, path)
+    if ending(path) == ".vtp":
+        write_data(surface, path)
+        return
+    writer = vtkSurfaceWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(surface)
+    try:
+        run(writer)
+    except Error as error:
+        raise _naming(path, error) from None
 
 
 def write_grid(grid: vtkUnstructuredGrid, path: Path) -> None:
     """Write tetrahedra as .vtu. Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_GRIDS)
-    _write(vtkXMLUnstructuredGridWriter(), grid, path)
+    write_data(grid, path)
 
 
 def write(data: Union[vtkPolyData, vtkUnstructuredGrid], path: Path) -> None:
-    """Write a surface as .vtp, .ply, .obj or .stl, or tetrahedra as .vtu. Raises `Error` that names the file."""
+    """Write a surface as .vtp, .ply, .obj or .stl, or tetrahedra as .vtu, whole or not at all.
+
+    An earlier file stays as it was until the new one is on the disk. Raises `Error` that names the file.
+    """
     if isinstance(data, vtkUnstructuredGrid):
         write_grid(data, path)
     else:
@@ -79,10 +204,18 @@ def ending(path: Path) -> str:
     return os.path.splitext(os.fspath(path))[1].lower()
 
 
+def input_ending(path: Path) -> str:
+    """The same of a surface, without that of the compression."""
+    plain, last = os.path.splitext(os.fspath(path))
+    return ending(plain) if last.lower() == GZIP else last.lower()
+
+
 def check_input(path: Path, endings: tuple[str, ...] = READABLE_SURFACES) -> None:
-    """Raise `Error` unless this is a file with one of the endings that can be opened."""
+    """Raise `Error` unless this is a file with one of the endings that can be opened; surfaces may be compressed."""
     path = os.fspath(path)
-    _check_name(path, endings)
+    found = input_ending(path) if endings == READABLE_SURFACES else ending(path)
+    _check_ending(path, found, endings)
+    _check_encoding(path)
     try:
         with open(path, "rb") as file:
             file.read(1)
@@ -91,21 +224,55 @@ def check_input(path: Path, endings: tuple[str, ...] = READABLE_SURFACES) -> Non
 
 
 def check_output(path: Path, endings: tuple[str, ...]) -> None:
-    """Raise `Error` unless the name has one of the endings and a file can be written there."""
+    """Raise `Error` unless the name has one of the endings and a file can be written there.
+
+    Devices and pipes need no ending where there is only one.
+    """
     path = os.fspath(path)
-    _check_name(path, endings)
-    folder = os.path.dirname(path) or "."
+    _check_encoding(path)
+    is_special = _is_special(path)
+    if not is_special or len(endings) > 1:
+        _check_ending(path, ending(path), endings)
     if os.path.isdir(path):
         raise Error(f"cannot write {path}: it is a folder")
+    folder = os.path.dirname(os.path.realpath(path))  # what links lead to is replaced, not the links
     if not os.path.isdir(folder):
-        raise Error(f"cannot write {path}: there is no folder {folder}")
-    if not os.access(path if os.path.exists(path) else folder, os.W_OK):
+        raise Error(f"cannot write {path}: there is no folder {folder if os.path.islink(path) else os.path.dirname(path)}")
+    if os.path.exists(path) and not os.access(path, os.W_OK) or not is_special and not os.access(folder, os.W_OK):
         raise Error(f"cannot write {path}: permission denied")
 
 
-def _check_name(path: str, endings: tuple[str, ...]) -> None:
-    if ending(path) not in endings:
+def identity(path: Path) -> Optional[object]:
+    """The same for all names of a file: links, hard links, other spellings; None for devices and pipes, which no file replaces."""
+    if _is_special(path):
+        return None
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        folder, name = os.path.split(os.path.realpath(path))
+        return identity(folder), name
+    return status.st_dev, status.st_ino
+
+
+def _is_special(path: Path) -> bool:
+    """Whether this is a device, a pipe or something open (`/dev/stdout`), which no file can replace."""
+    path = os.fspath(path)
+    for _ in range(LONGEST_CHAIN):
+        if not os.path.islink(path):
+            break
+        folder = os.path.dirname(path)
+        if os.path.realpath(folder) == os.path.realpath("/proc/self/fd"):
+            return True
+        path = os.path.join(folder, os.readlink(path))
+    return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
+
+
+def _check_ending(path: str, found: str, endings: tuple[str, ...]) -> None:
+    if found not in endings:
         raise Error(f"{path}: unknown ending, it must be {' '.join(endings)}")
+
+
+def _check_encoding(path: str) -> None:
     try:
         path.encode("utf-8")  # VTK's way of passing names
     except UnicodeEncodeError:
@@ -132,20 +299,6 @@ def _hint(path: str) -> str:
     with open(path, "rb") as file:
         appended = b"<AppendedData" in file.read()
     return " (it is in appended mode; write it in binary mode instead)" if appended else ""
-
-
-def _write(writer: Union[vtkWriter, vtkXMLWriter], data: Union[vtkPolyData, vtkUnstructuredGrid], path: str) -> None:
-    writer.SetFileName(path)
-    writer.SetInputData(data)
-    if isinstance(writer, vtkXMLWriter):
-        writer.SetDataModeToBinary()
-        writer.SetCompressionLevel(FASTEST_COMPRESSION)
-    try:
-        run(writer)
-    except Error as error:
-        raise _naming(path, error) from None
-    if not os.path.exists(path):
-        raise Error(f"cannot write {path}")
 
 
 def _naming(path: str, error: Error) -> Error:

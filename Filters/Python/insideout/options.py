@@ -7,16 +7,21 @@ import inspect
 import re
 import textwrap
 from dataclasses import dataclass, field, fields
-from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar, Union
+from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Tuple, TypeVar, Union, get_args
 
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
+from .data import DataSetOfPoints
 from .pipeline import Error, at_least, one_of
 from .places import read_seeds
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
-Seeds = Union[vtkPointSet, str, Iterable[tuple[tuple[float, float, float], bool]]]
+Orientation = Literal["automatic", "as-given", "reverse", "outward"]
+Engine = Literal["automatic", "exact", "tetgen"]
+DataTerm = Literal["uniform", "volume-weighted"]
+QuadratureOrder = Literal[1, 2, 3, 4, 5]
+Seeds = Union[DataSetOfPoints, str, Iterable[Tuple[Tuple[float, float, float], bool]]]
 Filter = TypeVar("Filter")
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -122,7 +127,7 @@ class SwitchOrArray(Switch):
 
 
 class Places(Option):
-    def checked(self, algorithm: Any, name: str, value: Seeds) -> vtkPointSet:
+    def checked(self, algorithm: Any, name: str, value: Any) -> vtkPointSet:
         if isinstance(value, vtkPointSet):
             return value
         return _seed_points(read_seeds(value) if isinstance(value, str) else value)
@@ -149,13 +154,13 @@ class Options:
     sigma: Optional[float] = _is(
         Number("Sigma", "how large a step of w between neighbouring cells may be noise", least=1e-6)
     )
-    orientation: str = _is(
+    orientation: Orientation = _is(
         Choice(
             "Orientation",
             'which way facets are meant to face: "automatic" turns over what is inside out, with a warning, and leaves '
             'cavities; "as-given" turns nothing, "reverse" everything, and "outward" all that encloses something outward',
             default="automatic",
-            choices=("automatic", "as-given", "reverse", "outward"),
+            choices=get_args(Orientation),
         )
     )
     thicken: Optional[float] = _is(
@@ -172,22 +177,22 @@ class Options:
     memory_budget: Optional[float] = _is(
         Number("MemoryBudget", "MiB that TetGen's process may hold; 0 goes by the surface's size")
     )
-    engine: str = _is(
+    engine: Engine = _is(
         Choice(
             "Engine",
             'what makes the tetrahedra: "exact" flips and cuts, "tetgen", or "automatic", which is the first, and the '
             "second should it lose a facet",
             default="automatic",
-            choices=("automatic", "exact", "tetgen"),
+            choices=get_args(Engine),
             prefix="ENGINE_",
         )
     )
-    data_term: str = _is(
+    data_term: DataTerm = _is(
         Choice(
             "DataTerm",
             'how much a cell\'s own w counts: "uniform", or "volume-weighted", so that slivers do not outvote large cells',
             default="uniform",
-            choices=("uniform", "volume-weighted"),
+            choices=get_args(DataTerm),
         )
     )
     constrain_facets: Union[bool, str] = _is(
@@ -206,8 +211,8 @@ class Options:
             "the name of a cell array of the surface: cells where it is not 0 do not count in w, but shape the mesh",
         )
     )
-    quadrature_order: Optional[int] = _is(
-        Order("QuadratureOrder", "degree up to which w is integrated over a cell, which matters near holes only", most=5)
+    quadrature_order: Optional[QuadratureOrder] = _is(
+        Order("QuadratureOrder", "degree up to which w is integrated over a cell, which matters near holes only", most=max(get_args(QuadratureOrder)))
     )
     merge_coplanar_pieces: bool = _is(
         Switch(

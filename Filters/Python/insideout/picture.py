@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
-    python3 -m insideout.picture SURFACE.vtp HULL.vtu PICTURE.png
+    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--up z]
 
-Side by side, seen from the same place: the surface with its defects, a slice of the winding number w
-through the hull, and the tetrahedra inside, cut open.
+Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
+slice of the winding number w through the hull, and the tetrahedra inside, cut open. Without one of the
+two its panels are left out. What is up is told (x, y or z) or found (`View`).
 """
 
 from __future__ import annotations
 
+import argparse
 import sys
-from typing import Optional, Tuple
+from typing import Any, Mapping, Optional, Tuple
 
 import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401
@@ -23,7 +25,7 @@ from vtkmodules.vtkFiltersCore import vtkCutter, vtkThreshold, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -36,13 +38,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .data import as_surface, corners_of, make_cells
+from .data import corners_of, make_cells
+from .defects import DEFECTS
 from .pipeline import Error, run, statistics_of
 from .tetrahedralization import inside_cells
+from .view import HEIGHT, PANEL_WIDTH, View
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 
-PANEL_WIDTH, HEIGHT = 800, 900
-WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
 Colour = Tuple[float, float, float]
 BACKGROUND: Colour = (1.0, 1.0, 1.0)
 INK: Colour = (0.15, 0.15, 0.18)
@@ -98,51 +100,6 @@ def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
     faces.SetInputConnection(extract.GetOutputPort())
     faces.Update()
     return faces.GetOutput()
-
-
-# --- From where ---
-
-
-class View:
-    """Where a surface is seen from: its shortest extent runs to the eye; z is up, or y where z is shortest."""
-
-    def __init__(self, surface: vtkPolyData):
-        bounds = np.array(surface.GetBounds()).reshape(3, 2)
-        size = bounds[:, 1] - bounds[:, 0]
-        self.centre = bounds.mean(axis=1)
-        axes = np.eye(3)
-        shortest = int(np.argmin(size))
-        self.slice_normal = axes[shortest] * (-1 if shortest == 1 else 1)  # x runs to the right then
-        self.up = axes[1 if shortest == 2 else 2]
-        self.right = np.cross(self.up, self.slice_normal)
-        # A little from the side and from above, so that depth is seen.
-        eye = self.slice_normal + 0.35 * self.right + 0.25 * self.up
-        self.eye = eye / np.linalg.norm(eye)
-        self.distance = 4 * float(np.linalg.norm(size))
-        self.size = self._size_on_screen(bounds)
-
-    def _size_on_screen(self, bounds: NDArray[np.float64]) -> tuple[float, float]:
-        across = np.cross(self.up, self.eye)
-        across /= np.linalg.norm(across)
-        down = np.cross(across, self.eye)
-        corners = np.array([[bounds[i, b] for i, b in enumerate(pick)] for pick in np.ndindex(2, 2, 2)])
-        return float(np.ptp(corners @ across)), float(np.ptp(corners @ down))
-
-    def slice_plane(self) -> vtkPlane:
-        plane = vtkPlane()
-        plane.SetOrigin(*self.centre)
-        plane.SetNormal(*self.slice_normal)
-        return plane
-
-    def apply(self, renderer: vtkRenderer) -> None:
-        camera = renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetFocalPoint(*self.centre)
-        camera.SetPosition(*(self.centre + self.distance * self.eye))
-        camera.SetViewUp(*self.up)
-        width, height = self.size
-        camera.SetParallelScale(0.5 * max(width * HEIGHT / PANEL_WIDTH / WIDTH_USED, height / HEIGHT_USED))
-        renderer.ResetCameraClippingRange()
 
 
 # --- How it is drawn ---
@@ -240,16 +197,28 @@ def words(text: str, height: float, colour: Colour = INK, size: int = 24, bold: 
 # --- The panels ---
 
 
-def surface_panel(surface: vtkPolyData) -> list[vtkProp]:
-    marker = vtkSurfaceDefects()
-    marker.SetInputData(surface)
-    run(marker)
+DRAWN = {"IntersectingPairs": CROSSING, "TurnedFacets": TURNED, "OpenEdges": OPEN, "NonManifoldEdges": NON_MANIFOLD}
+MOST_LINES = 4
+
+
+def counts(statistics: Mapping[str, float]) -> list[Tuple[str, Colour]]:
+    """What was wrong, in the words of the command's summary, and in which colour: what is drawn, then what else fits."""
+    found = [defect for defect in DEFECTS if statistics.get(defect.statistic, 0) > 0]
+    found.sort(key=lambda defect: defect.statistic not in DRAWN)
+    lines = [(defect.counted(statistics[defect.statistic]), DRAWN.get(defect.statistic, INK)) for defect in found]
+    return lines[:MOST_LINES] or [("nothing wrong", INK)]
+
+
+def triangles_of(surface: vtkPolyData) -> vtkPolyData:
     triangles = vtkTriangleFilter()
-    triangles.SetInputData(marker.GetOutput())
+    triangles.SetInputData(surface)
     triangles.PassVertsOff()
     triangles.PassLinesOff()
     triangles.Update()
-    marked = triangles.GetOutput()
+    return triangles.GetOutput()
+
+
+def surface_panel(marked: vtkPolyData, edges: vtkPolyData, statistics: Mapping[str, float]) -> list[vtkProp]:
     crossing = vtk_to_numpy(marked.GetCellData().GetArray("SelfIntersections")) > 0
     turned = (vtk_to_numpy(marked.GetCellData().GetArray("Turned")) > 0) & ~crossing
     drawn: list[vtkProp] = [
@@ -257,20 +226,10 @@ def surface_panel(surface: vtkPolyData) -> list[vtkProp]:
         actor(some_triangles(marked, crossing), CROSSING),
         actor(some_triangles(marked, turned), TURNED),
     ]
-    for kind, colour in ((marker.OPEN_BOUNDARY, OPEN), (marker.NON_MANIFOLD_EDGE, NON_MANIFOLD)):
-        drawn.append(line_actor(lines_of(marker.GetLines(), kind), colour, 4))
-    statistics = statistics_of(marker.GetOutput())
-    found = [
-        (f"{int(statistics[count]):,} {what}", colour)
-        for count, what, colour in (
-            ("IntersectingFacets", "facets that cross others", CROSSING),
-            ("TurnedFacets", "facets that face the wrong way", TURNED),
-            ("OpenEdges", "open edges", OPEN),
-            ("NonManifoldEdges", "non-manifold edges", NON_MANIFOLD),
-        )
-        if statistics[count] > 0
-    ] or [("nothing wrong", INK)]
-    lines = [words(text, 0.105 - 0.03 * k, colour) for k, (text, colour) in enumerate(found)]
+    kinds = ((vtkSurfaceDefects.OPEN_BOUNDARY, OPEN), (vtkSurfaceDefects.NON_MANIFOLD_EDGE, NON_MANIFOLD))
+    for kind, colour in kinds:
+        drawn.append(line_actor(lines_of(edges, kind), colour, 4))
+    lines = [words(text, 0.105 - 0.03 * k, colour) for k, (text, colour) in enumerate(counts(statistics))]
     return [*drawn, words("The surface and its defects", 0.95, size=30, bold=True), *lines]
 
 
@@ -286,7 +245,7 @@ def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]
 
 
-def render(panels: list[list[vtkProp]], view: View, file: str) -> None:
+def render(panels: list[list[vtkProp]], view: View, file: str, description: str) -> None:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
@@ -307,25 +266,54 @@ def render(panels: list[list[vtkProp]], view: View, file: str) -> None:
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(file)
+    writer.AddText("Description", description)
     writer.Write()
     if writer.GetErrorCode() != 0:
         raise Error(f"cannot write {file}")
 
 
-def main(surface_file: str, hull_file: str, picture_file: str) -> None:
-    surface, _ = as_surface(surface_file)
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(hull_file)
+def read(reader: Any, file: str) -> Any:
+    reader.SetFileName(file)
     run(reader)
-    hull = reader.GetOutput()
-    view = View(surface)
-    render([surface_panel(surface), slice_panel(hull, view), solid_panel(hull, view)], view, picture_file)
+    return reader.GetOutput()
+
+
+def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
+    """The boundary of the tetrahedra inside, or of all where none is."""
+    faces = vtkGeometryFilter()
+    solid = inside_cells(hull)
+    faces.SetInputData(solid if solid.GetNumberOfCells() else hull)
+    faces.Update()
+    return faces.GetOutput()
+
+
+def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], up: Optional[str]) -> None:
+    hull = read(vtkXMLUnstructuredGridReader(), hull_file) if hull_file else None
+    panels, description = [], ""
+    view: Optional[View] = None
+    if surface:
+        checked, edges = (read(vtkXMLPolyDataReader(), file) for file in surface)
+        marked = triangles_of(checked)
+        view = View(marked, up)
+        # The hull's are those of the run that made it, which may have had options that the check has not.
+        statistics = {**statistics_of(checked), **(statistics_of(hull) if hull else {})}
+        panels.append(surface_panel(marked, edges, statistics))
+        description = "; ".join(text for text, _ in counts(statistics))
+    if hull:
+        view = view or View(triangles_of(outside_of(hull)), up)
+        panels += [slice_panel(hull, view), solid_panel(hull, view)]
+    if view:
+        render(panels, view, picture, description)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
-        sys.exit(__doc__)
+    parser = argparse.ArgumentParser()
+    parser.add_argument("picture")
+    parser.add_argument("--surface", nargs=2)
+    parser.add_argument("--hull")
+    parser.add_argument("--up", choices="xyz")
+    options = parser.parse_args()
     try:
-        main(*sys.argv[1:])
+        main(options.picture, options.surface, options.hull, options.up)
     except Error as error:
         sys.exit(str(error))

@@ -14,8 +14,9 @@ import re
 import signal
 import threading
 from types import FrameType
-from typing import Any, Callable, Collection, Optional, Union
+from typing import Any, Callable, Collection, Optional
 
+import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkObject
@@ -25,13 +26,14 @@ from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOXML import vtkXMLWriter
 
 from . import vtkFiltersInsideOut as _classes
+from .interruption import before_end_at_once
 from .stages import UNNAMED
 
 Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
 
 STATISTICS_PREFIX = "Statistics_"
-MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Diagonal", "EnclosedVolume", "OpenLength", "OverlapVolume", "LostShare", "SheetShare", "TurnedShare")  # all other statistics count
+MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Diagonal", "EnclosedVolume", "OpenLength", "OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia")  # all other statistics count
 
 
 class Error(RuntimeError):
@@ -71,13 +73,66 @@ def run(algorithm: vtkAlgorithm, progress: Optional[Progress] = None, harmless: 
     `KeyboardInterrupt` after Ctrl-C, when the algorithm has stopped, and whatever `progress` raises,
     which stops it too.
     """
-    with _Listener(algorithm, progress) as listener:
-        listener.update()
-    # That a request failed, which is all the executive knows, counts only if nobody says why.
-    for error in listener.messages[_ERROR] or listener.messages[_REQUEST_FAILED]:
-        if not error.startswith(harmless):
-            raise Error(error)
+    _require_memory(algorithm)
+    algorithm.SetAbortExecute(0)
+    try:
+        with _Listener(progress) as listener:
+            _update(algorithm, listener)
+        listener.raise_error(harmless)
+    except BaseException:
+        algorithm.SetAbortExecute(0)
+        # Else it would be taken for up to date, and say nothing the next time.
+        algorithm.Modified()
+        raise
     return listener.messages[_WARNING]
+
+
+def run_with_upstream(algorithm: vtkAlgorithm) -> list[str]:
+    """The same of an algorithm and of all that are upstream of it, one after the other: each tells its own errors."""
+    warnings = []
+    for port in range(algorithm.GetNumberOfInputPorts()):
+        for connection in range(algorithm.GetNumberOfInputConnections(port)):
+            warnings += run_with_upstream(algorithm.GetInputAlgorithm(port, connection))
+    return warnings + run(algorithm)
+
+
+def write_data(data: vtkDataObject, path: str) -> None:
+    """Write a data set in VTK's XML format for its type. See `write_bytes`."""
+    if not _memory_suffices_for(data):
+        raise Error(f"{path}: not enough memory to write it")
+    with _Listener() as listener:
+        _unlocked.vtkInsideOutWriteData(_address(data, "vtkDataObject"), path.encode(), listener.function)
+    listener.raise_error()
+
+
+def write_bytes(content: bytes, path: str) -> None:
+    """Write a file, whole or not at all: an earlier one is as it was until then.
+
+    Raises `Error` that names the file, and what stops it: `KeyboardInterrupt` after Ctrl-C.
+    """
+    with _Listener() as listener:
+        _unlocked.vtkInsideOutWriteBytes(content, len(content), path.encode(), listener.function)
+    listener.raise_error()
+
+
+def _require_memory(algorithm: vtkAlgorithm) -> None:
+    """Raise `Error` where VTK would end the program. Our own classes see to that themselves."""
+    inputs = (
+        algorithm.GetInputDataObject(port, connection)
+        for port in range(algorithm.GetNumberOfInputPorts())
+        for connection in range(algorithm.GetNumberOfInputConnections(port))
+    )
+    if not hasattr(_classes, algorithm.GetClassName()) and not _memory_suffices_for(*inputs):
+        raise Error("not enough memory")
+
+
+def _memory_suffices_for(*inputs: Optional[vtkDataObject]) -> bool:
+    """What VTK makes of data is rarely larger than twice these."""
+    try:
+        np.empty(2048 * sum(data.GetActualMemorySize() for data in inputs if data is not None), np.uint8)
+    except MemoryError:
+        return False
+    return True
 
 
 def statistics_of(data: vtkDataObject) -> dict[str, float]:
@@ -133,59 +188,67 @@ _ListenerFunction = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, ctypes.c_char_p
 _unlocked, _locked = ctypes.CDLL(_classes.__file__), ctypes.PyDLL(_classes.__file__)
 for _library in (_unlocked, _locked):
     _library.vtkInsideOutUpdate.argtypes = [ctypes.c_void_p, ctypes.c_int, _ListenerFunction]
-    _library.vtkInsideOutUpdate.restype = None
+_unlocked.vtkInsideOutWriteData.argtypes = [ctypes.c_void_p, ctypes.c_char_p, _ListenerFunction]
+_unlocked.vtkInsideOutWriteData.restype = None
+_unlocked.vtkInsideOutWriteBytes.argtypes = [ctypes.c_char_p, ctypes.c_size_t, ctypes.c_char_p, _ListenerFunction]
+_unlocked.vtkInsideOutWriteBytes.restype = None
+_unlocked.vtkInsideOutRemoveUnfinishedFiles.argtypes = []
+_unlocked.vtkInsideOutRemoveUnfinishedFiles.restype = None
+before_end_at_once(_unlocked.vtkInsideOutRemoveUnfinishedFiles)
 
 
 def set_threads(number: int) -> None:
-    """How many threads the filters take in this thread of Python from now on, at least 1."""
+    """How many threads the filters take in this thread of Python from now on, at least 1. They warn where it is too many."""
     try:
-        _locked.omp_set_num_threads(ctypes.c_int(number))
+        _locked.omp_set_num_threads(ctypes.c_int(min(number, 2**31 - 1)))
     except AttributeError:
         pass  # built without OpenMP: there is one
 
 
 class _Listener:
-    """Updates an algorithm and hears what it says. Ctrl-C and what `progress` raises stop it, and come out at its end.
+    """Hears what C++ says while it works. Signals and what `progress` raises stop it, and come out at its end.
 
     VTK would end the program where an observer is interrupted, and forget whatever else it raises.
     """
 
-    def __init__(self, algorithm: vtkAlgorithm, progress: Optional[Progress]):
+    def __init__(self, progress: Optional[Progress] = None):
         self.messages: dict[int, list[str]] = {_WARNING: [], _ERROR: [], _REQUEST_FAILED: []}
-        self._algorithm = algorithm
+        self.function = _ListenerFunction(self._hear)
         self._progress = progress
         self._reason: Optional[BaseException] = None
-        self._handler: Union[Callable[[int, Optional[FrameType]], Any], None] = None
+        self._handlers: dict[int, Callable[[int, Optional[FrameType]], Any]] = {}
 
     def __enter__(self) -> _Listener:
-        self._algorithm.SetAbortExecute(0)
         # Python lets only the main thread handle signals, and only what Python has set can be set again.
         if threading.current_thread() is threading.main_thread():
-            handler = signal.getsignal(signal.SIGINT)
-            if callable(handler):
-                self._handler = handler
-                signal.signal(signal.SIGINT, self._interrupt)
+            for number, stop in ((signal.SIGINT, self._interrupt), (signal.SIGTERM, self._terminate)):
+                handler = signal.getsignal(number)
+                if callable(handler):
+                    self._handlers[number] = handler
+                    signal.signal(number, stop)
         return self
 
-    def update(self) -> None:
-        writes = isinstance(self._algorithm, (vtkWriter, vtkXMLWriter))
-        if writes:
-            self._algorithm.Modified()  # or it would not write a second time
-        address = int(self._algorithm.GetAddressAsString("vtkAlgorithm").partition("=")[2], 16)
-        library = _locked if _may_call_python(self._algorithm) else _unlocked
-        library.vtkInsideOutUpdate(address, writes, _ListenerFunction(self._hear))
-
     def __exit__(self, *_: object) -> None:
-        if self._handler is not None:
-            signal.signal(signal.SIGINT, self._handler)
+        for number, handler in self._handlers.items():
+            signal.signal(number, handler)
         if self._reason is not None:
-            self._algorithm.SetAbortExecute(0)
-            # What was stopped is not up to date, whatever the pipeline believes.
-            self._algorithm.Modified()
             raise self._reason
+
+    def raise_error(self, harmless: tuple[str, ...] = ()) -> None:
+        """Raise the first error that does not begin with one of `harmless`."""
+        # That a request failed, which is all the executive knows, counts only if nobody says why.
+        for error in self.messages[_ERROR] or self.messages[_REQUEST_FAILED]:
+            if not error.startswith(harmless):
+                raise Error(error)
 
     def _interrupt(self, _signal: int, _frame: Optional[FrameType]) -> None:
         self._reason = self._reason or KeyboardInterrupt()
+
+    def _terminate(self, number: int, frame: Optional[FrameType]) -> None:
+        try:
+            self._handlers[number](number, frame)
+        except BaseException as error:
+            self._reason = self._reason or error
 
     def _hear(self, event: int, text: Optional[bytes], fraction: float) -> int:
         words = (text or b"").decode(errors="backslashreplace")
@@ -197,6 +260,18 @@ class _Listener:
             except BaseException as error:
                 self._reason = error
         return int(self._reason is not None)
+
+
+def _update(algorithm: vtkAlgorithm, listener: _Listener) -> None:
+    writes = isinstance(algorithm, (vtkWriter, vtkXMLWriter))
+    if writes:
+        algorithm.Modified()  # or it would not write a second time
+    library = _locked if _may_call_python(algorithm) else _unlocked
+    library.vtkInsideOutUpdate(_address(algorithm, "vtkAlgorithm"), writes, listener.function)
+
+
+def _address(thing: vtkObject, kind: str) -> int:
+    return int(thing.GetAddressAsString(kind).partition("=")[2], 16)
 
 
 def _may_call_python(algorithm: vtkAlgorithm) -> bool:

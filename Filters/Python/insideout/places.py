@@ -4,19 +4,23 @@
 from __future__ import annotations
 
 import csv
+import io
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataSet
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 from .data import as_points
-from .files import FASTEST_COMPRESSION, check_input, check_xml, ending
-from .pipeline import Error, run
+from .files import check_input, check_xml, ending
+from .pipeline import Error, run, write_bytes, write_data
 
 QUERIES = (".csv", ".vti")
+
+FOUND = ("w", "inside")
+"""What a table gains; columns of these names, in capitals too, get new values instead."""
 
 
 class Places(Protocol):
@@ -50,10 +54,13 @@ def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool]]:
 
 
 class _Table:
-    """A line of names that begins with x, y, z, or none, then a line of numbers for each place; further columns are kept."""
+    """A line of names that begins with x, y, z, or none, then a line of numbers for each place.
+
+    Further columns are kept, letter by letter, but for those named w or inside, which get the new values.
+    """
 
     def __init__(self, path: str):
-        with open(path, newline="", encoding="utf-8-sig", errors="replace") as file:
+        with open(path, newline="", encoding="utf-8-sig", errors="surrogateescape") as file:
             numbered = [(number, row) for number, row in enumerate(csv.reader(file), start=1) if row]
         self.rows = [row for _, row in numbered]
         self.names = ["x", "y", "z"]
@@ -69,11 +76,17 @@ class _Table:
         self.data: vtkDataSet = as_points(np.array([row[:3] for row in self.rows], float).reshape(-1, 3))
 
     def write(self, w: NDArray[np.float64], path: str) -> None:
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow([*self.names, "w", "inside"])
-            for row, value in zip(self.rows, w.tolist()):
-                writer.writerow([*row, repr(value), int(value > 0.5)])
+        given = [name.strip().lower() for name in self.names]
+        nameless = [""] * (max(map(len, [self.names, *self.rows])) - len(self.names))
+        names = [*self.names, *nameless, *(name for name in FOUND if name not in given)]
+        text = io.StringIO(newline="")
+        writer = csv.writer(text)
+        writer.writerow(names)
+        for row, value in zip(self.rows, w.tolist()):
+            found = dict(zip(FOUND, (repr(value), int(value > 0.5))))
+            kept = dict(enumerate(row))
+            writer.writerow(found.get(name.strip().lower(), kept.get(column, "")) for column, name in enumerate(names))
+        write_bytes(text.getvalue().encode(errors="surrogateescape"), path)
 
 
 class _Image:
@@ -91,12 +104,7 @@ class _Image:
             array = numpy_to_vtk(values, deep=True)
             array.SetName(name)
             self.data.GetPointData().AddArray(array)
-        writer = vtkXMLImageDataWriter()
-        writer.SetDataModeToBinary()
-        writer.SetCompressionLevel(FASTEST_COMPRESSION)
-        writer.SetFileName(path)
-        writer.SetInputData(self.data)
-        run(writer)
+        write_data(self.data, path)
 
 
 def _is_number(text: str) -> bool:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .data import AnyPoints, AnySurface, as_points, as_surface
-from .options import Options, describe_options
+from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, run
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
 
@@ -20,14 +20,14 @@ def winding_number(
     surface: AnySurface,
     points: AnyPoints,
     *,
-    orientation: str = "automatic",
+    orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.float64]:
     """How often a surface winds around each of some points.
 
-    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     points    an array with three columns, or a VTK data set whose points are meant
     progress  called with the stage and the fraction that is done; what it raises stops the work
 
@@ -37,11 +37,19 @@ def winding_number(
     fraction between near holes. It is right to rounding; the surface may be open and cross itself.
     Raises `Error` with one line that names what is wrong.
     """
-    probe = Options.among(locals()).set_on(vtkProbeWindingNumber())
+    return winding_number_and_warnings(surface, points, Options.among(locals()), progress)[0]
+
+
+def winding_number_and_warnings(
+    surface: AnySurface, points: AnyPoints, options: Options, progress: Optional[Progress]
+) -> tuple[NDArray[np.float64], list[str]]:
+    """The same, and what is worth knowing about it, one line each."""
+    probe = options.set_on(vtkProbeWindingNumber())
     probe.SetInputData(as_points(points))
-    probe.SetSurfaceData(as_surface(surface)[0])
-    run(probe, progress)
-    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w"))
+    polygons, warnings = as_surface(surface)
+    probe.SetSurfaceData(polygons)
+    warnings = warnings + in_words_of_python(run(probe, progress))
+    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w")), warnings
 
 
 def inside(
@@ -49,7 +57,7 @@ def inside(
     points: AnyPoints,
     *,
     threshold: float = 0.5,
-    orientation: str = "automatic",
+    orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,

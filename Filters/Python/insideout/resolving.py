@@ -4,16 +4,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional
+from typing import Any, Optional
 
+from .checking import check
 from .data import AnySurface, TriangleSurface, as_surface, as_type
 from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, cells_of, run, statistics_of
+from .results import Result, counted
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections
 
 
-@dataclass(frozen=True)
-class Resolution:
+@dataclass(frozen=True, repr=False)
+class Resolution(Result):
     """What `resolve` made. The VTK class vtkResolveSelfIntersections describes the arrays."""
 
     surface: TriangleSurface
@@ -24,6 +26,17 @@ class Resolution:
     """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
+
+    def figures(self) -> list[tuple[str, str]]:
+        return [
+            ("triangles", counted(self.surface.GetNumberOfCells())),
+            ("points", counted(self.surface.GetNumberOfPoints())),
+            ("cells left out", counted(len(self.left_out_cells))),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+    def seen(self) -> dict[str, Any]:
+        return check(self.surface).seen()
 
 
 @describe_options
@@ -36,7 +49,7 @@ def resolve(
 ) -> Resolution:
     """Cut a surface where it crosses itself, exactly. Nothing else of it changes.
 
-    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done; what it
               raises stops the work and is raised
 

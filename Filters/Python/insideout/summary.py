@@ -56,6 +56,14 @@ def tetrahedralizer(statistics: Mapping[str, float]) -> Optional[str]:
     return vtkConstrainedDelaunay3D.GetRungName(int(statistics["Rung"])) if "Rung" in statistics else None
 
 
+def _mass(statistics: Mapping[str, float]) -> list[str]:
+    """The solid's volume and center of mass in words, if there is one."""
+    if not statistics["Volume"]:
+        return []
+    center = ", ".join(f"{statistics['CenterOfMass' + axis]:.6g}" for axis in "XYZ")
+    return [f"  volume {statistics['Volume']:.6g}, center of mass ({center})"]
+
+
 def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     """The lines that the command ends with."""
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
@@ -69,6 +77,7 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        *_mass(statistics),
         f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
         f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",
@@ -76,6 +85,13 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
         *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
     ]
+
+
+def seams(statistics: Mapping[str, float]) -> list[str]:
+    """That the boundary does not tell points apart which are copies for textures' seams."""
+    copies = int(statistics["SeamPoints"])
+    merged = f"{copies:,} points, copies of others with other texture coordinates or normals, were merged with these"
+    return [f"{merged}; --split-seams keeps them all"] if copies > 0 else []
 
 
 def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], volumes: Sequence[float]) -> list[str]:
@@ -100,22 +116,23 @@ def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     return [*lines, f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB"]
 
 
-def table(jobs: Sequence[tuple[str, Mapping[str, float], Optional[str]]]) -> list[str]:
-    """A line per surface, given its file, statistics and error: figures, and what went wrong."""
+def table(jobs: Sequence[tuple[str, Mapping[str, float], str]], done: int, wanted: int) -> list[str]:
+    """A line per surface, given its file, statistics and result in words; and how many were done."""
     columns = [key for key in COLUMNS if any(key in statistics for _, statistics, _ in jobs)]
     widths = [max(11, len(COUNTS[key])) for key in columns]
     width = max(len(file) for file, _, _ in jobs)
 
-    def line(first: str, cells: Iterable[str]) -> str:
-        return " ".join([f"{first:{width}}", *(f"{cell:>{wide}}" for cell, wide in zip(cells, widths))])
+    def line(first: str, cells: Iterable[str], last: str) -> str:
+        return " ".join([f"{first:{width}}", *(f"{cell:>{wide}}" for cell, wide in zip(cells, widths)), f" {last}"])
 
-    lines = ["", line("surface", (COUNTS[key] for key in columns))]
-    for file, statistics, error in jobs:
-        cells = [f"{statistics[key]:,.1f}" if key == "SecondsTotal" else _count(statistics[key]) for key in columns if key in statistics]
-        cells = cells if len(cells) == len(columns) else ["-"] * len(columns)
-        lines.append(line(file, cells) + (f"  {error}" if error else ""))
-    done = sum(error is None for _, _, error in jobs)
-    return [*lines, f"{done} of {len(jobs)} surfaces done"]
+    def cell(key: str, statistics: Mapping[str, float]) -> str:
+        if key not in statistics:
+            return "-"
+        return f"{statistics[key]:,.1f}" if key == "SecondsTotal" else _count(statistics[key])
+
+    lines = ["", line("surface", (COUNTS[key] for key in columns), "result")]
+    lines += [line(file, (cell(key, statistics) for key in columns), result) for file, statistics, result in jobs]
+    return [*lines, f"{done} of {wanted} surfaces done"]
 
 
 def _reasons(statistics: Mapping[str, float]) -> str:

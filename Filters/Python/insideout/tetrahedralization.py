@@ -4,19 +4,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
-from .options import Options, Seeds, describe_options, in_words_of_python
+from .options import DataTerm, Engine, Options, Orientation, QuadratureOrder, Seeds, describe_options, in_words_of_python
 from .pipeline import Error, Progress, cells_of, run, statistics_of
+from .results import Result, counted
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 
-@dataclass(frozen=True)
-class Tetrahedralization:
+@dataclass(frozen=True, repr=False)
+class Tetrahedralization(Result):
     """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays."""
 
     solid: Tetrahedra
@@ -38,6 +39,20 @@ class Tetrahedralization:
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
+    def figures(self) -> list[tuple[str, str]]:
+        least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
+        return [
+            ("tetrahedra inside", counted(self.solid.GetNumberOfCells())),
+            ("in the convex hull", counted(self.hull.GetNumberOfCells())),
+            ("boundary triangles", counted(self.boundary.GetNumberOfCells())),
+            ("outliers", counted(self.outliers.GetNumberOfCells())),
+            ("winding numbers", f"{least:.6g} to {most:.6g}"),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+    def seen(self) -> dict[str, Any]:
+        return {"hull": self.hull}
+
 
 @describe_options
 def tetrahedralize(
@@ -45,19 +60,19 @@ def tetrahedralize(
     *,
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
-    orientation: str = "automatic",
+    orientation: Orientation = "automatic",
     thicken: Optional[float] = None,
     thicken_all: bool = False,
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     time_budget: Optional[float] = None,
     memory_budget: Optional[float] = None,
-    engine: str = "automatic",
-    data_term: str = "uniform",
+    engine: Engine = "automatic",
+    data_term: DataTerm = "uniform",
     constrain_facets: Union[bool, str] = False,
     constrain_manifold: bool = False,
     non_participating: Optional[str] = None,
-    quadrature_order: Optional[int] = None,
+    quadrature_order: Optional[QuadratureOrder] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
     seeds: Optional[Seeds] = None,
@@ -65,7 +80,7 @@ def tetrahedralize(
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means.
 
-    surface   a vtkPolyData, a file's name, a pair (points, triangles) of arrays or a meshio.Mesh
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done; what it
               raises stops the work and is raised
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Common/FaceTable.h"
 
+#include "Common/Team.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <random>
 #include <set>
 #include <vector>
@@ -78,6 +81,40 @@ TEST(FaceTable, HasTheFacesOfAllCellsAndNoOther)
           EXPECT_EQ(entry.Highest(), c);
         }
       }
+    }
+  }
+}
+
+TEST(FaceTable, TellsOfTheFirstFaceThatIsWrongOnAnyNumberOfThreads)
+{
+  const WholeTeams teams;
+  const Id count = 4000;
+  std::vector<Tetrahedron> cells;
+  for (Id p = 0; p + 3 < count; ++p)
+  {
+    cells.push_back({ { p, p + 1, p + 2, p + 3 } });
+  }
+  const FaceTable table(count, cells);
+  std::atomic<int> faces{ 0 };
+  table.ForEach([&](const FaceTable::Range&, Id) { ++faces; });
+  EXPECT_EQ(faces, 3 * (count - 3) + 1);
+  for (const Id wrong : { 0, 1500, 3990 })
+  {
+    const auto visit = [wrong](const FaceTable::Range&, Id lowest)
+    {
+      if (lowest >= wrong)
+      {
+        throw lowest;
+      }
+    };
+    try
+    {
+      table.ForEach(visit);
+      ADD_FAILURE();
+    }
+    catch (Id thrown)
+    {
+      EXPECT_EQ(thrown, wrong);
     }
   }
 }

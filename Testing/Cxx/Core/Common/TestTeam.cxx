@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Common/Error.h"
 #include "Common/Team.h"
+#include "Support/AllowedThreads.h"
+#include "Support/ForkedProcess.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -10,26 +12,10 @@
 #include <thread>
 
 using namespace insideout;
+using testthreads::Allowed;
 
 namespace
 {
-/** While it lives, so many threads are allowed. */
-class Allowed
-{
-public:
-  explicit Allowed(int threads)
-    : Before(omp_get_max_threads())
-  {
-    omp_set_num_threads(threads);
-  }
-  ~Allowed() { omp_set_num_threads(this->Before); }
-  Allowed(const Allowed&) = delete;
-  Allowed& operator=(const Allowed&) = delete;
-
-private:
-  const int Before;
-};
-
 /** Where threads wait until so many have met. */
 class MeetingPlace
 {
@@ -55,22 +41,40 @@ constexpr double Much = 1e9;
 
 TEST(Team, IsOneThreadForLittleAndAllForMuch)
 {
-  const Allowed eight(8);
+  const Allowed four(4);
   EXPECT_EQ(TeamSize(0), 1);
   EXPECT_EQ(TeamSize(Little), 1);
-  EXPECT_EQ(TeamSize(Much), 8);
+  EXPECT_EQ(TeamSize(Much), 4);
 }
 
 TEST(Team, GrowsWithTheWork)
 {
-  const Allowed many(64);
+  const Allowed many(MostThreads());
   int last = 1;
-  for (double work = Little; work < Much; work *= 1.5)
+  for (double work = Little; work < Much * MostThreads(); work *= 1.5)
   {
     EXPECT_GE(TeamSize(work), last);
     last = TeamSize(work);
   }
-  EXPECT_EQ(last, 64);
+  EXPECT_EQ(last, MostThreads());
+}
+
+TEST(Team, IsNoMoreThanFourForEachProcessorHoweverManyAreAskedFor)
+{
+  EXPECT_EQ(MostThreads() % 4, 0);
+  EXPECT_GE(MostThreads(), 4);
+  for (const int asked : { MostThreads() + 1, 30000, 100000 })
+  {
+    const Allowed many(asked);
+    EXPECT_EQ(AllowedThreads(), MostThreads());
+    EXPECT_EQ(TeamSize(Much * MostThreads()), MostThreads());
+    EXPECT_EQ(TooManyThreads().find(std::to_string(asked) + " threads are asked for, but " +
+                std::to_string(MostThreads()) + " work"),
+      0U)
+      << TooManyThreads();
+  }
+  const Allowed most(MostThreads());
+  EXPECT_EQ(TooManyThreads(), "");
 }
 
 TEST(Team, IsNoMoreThanOpenMPAllows)
@@ -88,7 +92,7 @@ TEST(Team, HasAsManyThreadsAsAreAskedFor)
 
 TEST(Team, IsOneThreadWithinAnother)
 {
-  const Allowed eight(8);
+  const Allowed four(4);
   MeetingPlace place;
   int sizes[2] = { 0, 0 };
   std::atomic<int> next{ 0 };
@@ -100,7 +104,7 @@ TEST(Team, IsOneThreadWithinAnother)
     });
   EXPECT_EQ(sizes[0], 1);
   EXPECT_EQ(sizes[1], 1);
-  EXPECT_EQ(TeamSize(Much), 8);
+  EXPECT_EQ(TeamSize(Much), 4);
 #pragma omp parallel num_threads(2)
   {
 #pragma omp master
@@ -141,4 +145,87 @@ TEST(Team, IsCompleteFromTheBeginningWhereTestsAskForThat)
     WorkAsTeam(4, [&] { ++calls; });
     ASSERT_EQ(calls, 4);
   }
+}
+
+TEST(Team, WorksInAForkedProcessAndInOneThatIsForkedThere)
+{
+  const auto works = []
+  {
+    MeetingPlace place;
+    WorkAsTeam(4, [&] { place.Meet(4); });
+    return place.Present == 4;
+  };
+  EXPECT_TRUE(works());
+  EXPECT_TRUE(
+    testprocesses::IsTrueInChild([&] { return works() && testprocesses::IsTrueInChild(works); }));
+}
+
+TEST(Team, WorksInAProcessThatIsForkedWhileAnotherThreadIsAtWork)
+{
+  MeetingPlace begun;
+  MeetingPlace done;
+  std::thread other(
+    [&]
+    {
+      WorkAsTeam(2,
+        [&]
+        {
+          begun.Meet(3);
+          done.Meet(3);
+        });
+    });
+  begun.Meet(3);
+  EXPECT_TRUE(testprocesses::IsTrueInChild(
+    []
+    {
+      MeetingPlace place;
+      WorkAsTeam(4, [&] { place.Meet(4); });
+      return place.Present == 4;
+    }));
+  done.Meet(3);
+  other.join();
+}
+
+/** As a monitor might that is asked within a loop. */
+TEST(Team, IsAnErrorInAProcessThatTheWorkItselfForks)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  const pid_t parent = getpid();
+  MeetingPlace place;
+  bool worked = false;
+  const auto work = [&]
+  {
+    place.Meet(2);
+    if (std::this_thread::get_id() == caller)
+    {
+      const auto forksAndGoesOn = [&]
+      {
+        worked = TeamSize(Much) == 1;
+        return worked;
+      };
+      EXPECT_TRUE(testprocesses::IsTrueInChild(forksAndGoesOn));
+      const pid_t child = fork();
+      if (child == 0)
+      {
+        testprocesses::EndWithParent();
+      }
+      int status = 0;
+      worked = child == 0 || (waitpid(child, &status, 0) == child && status == 0);
+    }
+  };
+  bool isError = false;
+  try
+  {
+    WorkAsTeam(2, work);
+  }
+  catch (const Error& error)
+  {
+    isError = error.Code == ErrorCode::Forked;
+  }
+  if (getpid() != parent)
+  {
+    _exit(isError ? 0 : 1);
+  }
+  EXPECT_TRUE(worked);
+  EXPECT_FALSE(isError);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Files/SurfaceFile.h"
 
+#include "Files/TextScanner.h"
 #include "Support/SurfaceFileSamples.h"
 #include "Support/TemporaryFile.h"
 #include "Support/TestMeshes.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <clocale>
 #include <cmath>
 #include <cstring>
@@ -693,9 +695,37 @@ TEST(ReadSurface, TellsFormatsByContentBeforeEnding)
   EXPECT_EQ(Read("a", AsciiStl).Offsets.size(), 3u);
   EXPECT_EQ(Read("a.ply.bak", BinaryStl("")).Offsets.size(), 13u);
   EXPECT_EQ(Read("a.OBJ", SquareObj).Offsets.size(), 3u);
+  EXPECT_EQ(Read("a.dat", SquareObj).Offsets.size(), 3u);
   ExpectMalformed(
-    "a.dat", SquareObj, ": neither content nor ending is of .obj, .off, .ply or .stl");
+    "a.dat", "v words", ": neither content nor ending is of .obj, .off, .ply or .stl");
+  ExpectMalformed("a.dat", "<VTKFile", ": is an XML file; vtkXMLPolyDataReader reads those of VTK");
   ExpectMalformed("a.obj", "<html>\n", ": holds no point or face of OBJ; line 1: '<html>'");
+}
+
+TEST(ReadSurface, WarnsOfNamesThatSayAnotherFormat)
+{
+  const std::pair<const char*, std::string> formats[] = { { "PLY", PlyOfEveryType(2) },
+    { "OFF", TetrahedronOff }, { "STL", AsciiStl }, { "STL", BinaryStl("") },
+    { "OBJ", std::string("# of ours\nmtllib a.mtl\no name\n") + SquareObj } };
+  for (const char* name :
+    { "a.ply", "a.off", "a.stl", "a.obj", "a.vtp", "a.PLY", "a.Off", "a.txt" })
+  {
+    for (const auto& [format, content] : formats)
+    {
+      const std::string ending = std::filesystem::path(name).extension().string();
+      std::string lower = "." + std::string(format);
+      std::transform(lower.begin(), lower.end(), lower.begin(), ::tolower);
+      const bool same = EqualsIgnoringCase(ending, lower) || ending == ".txt";
+      const TemporaryFile file(name, content);
+      Monitor monitor;
+      const PolygonSurface surface = ReadSurface(file.Path, monitor);
+      EXPECT_GT(surface.Offsets.size(), 1u);
+      const std::string warning =
+        file.Name + ": holds " + format + ", not what its name says, and was read as such";
+      const auto found = std::count(surface.Warnings.begin(), surface.Warnings.end(), warning);
+      EXPECT_EQ(found, same ? 0 : 1) << name << " " << format;
+    }
+  }
 }
 
 TEST(ReadSurface, NamesFilesThatItCannotOpen)

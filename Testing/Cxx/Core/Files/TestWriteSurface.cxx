@@ -76,8 +76,8 @@ Attribute RandomAttribute(const char* name, int components, std::size_t count, u
 PolygonSurface WrittenAndRead(const PolygonSurface& surface, const std::string& name)
 {
   const TemporaryFile file(name);
-  WriteSurface(file.Path, surface);
   Monitor monitor;
+  WriteSurface(file.Path, surface, monitor);
   return ReadSurface(file.Path, monitor);
 }
 
@@ -108,7 +108,8 @@ void ExpectError(
 {
   try
   {
-    WriteSurface(path, surface);
+    Monitor monitor;
+    WriteSurface(path, surface, monitor);
     ADD_FAILURE() << path << " was written";
   }
   catch (const Error& error)
@@ -238,8 +239,8 @@ TEST(WriteSurface, WritesStlOfFloatsWithNormals)
 {
   const PolygonSurface surface = ToSurface(testmeshes::RandomSoup(3, 200));
   const TemporaryFile file("a.stl");
-  WriteSurface(file.Path, surface);
   Monitor monitor;
+  WriteSurface(file.Path, surface, monitor);
   const PolygonSurface back = ReadSurface(file.Path, monitor);
   ASSERT_EQ(back.Offsets, surface.Offsets);
   for (std::size_t c = 0; c < surface.Corners.size(); ++c)
@@ -271,7 +272,8 @@ TEST(WriteSurface, WritesStlOfFloatsWithNormals)
 TEST(WriteSurface, TurnsStlNormalsOutward)
 {
   const TemporaryFile file("a.stl");
-  WriteSurface(file.Path, Box());
+  Monitor monitor;
+  WriteSurface(file.Path, Box(), monitor);
   const std::string bytes = file.Read();
   for (std::size_t t = 0; t < 12; ++t)
   {

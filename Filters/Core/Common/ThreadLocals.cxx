@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Common/ThreadLocals.h"
+
+#include <cstdlib>
+#include <exception>
+#include <mpfr.h>
+#include <new>
+
+namespace insideout
+{
+namespace
+{
+/** Those of this library take 64 KiB of a thread, and all others far less. */
+constexpr std::size_t BytesOfThreadLocals = std::size_t(128) << 10;
+
+thread_local volatile bool IsOfThisLibrary = false;
+} // namespace
+
+void AllocateThreadLocals()
+{
+  if (!AllocateThreadLocalsOfTeam())
+  {
+    throw std::bad_alloc();
+  }
+  IsOfThisLibrary = true; // and with it come all others
+}
+
+bool AllocateThreadLocalsOfTeam()
+{
+  // Not by operator new: it throws, if only to itself, and to throw takes a thread-local variable.
+  void* volatile memory = std::malloc(BytesOfThreadLocals);
+  std::free(memory);
+  if (!memory)
+  {
+    return false;
+  }
+  // The C++ library's, for exceptions, and MPFR's.
+  [[maybe_unused]] const volatile auto touched = std::uncaught_exceptions() + mpfr_get_emin();
+  return true;
+}
+} // namespace insideout

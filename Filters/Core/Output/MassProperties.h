@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Statistics.h"
+#include "Common/TetrahedralMesh.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Of a solid of density 1, in the units of its points. All 0 where there is no solid. */
+struct MassProperties
+{
+  double Volume = 0;
+  Point CenterOfMass = { { 0, 0, 0 } };
+
+  /** The inertia tensor about the center of mass: xx, yy, zz, xy, yz, xz; xx is the integral of y^2
+   * + z^2, and xy that of -x y. */
+  std::array<double, 6> Inertia = { { 0, 0, 0, 0, 0, 0 } };
+};
+
+/**
+ * The mass properties of the cells inside, to some units in the last place: each is a sum of the
+ * cells' own moments (Tonon 2004, Explicit exact formulas for the 3-D tetrahedron inertia tensor)
+ * about the middle of the points, with the rounding errors added up beside it. The same for any
+ * number of threads. Infinite where a double cannot hold it.
+ *
+ * @param[in] inside one label per cell, not 0 for those inside
+ */
+MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
+
+/** The same as figures: Volume, CenterOfMassX to Z, InertiaXX to XZ. */
+void AppendMass(const MassProperties& mass, Statistics& statistics);
+} // namespace insideout

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Of a composite data set each block is a surface of its own: VTK runs a filter once for each, and
+ * shows it nothing but the block. What is said of point 3 has to say of which block, too.
+ */
+#pragma once
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkInformation;
+
+/** Call when an input's extent is requested: VTK has not taken it to blocks yet. */
+void vtkInsideOutRememberBlocks(vtkInformation* input);
+
+/**
+ * "block NAME: " of the block that an algorithm works on, or nothing where no input is composite.
+ * NAME is what leads to it: the names of blocks, or numbers from 0 where they have none, parted by
+ * slashes.
+ */
+std::string vtkInsideOutBlock(vtkAlgorithm* algorithm);

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the command ends after Ctrl-C or SIGTERM: within a second, with one line that names the file, and nothing left behind."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from contextlib import contextmanager
+from types import FrameType
+from typing import Callable, Iterator, Optional
+
+PATIENCE = 0.8
+"""Seconds after the signal in which the work may come to its own end and tell so; then it is ended."""
+
+PATIENCE_TO_CLEAN_UP = 0.1
+"""Seconds more to remove what would be left behind, which may be where nothing answers any more."""
+
+WORDS = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
+
+
+class Terminated(KeyboardInterrupt):
+    """What SIGTERM raises, once `end_soon_after_signals` was called."""
+
+
+class _Command:
+    """What the command is doing."""
+
+    file: Optional[str] = None
+    told = False
+    clean_ups: list[Callable[[], object]] = []
+
+
+def work_on(file: str) -> None:
+    """From now on it is the work on this file that a signal ends."""
+    _Command.file = file
+
+
+def message(interrupt: KeyboardInterrupt) -> str:
+    """What to tell of an interruption; `told` says that it was."""
+    return _message(_signal_of(interrupt))
+
+
+def told() -> None:
+    """The user knows why the command ends."""
+    _Command.told = True
+
+
+def exit_status(interrupt: KeyboardInterrupt) -> int:
+    """As a shell gives it for a program that the signal has ended."""
+    return 128 + _signal_of(interrupt)
+
+
+@contextmanager
+def cleaning_up(clean_up: Callable[[], object]) -> Iterator[None]:
+    """Do this in the end, also when the process ends at once."""
+    before_end_at_once(clean_up)
+    try:
+        yield
+    finally:
+        _Command.clean_ups.remove(clean_up)
+        clean_up()
+
+
+def before_end_at_once(clean_up: Callable[[], object]) -> None:
+    """Do this when the process does not come to its own end in time."""
+    _Command.clean_ups.append(clean_up)
+
+
+def end_soon_after_signals() -> None:
+    """See to it that the process ends within a second of Ctrl-C or SIGTERM, whatever it is doing."""
+    signal.signal(signal.SIGTERM, _terminate)
+    heard, signalled = os.pipe()
+    os.set_blocking(signalled, False)
+    signal.set_wakeup_fd(signalled, warn_on_full_buffer=False)
+
+    def watch() -> None:
+        number = 0
+        while number not in WORDS:
+            number = os.read(heard, 1)[0]
+        time.sleep(PATIENCE)
+        _end_at_once(number)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def _terminate(_signal: int, _frame: Optional[FrameType]) -> None:
+    raise Terminated
+
+
+def _end_at_once(number: int) -> None:
+    if not _Command.told:
+        try:
+            os.write(2, f"insideout: {_message(number)}\n".encode(errors="backslashreplace"))
+        except OSError:
+            pass  # the exit status says it
+    cleaner = threading.Thread(target=_clean_up, daemon=True)
+    cleaner.start()
+    cleaner.join(PATIENCE_TO_CLEAN_UP)
+    os._exit(128 + number)
+
+
+def _clean_up() -> None:
+    for clean_up in reversed(_Command.clean_ups):
+        try:
+            clean_up()
+        except OSError:
+            pass  # the others have to be done
+
+
+def _signal_of(interrupt: KeyboardInterrupt) -> int:
+    return signal.SIGTERM if isinstance(interrupt, Terminated) else signal.SIGINT
+
+
+def _message(number: int) -> str:
+    words = WORDS[signal.Signals(number)]
+    return words if _Command.file is None else f"{_Command.file}: {words}"

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of surfaces and hulls, drawn by a program of its own (`insideout.picture`), for it needs a display."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from typing import Optional
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+
+from .files import temporary_folder, write_grid, write_surface
+from .interruption import cleaning_up
+from .pipeline import Error
+
+PICTURES = (".png",)
+
+
+def draw_panels(
+    *,
+    surface: Optional[vtkPolyData] = None,
+    lines: Optional[vtkPolyData] = None,
+    hull: Optional[vtkUnstructuredGrid] = None,
+    up: Optional[str] = None,
+    timeout: Optional[float] = None,
+) -> bytes:
+    """The content of a .png file that shows what there is of the three: a surface with its defects; a slice and the solid of a hull.
+
+    surface, lines  as `check` marks and draws them: both or none
+    up              "x", "y" or "z"
+    timeout         seconds
+
+    Raises `Error` with one line.
+    """
+    command = [*display_command(), sys.executable, "-m", "insideout.picture"]
+    with temporary_folder() as folder:
+        picture, *files = (os.path.join(folder, name) for name in ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu"))
+        command.append(picture)
+        if surface is not None and lines is not None:
+            write_surface(surface, files[0])
+            write_surface(lines, files[1])
+            command += ["--surface", files[0], files[1]]
+        if hull is not None:
+            write_grid(hull, files[2])
+            command += ["--hull", files[2]]
+        if up is not None:
+            command += ["--up", up]
+        _run(command, folder, timeout)
+        with open(picture, "rb") as file:
+            return file.read()
+
+
+def display_command() -> list[str]:
+    """What to begin a command with that needs a display. Raises `Error` where there is none to be had."""
+    if os.environ.get("DISPLAY"):
+        return []
+    if shutil.which("xvfb-run") is None:
+        raise Error("there is no display to draw on: set DISPLAY, or apt-get install xvfb xauth")
+    # One that does not start anew, and turn clients away meanwhile, when its last client goes.
+    return ["xvfb-run", "-a", "-s", "-noreset -screen 0 1280x1024x24"]
+
+
+def _run(command: list[str], folder: str, timeout: Optional[float]) -> None:
+    """Run a program whose temporary files are in a folder. Raises `Error` with the last line that it says."""
+    # In a session of its own, so that all can be ended that it started.
+    with subprocess.Popen(
+        command,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "TMPDIR": folder},
+        start_new_session=True,
+    ) as process:
+        with cleaning_up(lambda: _end_all_of(process)):
+            try:
+                _, errors = process.communicate(timeout=timeout)
+            except subprocess.TimeoutExpired:
+                raise Error(f"it takes more than {timeout:g} s") from None
+    if process.returncode != 0:
+        lines = [line for line in errors.splitlines() if line.strip()]
+        raise Error(lines[-1] if lines else "the drawing process ended")
+
+
+def _end_all_of(process: subprocess.Popen[str]) -> None:
+    if process.poll() is None:
+        os.killpg(process.pid, signal.SIGTERM)

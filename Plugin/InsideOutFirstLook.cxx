@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "InsideOutFirstLook.h"
+
+#include <pqActiveObjects.h>
+#include <pqApplicationCore.h>
+#include <pqDataRepresentation.h>
+#include <pqObjectBuilder.h>
+#include <pqOutputPort.h>
+#include <pqPipelineSource.h>
+#include <pqRenderView.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkPVDataInformation.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMPVRepresentationProxy.h>
+#include <vtkSMParaViewPipelineControllerWithRendering.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMRenderViewProxy.h>
+#include <vtkSMSessionProxyManager.h>
+#include <vtkSMSettings.h>
+#include <vtkSMSourceProxy.h>
+#include <vtkSMTrace.h>
+#include <vtkSMTransferFunctionManager.h>
+#include <vtkSMViewProxy.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr char LookHint[] = "FirstLook";
+constexpr char ColorsHint[] = "WindingNumberColors";
+constexpr char CameraHint[] = "FacesCamera";
+constexpr char WindingNumber[] = "w";
+
+/** Blue outside, white where w is 1/2, red inside, as in the pictures of the Python package. */
+const std::vector<double> ColorsOfW = { //
+  -1.0, 0.09, 0.17, 0.36,               //
+  0.0, 0.38, 0.58, 0.80,                //
+  0.5, 0.97, 0.97, 0.95,                //
+  1.0, 0.85, 0.44, 0.32,                //
+  2.0, 0.40, 0.02, 0.10
+};
+const std::vector<double> OpacitiesOfW = { -1.0, 0.0, 0.5, 0.0, 2.0, 1.0, 0.5, 0.0 };
+
+void SetNumbers(vtkSMProxy* proxy, const char* property, const std::vector<double>& numbers)
+{
+  vtkSMPropertyHelper(proxy, property).Set(numbers.data(), static_cast<unsigned>(numbers.size()));
+}
+
+/** Whether there are colors of an array of this name, or the user keeps some for it. */
+bool HasColors(vtkSMSessionProxyManager* session)
+{
+  const std::string name = WindingNumber;
+  const auto isKept = [](const std::string& setting)
+  { return vtkSMSettings::GetInstance()->HasSetting(setting.c_str()); };
+  return session->GetProxy("lookup_tables", (name + ".PVLookupTable").c_str()) ||
+    isKept(".array_lookup_tables." + name) || isKept(".standard_presets." + name);
+}
+
+void ColorWindingNumbers(vtkSMSessionProxyManager* session)
+{
+  if (HasColors(session))
+  {
+    return;
+  }
+  vtkNew<vtkSMTransferFunctionManager> functions;
+  vtkSMProxy* opacities = functions->GetOpacityTransferFunction(WindingNumber, session);
+  vtkSMProxy* colors = functions->GetColorTransferFunction(WindingNumber, session);
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colors);
+  SetNumbers(colors, "RGBPoints", ColorsOfW);
+  vtkSMPropertyHelper(colors, "ColorSpace").Set("Lab");
+  vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode").Set(vtkSMTransferFunctionManager::NEVER);
+  vtkSMPropertyHelper(colors, "ScalarRangeInitialized").Set(1);
+  SetNumbers(opacities, "Points", OpacitiesOfW);
+  vtkSMPropertyHelper(opacities, "ScalarRangeInitialized").Set(1);
+  colors->UpdateVTKObjects();
+  opacities->UpdateVTKObjects();
+}
+
+/** The normal of this plane becomes the axis that most nearly runs to the eye. */
+void FaceCamera(vtkSMProxy* plane)
+{
+  auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  if (view && plane && plane->GetProperty("Normal"))
+  {
+    std::array<double, 3> direction;
+    view->getRenderViewProxy()->GetActiveCamera()->GetDirectionOfProjection(direction.data());
+    const auto isShorter = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto longest = std::max_element(direction.begin(), direction.end(), isShorter);
+    std::vector<double> normal(3, 0.0);
+    normal[longest - direction.begin()] = 1;
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", plane);
+    SetNumbers(plane, "Normal", normal);
+    plane->UpdateVTKObjects();
+  }
+}
+
+bool HasCells(pqOutputPort* port)
+{
+  return port->getDataInformation()->GetNumberOfCells() > 0;
+}
+
+/** By no array; where there is no color as well, in the one that ParaView gives. */
+void Paint(vtkSMProxy* representation, vtkSMProxy* view, const std::vector<double>& color)
+{
+  if (vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
+  {
+    vtkSMProxy* unused = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
+    vtkSMPVRepresentationProxy::SetScalarColoring(representation, nullptr, 0);
+    vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(unused, view);
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", representation);
+  for (const char* part : { "AmbientColor", "DiffuseColor" })
+  {
+    if (!color.empty())
+    {
+      SetNumbers(representation, part, color);
+    }
+  }
+  representation->UpdateVTKObjects();
+}
+
+void LookAt(pqOutputPort* port, vtkPVXMLElement* hint)
+{
+  const std::string shown = hint->GetAttributeOrDefault("shown", "always");
+  const bool isHidden = shown == "never" || (shown == "if_any" && !HasCells(port));
+  std::vector<double> color(3);
+  color.resize(hint->GetVectorAttribute("color", 3, color.data()));
+  for (pqDataRepresentation* representation : port->getRepresentations(nullptr))
+  {
+    auto* view = qobject_cast<pqRenderView*>(representation->getView());
+    if (view && hint->GetAttribute("color"))
+    {
+      Paint(representation->getProxy(), view->getProxy(), color);
+    }
+    if (view && isHidden)
+    {
+      vtkNew<vtkSMParaViewPipelineControllerWithRendering>()->Hide(
+        port->getSourceProxy(), port->getPortNumber(), view->getViewProxy());
+    }
+  }
+}
+
+void Look(pqPipelineSource* filter)
+{
+  vtkPVXMLElement* hints = filter->getProxy()->GetHints();
+  for (unsigned i = 0; i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(i);
+    int port = 0;
+    if (hint->GetName() == std::string(LookHint) && hint->GetScalarAttribute("port", &port))
+    {
+      LookAt(filter->getOutputPort(port), hint);
+    }
+  }
+  filter->renderAllViews();
+}
+
+/** A filter that failed or was stopped has nothing to look at. */
+bool HasResult(pqPipelineSource* filter)
+{
+  const auto ports = filter->getOutputPorts();
+  return std::any_of(ports.begin(), ports.end(), HasCells);
+}
+} // namespace
+
+InsideOutFirstLook::InsideOutFirstLook(QObject* parent)
+  : QObject(parent)
+{
+}
+
+void InsideOutFirstLook::startup()
+{
+  connect(pqApplicationCore::instance()->getObjectBuilder(), &pqObjectBuilder::filterCreated, this,
+    &InsideOutFirstLook::prepare);
+}
+
+void InsideOutFirstLook::shutdown() {}
+
+void InsideOutFirstLook::prepare(pqPipelineSource* filter)
+{
+  vtkPVXMLElement* hints = filter->getProxy()->GetHints();
+  if (hints && hints->FindNestedElementByName(ColorsHint))
+  {
+    ColorWindingNumbers(filter->proxyManager());
+  }
+  if (vtkPVXMLElement* hint = hints ? hints->FindNestedElementByName(CameraHint) : nullptr)
+  {
+    FaceCamera(
+      vtkSMPropertyHelper(filter->getProxy(), hint->GetAttributeOrEmpty("property")).GetAsProxy());
+  }
+  if (hints && hints->FindNestedElementByName(LookHint))
+  {
+    const auto isSeen = std::make_shared<bool>(false);
+    const auto look = [filter, isSeen]
+    {
+      if (!*isSeen && filter->modifiedState() != pqProxy::UNINITIALIZED && HasResult(filter))
+      {
+        *isSeen = true;
+        Look(filter);
+      }
+    };
+    // ParaView calls a filter unmodified as soon as it shows its outputs, before it draws them.
+    connect(filter, &pqProxy::modifiedStateChanged, filter, look);
+    // Of one that gives something at a later Apply only it showed them long ago, and may be
+    // drawing.
+    connect(filter, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), filter, look,
+      Qt::QueuedConnection);
+  }
+}

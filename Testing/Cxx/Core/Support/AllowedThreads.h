@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <omp.h>
+
+namespace testthreads
+{
+/** While it lives, loops may take so many threads. */
+class Allowed
+{
+public:
+  explicit Allowed(int threads)
+    : Before(omp_get_max_threads())
+  {
+    omp_set_num_threads(threads);
+  }
+  ~Allowed() { omp_set_num_threads(this->Before); }
+  Allowed(const Allowed&) = delete;
+  Allowed& operator=(const Allowed&) = delete;
+
+private:
+  const int Before;
+};
+} // namespace testthreads
