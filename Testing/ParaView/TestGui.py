@@ -24,7 +24,7 @@ from insideout.picture import colours_of_w
 SURFACE, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 HERE = Path(__file__).resolve().parent
 SCREEN = "1900x1100"
-PATIENCE = 3000  # seconds, for what hangs
+PATIENCE = 600  # seconds, for what hangs
 
 MENUS = "pqClientMainWindow/menubar/"
 FILTERS = MENUS + "menuFilters/pqProxyGroupMenuManager0/"
