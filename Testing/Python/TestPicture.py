@@ -5,10 +5,12 @@
 """
 
 import os
+import signal
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 import surfaces
@@ -17,6 +19,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 import insideout
 from insideout.data import make_surface
 from insideout.drawing import up_of
+from insideout.panels import draw_panels
 from insideout.picture import triangles_of
 from insideout.view import View
 
@@ -90,6 +93,27 @@ def description_of(picture):
     places = [0, 0]
     reader.GetTextChunks("Description", places)
     return [reader.GetTextValue(k) for k in range(*places)]
+
+
+class InterruptedAtOnce(subprocess.Popen):
+    """A program that does not end by itself; the user interrupts before its caller knows of it."""
+
+    begun = []
+
+    def __init__(self, _command, **options):
+        super().__init__(["sleep", "1000000"], **options)
+        self.begun.append(self.pid)
+        signal.raise_signal(signal.SIGINT)
+
+
+class TestInterruption(unittest.TestCase):
+    def test_a_drawing_that_has_just_begun_is_ended(self):
+        with mock.patch("subprocess.Popen", InterruptedAtOnce), self.assertRaises(KeyboardInterrupt):
+            draw_panels()
+        (begun,) = InterruptedAtOnce.begun
+        with self.assertRaises(ProcessLookupError):
+            os.killpg(begun, signal.SIGKILL)
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
 
 class TestCounts(unittest.TestCase):

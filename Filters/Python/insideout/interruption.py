@@ -63,6 +63,28 @@ def cleaning_up(clean_up: Callable[[], object]) -> Iterator[None]:
         clean_up()
 
 
+@contextmanager
+def deferring_signals() -> Iterator[None]:
+    """What a signal raises is raised in the end, so that nothing begun here is forgotten.
+
+    Another program may be started here: it does not inherit this.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield  # only the main thread is interrupted, and only it may ask not to be
+        return
+    heard: list[int] = []
+    handlers = {number: handler for number in WORDS if callable(handler := signal.getsignal(number))}
+    for number in handlers:
+        signal.signal(number, lambda number, _frame: heard.append(number))
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+        for number in heard[:1]:
+            signal.raise_signal(number)
+
+
 def before_end_at_once(clean_up: Callable[[], object]) -> None:
     """Do this when the process does not come to its own end in time."""
     _Command.clean_ups.append(clean_up)

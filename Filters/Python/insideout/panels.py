@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import signal
@@ -13,7 +14,7 @@ from typing import Optional
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .files import temporary_folder, write_grid, write_surface
-from .interruption import cleaning_up
+from .interruption import cleaning_up, deferring_signals
 from .pipeline import Error
 
 PICTURES = (".png",)
@@ -65,20 +66,24 @@ def display_command() -> list[str]:
 
 def _run(command: list[str], folder: str, timeout: Optional[float]) -> None:
     """Run a program whose temporary files are in a folder. Raises `Error` with the last line that it says."""
-    # In a session of its own, so that all can be ended that it started.
-    with subprocess.Popen(
-        command,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "TMPDIR": folder},
-        start_new_session=True,
-    ) as process:
-        with cleaning_up(lambda: _end_all_of(process)):
-            try:
-                _, errors = process.communicate(timeout=timeout)
-            except subprocess.TimeoutExpired:
-                raise Error(f"it takes more than {timeout:g} s") from None
+    with contextlib.ExitStack() as to_end:
+        with deferring_signals():
+            # In a session of its own, so that all can be ended that it started.
+            process = to_end.enter_context(
+                subprocess.Popen(
+                    command,
+                    stdout=subprocess.DEVNULL,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                    env={**os.environ, "TMPDIR": folder},
+                    start_new_session=True,
+                )
+            )
+            to_end.enter_context(cleaning_up(lambda: _end_all_of(process)))
+        try:
+            _, errors = process.communicate(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            raise Error(f"it takes more than {timeout:g} s") from None
     if process.returncode != 0:
         lines = [line for line in errors.splitlines() if line.strip()]
         raise Error(lines[-1] if lines else "the drawing process ended")
