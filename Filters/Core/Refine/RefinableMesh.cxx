@@ -17,20 +17,6 @@ int RefinableMesh::CornerIndex(Id cell, Id point) const
 int RefinableMesh::MirrorIndex(Id cell, int k) const
 {
   const std::array<Id, 4>& back = this->Cells[this->Cells[cell].Neighbors[k]].Neighbors;
-  // Two cells may share two faces only where a point has no other cells; then corners tell.
-  for (int i = 0; i < 4; ++i)
-  {
-    if (back[i] == cell)
-    {
-      const Id other = this->Cells[cell].Neighbors[k];
-      const Id apex = this->Cells[other].Corners[i];
-      const Tetrahedron& corners = this->Cells[cell].Corners;
-      if (std::find(corners.begin(), corners.end(), apex) == corners.end())
-      {
-        return i;
-      }
-    }
-  }
   return static_cast<int>(std::find(back.begin(), back.end(), cell) - back.begin());
 }
 
@@ -42,15 +28,6 @@ Id RefinableMesh::AddPoint(const Point& place, bool isFixed, double size)
   this->CellOf.push_back(None);
   this->Changed.push_back(0);
   return static_cast<Id>(this->Points.size() - 1);
-}
-
-void RefinableMesh::RemoveLastPoint()
-{
-  this->Points.pop_back();
-  this->IsFixed.pop_back();
-  this->Sizes.pop_back();
-  this->CellOf.pop_back();
-  this->Changed.pop_back();
 }
 
 void RefinableMesh::AddCell(const RefinableCell& cell)
@@ -87,6 +64,14 @@ void RefinableMesh::Star(Id point, std::vector<Id>& cells) const
   }
 }
 
+Edge RefinableMesh::OtherCorners(Id cell, Id u, Id v) const
+{
+  // The face across from u, counter-clockwise seen from it, is (v, second, first).
+  const Triangle face = FaceAcross(this->Cells[cell].Corners, this->CornerIndex(cell, u));
+  const int at = face[0] == v ? 0 : face[1] == v ? 1 : 2;
+  return { face[(at + 2) % 3], face[(at + 1) % 3] };
+}
+
 void RefinableMesh::Ring(Id u, Id v, Id cell, RefinableRing& ring) const
 {
   ring.U = u;
@@ -94,60 +79,33 @@ void RefinableMesh::Ring(Id u, Id v, Id cell, RefinableRing& ring) const
   ring.IsLocked = false;
   ring.Points.clear();
   ring.Cells.clear();
-  // The two other corners of a cell, so that (u, v, first, second) is positive.
-  const auto others = [&](Id c, Id& first, Id& second)
-  {
-    const int i = this->CornerIndex(c, u);
-    const int j = this->CornerIndex(c, v);
-    // The face across from u, beginning with v, is (v, second, first) seen from u.
-    const Triangle face = FaceAcross(this->Cells[c].Corners, i);
-    const int at = face[0] == v ? 0 : face[1] == v ? 1 : 2;
-    first = face[(at + 2) % 3];
-    second = face[(at + 1) % 3];
-    static_cast<void>(j);
-  };
-  // Turn backward to the boundary, if there is one, then forward.
+  // Backward to the boundary, if there is one, then forward.
   Id start = cell;
-  for (;;)
+  Id before = cell;
+  do
   {
-    Id first = None;
-    Id second = None;
-    others(start, first, second);
-    const Id before = this->Cells[start].Neighbors[this->CornerIndex(start, second)];
-    if (before == None || before == cell)
-    {
-      ring.IsClosed = before != None;
-      break;
-    }
     start = before;
-  }
-  if (ring.IsClosed)
+    before =
+      this->Cells[start].Neighbors[this->CornerIndex(start, this->OtherCorners(start, u, v)[1])];
+  } while (before != None && before != cell);
+  ring.IsClosed = before != None;
+  start = ring.IsClosed ? cell : start;
+  Id at = start;
+  do
   {
-    start = cell;
-  }
-  for (Id at = start;;)
-  {
-    Id first = None;
-    Id second = None;
-    others(at, first, second);
+    const auto [first, second] = this->OtherCorners(at, u, v);
     ring.Points.push_back(first);
     ring.Cells.push_back(at);
     const RefinableCell& here = this->Cells[at];
     const int across = this->CornerIndex(at, first);
     ring.IsLocked = ring.IsLocked || here.Facets[across] != None ||
       here.Facets[this->CornerIndex(at, second)] != None;
-    const Id next = here.Neighbors[across];
-    if (next == None)
+    at = here.Neighbors[across];
+    if (at == None)
     {
       ring.Points.push_back(second);
-      break;
     }
-    if (next == start)
-    {
-      break;
-    }
-    at = next;
-  }
+  } while (at != None && at != start);
 }
 
 void RefinableMesh::Move(Id point, const Point& place, const std::vector<Triangle>& walls)
@@ -175,8 +133,84 @@ RefinableMesh::PendingFace& RefinableMesh::Slot(const Triangle& sorted)
   return this->Table[at];
 }
 
-void RefinableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
-  const std::vector<std::array<Id, 4>>& facets)
+/** Enter the faces between the marked cells and the rest. @return how many */
+std::size_t RefinableMesh::EnterWalls(const std::vector<Id>& cells)
+{
+  std::size_t walls = 0;
+  for (const Id cell : cells)
+  {
+    const RefinableCell& here = this->Cells[cell];
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = here.Neighbors[k];
+      if (neighbor == None || !this->IsMarked(neighbor))
+      {
+        const Triangle corners = SortedTriangle(FaceAcross(here.Corners, k)).Points;
+        this->Slot(corners) = { corners, neighbor,
+          neighbor == None ? 0 : this->MirrorIndex(cell, k), here.Facets[k], this->TableEpoch };
+        ++walls;
+      }
+    }
+  }
+  return walls;
+}
+
+void RefinableMesh::Remove(Id cell)
+{
+  // A point that is left without a cell gets one back, or is no longer in the mesh.
+  for (const Id corner : this->Cells[cell].Corners)
+  {
+    this->CellOf[corner] = None;
+  }
+  this->Cells[cell].Corners[0] = None;
+  ++this->Versions[cell];
+  this->FreeCells.push_back(cell);
+}
+
+Id RefinableMesh::NewCell(const RefinableCell& content)
+{
+  if (this->FreeCells.empty())
+  {
+    this->Cells.push_back(content);
+    this->Versions.push_back(0);
+    this->Marks.push_back(0);
+    return this->NumberOfCells() - 1;
+  }
+  const Id cell = this->FreeCells.back();
+  this->FreeCells.pop_back();
+  this->Cells[cell] = content;
+  this->Marks[cell] = 0;
+  return cell;
+}
+
+/** Connect a new cell with those behind its faces that are entered, and enter its other faces. */
+std::size_t RefinableMesh::Connect(Id cell)
+{
+  std::size_t matched = 0;
+  const Tetrahedron corners = this->Cells[cell].Corners;
+  for (int k = 0; k < 4; ++k)
+  {
+    this->CellOf[corners[k]] = cell;
+    this->Changed[corners[k]] = this->Changes;
+    const Triangle face = SortedTriangle(FaceAcross(corners, k)).Points;
+    PendingFace& pending = this->Slot(face);
+    if (pending.Epoch != this->TableEpoch)
+    {
+      pending = { face, cell, k, None, this->TableEpoch };
+      continue;
+    }
+    this->Cells[cell].Neighbors[k] = pending.Cell;
+    this->Cells[cell].Facets[k] = pending.Facet;
+    if (pending.Cell != None)
+    {
+      this->Cells[pending.Cell].Neighbors[pending.Face] = cell;
+    }
+    ++matched;
+  }
+  return matched;
+}
+
+void RefinableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh)
 {
   std::size_t size = std::max<std::size_t>(this->Table.size(), 64);
   while (size < 6 * (old.size() + fresh.size()))
@@ -198,82 +232,21 @@ void RefinableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrah
   {
     this->Mark(cell);
   }
-  std::size_t open = 0;
+  const std::size_t walls = this->EnterWalls(old);
   for (const Id cell : old)
   {
-    const RefinableCell& here = this->Cells[cell];
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = here.Neighbors[k];
-      if (neighbor == None || !this->IsMarked(neighbor))
-      {
-        const Triangle corners = SortedTriangle(FaceAcross(here.Corners, k)).Points;
-        this->Slot(corners) = { corners, neighbor,
-          neighbor == None ? 0 : this->MirrorIndex(cell, k), here.Facets[k], this->TableEpoch };
-        ++open;
-      }
-    }
-  }
-  for (const Id cell : old)
-  {
-    // A point that is left without a cell gets one back below, or is no longer in the mesh.
-    for (const Id corner : this->Cells[cell].Corners)
-    {
-      this->CellOf[corner] = None;
-    }
-    this->Cells[cell].Corners[0] = None;
-    ++this->Versions[cell];
-    this->FreeCells.push_back(cell);
+    this->Remove(cell);
   }
   std::size_t matched = 0;
   this->FreshCells.clear();
-  for (std::size_t f = 0; f < fresh.size(); ++f)
+  for (const Tetrahedron& corners : fresh)
   {
-    Id cell = this->NumberOfCells();
-    if (this->FreeCells.empty())
-    {
-      this->Cells.emplace_back();
-      this->Versions.push_back(0);
-      this->Marks.push_back(0);
-    }
-    else
-    {
-      cell = this->FreeCells.back();
-      this->FreeCells.pop_back();
-    }
-    this->FreshCells.push_back(cell);
-    this->Marks[cell] = 0;
-    this->Cells[cell] = { fresh[f], { { None, None, None, None } }, { { None, None, None, None } },
-      region, parent };
-    if (!facets.empty())
-    {
-      this->Cells[cell].Facets = facets[f];
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      this->CellOf[fresh[f][k]] = cell;
-      this->Changed[fresh[f][k]] = this->Changes;
-      const Triangle face = SortedTriangle(FaceAcross(fresh[f], k)).Points;
-      PendingFace& pending = this->Slot(face);
-      if (pending.Epoch != this->TableEpoch)
-      {
-        pending = { face, cell, k, None, this->TableEpoch };
-        ++open;
-        continue;
-      }
-      this->Cells[cell].Neighbors[k] = pending.Cell;
-      if (pending.Facet != None)
-      {
-        this->Cells[cell].Facets[k] = pending.Facet;
-      }
-      if (pending.Cell != None)
-      {
-        this->Cells[pending.Cell].Neighbors[pending.Face] = cell;
-      }
-      ++matched;
-    }
+    const std::array<Id, 4> none = { { None, None, None, None } };
+    this->FreshCells.push_back(this->NewCell({ corners, none, none, region, parent }));
+    matched += this->Connect(this->FreshCells.back());
   }
-  if (matched != open)
+  // Each face of a fresh cell is a wall, or one of two that are matched once.
+  if (2 * matched != 4 * fresh.size() + walls)
   {
     throw Error(ErrorCode::Inconsistent, "cells were replaced by others with another boundary");
   }

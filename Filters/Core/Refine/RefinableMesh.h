@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Edge.h"
 #include "Common/Types.h"
 
 #include <cstdint>
@@ -56,10 +57,6 @@ public:
 
   /** Of all cells, dead ones too: their ids are below this. */
   Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
-  Id NumberOfLivingCells() const
-  {
-    return static_cast<Id>(this->Cells.size() - this->FreeCells.size());
-  }
   const RefinableCell& Cell(Id cell) const { return this->Cells[cell]; }
   bool IsDead(Id cell) const { return this->Cells[cell].Corners[0] == None; }
 
@@ -71,18 +68,10 @@ public:
   /** The index that `cell` has among the neighbors of the cell across its face k. */
   int MirrorIndex(Id cell, int k) const;
 
-  Tetrahedron WithCorner(Id cell, int k, Id point) const
-  {
-    Tetrahedron corners = this->Cells[cell].Corners;
-    corners[k] = point;
-    return corners;
-  }
-
   /** A point in no cell yet. */
   Id AddPoint(const Point& place, bool isFixed, double size);
-  void RemoveLastPoint();
 
-  /** A cell whose neighbors are found by Connect, once all are there. */
+  /** A cell of the input, with its neighbors' ids. */
   void AddCell(const RefinableCell& cell);
 
   /** Append the cells around a point that can be reached from CellAt through faces at it. */
@@ -92,13 +81,10 @@ public:
   void Ring(Id u, Id v, Id cell, RefinableRing& ring) const;
 
   /**
-   * Put `fresh` in place of `old`, which fill the same space of one region. Faces between the two
-   * sets and the rest keep their facets; inner ones have those that are given, for none
-   * may be lost.
-   * @param[in] facets of the faces of each fresh cell, empty if all inner ones have none
+   * Put `fresh` in place of `old`, which fill the same space of one region, without facets within.
+   * Faces between the two sets and the rest keep their facets; inner ones have none.
    */
-  void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
-    const std::vector<std::array<Id, 4>>& facets = {});
+  void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh);
 
   /** The cells that the last Replace made. */
   const std::vector<Id>& Fresh() const { return this->FreshCells; }
@@ -131,6 +117,13 @@ private:
   };
 
   PendingFace& Slot(const Triangle& sorted);
+  std::size_t EnterWalls(const std::vector<Id>& cells);
+  void Remove(Id cell);
+  Id NewCell(const RefinableCell& content);
+  std::size_t Connect(Id cell);
+
+  /** The other corners of a cell with the edge (u, v): (u, v, first, second) is positive. */
+  Edge OtherCorners(Id cell, Id u, Id v) const;
 
   std::vector<RefinableCell> Cells;
   std::vector<Id> Versions;
