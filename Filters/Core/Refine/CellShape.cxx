@@ -49,6 +49,19 @@ double ShapeOfAngle(double degrees)
   return sine * sine;
 }
 
+Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell)
+{
+  Point sum = { { 0, 0, 0 } };
+  for (const Id corner : cell)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum[k] += points[corner][k] / 4;
+    }
+  }
+  return sum;
+}
+
 Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const Point u = Difference(b, a);

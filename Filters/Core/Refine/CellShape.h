@@ -18,6 +18,8 @@ double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell);
 /** The shape whose least dihedral angle has so many degrees. */
 double ShapeOfAngle(double degrees);
 
+Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell);
+
 /** Where all four corners are equally far, and the square of how far. */
 struct Circumsphere
 {

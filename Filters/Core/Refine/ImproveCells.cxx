@@ -135,14 +135,7 @@ private:
     {
       return;
     }
-    Point middle = { { 0, 0, 0 } };
-    for (const Id corner : corners)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        middle[k] += this->Mesh.Points[corner][k] / 4;
-      }
-    }
+    const Point middle = Barycentre(this->Mesh.Points, corners);
     if (this->Insert.Find(cell, middle))
     {
       const double before = std::max(0.0, this->Insert.WorstShapeBefore());

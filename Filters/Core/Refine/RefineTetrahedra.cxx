@@ -4,6 +4,7 @@
 #include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
+#include "Refine/CellShape.h"
 #include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/LocateCells.h"
@@ -104,19 +105,6 @@ RefinedMesh Compress(const RefinableMesh& mesh, Id inputPoints)
     }
   }
   return result;
-}
-
-Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell)
-{
-  Point sum = { { 0, 0, 0 } };
-  for (const Id corner : cell)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      sum[k] += points[corner][k] / 4;
-    }
-  }
-  return sum;
 }
 
 Id CountLargeCells(const RefinedMesh& mesh, double maximumVolume)

@@ -3,6 +3,7 @@
 
 #include "Common/Edge.h"
 #include "Common/Vectors.h"
+#include "Refine/CellShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,15 @@ double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
     6;
 }
 
-/** The edge of a regular tetrahedron. */
+/** Of a regular tetrahedron. */
 double EdgeOfVolume(double volume)
 {
   return std::cbrt(6 * std::sqrt(2.0) * volume);
+}
+
+double VolumeOfEdge(double edge)
+{
+  return edge * edge * edge / (6 * std::sqrt(2.0));
 }
 } // namespace
 
@@ -169,13 +175,10 @@ double SizingField::EstimatedCells() const
   double cells = 0;
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
+    // Lengths grow from the corners, so that small ones matter near these only.
     const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
-    double size = Infinite;
-    for (const Id p : corners)
-    {
-      size = std::min(size, this->Mesh.Sizes[p]);
-    }
-    cells += 6 * std::sqrt(2.0) * VolumeOf(this->Mesh.Points, corners) / (size * size * size);
+    const double size = this->At(c, Barycentre(this->Mesh.Points, corners));
+    cells += 1 + VolumeOf(this->Mesh.Points, corners) / VolumeOfEdge(size);
   }
   return cells;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/RefineTetrahedra.h"
 
+#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
@@ -265,6 +266,37 @@ TEST(RefineTetrahedra, NamesWhatItCannotTake)
   SizingParameters tiny;
   tiny.EdgeLength = 1e-6;
   EXPECT_NE(errorOf(cube, tiny).find("more than can be counted"), std::string::npos);
+}
+
+TEST(RefineTetrahedra, TakesATinyDetailOfALargeSolid)
+{
+  // Points on one face of a tetrahedron, each in a triangle of those before: the last one has
+  // neighbours on the face that are all at hand. As fine everywhere, cells could not be counted.
+  std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  std::vector<Tetrahedron> cells = { { { 0, 1, 2, 3 } } };
+  const double x = 0.25;
+  const double d = 0x1p-24;
+  for (const Point& place : { Point{ { x, x, 0 } }, { { x + 4 * d, x, 0 } },
+         { { x + 3 * d, x + d, 0 } }, { { x + 2.5 * d, x + 0.5 * d, 0 } } })
+  {
+    const auto added = static_cast<Id>(points.size());
+    points.push_back(place);
+    std::vector<Tetrahedron> after;
+    for (const Tetrahedron& c : cells)
+    {
+      const std::array<Tetrahedron, 3> parts = { { { { c[0], c[1], added, 3 } },
+        { { c[1], c[2], added, 3 } }, { { c[2], c[0], added, 3 } } } };
+      const bool holds = std::all_of(parts.begin(), parts.end(),
+        [&](const Tetrahedron& part) { return Orient3D(points, part) > 0; });
+      after.insert(after.end(), holds ? parts.begin() : &c, holds ? parts.end() : &c + 1);
+    }
+    ASSERT_EQ(after.size(), cells.size() + 2);
+    cells = after;
+  }
+  const TetrahedralMesh mesh = ConnectCells(points, cells);
+  const RefinedMesh refined = Refined(mesh);
+  ExpectRefinementLaws(mesh, {}, refined);
+  EXPECT_LT(refined.Cells.size(), 5000U);
 }
 
 TEST(RefineTetrahedra, StopsAtEveryReport)
