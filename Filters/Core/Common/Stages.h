@@ -17,5 +17,6 @@ constexpr const char* Tetrahedralizing = "tetrahedralizing";          ///< Const
 constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
 constexpr const char* Segmenting = "segmenting"; ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting"; ///< whatever is in the room Output
+constexpr const char* Refining = "refining";     ///< RefineTetrahedra
 constexpr const char* Writing = "writing";       ///< OutputFile
 } // namespace insideout::Stages

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * The worst shape (ShapeOf) of the cells between a place and walls around it, which are
+ * counter-clockwise seen from it.
+ * @param[in] enough where it is below this, any smaller value
+ */
+double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle>& walls,
+  const Point& place, double enough);
+
+/**
+ * Move a place to where the worst shape of the cells between it and the walls is better, uphill
+ * along the shortest vector between the gradients of the worst cells' shapes (Freitag and
+ * Ollivier-Gooch 1997, Tetrahedral Mesh Improvement Using Swapping and Smoothing).
+ *
+ * @param[in,out] place it may lie beyond walls in the beginning
+ * @return the worst shape there
+ */
+double FindBestPlace(
+  const std::vector<Point>& points, const std::vector<Triangle>& walls, Point& place);
+} // namespace insideout

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/CellShape.h"
+
+#include "Common/Vectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const Point ab = Difference(b, a);
+  const Point ac = Difference(c, a);
+  const Point ad = Difference(d, a);
+  const Point bc = Difference(c, b);
+  const Point bd = Difference(d, b);
+  const Point cd = Difference(d, c);
+  const Point acrossD = Cross(ab, ac);
+  const double determinant = Dot(acrossD, ad);
+  if (!(determinant > 0))
+  {
+    return determinant;
+  }
+  const Point acrossB = Cross(ac, ad);
+  const Point acrossC = Cross(ad, ab);
+  const Point acrossA = Cross(bc, bd);
+  const double inverseA = 1 / Dot(acrossA, acrossA);
+  const double inverseB = 1 / Dot(acrossB, acrossB);
+  const double inverseC = 1 / Dot(acrossC, acrossC);
+  const double inverseD = 1 / Dot(acrossD, acrossD);
+  // The sine at an edge is 3/2 volume times its length over the areas of the two faces there.
+  const double least =
+    std::min({ Dot(ab, ab) * (inverseC * inverseD), Dot(ac, ac) * (inverseB * inverseD),
+      Dot(ad, ad) * (inverseB * inverseC), Dot(bc, bc) * (inverseA * inverseD),
+      Dot(bd, bd) * (inverseA * inverseC), Dot(cd, cd) * (inverseA * inverseB) });
+  const double shape = determinant * determinant * least;
+  return shape > 0 ? std::min(shape, 1.0) : 0.0; // not a number where a face has no area
+}
+
+double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell)
+{
+  return ShapeOf(points[cell[0]], points[cell[1]], points[cell[2]], points[cell[3]]);
+}
+
+double ShapeOfAngle(double degrees)
+{
+  const double sine = std::sin(degrees * std::acos(-1.0) / 180);
+  return sine * sine;
+}
+
+Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell)
+{
+  Point sum = { { 0, 0, 0 } };
+  for (const Id corner : cell)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum[k] += points[corner][k] / 4;
+    }
+  }
+  return sum;
+}
+
+Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const Point u = Difference(b, a);
+  const Point v = Difference(c, a);
+  const Point w = Difference(d, a);
+  const Point vw = Cross(v, w);
+  const Point wu = Cross(w, u);
+  const Point uv = Cross(u, v);
+  const double scale = 0.5 / Dot(u, vw);
+  const double uu = Dot(u, u);
+  const double vv = Dot(v, v);
+  const double ww = Dot(w, w);
+  Point offset;
+  for (int k = 0; k < 3; ++k)
+  {
+    offset[k] = scale * (uu * vw[k] + vv * wu[k] + ww * uv[k]);
+  }
+  return { { { a[0] + offset[0], a[1] + offset[1], a[2] + offset[2] } }, Dot(offset, offset) };
+}
+} // namespace insideout

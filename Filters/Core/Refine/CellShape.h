@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * How good a tetrahedron is: the square of the least sine of its six dihedral angles, which is
+ * small where an angle is near 0 or near 180 degrees; at most 8/9, of a regular one. Not positive
+ * where the volume is not.
+ */
+double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d);
+double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell);
+
+/** The shape whose least dihedral angle has so many degrees. */
+double ShapeOfAngle(double degrees);
+
+Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell);
+
+/** Where all four corners are equally far, and the square of how far. */
+struct Circumsphere
+{
+  Point Center;
+  double SquaredRadius; ///< not finite where the cell is too flat for doubles
+};
+Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d);
+} // namespace insideout

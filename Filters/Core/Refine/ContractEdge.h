@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Refine/RefinableMesh.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Takes points that are on no facet out of the mesh, each by moving it into a neighbour. */
+class Contraction
+{
+public:
+  explicit Contraction(RefinableMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /**
+   * Move a point into the one of its neighbours that gives the best cells, if their worst shape is
+   * above `wanted` and no edge gets longer than `longest` times the sizes at its ends.
+   */
+  bool Remove(Id point, double wanted, double longest);
+
+  /** The worst shape around a point. */
+  double WorstAround(Id point);
+
+private:
+  RefinableMesh& Mesh;
+  std::vector<Id> Cells;
+  std::vector<Triangle> Walls;
+  std::vector<Id> Targets;
+  std::vector<Tetrahedron> Fresh;
+};
+} // namespace insideout

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Refine/RefinableMesh.h"
+#include "Refine/SizingField.h"
+
+namespace insideout
+{
+/** Take points that are on no facet out where they are much closer to others than edges are to be.
+ */
+void ThinPoints(RefinableMesh& mesh);
+
+/**
+ * Delaunay refinement by lengths: insert the circumcentre of each cell whose circumsphere is too
+ * large for the lengths there, unless a facet is between or other points are close.
+ *
+ * @throws Error Stopped
+ */
+void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume, Monitor& monitor,
+  const ProgressRange& progress);
+} // namespace insideout

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/ImproveCells.h"
+
+#include "Common/LoopProgress.h"
+#include "Refine/CellShape.h"
+#include "Refine/ContractEdge.h"
+#include "Refine/InsertPoint.h"
+#include "Refine/ReconnectCells.h"
+#include "Refine/SmoothPoint.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace insideout
+{
+namespace
+{
+/** Degrees. Cells with all dihedral angles above this, and below 180 less it, are left as they are:
+ * with more, most of the time goes into what is good. */
+constexpr double GoodAngle = 22;
+
+/** Where an angle is below this, a point more may help. */
+constexpr double AngleForPoint = 20;
+
+/** Later passes find little. */
+constexpr int Passes = 4;
+
+/** What gets better by less is left, so that changes come to an end; a point more costs cells. */
+constexpr double LeastGain = 1.0001;
+constexpr double LeastGainByPoint = 1.2;
+
+/** How long, of the lengths wanted, edges may get for a point less. */
+constexpr double LongestEdge = 1.8;
+
+class Improvement
+{
+public:
+  Improvement(RefinableMesh& mesh, SizingField& sizes)
+    : Mesh(mesh)
+    , Sizes(sizes)
+    , Reconnect(mesh)
+    , Smooth(mesh)
+    , Contract(mesh)
+    , Insert(mesh)
+  {
+  }
+
+  /** The cells that are not good, the worst first. */
+  std::vector<std::pair<double, Id>> BadCells() const
+  {
+    std::vector<std::pair<double, Id>> cells;
+    for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+    {
+      if (!this->Mesh.IsDead(cell))
+      {
+        const double shape = this->ShapeOfCell(cell);
+        if (shape < this->Good)
+        {
+          cells.push_back({ shape, cell });
+        }
+      }
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
+
+  /** @param[in] mayAdd whether by a point more, too */
+  void Improve(Id cell, bool mayAdd)
+  {
+    if (this->Mesh.IsDead(cell) || this->ShapeOfCell(cell) >= this->Good ||
+      !this->HasChanged(cell) || this->Reconnect.ImproveCell(cell))
+    {
+      return;
+    }
+    const Tetrahedron corners = this->Mesh.Cell(cell).Corners;
+    if (!this->MoveCorners(corners) && !this->RemoveCorner(corners) && mayAdd)
+    {
+      this->AddPoint(cell);
+    }
+  }
+
+private:
+  double ShapeOfCell(Id cell) const
+  {
+    return ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
+  }
+
+  /** Whether anything has around the cell since this was asked last. */
+  bool HasChanged(Id cell)
+  {
+    this->TriedAt.resize(this->Mesh.NumberOfCells(), None);
+    Id last = 0;
+    for (const Id corner : this->Mesh.Cell(cell).Corners)
+    {
+      last = std::max(last, this->Mesh.ChangedAt(corner));
+    }
+    const bool hasChanged = last > this->TriedAt[cell];
+    this->TriedAt[cell] = this->Mesh.NumberOfChanges();
+    return hasChanged;
+  }
+
+  bool MoveCorners(const Tetrahedron& corners)
+  {
+    bool isMoved = false;
+    for (const Id corner : corners)
+    {
+      if (this->Smooth.Smooth(corner))
+      {
+        isMoved = true;
+        if (ShapeOf(this->Mesh.Points, corners) >= this->Good)
+        {
+          break;
+        }
+      }
+    }
+    return isMoved;
+  }
+
+  bool RemoveCorner(const Tetrahedron& corners)
+  {
+    return std::any_of(corners.begin(), corners.end(),
+      [this](Id corner)
+      {
+        return this->Mesh.IsFixed[corner] == 0 &&
+          this->Contract.Remove(
+            corner, std::max(0.0, this->Contract.WorstAround(corner)) * LeastGain, LongestEdge);
+      });
+  }
+
+  void AddPoint(Id cell)
+  {
+    const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
+    if (ShapeOf(this->Mesh.Points, corners) >= this->BadForPoint)
+    {
+      return;
+    }
+    const Point middle = Barycentre(this->Mesh.Points, corners);
+    if (this->Insert.Find(cell, middle))
+    {
+      const double before = std::max(0.0, this->Insert.WorstShapeBefore());
+      if (this->Insert.OptimizePlace() > before * LeastGainByPoint)
+      {
+        const double size = this->Sizes.At(cell, middle);
+        this->Sizes.Append(cell, middle);
+        this->Insert.Insert(size);
+      }
+    }
+  }
+
+  const double Good = ShapeOfAngle(GoodAngle);
+  const double BadForPoint = ShapeOfAngle(AngleForPoint);
+  RefinableMesh& Mesh;
+  SizingField& Sizes;
+  Reconnection Reconnect;
+  PointSmoothing Smooth;
+  Contraction Contract;
+  PointInsertion Insert;
+  std::vector<Id> TriedAt; ///< per cell, in changes of the mesh
+};
+} // namespace
+
+void ImproveCells(
+  RefinableMesh& mesh, SizingField& sizes, Monitor& monitor, const ProgressRange& progress)
+{
+  Improvement improvement(mesh, sizes);
+  for (int pass = 0; pass < Passes; ++pass)
+  {
+    const std::vector<std::pair<double, Id>> cells = improvement.BadCells();
+    const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(pass) / Passes),
+      progress.At(static_cast<double>(pass + 1) / Passes) };
+    const LoopProgress looked(monitor, part, cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      looked.Check(i);
+      improvement.Improve(cells[i].second, pass > 0);
+    }
+  }
+}
+} // namespace insideout

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Refine/RefinableMesh.h"
+#include "Refine/SizingField.h"
+
+namespace insideout
+{
+/**
+ * Make the worst cells better, the worst first, each by the first of these that does: other cells
+ * between the same points (Reconnection), another place for a corner (PointSmoothing), a corner
+ * less (Contraction), a point more (PointInsertion). No step makes the worst shape of the cells it
+ * changes worse, so that it ends.
+ *
+ * @throws Error Stopped
+ */
+void ImproveCells(
+  RefinableMesh& mesh, SizingField& sizes, Monitor& monitor, const ProgressRange& progress);
+} // namespace insideout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Refine/RefinableMesh.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * Insertion of a point in the cells whose circumsphere holds it, as Bowyer (1981) and Watson (1981)
+ * do, but never across a facet, and only in cells whose faces it sees, exactly.
+ */
+class PointInsertion
+{
+public:
+  explicit PointInsertion(RefinableMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /**
+   * Look for a place from a cell on, and for the cells it would replace.
+   * @return false where a facet is between, or where it cannot be inserted
+   */
+  bool Find(Id cell, const Point& place);
+
+  /** The cell that the place found lies in or on. */
+  Id Holder() const { return this->Holding; }
+
+  /** The square of how far the nearest corner of the cells to be replaced is. */
+  double SquaredSpacing() const;
+
+  /** The worst shape (ShapeOf) of the cells to be replaced. */
+  double WorstShapeBefore() const;
+
+  /** Move the place found to where the new cells would be better. @return their worst shape */
+  double OptimizePlace();
+
+  /** Insert the place found. @return the point */
+  Id Insert(double size);
+
+private:
+  bool Walk(Id cell);
+  bool GrowCavity();
+  bool CollectWalls(bool& isHopeless);
+  void KeepConnected();
+  bool TrimCavity();
+  bool KeepsItsPoints() const;
+
+  RefinableMesh& Mesh;
+  Point Place;
+  Id Holding = None;
+  std::vector<Id> Cavity;
+  std::vector<Triangle> Walls; ///< counter-clockwise seen from within
+};
+} // namespace insideout

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/LocateCells.h"
+
+#include "Common/BoxTree.h"
+#include "Common/ParallelLoop.h"
+#include "Common/PointPredicates.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** A walk that is longer goes round and round. */
+constexpr int MostSteps = 1000;
+
+/** A walk takes so many nanoseconds, and a search in a tree as well. */
+constexpr double CostOfWalk = 1000;
+
+Box BoxOf(const std::vector<Point>& points, const Tetrahedron& cell)
+{
+  Box box = Box::Empty();
+  for (const Id corner : cell)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Low[axis] = std::min(box.Low[axis], points[corner][axis]);
+      box.High[axis] = std::max(box.High[axis], points[corner][axis]);
+    }
+  }
+  return box;
+}
+
+/** Whether a place is beyond a face, seen from its cell. */
+bool IsBeyond(
+  const std::vector<Point>& points, const Tetrahedron& cell, int face, const Point& place)
+{
+  const Triangle f = FaceOf(cell, face);
+  return Orient3D(points[f[0]], points[f[1]], points[f[2]], place) > 0;
+}
+} // namespace
+
+bool CellLocator::Holds(Id cell, const Point& place) const
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    if (IsBeyond(this->Mesh.Points, this->Mesh.Cells[cell], k, place))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** @return false where the walk met the boundary; the cell is the last one then */
+bool CellLocator::Walk(const Point& place, Id& cell) const
+{
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    int across = -1;
+    for (int i = 0; i < 4 && across < 0; ++i)
+    {
+      const int k = (i + step) % 4;
+      across = IsBeyond(this->Mesh.Points, this->Mesh.Cells[cell], k, place) ? k : -1;
+    }
+    if (across < 0)
+    {
+      return true;
+    }
+    const Id next = this->Mesh.Neighbors[cell][across];
+    if (next == None)
+    {
+      return false;
+    }
+    cell = next;
+  }
+  return false;
+}
+
+void CellLocator::Locate(const std::vector<Point>& places, std::vector<Id>& cells, Monitor& monitor,
+  const ProgressRange& progress) const
+{
+  std::vector<char> isFound(places.size(), 0);
+  ParallelLoop(places.size(), CostOfWalk, monitor,
+    { progress.Stage, progress.At(0), progress.At(0.5) },
+    [&](std::size_t i) { isFound[i] = this->Walk(places[i], cells[i]) ? 1 : 0; });
+  if (std::all_of(isFound.begin(), isFound.end(), [](char found) { return found != 0; }))
+  {
+    return;
+  }
+  // The solid is not convex: what is between may be outside it.
+  std::vector<Box> boxes;
+  boxes.reserve(this->Mesh.Cells.size());
+  for (const Tetrahedron& cell : this->Mesh.Cells)
+  {
+    boxes.push_back(BoxOf(this->Mesh.Points, cell));
+  }
+  const BoxTree tree(std::move(boxes));
+  ParallelLoop(places.size(), CostOfWalk, monitor,
+    { progress.Stage, progress.At(0.5), progress.At(1) },
+    [&](std::size_t i)
+    {
+      if (isFound[i] == 0)
+      {
+        Id lowest = None;
+        tree.Visit({ places[i], places[i] },
+          [&](Id cell)
+          {
+            if ((lowest == None || cell < lowest) && this->Holds(cell, places[i]))
+            {
+              lowest = cell;
+            }
+          });
+        cells[i] = lowest == None ? cells[i] : lowest;
+      }
+    });
+}
+} // namespace insideout

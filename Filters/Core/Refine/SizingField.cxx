@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/SizingField.h"
+
+#include "Common/Edge.h"
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace insideout
+{
+namespace
+{
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
+{
+  return Determinant(Difference(points[c[1]], points[c[0]]), Difference(points[c[2]], points[c[0]]),
+           Difference(points[c[3]], points[c[0]])) /
+    6;
+}
+
+/** Of a regular tetrahedron. */
+double EdgeOfVolume(double volume)
+{
+  return std::cbrt(6 * std::sqrt(2.0) * volume);
+}
+
+double VolumeOfEdge(double edge)
+{
+  return edge * edge * edge / (6 * std::sqrt(2.0));
+}
+} // namespace
+
+SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters)
+  : Mesh(mesh)
+  , Parameters(parameters)
+  , Most(parameters.EdgeLength > 0 ? parameters.EdgeLength : Infinite)
+{
+  if (parameters.MaximumVolume > 0)
+  {
+    this->Most = std::min(this->Most, EdgeOfVolume(parameters.MaximumVolume));
+  }
+  this->AtPoints.resize(mesh.Points.size());
+  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
+  {
+    const double wanted = parameters.Lengths.empty() ? Infinite : parameters.Lengths[p];
+    this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], wanted) };
+  }
+  this->SetLengthsOfSurface();
+  this->Grow();
+  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
+  {
+    mesh.Sizes[p] = this->AtPoints[p].Both();
+  }
+}
+
+double SizingField::WantedAt(const Point& place, double otherwise) const
+{
+  const double there = this->Parameters.LengthAt ? this->Parameters.LengthAt(place) : Infinite;
+  return std::min({ this->Most, otherwise, there });
+}
+
+/** At each point of a facet the mean length of the edges of facets there. */
+void SizingField::SetLengthsOfSurface()
+{
+  std::vector<int> counts(this->AtPoints.size(), 0);
+  std::vector<double> sums(this->AtPoints.size(), 0);
+  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (this->Mesh.Cell(c).Facets[k] == None)
+      {
+        continue;
+      }
+      const Triangle f = FaceAcross(this->Mesh.Cell(c).Corners, k);
+      for (int i = 0; i < 3; ++i)
+      {
+        const Edge edge = EdgeBetween(f[i], f[(i + 1) % 3]);
+        for (const Id p : edge)
+        {
+          sums[p] += Distance(this->Mesh.Points[edge[0]], this->Mesh.Points[edge[1]]);
+          ++counts[p];
+        }
+      }
+    }
+  }
+  for (std::size_t p = 0; p < sums.size(); ++p)
+  {
+    if (counts[p] > 0)
+    {
+      this->AtPoints[p].Surface = sums[p] / counts[p];
+    }
+  }
+}
+
+/** Let lengths grow from the surface inward, along edges (Dijkstra 1959). */
+void SizingField::Grow()
+{
+  using Entry = std::pair<double, Id>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (std::size_t p = 0; p < this->AtPoints.size(); ++p)
+  {
+    if (this->AtPoints[p].Surface < Infinite)
+    {
+      queue.push({ this->AtPoints[p].Surface, static_cast<Id>(p) });
+    }
+  }
+  std::vector<Id> star;
+  while (!queue.empty())
+  {
+    const auto [length, point] = queue.top();
+    queue.pop();
+    if (length > this->AtPoints[point].Surface)
+    {
+      continue;
+    }
+    star.clear();
+    this->Mesh.Star(point, star);
+    for (const Id cell : star)
+    {
+      for (const Id other : this->Mesh.Cell(cell).Corners)
+      {
+        const double grown = length +
+          this->Parameters.Grading * Distance(this->Mesh.Points[point], this->Mesh.Points[other]);
+        if (grown < this->AtPoints[other].Surface)
+        {
+          this->AtPoints[other].Surface = grown;
+          queue.push({ grown, other });
+        }
+      }
+    }
+  }
+}
+
+SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
+{
+  const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
+  Lengths result = { Infinite, 0 };
+  double weights = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    const Lengths& there = this->AtPoints[corners[k]];
+    result.Surface = std::min(result.Surface,
+      there.Surface + this->Parameters.Grading * Distance(this->Mesh.Points[corners[k]], place));
+    // The weight of a corner is the volume between the place and the face across from it.
+    const Triangle f = FaceAcross(corners, k);
+    const double weight = std::max(0.0,
+      Determinant(Difference(this->Mesh.Points[f[1]], place),
+        Difference(this->Mesh.Points[f[0]], place), Difference(this->Mesh.Points[f[2]], place)));
+    weights += weight;
+    result.Wanted += weight * std::min(there.Wanted, std::numeric_limits<double>::max());
+  }
+  result.Wanted = weights > 0 ? result.Wanted / weights : Infinite;
+  result.Wanted = this->WantedAt(place, result.Wanted);
+  return result;
+}
+
+double SizingField::At(Id cell, const Point& place) const
+{
+  return this->LengthsAt(cell, place).Both();
+}
+
+void SizingField::Append(Id cell, const Point& place)
+{
+  this->AtPoints.push_back(this->LengthsAt(cell, place));
+}
+
+double SizingField::EstimatedCells() const
+{
+  double cells = 0;
+  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  {
+    // Lengths grow from the corners, so that small ones matter near these only.
+    const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
+    const double size = this->At(c, Barycentre(this->Mesh.Points, corners));
+    cells += 1 + VolumeOf(this->Mesh.Points, corners) / VolumeOfEdge(size);
+  }
+  return cells;
+}
+} // namespace insideout
