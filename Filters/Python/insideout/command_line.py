@@ -250,7 +250,7 @@ class Job:
 class MeshJob(Job):
     """One run that makes tetrahedra."""
 
-    stages = TETRAHEDRALIZE
+    stages: Sequence[str] = TETRAHEDRALIZE
     left_out_cells: list[int] = []
     lost_cells: list[int] = []
 
