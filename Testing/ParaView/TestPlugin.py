@@ -175,7 +175,7 @@ class TestPlugin(unittest.TestCase):
             while not properties.IsAtEnd():
                 key, prop = properties.GetKey(), properties.GetProperty()
                 properties.Next()
-                if key.endswith("ArrayName"):
+                if key.endswith("ArrayName") and key != "SizingArrayName":  # which may be the background's alone
                     proxy.GetProperty(surface).AddInputConnection(marked.SMProxy, 0)
                     domain = prop.FindDomain("vtkSMArrayListDomain")
                     offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]

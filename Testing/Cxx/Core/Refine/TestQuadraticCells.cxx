@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/QuadraticCells.h"
 
+#include "Common/Error.h"
 #include "Support/TestTetrahedra.h"
 
 #include <gtest/gtest.h>
