@@ -211,7 +211,7 @@ class CommandLine(unittest.TestCase):
         written = insideout.data.as_type(insideout.Tetrahedra, reader.GetOutput())
         self.assertEqual(content(written)[:2], content(expected)[:2])
         self.assertEqual(told["statistics"]["RefinedCells"], len(expected.cells))
-        self.assertEqual([told["parameters"][name] for name in ("edge_length", "quadratic")], [0.3, True])
+        self.assertEqual([told["parameters"][name] for name in ("refine", "edge_length", "quadratic")], [True, 0.3, True])
 
 
 if __name__ == "__main__":

@@ -259,7 +259,7 @@ class MeshJob(Job):
             self.stages = (*TETRAHEDRALIZE, *REFINE)
         if self.files.plot is not None:
             display_command()
-        return self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize())
+        return {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {
