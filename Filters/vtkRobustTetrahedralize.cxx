@@ -10,6 +10,7 @@
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutRefine.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
 #include "Private/vtkInsideOutWholeInput.h"
@@ -97,6 +98,10 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->Engine = static_cast<int>(hull.Budgets.Engine);
   this->TimeBudget = hull.Budgets.TimeBudget;
   this->MemoryBudget = hull.Budgets.MemoryBudget;
+  const SizingParameters sizes;
+  this->EdgeLength = sizes.EdgeLength;
+  this->Grading = sizes.Grading;
+  this->MaximumVolume = sizes.MaximumVolume;
 }
 
 vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
@@ -123,6 +128,11 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "Refine: " << this->Refine << "\n";
+  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "Grading: " << this->Grading << "\n";
+  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
+  os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
 }
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
@@ -158,6 +168,18 @@ vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 
 namespace
 {
+std::vector<std::string> StagesWith(bool refine)
+{
+  std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
+    Stages::FindingIntersections, Stages::Resolving, Stages::Tetrahedralizing,
+    Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting };
+  if (refine)
+  {
+    stages.emplace_back(Stages::Refining);
+  }
+  return stages;
+}
+
 /** Outputs 1 and 2, and their counts. */
 struct Surfaces
 {
@@ -231,10 +253,12 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this,
-        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
-          Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
-          Stages::Extracting });
+      vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
+      if (this->Refine && !this->ExtractInside)
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "Refine takes ExtractInside: of the hull only the solid can be refined");
+      }
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
       const std::string& nonParticipating = this->NonParticipatingArrayName;
@@ -267,12 +291,21 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       }
       const auto insideCells =
         std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);
+      vtkInsideOutRefinement refinement;
+      if (this->Refine && insideCells > 0)
+      {
+        refinement = vtkInsideOutRefine(
+          solid, vtkInsideOutSizingParameters(this), this->QuadraticCells, monitor);
+        solid = refinement.Grid;
+      }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
       statistics.insert(
         statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
       statistics.emplace_back("InsideCells", insideCells);
       statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
+      statistics.insert(
+        statistics.end(), refinement.Statistics.begin(), refinement.Statistics.end());
       statistics.emplace_back("PeakMemory", PeakMemory());
 
       vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(solid);
@@ -283,6 +316,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, segmentation.Warnings);
       vtkInsideOutWarn(this, outputs.Warnings);
+      vtkInsideOutWarn(this, refinement.Warnings);
       if (insideCells == 0)
       {
         vtkWarningMacro(<< NothingInside(hull));

@@ -31,10 +31,13 @@
  * the solid, with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and the
  * inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x y).
  *
+ * With Refine the solid's cells are others of the same solid: see vtkRefineTetrahedra, which says
+ * what becomes of its arrays, too. InsideCells then counts the cells before.
+ *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.
  *
- * @sa vtkGeneralizedWindingNumber vtkGraphCutSegmentation
+ * @sa vtkGeneralizedWindingNumber vtkGraphCutSegmentation vtkRefineTetrahedra
  *
  */
 #ifndef vtkRobustTetrahedralize_h
@@ -305,6 +308,55 @@ public:
   vtkGetMacro(MemoryBudget, double);
   ///@}
 
+  ///@{
+  /**
+   * On: output 0 is refined before it is put out, as vtkRefineTetrahedra does it with the options
+   * below, which do nothing without. Its points, and those of the boundary, keep their
+   * vtkOriginalPointIds. Takes ExtractInside: there is an error without. Default off.
+   */
+  vtkSetMacro(Refine, bool);
+  vtkGetMacro(Refine, bool);
+  vtkBooleanMacro(Refine, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How long edges are to be at most where the solid is refined, in units of the input; 0: as long
+   * as those of the surface allow. Edges of the boundary may be longer. Default 0, range 0 to
+   * infinity.
+   */
+  vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much the length of edges may grow per unit of distance from the boundary where the solid
+   * is refined. Default 0.35, range 1e-6 to infinity.
+   */
+  vtkSetClampMacro(Grading, double, 1e-6, VTK_DOUBLE_MAX);
+  vtkGetMacro(Grading, double);
+  ///@}
+
+  ///@{
+  /**
+   * How large cells are to be at most where the solid is refined, in cubic units of the input; 0:
+   * any size. Default 0, range 0 to infinity.
+   */
+  vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the solid is refined: cells of second order (vtkQuadraticTetra), with points amid their
+   * straight edges. Default off.
+   */
+  vtkSetMacro(QuadraticCells, bool);
+  vtkGetMacro(QuadraticCells, bool);
+  vtkBooleanMacro(QuadraticCells, bool);
+  ///@}
+
 protected:
   vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override;
@@ -335,6 +387,11 @@ protected:
   int Engine;
   double TimeBudget;
   double MemoryBudget;
+  bool Refine = false;
+  double EdgeLength;
+  double Grading;
+  double MaximumVolume;
+  bool QuadraticCells = false;
 
 private:
   struct HullOfInput;

@@ -59,6 +59,24 @@ vtkSmartPointer<Attributes> UsableArrays(
   return copy;
 }
 
+bool IsReal(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+}
+
+/** Set tuple `id` of every array of integers to 0: between ids there is nothing. */
+void SetIntegersToZero(vtkDataSetAttributes* data, vtkIdType id)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    for (int k = 0; array && !IsReal(array) && k < array->GetNumberOfComponents(); ++k)
+    {
+      array->SetComponent(id, k, 0);
+    }
+  }
+}
+
 /** Set tuple `id` of every array to NaN, or 0 where the type has none. */
 void SetNoValue(vtkDataSetAttributes* data, vtkIdType id)
 {
@@ -66,8 +84,7 @@ void SetNoValue(vtkDataSetAttributes* data, vtkIdType id)
   {
     if (vtkDataArray* array = data->GetArray(i))
     {
-      const bool isReal = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-      const double value = isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+      const double value = IsReal(array) ? std::numeric_limits<double>::quiet_NaN() : 0.0;
       for (int k = 0; k < array->GetNumberOfComponents(); ++k)
       {
         array->SetComponent(id, k, value);
@@ -181,6 +198,70 @@ void vtkInsideOutAttributes::PassCellData(vtkDataSet* input, const std::vector<v
     }
   }
   output->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalCellIds", cells));
+}
+
+void vtkInsideOutAttributes::CopyCellData(vtkDataSet* input,
+  const std::vector<insideout::Id>& cells, vtkCellData* output, Warnings& warnings)
+{
+  const vtkIdType size = static_cast<vtkIdType>(cells.size());
+  const vtkSmartPointer<vtkCellData> source =
+    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), {}, warnings);
+  RequireMemory(source, size);
+  output->CopyAllocate(source, size);
+  SetNumberOfTuples(output, size);
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    output->CopyData(source, cells[c], c);
+  }
+}
+
+void vtkInsideOutAttributes::MixPointData(vtkDataSet* input, const std::vector<Mixture>& mixtures,
+  const std::vector<insideout::Edge>& edges, vtkPointData* output, Warnings& warnings)
+{
+  const vtkIdType corners = static_cast<vtkIdType>(mixtures.size());
+  const vtkIdType size = corners + static_cast<vtkIdType>(edges.size());
+  const vtkSmartPointer<vtkPointData> source =
+    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), {}, warnings);
+  vtkDataArray* given = source->GetArray("vtkOriginalPointIds");
+  const vtkSmartPointer<vtkDataArray> earlierPoints =
+    given && given->GetNumberOfComponents() == 1 ? given : nullptr;
+  source->RemoveArray("vtkOriginalPointIds");
+  RequireMemory(source, size);
+  output->InterpolateAllocate(source, size);
+  SetNumberOfTuples(output, size);
+
+  std::vector<vtkIdType> inputPoints(size, -1);
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(4);
+  for (vtkIdType p = 0; p < corners; ++p)
+  {
+    Mixture mixture = mixtures[p];
+    if (!mixture.IsNew)
+    {
+      const vtkIdType original = mixture.Points[0];
+      inputPoints[p] =
+        earlierPoints ? static_cast<vtkIdType>(earlierPoints->GetComponent(original, 0)) : original;
+      output->CopyData(source, original, p);
+      continue;
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      ids->SetId(k, mixture.Points[k]);
+    }
+    output->InterpolatePoint(source, p, ids, mixture.Weights.data());
+    SetIntegersToZero(output, p);
+  }
+  for (vtkIdType p = corners; p < size; ++p)
+  {
+    const insideout::Edge& edge = edges[p - corners];
+    for (int i = 0; i < output->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = output->GetAbstractArray(i);
+      array->InterpolateTuple(p, edge[0], array, edge[1], array, 0.5);
+    }
+    SetIntegersToZero(output, p);
+  }
+  output->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", inputPoints));
 }
 
 void vtkInsideOutAttributes::PassAll(vtkDataSet* input, std::initializer_list<const char*> added,

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Common/Edge.h"
 #include "Common/FacetComplex.h"
 
 #include <vtkType.h>
@@ -45,6 +46,27 @@ void PassPointData(vtkDataSet* input, const std::vector<insideout::PointOrigin>&
  */
 void PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
   std::initializer_list<const char*> added, vtkCellData* output,
+  std::vector<std::string>& warnings);
+
+/** Cell data by input cell, all arrays as they are. */
+void CopyCellData(vtkDataSet* input, const std::vector<insideout::Id>& cells, vtkCellData* output,
+  std::vector<std::string>& warnings);
+
+/** What a point of a refined grid is made of: points of the input. */
+struct Mixture
+{
+  std::array<insideout::Id, 4> Points;
+  std::array<double, 4> Weights;
+  bool IsNew; ///< else it is the first of them
+};
+
+/**
+ * Point data of points that are kept, copied, and of new ones, interpolated (0 in integer arrays);
+ * then of points amid edges between these. Adds vtkOriginalPointIds: where the input has it its
+ * value, else the input point; -1 for a new one.
+ */
+void MixPointData(vtkDataSet* input, const std::vector<Mixture>& mixtures,
+  const std::vector<insideout::Edge>& edges, vtkPointData* output,
   std::vector<std::string>& warnings);
 
 /**

@@ -8,6 +8,7 @@
 
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
+#include "Refine/SizingField.h"
 
 template <typename Filter>
 insideout::CountedChainParameters vtkInsideOutChainParameters(Filter* filter)
@@ -68,5 +69,15 @@ insideout::SegmentMeshParameters vtkInsideOutSegmentMeshParameters(Filter* filte
   parameters.Cut.DataTerm = static_cast<DataTerm>(filter->GetDataTerm());
   parameters.ConstrainFacets = filter->GetConstrainFacets();
   parameters.ConstrainManifold = filter->GetConstrainManifold();
+  return parameters;
+}
+
+template <typename Filter>
+insideout::SizingParameters vtkInsideOutSizingParameters(Filter* filter)
+{
+  insideout::SizingParameters parameters;
+  parameters.EdgeLength = filter->GetEdgeLength();
+  parameters.Grading = filter->GetGrading();
+  parameters.MaximumVolume = filter->GetMaximumVolume();
   return parameters;
 }

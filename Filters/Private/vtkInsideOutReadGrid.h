@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * Reads a vtkUnstructuredGrid for the graph cut: tetrahedra, or cells of any type by their parts.
+ * Reads a vtkUnstructuredGrid: tetrahedra, or for the graph cut cells of any type by their parts.
  */
 #pragma once
 

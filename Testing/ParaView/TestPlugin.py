@@ -18,7 +18,7 @@ simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
            "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
-           "ProbeWindingNumber"]
+           "ProbeWindingNumber", "RefineTetrahedra"]
 
 
 def volume(proxy, port=0):
@@ -53,6 +53,17 @@ class TestPlugin(unittest.TestCase):
         self.assertGreater(boundary.GetNumberOfCells(), 0)
         outliers = servermanager.Fetch(solid, idx=2)
         self.assertEqual(outliers.GetNumberOfCells(), 0)
+
+    def test_a_solid_is_refined_by_either_filter(self):
+        asked = dict(EdgeLength=0.2, QuadraticCells=1)
+        within = simple.RobustTetrahedralize(Input=self.surface, Refine=1, **asked)
+        after = simple.RefineTetrahedra(Input=simple.RobustTetrahedralize(Input=self.surface), **asked)
+        for proxy in (within, after):
+            proxy.UpdatePipeline()
+            self.assertAlmostEqual(volume(proxy), 1.75, 12)
+        counts = [proxy.GetDataInformation().GetNumberOfCells() for proxy in (within, after)]
+        self.assertEqual(*counts)
+        self.assertGreater(counts[0], 500)
 
     def test_the_stages_chain(self):
         resolved = simple.ResolveSelfIntersections(Input=self.surface)
@@ -164,7 +175,7 @@ class TestPlugin(unittest.TestCase):
             while not properties.IsAtEnd():
                 key, prop = properties.GetKey(), properties.GetProperty()
                 properties.Next()
-                if key.endswith("ArrayName"):
+                if key.endswith("ArrayName") and key != "SizingArrayName":  # which may be the background's alone
                     proxy.GetProperty(surface).AddInputConnection(marked.SMProxy, 0)
                     domain = prop.FindDomain("vtkSMArrayListDomain")
                     offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]

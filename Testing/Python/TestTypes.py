@@ -36,6 +36,9 @@ insideout.tetrahedralize(meshed.boundary, seeds=[((0, 0, 0), True)], constrain_f
 insideout.tetrahedralize(meshed.boundary, seeds="seeds.csv", progress=lambda stage, fraction: print(stage, fraction))
 insideout.tetrahedralize(meshed.boundary.to_meshio())
 insideout.winding_number(meshed.boundary, vtkImageData()).max()
+refined = insideout.refine(meshed.solid, edge_length=0.1, sizes=np.ones(9), quadratic=True)
+insideout.refine(([(0, 0, 0)], [(0, 0, 0, 0)]), sizes="Size", background=vtkImageData()).solid.to_meshio()
+insideout.tetrahedralize("broken.ply", refine=True, maximum_volume=0.1, grading=0.3).solid.cells[0, 9]
 insideout.write(insideout.resolve(meshed.boundary, merge_tolerance=1e-6).surface, pathlib.Path("resolved.vtp"))
 print(meshed.hull.w[meshed.hull.inside], meshed.statistics["OpenEdges"] + 1, meshed.solid.cells[0, 3])
 """
@@ -63,6 +66,9 @@ insideout.winding_number("broken.ply")
 insideout.winding_number(3, [(0, 0, 0)])
 insideout.inside("broken.ply", [(0, 0, 0)], orientation="foo")
 insideout.inside("broken.ply", [(0, 0, 0)], threshold="half")
+insideout.refine("broken.ply")
+insideout.refine(insideout.tetrahedralize("broken.ply").solid, edge_length="short")
+insideout.refine(insideout.tetrahedralize("broken.ply").solid, 0.1)
 insideout.draw(3, None, "picture.png")
 """
 

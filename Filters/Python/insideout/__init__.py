@@ -14,6 +14,10 @@ The solid, its boundary and the whole hull, as VTK data sets with numpy views::
     insideout.write(result.solid, "solid.vtu")
     insideout.draw("broken.ply", result.hull, "picture.png")
 
+The solid in better cells, whose edges are at most so long::
+
+    insideout.refine(result.solid, edge_length=0.05).solid
+
 Without a mesh: the surface cut where it crosses itself, its winding number at any points, and which of
 them are inside::
 
@@ -33,6 +37,7 @@ RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
     resolve         Resolution: surface, statistics
     tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, statistics
+    refine          Refinement: solid, statistics
     winding_number  an array of float64, one value per point
     inside          an array of bool, one value per point
 
@@ -57,7 +62,7 @@ COMMAND
     python3 -m insideout broken.ply solid.vtu
 
 MODULES
-    `checking`, `resolving`, `queries` and `tetrahedralization` have the functions, `options` what can be chosen,
+    `checking`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options` what can be chosen,
     `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files` reads and
     writes, `pipeline` runs any VTK algorithm with its errors as exceptions, `results` and `serializing` are
     how results are shown and pickled, `command_line` is the command.
@@ -76,6 +81,7 @@ from .drawing import draw
 from .files import write
 from .pipeline import Error
 from .queries import inside, winding_number
+from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .version import __version__
@@ -88,6 +94,7 @@ __all__ = [
     "Check",
     "Error",
     "Finding",
+    "Refinement",
     "Resolution",
     "Tetrahedra",
     "Tetrahedralization",
@@ -96,6 +103,7 @@ __all__ = [
     "check",
     "draw",
     "inside",
+    "refine",
     "resolve",
     "tetrahedralize",
     "winding_number",

@@ -25,6 +25,8 @@ examples:
       the watertight boundary, a picture and a report too
   python3 -m insideout *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
       several; {} is each one's name without ending, and a table comes at the end
+  python3 -m insideout broken.ply solid.vtu --edge-length 0.05 --quadratic
+      refined, with cells of second order
   zcat broken.obj.gz | python3 -m insideout - solid.vtu --format obj
       standard input; a .gz is read as it is, too
   python3 -m insideout --winding grid.vti broken.ply w.vti

@@ -41,7 +41,7 @@ from .panels import PICTURES, display_command
 from .places import QUERIES, Places, read_places
 from .progress import StageBars
 from .queries import winding_number_and_warnings
-from .stages import CHECK, DRAWING, READING, TETRAHEDRALIZE, WINDING, WRITING
+from .stages import CHECK, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
 from .summary import check_summary, defects, seams, summary, table, tetrahedralizer, winding_summary
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .verdict import verdict
@@ -250,14 +250,16 @@ class Job:
 class MeshJob(Job):
     """One run that makes tetrahedra."""
 
-    stages = TETRAHEDRALIZE
+    stages: Sequence[str] = TETRAHEDRALIZE
     left_out_cells: list[int] = []
     lost_cells: list[int] = []
 
     def check_parameters(self) -> dict[str, Any]:
+        if self.settings.refines():
+            self.stages = (*TETRAHEDRALIZE, *REFINE)
         if self.files.plot is not None:
             display_command()
-        return self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize())
+        return {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {

@@ -227,6 +227,22 @@ class Options:
             "the lowest point's alone",
         )
     )
+    refine: bool = _is(
+        Switch(
+            "Refine",
+            "better tetrahedra of the same solid, whose boundary stays as it is; the four options below imply it",
+        )
+    )
+    edge_length: Optional[float] = _is(
+        Number("EdgeLength", "how long edges are to be at most, in the surface's units; 0 goes by the surface's own")
+    )
+    grading: Optional[float] = _is(
+        Number("Grading", "by how much edges may grow per unit of distance from the boundary", least=1e-6)
+    )
+    maximum_volume: Optional[float] = _is(
+        Number("MaximumVolume", "how large tetrahedra are to be at most, in the surface's units; 0 is any size")
+    )
+    quadratic: bool = _is(Switch("QuadraticCells", "tetrahedra of ten points, of which six are amid the straight edges"))
     seeds: Optional[Seeds] = _is(
         Places(
             "SeedsData",
@@ -240,14 +256,23 @@ class Options:
         """Those of some named values that are options."""
         return cls(**{name: value for name, value in values.items() if name in OPTIONS})
 
-    def set_on(self, algorithm: Filter) -> Filter:
-        """Set what is given on a filter, which is returned. Raises `Error` for what is out of range."""
+    def refines(self) -> bool:
+        """Whether the solid is to be refined: by an option that has no other meaning, too."""
+        return self.refine or any(getattr(self, name) is not OPTIONS[name].default for name in REFINING_OPTIONS)
+
+    def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
+        """Set what is given on a filter, which is returned: all, or some. Raises `Error` for what is out of range."""
         for name, option in OPTIONS.items():
+            if names is not None and name not in names:
+                continue
             value = getattr(self, name)
             if value is not option.default:
                 option.set_on(algorithm, name, value)
         return algorithm
 
+
+REFINING_OPTIONS = ("edge_length", "grading", "maximum_volume", "quadratic")
+"""What `refine` has too."""
 
 OPTIONS: dict[str, Option] = {one.name: one.metadata["option"] for one in fields(Options)}
 """What stands behind each of them, by its name in Python."""

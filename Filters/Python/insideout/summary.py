@@ -40,6 +40,7 @@ TIMES = (
     ("SecondsCDT", stages.TETRAHEDRALIZING),
     ("SecondsW", stages.WINDING_NUMBERS),
     ("SecondsCut", stages.SEGMENTING),
+    ("SecondsRefine", stages.REFINING),
     ("SecondsWrite", stages.WRITING),
     ("SecondsDraw", stages.DRAWING),
 )
@@ -64,6 +65,14 @@ def _mass(statistics: Mapping[str, float]) -> list[str]:
     return [f"  volume {statistics['Volume']:.6g}, center of mass ({center})"]
 
 
+def _refined(statistics: Mapping[str, float]) -> list[str]:
+    """What became of the tetrahedra, if they were refined."""
+    if "RefinedCells" not in statistics:
+        return []
+    cells, added, removed = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "RemovedPoints"))
+    return [f"  refined to {cells} tetrahedra: {added} points added, {removed} removed"]
+
+
 def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     """The lines that the command ends with."""
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
@@ -77,6 +86,7 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        *_refined(statistics),
         *_mass(statistics),
         f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",

@@ -12,7 +12,9 @@ from vtkmodules.vtkFiltersCore import vtkThreshold
 from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
 from .options import DataTerm, Engine, Options, Orientation, QuadratureOrder, Seeds, describe_options, in_words_of_python
 from .pipeline import Error, Progress, cells_of, run, statistics_of
+from .refinement import refined
 from .results import Result, counted
+from .stages import TETRAHEDRALIZE
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 
@@ -21,7 +23,8 @@ class Tetrahedralization(Result):
     """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays."""
 
     solid: Tetrahedra
-    """The tetrahedra inside, with `w` per cell. Empty, with a warning, when nothing is inside."""
+    """The tetrahedra inside, with `w` per cell, refined where that was asked for. Empty, with a warning, when nothing is
+    inside."""
     boundary: TriangleSurface
     """The solid's boundary: watertight, oriented outward, with the input's attributes."""
     outliers: TriangleSurface
@@ -42,7 +45,8 @@ class Tetrahedralization(Result):
     def figures(self) -> list[tuple[str, str]]:
         least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
         return [
-            ("tetrahedra inside", counted(self.solid.GetNumberOfCells())),
+            ("tetrahedra inside", counted(int(self.statistics["InsideCells"]))),
+            *([("refined to", counted(int(self.statistics["RefinedCells"])))] if "RefinedCells" in self.statistics else []),
             ("in the convex hull", counted(self.hull.GetNumberOfCells())),
             ("boundary triangles", counted(self.boundary.GetNumberOfCells())),
             ("outliers", counted(self.outliers.GetNumberOfCells())),
@@ -75,6 +79,11 @@ def tetrahedralize(
     quadrature_order: Optional[QuadratureOrder] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
+    refine: bool = False,
+    edge_length: Optional[float] = None,
+    grading: Optional[float] = None,
+    maximum_volume: Optional[float] = None,
+    quadratic: bool = False,
     seeds: Optional[Seeds] = None,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
@@ -89,26 +98,44 @@ def tetrahedralize(
     What is not given has the default of the class vtkRobustTetrahedralize. Returns a
     `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
-    tetrahedralizer = Options.among(locals()).set_on(vtkRobustTetrahedralize())
+    options = Options.among(locals())
+    tetrahedralizer = options.set_on(vtkRobustTetrahedralize())
+    # The hull comes out too: its cells inside are refined here.
+    tetrahedralizer.RefineOff()
+    shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if options.refines() else 1
     polygons, warnings = as_surface(surface)
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
-    warnings = warnings + in_words_of_python(run(tetrahedralizer, progress))
+    warnings = warnings + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
 
     hull = tetrahedralizer.GetOutput()
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
+    solid = inside_cells(hull)
+    statistics = statistics_of(hull)
+    if options.refines() and solid.GetNumberOfCells() > 0:
+        solid, texts = refined(solid, options, part_of(progress, shares, 1))
+        statistics.update(statistics_of(solid))
+        warnings = warnings + texts
     return Tetrahedralization(
-        solid=as_type(Tetrahedra, inside_cells(hull)),
+        solid=as_type(Tetrahedra, solid),
         boundary=as_type(TriangleSurface, tetrahedralizer.GetBoundary()),
         outliers=as_type(TriangleSurface, tetrahedralizer.GetOutliers()),
         hull=as_type(Tetrahedra, hull),
-        statistics=statistics_of(hull),
+        statistics=statistics,
         left_out_cells=cells_of(hull, "LeftOutCellIds"),
         turned_cells=cells_of(hull, "TurnedCellIds"),
         lost_cells=cells_of(hull, "LostCellIds"),
         warnings=warnings,
     )
+
+
+def part_of(progress: Optional[Progress], begin: float, end: float) -> Optional[Progress]:
+    """Hears of a part of the work, and tells of it as such."""
+    if progress is None:
+        return None
+    tell = progress
+    return lambda stage, fraction: tell(stage, begin + fraction * (end - begin))
 
 
 def inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:

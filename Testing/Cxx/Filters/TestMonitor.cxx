@@ -6,6 +6,7 @@
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkProbeWindingNumber.h"
+#include "vtkRefineTetrahedra.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
 #include "vtkSurfaceDefects.h"
@@ -164,6 +165,11 @@ TEST(vtkInsideOutMonitor, KnowsEveryStageThatTheFiltersRun)
   robust->MergeCoplanarPiecesOn();
   robust->SplitSeamsOn();
   ExpectStages(robust, with(toWindingNumbers, { Stages::Segmenting, Stages::Extracting }));
+  vtkNew<vtkRefineTetrahedra> refine;
+  refine->SetInputConnection(robust->GetOutputPort());
+  ExpectStages(refine, { Stages::Refining });
+  robust->RefineOn();
+  ExpectStages(robust, { Stages::Segmenting, Stages::Extracting, Stages::Refining }); // of its hull
   vtkNew<vtkProbeWindingNumber> probe;
   probe->SetInputData(box);
   probe->SetSurfaceData(box);

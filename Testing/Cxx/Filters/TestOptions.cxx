@@ -6,12 +6,14 @@
 #include "vtkGraphCutSegmentation.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkProbeWindingNumber.h"
+#include "vtkRefineTetrahedra.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
 #include "vtkSurfaceDefects.h"
 
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
+#include "Refine/SizingField.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "WindingNumber/TetrahedronQuadrature.h"
 
@@ -139,6 +141,13 @@ class OptionsOfSegmentation : public testing::Test
 };
 using ClassesThatSegment = testing::Types<vtkGraphCutSegmentation, vtkRobustTetrahedralize>;
 TYPED_TEST_SUITE(OptionsOfSegmentation, ClassesThatSegment, );
+
+template <typename Class>
+class OptionsOfRefinement : public testing::Test
+{
+};
+using ClassesThatRefine = testing::Types<vtkRefineTetrahedra, vtkRobustTetrahedralize>;
+TYPED_TEST_SUITE(OptionsOfRefinement, ClassesThatRefine, );
 } // namespace
 
 TYPED_TEST(OptionsOfSurfaces, AreThoseOfTheStages)
@@ -248,6 +257,20 @@ TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
   }
   EXPECT_EQ(SET(filter, DataTerm, -1), static_cast<int>(DataTerm::Uniform));
   EXPECT_EQ(SET(filter, DataTerm, 99), static_cast<int>(DataTerm::VolumeWeighted));
+}
+
+TYPED_TEST(OptionsOfRefinement, AreThoseOfTheStage)
+{
+  vtkNew<TypeParam> filter;
+  const auto [edgeLength, grading, maximumVolume, lengths, lengthAt] = SizingParameters();
+  EXPECT_EQ(filter->GetEdgeLength(), edgeLength);
+  EXPECT_EQ(filter->GetGrading(), grading);
+  EXPECT_EQ(filter->GetMaximumVolume(), maximumVolume);
+  EXPECT_TRUE(lengths.empty() && !lengthAt);
+  EXPECT_FALSE(filter->GetQuadraticCells());
+  EXPECT_EQ(SET(filter, EdgeLength, -1), 0);
+  EXPECT_EQ(SET(filter, MaximumVolume, -1), 0);
+  EXPECT_EQ(SET(filter, Grading, 0), 1e-6);
 }
 
 TEST(OptionsOfProbe, AreThoseOfTheStage)

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutRefine.h"
+
+#include "Common/Error.h"
+#include "Common/Vectors.h"
+#include "Refine/QuadraticCells.h"
+#include "Refine/RefineTetrahedra.h"
+#include "vtkInsideOutArrays.h"
+#include "vtkInsideOutAttributes.h"
+#include "vtkInsideOutReadGrid.h"
+
+#include <vtkCellData.h>
+#include <vtkCellTypes.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+using namespace insideout;
+
+namespace
+{
+/** What would lead a stage astray: VTK checks none of it. */
+void CheckGrid(vtkUnstructuredGrid* grid)
+{
+  if (grid->GetNumberOfCells() == 0)
+  {
+    throw Error(ErrorCode::EmptySurface, "the grid has no cells");
+  }
+  if (const vtkIdType other = vtkInsideOutFindOtherCell(grid); other >= 0)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "cell " + std::to_string(other) + " is a " +
+        vtkCellTypes::GetClassNameFromTypeId(grid->GetCellType(other)) +
+        "; only tetrahedra (vtkTetra) can be refined");
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCellPoints(c, corners);
+    for (const vtkIdType p : *corners)
+    {
+      if (p < 0 || p >= grid->GetNumberOfPoints())
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "cell " + std::to_string(c) + " has the point " + std::to_string(p) +
+            ", which is not there");
+      }
+      Point place;
+      grid->GetPoint(p, place.data());
+      if (!IsFinite(place))
+      {
+        throw Error(ErrorCode::InvalidParameter, "point " + std::to_string(p) + " is not finite");
+      }
+    }
+  }
+}
+
+/** The cells' RegionId, numbered anew; empty where there is none. */
+std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
+  if (!array)
+  {
+    return {};
+  }
+  const bool isReal = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+  if (isReal || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != grid->GetNumberOfCells())
+  {
+    throw Error(ErrorCode::InvalidParameter, "the cell array RegionId is not one integer per cell");
+  }
+  std::vector<double> values(grid->GetNumberOfCells());
+  for (std::size_t c = 0; c < values.size(); ++c)
+  {
+    values[c] = array->GetComponent(static_cast<vtkIdType>(c), 0);
+  }
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<Id> regions(values.size());
+  std::transform(values.begin(), values.end(), regions.begin(),
+    [&](double value)
+    {
+      return static_cast<Id>(
+        std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+    });
+  return regions;
+}
+
+/** A face on the boundary of a region, as it is seen from outside, and whose it is. */
+struct KeptFace
+{
+  Triangle Corners;
+  Id Cell;
+  int Face; ///< of the cell in the input, which may have been turned since
+
+  bool operator<(const KeptFace& other) const { return this->Corners < other.Corners; }
+};
+
+/** The lowest corner first, so that it tells a face and its side. */
+Triangle FromLowest(Triangle corners)
+{
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+std::vector<KeptFace> FacesThatAreKept(
+  vtkUnstructuredGrid* grid, const TetrahedralMesh& mesh, const std::vector<Id>& regions)
+{
+  std::vector<KeptFace> faces;
+  vtkNew<vtkIdList> given;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    grid->GetCellPoints(c, given);
+    const bool turned = !std::equal(given->begin(), given->end(), mesh.Cells[c].begin());
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = mesh.Neighbors[c][k];
+      if (neighbor == None || (!regions.empty() && regions[neighbor] != regions[c]))
+      {
+        // ConnectCells says which faces of turned cells change places.
+        const int face = turned && (k == 0 || k == 3) ? 3 - k : k;
+        faces.push_back({ FromLowest(FaceOf(mesh.Cells[c], k)), c, face });
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/** Arrays of four values per cell, one per face: those of faces that are kept, `otherwise` else. */
+void CarryFaces(const std::vector<KeptFace>& kept, const RefinedMesh& refined, const char* name,
+  double otherwise, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
+  vtkDataArray* source = input->GetCellData()->GetArray(name);
+  vtkDataArray* array = output->GetCellData()->GetArray(name);
+  if (!array || !source || source->GetNumberOfComponents() != 4)
+  {
+    return;
+  }
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      KeptFace face = { FaceOf(refined.Cells[c], k), None, 0 };
+      for (Id& corner : face.Corners)
+      {
+        corner = refined.OriginalPoints[corner];
+      }
+      face.Corners = FromLowest(face.Corners);
+      const auto found =
+        face.Corners[0] == None ? kept.end() : std::lower_bound(kept.begin(), kept.end(), face);
+      const bool isKept = found != kept.end() && found->Corners == face.Corners;
+      array->SetComponent(static_cast<vtkIdType>(c), k,
+        isKept ? source->GetComponent(found->Cell, found->Face) : otherwise);
+    }
+  }
+}
+
+/** The weights of a cell's corners at a place in it: none is negative, however thin the cell. */
+std::array<double, 4> WeightsAt(
+  const std::vector<Point>& points, const Tetrahedron& cell, const Point& place)
+{
+  std::array<double, 4> weights;
+  for (int k = 0; k < 4; ++k)
+  {
+    std::array<Point, 4> corners = CornersOf(points, cell);
+    corners[k] = place;
+    weights[k] = std::max(0.0,
+      Determinant(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]),
+        Difference(corners[3], corners[0])));
+  }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights)
+  {
+    weight = sum > 0 ? weight / sum : 0.25;
+  }
+  return weights;
+}
+
+std::vector<vtkInsideOutAttributes::Mixture> MixturesOf(
+  const TetrahedralMesh& mesh, const RefinedMesh& refined)
+{
+  std::vector<vtkInsideOutAttributes::Mixture> mixtures(refined.Points.size());
+  for (std::size_t p = 0; p < mixtures.size(); ++p)
+  {
+    const Id original = refined.OriginalPoints[p];
+    const Tetrahedron& cell = mesh.Cells[refined.CellsOfPoints[p]];
+    mixtures[p].IsNew = original == None;
+    mixtures[p].Points = original == None ? cell : Tetrahedron{ { original, 0, 0, 0 } };
+    mixtures[p].Weights = original == None ? WeightsAt(mesh.Points, cell, refined.Points[p])
+                                           : std::array<double, 4>{ { 1, 0, 0, 0 } };
+  }
+  return mixtures;
+}
+
+/** Points and cells of a result, where wanted with points amid the edges. */
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+  const RefinedMesh& refined, const QuadraticCells* quadratic)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (!quadratic)
+  {
+    grid->SetPoints(vtkInsideOutMakePoints(refined.Points));
+    grid->SetCells(VTK_TETRA, vtkInsideOutMakeCells(refined.Cells));
+    return grid;
+  }
+  std::vector<Point> points = refined.Points;
+  points.reserve(points.size() + quadratic->Edges.size());
+  for (const Edge& edge : quadratic->Edges)
+  {
+    points.push_back(Midpoint(refined.Points[edge[0]], refined.Points[edge[1]]));
+  }
+  grid->SetPoints(vtkInsideOutMakePoints(points));
+  grid->SetCells(VTK_QUADRATIC_TETRA, vtkInsideOutMakeCells(quadratic->Cells));
+  return grid;
+}
+
+std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
+{
+  std::ostringstream words;
+  words << static_cast<Id>(count) << " of " << cells << " cells are larger than MaximumVolume, "
+        << maximumVolume << ": faces that stay as they are may allow no smaller ones";
+  return words.str();
+}
+} // namespace
+
+vtkInsideOutRefinement vtkInsideOutRefine(
+  vtkUnstructuredGrid* grid, const SizingParameters& parameters, bool quadratic, Monitor& monitor)
+{
+  Stopwatch stopwatch;
+  CheckGrid(grid);
+  const std::vector<Id> regions = ReadRegions(grid);
+  const TetrahedralMesh mesh = vtkInsideOutReadTetrahedra(grid);
+  const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
+  QuadraticCells secondOrder;
+  if (quadratic)
+  {
+    secondOrder = MakeQuadraticCells(static_cast<Id>(refined.Points.size()), refined.Cells);
+  }
+
+  vtkInsideOutRefinement result;
+  result.Grid = MakeGrid(refined, quadratic ? &secondOrder : nullptr);
+  vtkInsideOutAttributes::MixPointData(grid, MixturesOf(mesh, refined), secondOrder.Edges,
+    result.Grid->GetPointData(), result.Warnings);
+  vtkInsideOutAttributes::CopyCellData(
+    grid, refined.OriginalCells, result.Grid->GetCellData(), result.Warnings);
+  const std::vector<KeptFace> kept = FacesThatAreKept(grid, mesh, regions);
+  CarryFaces(kept, refined, "FacetIds", -1, grid, result.Grid);
+  CarryFaces(kept, refined, "FacetMultiplicity", 0, grid, result.Grid);
+  result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
+
+  result.Statistics = refined.Statistics;
+  result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
+  for (const auto& [name, value] : refined.Statistics)
+  {
+    if (name == "CellsAboveMaximumVolume" && value > 0)
+    {
+      result.Warnings.push_back(
+        TooLargeCells(value, refined.Cells.size(), parameters.MaximumVolume));
+    }
+  }
+  result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
+  return result;
+}

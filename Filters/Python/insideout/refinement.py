@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`refine`: better tetrahedra of the same solid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkUnstructuredGrid
+
+from .data import AnyTetrahedra, DataSetOfPoints, Tetrahedra, as_tetrahedra, as_type
+from .options import REFINING_OPTIONS, Options, describe_options, in_words_of_python
+from .pipeline import Error, Progress, run, statistics_of
+from .results import Result, counted
+from .serializing import vtk_array
+from .vtkFiltersInsideOut import vtkRefineTetrahedra
+
+Sizes = Union[str, ArrayLike]
+
+SIZES = "insideout.sizes"
+"""What the array of lengths is called that a caller gives without a name."""
+
+
+@dataclass(frozen=True, repr=False)
+class Refinement(Result):
+    """What `refine` made. The VTK class vtkRefineTetrahedra describes the arrays."""
+
+    solid: Tetrahedra
+    """Other tetrahedra of the same solid, with the data of the ones they come from."""
+    statistics: dict[str, float]
+    """Counts and seconds, by name, and what the solid came with."""
+    warnings: list[str]
+    """What is worth knowing, one line each."""
+
+    def figures(self) -> list[tuple[str, str]]:
+        return [
+            ("tetrahedra", counted(self.solid.GetNumberOfCells())),
+            ("points", counted(self.solid.GetNumberOfPoints())),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+
+@describe_options
+def refine(
+    solid: AnyTetrahedra,
+    *,
+    edge_length: Optional[float] = None,
+    grading: Optional[float] = None,
+    maximum_volume: Optional[float] = None,
+    quadratic: bool = False,
+    sizes: Optional[Sizes] = None,
+    background: Optional[DataSetOfPoints] = None,
+    progress: Optional[Progress] = None,
+) -> Refinement:
+    """Better tetrahedra of the same solid. Each triangle of its boundary, and between regions, stays as it is.
+
+    solid       a vtkUnstructuredGrid of tetrahedra, as `tetrahedralize` gives it, or a pair (points, cells) of
+                arrays; an array of integers RegionId per cell tells regions apart
+    sizes       how long edges are to be at each point of the solid; or the name of its point array that says so
+    background  a vtkDataSet that has a point array of that name, too: it holds between its points
+    progress    called with the stage and the fraction of all the work that is done; what it
+                raises stops the work and is raised
+
+    {options}
+
+    What is not given has the default of the class vtkRefineTetrahedra. Returns a `Refinement`. Raises `Error`
+    with one line that names what is wrong.
+    """
+    grid = as_tetrahedra(solid)
+    found, warnings = refined(grid, Options.among(locals()), progress, sizes, background)
+    return Refinement(solid=as_type(Tetrahedra, found), statistics=statistics_of(found), warnings=warnings)
+
+
+def refined(
+    grid: vtkUnstructuredGrid,
+    options: Options,
+    progress: Optional[Progress] = None,
+    sizes: Optional[Sizes] = None,
+    background: Any = None,
+) -> tuple[vtkUnstructuredGrid, list[str]]:
+    """The refined grid, and warnings."""
+    refiner = options.set_on(vtkRefineTetrahedra(), REFINING_OPTIONS)
+    if isinstance(sizes, str):
+        refiner.SetSizingArrayName(sizes)
+    elif sizes is not None:
+        grid = _with_sizes(grid, sizes)
+        refiner.SetSizingArrayName(SIZES)
+    if background is not None:
+        if not isinstance(background, vtkDataSet):
+            raise Error(f"background is of type {type(background).__name__}; it must be a vtkDataSet")
+        if not isinstance(sizes, str):
+            raise Error("sizes has to be the name of the background's point array of edge lengths")
+        refiner.SetBackgroundData(background)
+    refiner.SetInputData(grid)
+    warnings = in_words_of_python(run(refiner, progress))
+    output = refiner.GetOutput()
+    if not isinstance(sizes, str):
+        output.GetPointData().RemoveArray(SIZES)
+    return output, warnings
+
+
+def _with_sizes(grid: vtkUnstructuredGrid, sizes: Any) -> vtkUnstructuredGrid:
+    """The grid with the array of lengths that a caller gives."""
+    try:
+        lengths = np.asarray(sizes, float)
+    except (TypeError, ValueError):
+        raise Error("sizes is no array of numbers") from None
+    if lengths.shape != (grid.GetNumberOfPoints(),):
+        raise Error(f"sizes has the shape {lengths.shape}; it must have one value for each of {grid.GetNumberOfPoints()} points")
+    array = vtk_array(lengths)
+    array.SetName(SIZES)
+    copy = vtkUnstructuredGrid()
+    copy.ShallowCopy(grid)
+    copy.GetPointData().AddArray(array)
+    return copy

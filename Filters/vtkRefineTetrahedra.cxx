@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkRefineTetrahedra.h"
+
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutRefine.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutSizes.h"
+#include "Private/vtkInsideOutWholeInput.h"
+
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkUnstructuredGrid.h>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkRefineTetrahedra);
+
+vtkRefineTetrahedra::vtkRefineTetrahedra()
+{
+  this->SetNumberOfInputPorts(2);
+  const SizingParameters sizes;
+  this->EdgeLength = sizes.EdgeLength;
+  this->Grading = sizes.Grading;
+  this->MaximumVolume = sizes.MaximumVolume;
+}
+
+void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "Grading: " << this->Grading << "\n";
+  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
+  os << indent << "SizingArrayName: " << this->SizingArrayName << "\n";
+  os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
+}
+
+int vtkRefineTetrahedra::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
+  return 1;
+}
+
+void vtkRefineTetrahedra::SetBackgroundData(vtkDataSet* background)
+{
+  this->SetInputData(1, background);
+}
+
+void vtkRefineTetrahedra::SetBackgroundConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+namespace
+{
+/** Add the lengths that arrays ask for. */
+void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::string& name,
+  SizingParameters& sizes)
+{
+  if (name.empty())
+  {
+    if (background)
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        "SizingArrayName has to say which point array of the background has edge lengths");
+    }
+    return;
+  }
+  sizes.Lengths = vtkInsideOutReadLengths(input, name);
+  if (background)
+  {
+    sizes.LengthAt = vtkInsideOutLengthsWithin(background, name);
+  }
+  else if (sizes.Lengths.empty())
+  {
+    throw Error(
+      ErrorCode::InvalidParameter, "the grid has no point array " + name + " of edge lengths");
+  }
+}
+} // namespace
+
+int vtkRefineTetrahedra::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkDataSet* background = vtkDataSet::GetData(inputVector[1]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  return vtkInsideOutRunOnWhole(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(this, { Stages::Refining });
+      SizingParameters sizes = vtkInsideOutSizingParameters(this);
+      AddLengths(input, background, this->SizingArrayName, sizes);
+      const vtkInsideOutRefinement refinement =
+        vtkInsideOutRefine(input, sizes, this->QuadraticCells, monitor);
+      output->ShallowCopy(refinement.Grid);
+      vtkInsideOutAddStatistics(refinement.Statistics, output);
+      vtkInsideOutWarn(this, refinement.Warnings);
+    });
+}

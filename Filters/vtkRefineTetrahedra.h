@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkRefineTetrahedra
+ * @brief   better tetrahedra of the same solid, as large as asked for
+ *
+ * Takes a conforming grid of tetrahedra, as vtkRobustTetrahedralize makes it or from anywhere, and
+ * gives other tetrahedra of the same solid: points are added where edges are longer than asked for,
+ * and the thin cells are improved as far as points that may move allow it. Every triangle of the
+ * boundary, and between cells of different RegionId (an optional cell array of integers), stays as
+ * it is, bit by bit, and so do its points; points elsewhere may move or go. Every cell has a
+ * positive volume, exactly; cells of the input that are turned over are turned back. The same input
+ * gives the same output, on any number of threads.
+ *
+ * An optional second input, any data set, is a background: its point array of the name
+ * SizingArrayName is how long edges are to be, linear between its points. Outside it there is no
+ * wish.
+ *
+ * Output: vtkTetra, or with QuadraticCells vtkQuadraticTetra. Each cell has the cell data of the
+ * input cell that holds its barycentre. But FacetIds and FacetMultiplicity (4 components, one value
+ * per face) are those of the faces that stay, and -1 and 0 on all others, also where the input had
+ * facets within a region. Point data of points that stay are the same; of new ones they are
+ * interpolated in the input cell that holds them (0 in integer arrays). vtkOriginalPointIds of a
+ * point that stays is its value in the input's array of that name, else the input point; -1 for a
+ * new one. Field data: the input's, and Statistics_NAME of AddedPoints and RemovedPoints (a point
+ * that moved counts in both; without the points amid edges), RefinedCells, CellsAboveMaximumVolume
+ * where MaximumVolume is given, and SecondsRefine.
+ *
+ * Where cells stay larger than MaximumVolume a warning says how many. Errors, which name the
+ * culprit, leave the output empty.
+ *
+ * @sa vtkRobustTetrahedralize
+ *
+ */
+#ifndef vtkRefineTetrahedra_h
+#define vtkRefineTetrahedra_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string>
+
+class vtkDataSet;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkRefineTetrahedra : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkRefineTetrahedra* New();
+  vtkTypeMacro(vtkRefineTetrahedra, vtkUnstructuredGridAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How long edges are to be at most, in units of the input; 0: as long as those of the surface
+   * allow. Edges of faces that stay may be longer. Default 0, range 0 to infinity.
+   */
+  vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much the length of edges may grow per unit of distance from the surface, where they are
+   * as long as its own. Small values make many cells of nearly the same size. Default 0.35, range
+   * 1e-6 to infinity.
+   */
+  vtkSetClampMacro(Grading, double, 1e-6, VTK_DOUBLE_MAX);
+  vtkGetMacro(Grading, double);
+  ///@}
+
+  ///@{
+  /**
+   * How large cells are to be at most, in cubic units of the input; 0: any size. Default 0, range 0
+   * to infinity.
+   */
+  vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * The point array of the input, of the background, or of both, that has how long edges are to be
+   * there, positive; NaN where it does not matter. The least of all wishes counts. Default "":
+   * none.
+   */
+  vtkSetMacro(SizingArrayName, std::string);
+  virtual const char* GetSizingArrayName() const { return this->SizingArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Cells of second order (vtkQuadraticTetra): ten points each, of which six lie amid the straight
+   * edges, shared with the neighbours. Their ids follow those of the corners. Default off.
+   */
+  vtkSetMacro(QuadraticCells, bool);
+  vtkGetMacro(QuadraticCells, bool);
+  vtkBooleanMacro(QuadraticCells, bool);
+  ///@}
+
+  ///@{
+  /** The optional second input: a background with the point array SizingArrayName. */
+  void SetBackgroundData(vtkDataSet* background);
+  void SetBackgroundConnection(vtkAlgorithmOutput* output);
+  ///@}
+
+protected:
+  vtkRefineTetrahedra();
+  ~vtkRefineTetrahedra() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  double EdgeLength;
+  double Grading;
+  double MaximumVolume;
+  std::string SizingArrayName;
+  bool QuadraticCells = false;
+
+private:
+  vtkRefineTetrahedra(const vtkRefineTetrahedra&) = delete;
+  void operator=(const vtkRefineTetrahedra&) = delete;
+};
+
+#endif

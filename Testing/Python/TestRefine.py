@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`refine`, and what refines in `tetrahedralize` and on the command line."""
+
+import inspect
+import json
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import insideout
+import numpy as np
+import surfaces
+from insideout.data import make_surface
+from insideout.options import OPTIONS, REFINING_OPTIONS
+from insideout.stages import REFINE, TETRAHEDRALIZE, UNNAMED
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkImageData, vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+
+def content(solid) -> tuple:
+    arrays = [sorted(found.items()) for found in (solid.point_arrays, solid.cell_arrays)]
+    return solid.points.tobytes(), solid.cells.tobytes(), [(name, values.tobytes()) for one in arrays for name, values in one]
+
+
+def faces_on_boundary(solid) -> set:
+    """The coordinates of the faces that one cell has."""
+    faces, numbers = surfaces.faces_of(solid)
+    once = np.bincount(numbers)[numbers] == 1
+    return {frozenset(map(tuple, solid.points[face].tolist())) for face in faces[once]}
+
+
+class Function(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = insideout.tetrahedralize(surfaces.two_boxes())
+        cls.solid = cls.made.solid
+
+    def test_better_cells_of_the_same_solid_come_back(self):
+        result = insideout.refine(self.solid, edge_length=0.2)
+        self.assertEqual(result.warnings, [])
+        volumes = surfaces.exact_volumes(result.solid)
+        self.assertGreater(min(volumes), 0)
+        self.assertAlmostEqual(float(sum(volumes)), 15 / 8, delta=1e-12)
+        self.assertEqual(faces_on_boundary(result.solid), faces_on_boundary(self.solid))
+        self.assertEqual(result.statistics["RefinedCells"], len(result.solid.cells))
+        new = result.solid.point_arrays["vtkOriginalPointIds"] < 0
+        self.assertGreaterEqual(new.sum(), result.statistics["AddedPoints"])
+        self.assertTrue(result.solid.inside.all())
+        self.assertIn(f"tetrahedra {len(result.solid.cells):,}", repr(result))
+        self.assertEqual(content(pickle.loads(pickle.dumps(result)).solid), content(result.solid))
+
+    def test_the_same_bytes_on_any_number_of_threads(self):
+        program = (
+            "import hashlib, sys, insideout, surfaces\n"
+            "insideout.pipeline.set_threads(int(sys.argv[1]))\n"
+            "solid = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.1, quadratic=True).solid\n"
+            "arrays = [solid.points, solid.cells, *solid.point_arrays.values(), *solid.cell_arrays.values()]\n"
+            "print(len(solid.cells), hashlib.sha256(b''.join(one.tobytes() for one in arrays)).hexdigest())\n"
+        )
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])}
+        said = {
+            subprocess.run([sys.executable, "-c", program, threads], env=environment, check=True, capture_output=True).stdout
+            for threads in ("1", "8")
+        }
+        self.assertEqual(len(said), 1)
+        self.assertGreater(int(said.pop().split()[0]), 500)
+
+    def test_quadratic_cells_have_ten_points(self):
+        linear = insideout.refine(self.solid, edge_length=0.3).solid
+        quadratic = insideout.refine(self.solid, edge_length=0.3, quadratic=True).solid
+        self.assertEqual(quadratic.GetCellType(0), VTK_QUADRATIC_TETRA)
+        self.assertEqual(quadratic.cells.shape, (len(linear.cells), 10))
+        np.testing.assert_array_equal(quadratic.cells[:, :4], linear.cells)
+        ends = quadratic.points[quadratic.cells[:, [0, 1, 2, 0, 1, 2]]] + quadratic.points[quadratic.cells[:, [1, 2, 0, 3, 3, 3]]]
+        np.testing.assert_array_equal(quadratic.points[quadratic.cells[:, 4:]], ends / 2)
+
+    def test_meshio_knows_quadratic_cells(self):
+        try:
+            import meshio  # noqa: F401
+        except ImportError:
+            self.skipTest("meshio is not installed")
+        quadratic = insideout.refine(self.solid, quadratic=True).solid
+        (block,) = quadratic.to_meshio().cells
+        self.assertEqual((block.type, block.data.shape), ("tetra10", quadratic.cells.shape))
+
+    def test_sizes_can_be_an_array_its_name_or_a_background(self):
+        lengths = 0.1 + 0.1 * self.solid.points[:, 0]
+        given = insideout.refine(self.solid, sizes=lengths).solid
+        self.assertGreater(len(given.cells), 2 * len(insideout.refine(self.solid).solid.cells))
+        self.assertNotIn("insideout.sizes", given.point_arrays)
+        self.assertNotIn("insideout.sizes", self.solid.point_arrays)
+        named = vtkUnstructuredGrid()
+        named.ShallowCopy(self.solid)
+        surfaces.add_array(named.GetPointData(), "Size", lengths)
+        self.assertEqual(insideout.refine(named, sizes="Size").solid.cells.tobytes(), given.cells.tobytes())
+
+        image = vtkImageData()
+        image.SetOrigin(-1, -1, -1)
+        image.SetSpacing(4, 4, 4)
+        image.SetDimensions(2, 2, 2)
+        surfaces.add_array(image.GetPointData(), "Size", np.full(8, 0.2))
+        everywhere = insideout.refine(self.solid, sizes="Size", background=image).solid
+        self.assertEqual(everywhere.cells.shape, insideout.refine(self.solid, edge_length=0.2).solid.cells.shape)
+
+    def test_points_and_cells_can_be_arrays(self):
+        points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+        result = insideout.refine((points, [(0, 2, 1, 3)]), maximum_volume=1)  # turned over
+        self.assertAlmostEqual(float(sum(surfaces.exact_volumes(result.solid))), 1 / 6, delta=1e-15)
+
+    def test_warnings_name_the_argument(self):
+        points = 6 * np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+        (warning,) = insideout.refine((points, [(0, 1, 2, 3)]), maximum_volume=0.1).warnings
+        self.assertIn("cells are larger than maximum_volume, 0.1:", warning)
+
+    def test_errors_name_the_culprit(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        for words, solid, options in (
+            ("the solid is of type int; it can be", 3, {}),
+            ("the solid is of type vtkImageData; it can be", vtkImageData(), {}),
+            ("cells has 3 columns; it must have 4", (points, [(0, 1, 2)]), {}),
+            ("cell 0 has the point 9, which is not there", (points, [(0, 1, 2, 9)]), {}),
+            ("cell 0 has no volume", (points, [(0, 1, 2, 2)]), {}),
+            ("the grid has no cells", (points, []), {}),
+            ("edge_length is -1; it must be finite and at least 0", self.solid, {"edge_length": -1}),
+            ("grading is 0; it must be finite and at least 1e-06", self.solid, {"grading": 0}),
+            (r"sizes has the shape \(2,\); it must have one value", self.solid, {"sizes": [1, 2]}),
+            ("sizes is no array of numbers", self.solid, {"sizes": object()}),
+            ("the grid has no point array Size", self.solid, {"sizes": "Size"}),
+            ("background is of type int; it must be a vtkDataSet", self.solid, {"sizes": "Size", "background": 3}),
+            ("sizes has to be the name", self.solid, {"background": vtkImageData()}),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(insideout.Error, f"^{words}"):
+                insideout.refine(solid, **options)
+
+    def test_progress_can_stop_it(self):
+        class Stop(Exception):
+            pass
+
+        def stop(stage, fraction):
+            if (stage, fraction > 0.2) == ("refining", True):
+                raise Stop
+
+        with self.assertRaises(Stop):
+            insideout.refine(self.solid, edge_length=0.1, progress=stop)
+
+    def test_its_options_are_those_of_tetrahedralize(self):
+        parameters = inspect.signature(insideout.refine).parameters
+        others = inspect.signature(insideout.tetrahedralize).parameters
+        for name in REFINING_OPTIONS:
+            self.assertEqual(parameters[name].default, OPTIONS[name].default)
+            self.assertEqual(parameters[name].annotation, others[name].annotation)
+        self.assertNotIn("{", insideout.refine.__doc__)
+
+
+class Tetrahedralize(unittest.TestCase):
+    def test_it_refines_its_solid_alone(self):
+        surface = surfaces.two_boxes()
+        plain, refined = insideout.tetrahedralize(surface), insideout.tetrahedralize(surface, refine=True)
+        self.assertEqual(content(refined.solid), content(insideout.refine(plain.solid).solid))
+        self.assertNotEqual(content(refined.solid), content(plain.solid))
+        self.assertEqual(refined.hull.cells.tobytes(), plain.hull.cells.tobytes())
+        self.assertEqual(refined.boundary.triangles.tobytes(), plain.boundary.triangles.tobytes())
+        self.assertEqual(refined.statistics["RefinedCells"], len(refined.solid.cells))
+        self.assertEqual(refined.statistics["InsideCells"], len(plain.solid.cells))
+
+    def test_each_option_implies_it(self):
+        for options in ({"edge_length": 0.3}, {"grading": 0.1}, {"maximum_volume": 0.01}, {"quadratic": True}):
+            with self.subTest(options):
+                made = insideout.tetrahedralize(surfaces.two_boxes(), **options)
+                expected = insideout.tetrahedralize(surfaces.two_boxes(), refine=True, **options)
+                self.assertIn("RefinedCells", made.statistics)
+                self.assertEqual(content(made.solid), content(expected.solid))
+
+    def test_progress_goes_through_all_stages_and_never_back(self):
+        heard = []
+        insideout.tetrahedralize(surfaces.two_boxes(), refine=True, progress=lambda *told: heard.append(told))
+        stages = [stage for stage, _ in heard if stage != UNNAMED]
+        self.assertEqual(list(dict.fromkeys(stages)), [*TETRAHEDRALIZE, *REFINE])
+        fractions = [fraction for stage, fraction in heard if stage != UNNAMED]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertGreater(fractions[-1], 0.95)
+
+    def test_nothing_inside_is_nothing_to_refine(self):
+        sheets = make_surface([(0, 0, 0), (1, 0, 0), (0, 1, 0), (5, 5, 5), (6, 5, 5), (5, 6, 6)], [(0, 1, 2), (3, 4, 5)])
+        made = insideout.tetrahedralize(sheets, refine=True)
+        self.assertEqual(made.solid.GetNumberOfCells(), 0)
+        self.assertNotIn("RefinedCells", made.statistics)
+
+
+class CommandLine(unittest.TestCase):
+    def test_it_writes_what_the_function_gives(self):
+        with tempfile.TemporaryDirectory() as folder:
+            surface, output, report = (os.path.join(folder, name) for name in ("boxes.vtp", "solid.vtu", "report.json"))
+            insideout.write(surfaces.two_boxes(), surface)
+            done = subprocess.run(
+                [sys.executable, "-m", "insideout", surface, output, "--edge-length", "0.3", "--quadratic", "--report", report],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual((done.returncode, done.stdout.count("refined to")), (0, 1), done.stderr)
+            reader = vtkXMLUnstructuredGridReader()
+            reader.SetFileName(output)
+            reader.Update()
+            with open(report, encoding="utf-8") as file:
+                told = json.load(file)
+        expected = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.3, quadratic=True).solid
+        written = insideout.data.as_type(insideout.Tetrahedra, reader.GetOutput())
+        self.assertEqual(content(written)[:2], content(expected)[:2])
+        self.assertEqual(told["statistics"]["RefinedCells"], len(expected.cells))
+        self.assertEqual([told["parameters"][name] for name in ("refine", "edge_length", "quadratic")], [True, 0.3, True])
+
+
+if __name__ == "__main__":
+    unittest.main()
