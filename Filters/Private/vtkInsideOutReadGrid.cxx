@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutReadGrid.h"
 
+#include "Common/Error.h"
+#include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
 #include "vtkInsideOutArrays.h"
 
 #include <vtkCellData.h>
+#include <vtkCellTypes.h>
 #include <vtkDataArray.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
 
 using namespace insideout;
 
@@ -21,6 +26,29 @@ vtkDataArray* FindArray(vtkUnstructuredGrid* grid, const char* name, int compone
   const bool fits = array && array->GetNumberOfComponents() == components &&
     array->GetNumberOfTuples() == grid->GetNumberOfCells();
   return fits ? array : nullptr;
+}
+
+/** The corners of a cell, checked. */
+Tetrahedron CornersOf(vtkIdType cell, vtkIdList* ids, std::size_t points)
+{
+  Tetrahedron corners;
+  for (int k = 0; k < 4; ++k)
+  {
+    const vtkIdType id = k < ids->GetNumberOfIds() ? ids->GetId(k) : -1;
+    if (id < 0 || id >= static_cast<vtkIdType>(points))
+    {
+      throw Error(ErrorCode::PointOutOfRange,
+        "cell " + std::to_string(cell) + " has the point " + std::to_string(id) +
+          ", but there are only points 0 to " + std::to_string(static_cast<long>(points) - 1));
+    }
+    corners[k] = static_cast<Id>(id);
+    if (std::find(corners.begin(), corners.begin() + k, corners[k]) != corners.begin() + k)
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        "cell " + std::to_string(cell) + " has the point " + std::to_string(id) + " twice");
+    }
+  }
+  return corners;
 }
 
 /** @throws Error unless the cell is linear and of the grid's dimension, 2 or 3 */
@@ -50,6 +78,40 @@ vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid)
     }
   }
   return -1;
+}
+
+vtkInsideOutTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid)
+{
+  vtkInsideOutTetrahedra tetrahedra;
+  tetrahedra.Points = vtkInsideOutReadPoints(grid, "the grid");
+  const auto bad = std::find_if(tetrahedra.Points.begin(), tetrahedra.Points.end(),
+    [](const Point& point) { return !IsFinite(point); });
+  if (bad != tetrahedra.Points.end())
+  {
+    throw Error(ErrorCode::PointNotFinite,
+      "point " + std::to_string(bad - tetrahedra.Points.begin()) + " is not finite");
+  }
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkGenericCell> other;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const int type = grid->GetCellType(c);
+    if (type == VTK_TETRA || type == VTK_QUADRATIC_TETRA)
+    {
+      grid->GetCellPoints(c, ids);
+      tetrahedra.Cells.push_back(CornersOf(c, ids, tetrahedra.Points.size()));
+      tetrahedra.CellIds.push_back(c);
+      continue;
+    }
+    other->SetCellType(type);
+    if (other->GetCellDimension() == 3)
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        "cell " + std::to_string(c) + " is a " + vtkCellTypes::GetClassNameFromTypeId(type) +
+          "; volumes must be tetrahedra");
+    }
+  }
+  return tetrahedra;
 }
 
 std::vector<double> vtkInsideOutReadWindingNumbers(vtkUnstructuredGrid* grid)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * Reads a vtkUnstructuredGrid: tetrahedra, or for the graph cut cells of any type by their parts.
+ * Reads a vtkUnstructuredGrid: tetrahedra as they are; for the graph cut with their neighbours, or
+ * cells of any type by their parts.
  */
 #pragma once
 
@@ -14,6 +15,23 @@ class vtkUnstructuredGrid;
 
 /** The first cell that is no tetrahedron, -1 if all are. */
 vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid);
+
+/** The tetrahedra of a grid. */
+struct vtkInsideOutTetrahedra
+{
+  std::vector<insideout::Point> Points; ///< all of the grid
+  std::vector<insideout::Tetrahedron> Cells;
+  std::vector<vtkIdType> CellIds; ///< of the grid
+};
+
+/**
+ * The corners of tetrahedra of first and second order (vtkTetra, vtkQuadraticTetra), in their
+ * order. Cells of fewer dimensions, as the triangles of a boundary, are passed over.
+ *
+ * @throws insideout::Error that names another cell of three dimensions, one without four different
+ *         points, or a point that is not finite; TooLarge
+ */
+vtkInsideOutTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid);
 
 /** @throws insideout::Error when there is no cell array w of one value per cell */
 std::vector<double> vtkInsideOutReadWindingNumbers(vtkUnstructuredGrid* grid);

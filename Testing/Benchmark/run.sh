@@ -4,7 +4,8 @@
 # that Debian packages and on the surfaces given. Prints seconds for people and, for machines, one
 # line `ratio NAME VALUE at most|at least LIMIT` per target. Builds in build-benchmark/, and draws
 # the thesis's figures 8.10 and 8.11 in build-benchmark/figures. What winding numbers are compared
-# with needs libembree-dev, drawing python3-matplotlib.
+# with needs libembree-dev, drawing python3-matplotlib; what tetrahedra are compared with, in
+# build-benchmark/quality.md, needs tetgen, gmsh, python3-netgen and python3-meshio.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
@@ -60,7 +61,8 @@ if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DPython3_EXECUTABLE=/usr/bin/python3 >"$build/filters.log" 2>&1 &&
   cmake --build "$filters" >>"$build/filters.log" 2>&1; then
   (. "$filters/env.sh" && /usr/bin/python3 "$here/measure-rerun.py" "$@" &&
-    /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@")
+    /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@" &&
+    /usr/bin/python3 "$here/measure-quality.py" --table "$build/quality.md" "$@")
 else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"
 fi

@@ -18,7 +18,7 @@ simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
            "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
-           "ProbeWindingNumber", "RefineTetrahedra"]
+           "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality"]
 
 
 def volume(proxy, port=0):
@@ -84,6 +84,14 @@ class TestPlugin(unittest.TestCase):
         self.assertEqual(lines.GetCellData().GetArray("DefectType").GetRange(), (3, 3))
         self.assertGreater(lines.GetNumberOfCells(), 0)
 
+    def test_the_quality_of_tetrahedra_is_measured(self):
+        quality = simple.SolidQuality(Input=simple.RobustTetrahedralize(Input=self.surface))
+        quality.UpdatePipeline()
+        least, largest = quality.CellData["MinDihedralAngle"].GetRange()
+        self.assertTrue(0 < least <= largest <= 70.53, (least, largest))
+        self.assertEqual(quality.FieldData["Statistics_MinDihedralAngle"].GetRange(), (least, least))
+        self.assertEqual(quality.FieldData["DihedralAngleHistogram"].GetNumberOfTuples(), 36)
+
     def test_defects_are_shown_in_their_own_colors(self):
         definitions = servermanager.ProxyManager()
         geometry = definitions.NewProxy("representations", "SurfaceDefectsGeometry")
@@ -141,7 +149,8 @@ class TestPlugin(unittest.TestCase):
         resolved = simple.ResolveSelfIntersections(Input=self.surface)
         w = simple.GeneralizedWindingNumber(Input=self.surface)
         for one in (simple.RobustTetrahedralize(Input=self.surface), simple.SurfaceDefects(Input=self.surface), resolved,
-                    simple.ConstrainedDelaunay3D(Input=resolved), w, simple.GraphCutSegmentation(Input=w)):
+                    simple.ConstrainedDelaunay3D(Input=resolved), w, simple.GraphCutSegmentation(Input=w),
+                    simple.SolidQuality(Input=w)):
             one.UpdatePipeline()
             self.assertTrue([name for name in one.FieldData.keys() if name.startswith("Statistics_")], one)
 

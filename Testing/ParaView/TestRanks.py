@@ -33,6 +33,7 @@ expect("the cut's volume", volume_and_cells(simple.GraphCutSegmentation(Input=hu
 expect("the mesh's volume", volume_and_cells(simple.ConstrainedDelaunay3D(Input=sphere))[0], volume)
 expect("resolved facets", volume_and_cells(simple.ResolveSelfIntersections(Input=sphere))[1], FACETS)
 expect("checked facets", volume_and_cells(simple.SurfaceDefects(Input=sphere))[1], FACETS)
+expect("measured cells", volume_and_cells(simple.SolidQuality(Input=hull))[1], hull.GetDataInformation().GetNumberOfCells())
 
 # The probe works on each rank's piece, with all of the surface.
 grid = simple.Wavelet(WholeExtent=[-1, 1, -1, 1, -1, 1])

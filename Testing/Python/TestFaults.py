@@ -182,6 +182,7 @@ class OfTheCommand(InAFolder):
                 yield "w" + ending, ("--winding", self.source("query" + ending), box, result("w" + ending))
             yield "check.json", ("--check", box, "--report", result("check.json"))
             yield "picture.png", (box, solid, "--plot", result("picture.png"))
+            yield "angles.png", ("--check", solid, "--plot", result("angles.png"))
 
     def faults(self, size: int):
         if ALL:

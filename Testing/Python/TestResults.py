@@ -62,7 +62,8 @@ def results():
     for name in ("left", "right", "", "größer"):
         names.InsertNextValue(name)
     surface.GetFieldData().AddArray(names)
-    return [insideout.check(surface), insideout.resolve(surface), insideout.tetrahedralize(surface)]
+    meshed = insideout.tetrahedralize(surface)
+    return [insideout.check(surface), insideout.resolve(surface), meshed, insideout.check_solid(meshed.solid)]
 
 
 class Copies(unittest.TestCase):
@@ -87,7 +88,7 @@ class Copies(unittest.TestCase):
                             self.expect_same(after, before)
 
     def test_surfaces_and_tetrahedra_alone(self):
-        checked, resolved, made = results()
+        checked, resolved, made, _ = results()
         for data in (resolved.surface, made.solid, made.boundary, made.outliers, made.hull, insideout.Tetrahedra(), insideout.TriangleSurface()):
             for way, again in WAYS.items():
                 with self.subTest(way, data=repr(data)):
@@ -157,13 +158,13 @@ class Shown(unittest.TestCase):
         self.assertEqual(repr(solid), f"<Tetrahedra: {len(solid.points)} points, {len(solid.cells)} cells>")
 
     def test_as_a_table_with_a_picture(self):
-        checked, resolved, made = results()
-        for result in (checked, resolved, made):
+        checked, resolved, made, quality = results()
+        for result in (checked, resolved, made, quality):
             with self.subTest(type(result).__name__):
                 table = Table(result._repr_html_())
                 (image,) = table.images
                 self.assertTrue(image.startswith("data:image/png;base64,iVBORw0KGgo"))
-        self.assertIn(str(len(made.solid.cells)), table.cells)
+        self.assertIn(str(len(made.solid.cells)), Table(made._repr_html_()).cells)
         self.assertIn(checked.verdict, Table(checked._repr_html_()).cells)
 
     def test_as_a_table_alone_where_nothing_can_be_drawn(self):

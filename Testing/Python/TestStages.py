@@ -8,8 +8,8 @@ from unittest import mock
 import insideout
 import numpy as np
 import surfaces
-from insideout.command_line import CheckJob, MeshJob, WindingJob
-from insideout.stages import CHECK, RESOLVE, TETRAHEDRALIZE, UNNAMED, WINDING
+from insideout.command_line import CheckJob, MeshJob, SolidCheckJob, WindingJob
+from insideout.stages import CHECK, CHECK_SOLID, RESOLVE, TETRAHEDRALIZE, UNNAMED, WINDING
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -45,6 +45,11 @@ class Names(unittest.TestCase):
                 work(surface, progress=lambda stage, _: seen.append(stage))
                 self.assertEqual([stage for stage in dict.fromkeys(seen) if stage != UNNAMED], list(expected))
 
+    def test_the_check_of_a_solid(self):
+        seen = []
+        insideout.check_solid(insideout.tetrahedralize(surfaces.two_boxes()).solid, progress=lambda stage, _: seen.append(stage))
+        self.assertEqual([stage for stage in dict.fromkeys(seen) if stage != UNNAMED], list(CHECK_SOLID))
+
     def test_each_filter(self):
         known = {*TETRAHEDRALIZE, *CHECK, *WINDING}
         resolver, winding = insideout.vtkResolveSelfIntersections(), insideout.vtkGeneralizedWindingNumber()
@@ -58,7 +63,8 @@ class Names(unittest.TestCase):
             self.assertLessEqual(seen, known)
 
     def test_the_command_shows_all_that_is_reported(self):
-        self.assertEqual([job.stages for job in (MeshJob, CheckJob, WindingJob)], [TETRAHEDRALIZE, CHECK, WINDING])
+        jobs = (MeshJob, CheckJob, SolidCheckJob, WindingJob)
+        self.assertEqual([job.stages for job in jobs], [TETRAHEDRALIZE, CHECK, CHECK_SOLID, WINDING])
 
 
 class Again(unittest.TestCase):

@@ -32,6 +32,9 @@ insideout.check(vtkSphereSource().GetOutputPort())
 insideout.check(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
 insideout.check(Mesh())
 meshed = insideout.tetrahedralize(Mesh(), engine="exact", data_term="volume-weighted", quadrature_order=3, gamma=1)
+insideout.draw_quality(insideout.check_solid(meshed.solid), "angles.png")
+insideout.check_solid("solid.vtu", progress=print).statistics["Cells"] + 1
+insideout.check_solid((np.zeros((4, 3)), [(0, 1, 2, 3)])).histogram[35]
 insideout.tetrahedralize(meshed.boundary, seeds=[((0, 0, 0), True)], constrain_facets="Chosen")
 insideout.tetrahedralize(meshed.boundary, seeds="seeds.csv", progress=lambda stage, fraction: print(stage, fraction))
 insideout.tetrahedralize(meshed.boundary.to_meshio())
@@ -60,6 +63,9 @@ insideout.tetrahedralize("broken.ply").solids
 insideout.check(3)
 insideout.check("broken.ply", orientation="up")
 insideout.check("broken.ply").verdict + 1
+insideout.check_solid(3)
+insideout.check_solid(meshed.solid).verdict + 1
+insideout.draw_quality(meshed.solid)
 insideout.resolve([1, 2])
 insideout.resolve("broken.ply", orientation="automatic")
 insideout.winding_number("broken.ply")

@@ -15,8 +15,9 @@ constexpr const char* Resolving = "resolving self-intersections";     ///< Resol
 constexpr const char* TracingIntersections = "tracing intersections"; ///< TraceIntersections
 constexpr const char* Tetrahedralizing = "tetrahedralizing";          ///< ConstrainedDelaunay
 constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
-constexpr const char* Segmenting = "segmenting"; ///< SegmentMesh, GraphCutSegmentation
-constexpr const char* Extracting = "extracting"; ///< whatever is in the room Output
-constexpr const char* Refining = "refining";     ///< RefineTetrahedra
-constexpr const char* Writing = "writing";       ///< OutputFile
+constexpr const char* Segmenting = "segmenting";       ///< SegmentMesh, GraphCutSegmentation
+constexpr const char* Extracting = "extracting";       ///< whatever is in the room Output
+constexpr const char* Refining = "refining";           ///< RefineTetrahedra
+constexpr const char* Measuring = "measuring quality"; ///< QualityOfMesh
+constexpr const char* Writing = "writing";             ///< OutputFile
 } // namespace insideout::Stages

@@ -17,6 +17,10 @@ The solid, its boundary and the whole hull, as VTK data sets with numpy views::
 The solid in better cells, whose edges are at most so long::
 
     insideout.refine(result.solid, edge_length=0.05).solid
+What is wrong with tetrahedra, and how good they are::
+
+    print(insideout.check_solid(result.solid).verdict)
+    insideout.draw_quality(result.solid, "angles.png")
 
 Without a mesh: the surface cut where it crosses itself, its winding number at any points, and which of
 them are inside::
@@ -31,11 +35,13 @@ SURFACES
     with three columns each, as a meshio.Mesh, as an object that has arrays `vertices` and `faces`, such as a
     trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
     What comes back does not depend on that. `to_meshio()` of the surfaces and tetrahedra in a result gives a
-    meshio.Mesh back. Faces should run counterclockwise seen from outside.
+    meshio.Mesh back. Faces should run counterclockwise seen from outside. Solids are taken likewise: a
+    vtkUnstructuredGrid of tetrahedra, the name of a .vtu file, a pair (points, cells), and so on.
 
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
     resolve         Resolution: surface, statistics
+    check_solid     SolidCheck: findings, verdict, statistics, histogram, the solid with the quality of each cell
     tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, statistics
     refine          Refinement: solid, statistics
     winding_number  an array of float64, one value per point
@@ -62,7 +68,7 @@ COMMAND
     python3 -m insideout broken.ply solid.vtu
 
 MODULES
-    `checking`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options` what can be chosen,
+    `checking`, `quality`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options` what can be chosen,
     `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files` reads and
     writes, `pipeline` runs any VTK algorithm with its errors as exceptions, `results` and `serializing` are
     how results are shown and pickled, `command_line` is the command.
@@ -77,9 +83,10 @@ import vtkmodules.vtkIOCore  # noqa: F401
 from . import vtkFiltersInsideOut as _classes
 from .checking import Check, Finding, check
 from .data import Tetrahedra, TriangleSurface
-from .drawing import draw
+from .drawing import draw, draw_quality
 from .files import write
 from .pipeline import Error
+from .quality import SolidCheck, check_solid
 from .queries import inside, winding_number
 from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
@@ -96,12 +103,15 @@ __all__ = [
     "Finding",
     "Refinement",
     "Resolution",
+    "SolidCheck",
     "Tetrahedra",
     "Tetrahedralization",
     "TriangleSurface",
     "__version__",
     "check",
+    "check_solid",
     "draw",
+    "draw_quality",
     "inside",
     "refine",
     "resolve",

@@ -8,7 +8,7 @@ import os
 from dataclasses import dataclass, fields
 from typing import NoReturn, Optional, Sequence
 
-from .files import GZIP, READABLE_SURFACES, STANDARD_INPUT, WRITABLE_SURFACES, identity
+from .files import GZIP, READABLE_SOLIDS, READABLE_SURFACES, STANDARD_INPUT, WRITABLE_SURFACES, ending, identity
 from .options import OPTIONS
 from .places import QUERIES
 from .version import __version__
@@ -21,6 +21,8 @@ examples:
       the tetrahedra inside
   python3 -m insideout --check broken.ply
       only what is wrong with it
+  python3 -m insideout --check solid.vtu --plot angles.png
+      what is wrong with tetrahedra, how good they are, and a histogram of their dihedral angles
   python3 -m insideout broken.ply solid.vtu --boundary solid.stl --plot picture.png --report report.json
       the watertight boundary, a picture and a report too
   python3 -m insideout *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
@@ -45,7 +47,7 @@ MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", *OPTIONS)
 
 @dataclass(frozen=True)
 class Files:
-    """The files that belong to one surface."""
+    """The files that belong to one surface, or to one solid that is checked."""
 
     surface: str
     output: Optional[str] = None
@@ -58,6 +60,10 @@ class Files:
     def name(self) -> str:
         """What messages call the surface."""
         return STANDARD_INPUT if self.surface == "-" else self.surface
+
+    def is_solid(self) -> bool:
+        """Whether it is a solid that is read, by its name."""
+        return ending(self.surface) in READABLE_SOLIDS
 
     def outputs(self) -> list[str]:
         """Those that are written."""
@@ -80,9 +86,9 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         if last is None:
             parser.error(f"the following arguments are required: {expected}")
         options.output = last
-    elif surfaces[-1].lower().endswith(".vtu"):
+    elif len(surfaces) > 1 and ending(surfaces[-1]) in READABLE_SOLIDS and not os.path.exists(surfaces[-1]):
         parser.error("--check meshes nothing: it goes without OUTPUT.vtu")
-    _refuse_what_makes_no_mesh(parser, options)
+    _refuse_what_makes_no_mesh(parser, options, surfaces)
     if surfaces.count("-") > 1:
         parser.error("- is named twice: standard input can be read once")
     if options.format is not None and "-" not in surfaces:
@@ -94,11 +100,18 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
     return options, _files(parser, options, surfaces)
 
 
-def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: Sequence[str]) -> None:
     mode = "--check" if options.check else "--winding" if options.winding is not None else None
     if options.check and options.winding is not None:
         parser.error("--check meshes nothing: it goes without --winding")
-    others = CHECK_OPTIONS if options.check else WINDING_OPTIONS
+    solids = [surface for surface in surfaces if ending(surface) in READABLE_SOLIDS]
+    if options.check and solids:
+        for name in CHECK_OPTIONS:
+            if getattr(options, name, None) is not None:
+                parser.error(f"--{name.replace('_', '-')} is about surfaces: it goes without {solids[0]}")
+    others: tuple[str, ...] = WINDING_OPTIONS
+    if options.check:
+        others = (*CHECK_OPTIONS, "plot") if len(solids) == len(surfaces) else CHECK_OPTIONS
     for name in MESH_OPTIONS:
         if mode is not None and name not in others and getattr(options, name, None) is not None:
             parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
@@ -140,7 +153,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="insideout",
         allow_abbrev=False,
         usage="python3 -m insideout SURFACE... OUTPUT.vtu [options]\n"
-        "       python3 -m insideout --check SURFACE... [options]\n"
+        "       python3 -m insideout --check SURFACE|SOLID.vtu... [options]\n"
         "       python3 -m insideout --winding QUERY SURFACE... OUTPUT [options]",
         description="From a broken surface to tetrahedra of the solid that it means.",
         epilog=EXAMPLES,
@@ -155,7 +168,11 @@ def _parser() -> argparse.ArgumentParser:
         "of every file that is written {} stands for the surface's name without folder and ending",
     )
     mode = parser.add_argument_group("instead of tetrahedra")
-    mode.add_argument("--check", action="store_true", help="only say what is wrong with the surface, and whether it matters here")
+    mode.add_argument(
+        "--check",
+        action="store_true",
+        help="only say what is wrong with the surface, and whether it matters here; or with the tetrahedra of a .vtu file, and how good they are",
+    )
     mode.add_argument(
         "--winding",
         metavar="QUERY",
@@ -166,7 +183,7 @@ def _parser() -> argparse.ArgumentParser:
     files.add_argument("--hull", metavar="HULL.vtu", help="all tetrahedra of the convex hull, with w and Inside")
     files.add_argument("--boundary", metavar="FILE", help=f"the solid's boundary ({surface_endings})")
     files.add_argument("--outliers", metavar="FILE", help=f"the facets that are no part of the solid ({surface_endings})")
-    files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; needs no window")
+    files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; with --check of a .vtu file, a histogram of dihedral angles; needs no window")
     files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
     how = parser.add_argument_group("how")
     for name, option in OPTIONS.items():

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .data import AnySurface, as_surface
-from .defects import DEFECTS
+from .defects import DEFECTS, Defect
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Progress, run, statistics_of
 from .results import Result
@@ -97,10 +97,14 @@ def check(
 
 def find(statistics: Mapping[str, float]) -> list[Finding]:
     """What is wrong by the counts of vtkSurfaceDefects, with what matters first."""
+    planar = Finding("the surface lies in one plane", True, "it bounds no volume: there is nothing to mesh")
+    return [*([planar] if statistics["Planar"] else []), *find_among(DEFECTS, statistics)]
+
+
+def find_among(defects: Sequence[Defect], statistics: Mapping[str, float]) -> list[Finding]:
+    """Those of some defects that are there by their counts, in their order."""
     findings = []
-    if statistics["Planar"]:
-        findings.append(Finding("the surface lies in one plane", True, "it bounds no volume: there is nothing to mesh"))
-    for defect in DEFECTS:
+    for defect in defects:
         if defect.consequence and statistics[defect.statistic] > 0:
             text = defect.counted(statistics[defect.statistic])
             findings.append(Finding(text, defect.matters, defect.consequence.format_map(statistics)))

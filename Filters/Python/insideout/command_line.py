@@ -21,14 +21,17 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .arguments import CHECK_OPTIONS, WINDING_OPTIONS, Files, parse
 from .checking import Finding, check
-from .drawing import draw, up_of
+from .drawing import draw, draw_quality, up_of
 from .files import (
+    READABLE_SOLIDS,
+    READABLE_SURFACES,
     WRITABLE_GRIDS,
     WRITABLE_SURFACES,
     check_input,
     check_output,
     ending,
     identity,
+    read_solid,
     read_standard_input,
     read_surface,
     write_grid,
@@ -40,9 +43,10 @@ from .pipeline import Error, set_threads, write_bytes
 from .panels import PICTURES, display_command
 from .places import QUERIES, Places, read_places
 from .progress import StageBars
+from .quality import check_solid, solid_verdict
 from .queries import winding_number_and_warnings
-from .stages import CHECK, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
-from .summary import check_summary, defects, seams, summary, table, tetrahedralizer, winding_summary
+from .stages import CHECK, CHECK_SOLID, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
+from .summary import check_summary, defects, seams, solid_summary, summary, table, tetrahedralizer, winding_summary
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .verdict import verdict
 from .version import __version__
@@ -62,16 +66,22 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         return FAILURE
     if options.threads is not None:
         set_threads(options.threads)
-    kind = CheckJob if options.check else WindingJob if options.winding else MeshJob
     jobs = []
     for files in all_files:
-        jobs.append(kind(options, files))
+        jobs.append(job_of(options, files))
         if jobs[-1].run() > FAILURE:
             break  # interrupted
     if len(all_files) > 1 and not options.quiet:
         rows = [(job.files.name(), {"SecondsTotal": job.seconds, **job.statistics}, job.result()) for job in jobs]
         _print(table(rows, sum(job.status == SUCCESS for job in jobs), len(all_files)))
     return max(job.status for job in jobs)
+
+
+def job_of(options: argparse.Namespace, files: Files) -> Job:
+    """What to do with the files of one surface, or of one solid."""
+    if options.check:
+        return SolidCheckJob(options, files) if files.is_solid() else CheckJob(options, files)
+    return WindingJob(options, files) if options.winding else MeshJob(options, files)
 
 
 def check_names(options: argparse.Namespace, all_files: Sequence[Files]) -> None:
@@ -92,6 +102,7 @@ class Job:
     """What the command does with one surface, and what is known of it so far."""
 
     stages: Sequence[str] = ()
+    readable: tuple[str, ...] = READABLE_SURFACES
 
     def __init__(self, options: argparse.Namespace, files: Files):
         self.options = options
@@ -146,7 +157,7 @@ class Job:
             self.report_is_writable = True
         self.parameters = self.check_parameters()
         if files.surface != "-":
-            check_input(files.surface)
+            check_input(files.surface, self.readable)
         for name, endings in self.endings().items():
             path = getattr(files, name)
             if path is not None:
@@ -359,6 +370,57 @@ class CheckJob(Job):
 
     def summary(self) -> list[str]:
         return check_summary(os.path.basename(self.files.name()), self.statistics, self.findings, self.shell_volumes)
+
+
+class SolidCheckJob(Job):
+    """One run with --check, which reads a solid and looks at it."""
+
+    stages = CHECK_SOLID
+    readable = READABLE_SOLIDS
+    findings: list[Finding] = []
+    histogram: list[int] = []
+
+    def check_parameters(self) -> dict[str, Any]:
+        if self.files.plot is not None:
+            display_command()
+        return {}
+
+    def endings(self) -> dict[str, tuple[str, ...]]:
+        return {"plot": PICTURES}
+
+    def work(self) -> None:
+        began = time.monotonic()
+        self.bars.show(READING, 0)
+        solid, self.warnings = read_solid(self.files.surface, lambda _, fraction: self.show((READING,), READING, fraction))
+        self.bars.finish()
+        self.seconds_read = time.monotonic() - began
+        result = check_solid(solid, progress=self.show_progress)
+        self.bars.finish()
+        self.warnings = self.warnings + result.warnings
+        self.findings, self.histogram = result.findings, result.histogram
+        self.statistics = dict(result.statistics)
+        try:
+            if self.files.plot is not None:
+                self.bars.show(DRAWING, 0)
+                work_on(self.files.plot)
+                draw_quality(result, self.files.plot)
+                self.bars.finish()
+                self.outputs["picture"] = self.files.plot
+        finally:
+            self.measure()
+
+    def success(self) -> str:
+        return solid_verdict(self.statistics)
+
+    def more_for_the_report(self) -> dict[str, object]:
+        return {
+            "findings": [vars(finding) for finding in self.findings],
+            "verdict": solid_verdict(self.statistics) if self.statistics else None,
+            "dihedral_angle_histogram": self.histogram,
+        }
+
+    def summary(self) -> list[str]:
+        return solid_summary(os.path.basename(self.files.name()), self.statistics, self.findings)
 
 
 class WindingJob(Job):

@@ -208,8 +208,8 @@ def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
     if isinstance(surface, (str, os.PathLike)):
         return read_surface(surface)
     if isinstance(surface, (vtkAlgorithm, vtkAlgorithmOutput)):
-        return _output_of(surface)
-    _refuse_composite("surface", surface)
+        return output_of(surface, "surface", vtkPolyData)
+    refuse_composite("surface", surface)
     if hasattr(surface, "points") and hasattr(surface, "cells"):
         return _surface_of_meshio(surface)
     if hasattr(surface, "vertices") and hasattr(surface, "faces"):
@@ -243,21 +243,22 @@ def as_tetrahedra(solid: Any) -> vtkUnstructuredGrid:
     return grid
 
 
-def _output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput]) -> tuple[vtkPolyData, list[str]]:
-    """The surface that an algorithm makes, which is updated, and its warnings."""
+def output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput], what: str, kind: type[DataSet]) -> tuple[DataSet, list[str]]:
+    """The surface, or what it is to be, that an algorithm makes, which is updated, and its warnings."""
     algorithm, port = (source, 0) if isinstance(source, vtkAlgorithm) else (source.GetProducer(), source.GetIndex())
     name = algorithm.GetClassName()
     if algorithm.GetNumberOfOutputPorts() == 0:
-        raise Error(f"the surface is a {name}, which has no output")
+        raise Error(f"the {what} is a {name}, which has no output")
     warnings = run_with_upstream(algorithm)
     output = algorithm.GetOutputDataObject(port)
-    _refuse_composite(f"output of the {name}", output)
-    if not isinstance(output, vtkPolyData):
-        raise Error(f"the output of the {name} is a {output.GetClassName()}; it must be a vtkPolyData")
+    refuse_composite(f"output of the {name}", output)
+    if not isinstance(output, kind):
+        raise Error(f"the output of the {name} is a {output.GetClassName()}; it must be a {kind.__name__}")
     return output, warnings
 
 
-def _refuse_composite(what: str, data: Any) -> None:
+def refuse_composite(what: str, data: Any) -> None:
+    """Raise `Error` for what has blocks."""
     if isinstance(data, vtkCompositeDataSet):
         raise Error(
             f"the {what} is a {data.GetClassName()}, which has blocks: give one of them, "
@@ -269,7 +270,7 @@ def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str]
     """A surface of points and polygons: arrays of as many columns as the polygons have corners."""
     offsets, corners = [np.zeros(1, np.int64)], [np.zeros(0, np.int64)]
     for block in polygons:
-        rows = _rows(names[1], block, np.int64)
+        rows = table_of(names[1], block, np.int64)
         if len(rows) and rows.shape[1] < 3:
             raise Error(f"{names[1]} has {rows.shape[1]} columns; it must have 3: ids of points, from 0")
         offsets.append(offsets[-1][-1] + rows.shape[1] * np.arange(1, len(rows) + 1))
@@ -277,7 +278,7 @@ def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str]
     cells = vtkCellArray()
     cells.SetData(*(vtk_array(np.concatenate(ids), VTK_ID_TYPE) for ids in (offsets, corners)))
     surface = TriangleSurface()
-    surface.SetPoints(_make_points(points, names[0]))
+    surface.SetPoints(make_points(points, names[0]))
     surface.SetPolys(cells)
     return surface
 
@@ -290,15 +291,15 @@ def as_points(points: AnyPoints) -> vtkDataSet:
         raise Error(f"points is a {points.GetClassName()}; it can be a vtkDataSet, or an array with three columns")
     data = vtkPolyData()
     try:
-        data.SetPoints(_make_points(points, ARRAYS[0]))
+        data.SetPoints(make_points(points, ARRAYS[0]))
     except MemoryError:
         raise Error("not enough memory for these points") from None
     return data
 
 
-def _make_points(values: Any, name: str) -> vtkPoints:
+def make_points(values: Any, name: str) -> vtkPoints:
     """VTK's points, in double precision, with a copy of the coordinates."""
-    rows = _rows(name, values, float)
+    rows = table_of(name, values, float)
     if rows.shape[1] != 3:
         raise Error(f"{name} has {rows.shape[1]} columns; it must have 3: x, y and z")
     points = vtkPoints()
@@ -307,7 +308,7 @@ def _make_points(values: Any, name: str) -> vtkPoints:
     return points
 
 
-def _rows(name: str, values: ArrayLike, kind: type) -> NDArray:
+def table_of(name: str, values: ArrayLike, kind: type) -> NDArray:
     """A table as one array of a type, whatever holds it."""
     if np.ma.is_masked(values):
         row = np.argwhere(np.ma.getmaskarray(values))[0][0]

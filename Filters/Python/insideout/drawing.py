@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import Optional
+from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
@@ -14,6 +14,8 @@ from .files import Path, check_output, input_ending
 from .options import Orientation, describe_options
 from .panels import PICTURES, draw_panels
 from .pipeline import Error, one_of, write_bytes
+from .quality import SolidCheck, check_solid
+from .solids import AnySolid
 
 
 @describe_options
@@ -48,8 +50,26 @@ def draw(
     check_output(picture, PICTURES)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
     checked = check(surface, orientation=orientation, merge_tolerance=merge_tolerance)
+    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up)
+
+
+def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:
+    """Draw the histogram of a solid's dihedral angles, as a .png file.
+
+    solid    what `check_solid` found, or what it takes: a vtkUnstructuredGrid, a file's name ...
+    picture  the file's name
+
+    The figures stand in the file's description, too. Raises `Error` with one line that names what is wrong.
+    """
+    picture = os.fspath(picture)
+    check_output(picture, PICTURES)
+    checked = solid if isinstance(solid, SolidCheck) else check_solid(solid)
+    _write_panels(picture, quality=checked.solid)
+
+
+def _write_panels(picture: str, **seen: Any) -> None:
     try:
-        drawn = draw_panels(surface=checked.surface, lines=checked.lines, hull=hull, up=up)
+        drawn = draw_panels(**seen)
     except (Error, OSError) as error:
         raise Error(f"cannot draw {picture}: {error}") from None
     write_bytes(drawn, picture)

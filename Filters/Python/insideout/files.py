@@ -18,7 +18,7 @@ from contextlib import contextmanager
 from typing import Iterator, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkIOXMLParser import vtkXMLDataParser
 
 from .interruption import cleaning_up
@@ -28,6 +28,7 @@ from .vtkFiltersInsideOut import vtkSurfaceReader, vtkSurfaceWriter
 Path = Union[str, os.PathLike]
 
 READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp")
+READABLE_SOLIDS = (".vtu",)
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj")
 WRITABLE_GRIDS = (".vtu",)
 GZIP = ".gz"
@@ -78,6 +79,20 @@ def read_standard_input(kind: Optional[str] = None, progress: Optional[Progress]
             hint = "; say what it is by --format" if kind is None and "neither content nor ending" in str(error) else ""
             raise Error(str(error).replace(path, STANDARD_INPUT) + hint) from None
     return surface, [warning.replace(name, STANDARD_INPUT) for warning in warnings]
+
+
+def read_solid(path: Path, progress: Optional[Progress] = None) -> tuple[vtkUnstructuredGrid, list[str]]:
+    """The cells in a .vtu file, and what was passed over. Raises `Error` that names the file."""
+    path = os.fspath(path)
+    check_input(path, READABLE_SOLIDS)
+    check_xml(path, "UnstructuredGrid", "cells")
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    try:
+        warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)
+    except Error as error:
+        raise _naming(path, error) from None
+    return reader.GetOutput(), warnings
 
 
 def _read(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:

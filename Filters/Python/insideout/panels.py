@@ -25,12 +25,15 @@ def draw_panels(
     surface: Optional[vtkPolyData] = None,
     lines: Optional[vtkPolyData] = None,
     hull: Optional[vtkUnstructuredGrid] = None,
+    quality: Optional[vtkUnstructuredGrid] = None,
     up: Optional[str] = None,
     timeout: Optional[float] = None,
 ) -> bytes:
-    """The content of a .png file that shows what there is of the three: a surface with its defects; a slice and the solid of a hull.
+    """The content of a .png file that shows what there is of these: a surface with its defects; a slice and the solid of a hull;
+    the dihedral angles of a solid.
 
     surface, lines  as `check` marks and draws them: both or none
+    quality         as `check_solid` measures it
     up              "x", "y" or "z"
     timeout         seconds
 
@@ -38,7 +41,8 @@ def draw_panels(
     """
     command = [*display_command(), sys.executable, "-m", "insideout.picture"]
     with temporary_folder() as folder:
-        picture, *files = (os.path.join(folder, name) for name in ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu"))
+        names = ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu", "quality.vtu")
+        picture, *files = (os.path.join(folder, name) for name in names)
         command.append(picture)
         if surface is not None and lines is not None:
             write_surface(surface, files[0])
@@ -47,6 +51,11 @@ def draw_panels(
         if hull is not None:
             write_grid(hull, files[2])
             command += ["--hull", files[2]]
+        if quality is not None:
+            figures = vtkUnstructuredGrid()
+            figures.SetFieldData(quality.GetFieldData())
+            write_grid(figures, files[3])
+            command += ["--quality", files[3]]
         if up is not None:
             command += ["--up", up]
         _run(command, folder, timeout)

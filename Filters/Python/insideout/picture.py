@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
-    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--up z]
+    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--up z] [--quality FIGURES.vtu]
 
 Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
 slice of the winding number w through the hull, and the tetrahedra inside, cut open. Without one of the
-two its panels are left out. What is up is told (x, y or z) or found (`View`).
+two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
+of dihedral angles that `check_solid` puts into the field data of a solid.
 """
 
 from __future__ import annotations
@@ -16,17 +17,21 @@ from typing import Any, Mapping, Optional, Tuple
 
 import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401
+import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData, vtkRectf, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkThreshold, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
@@ -40,7 +45,10 @@ from vtkmodules.vtkRenderingCore import (
 
 from .data import corners_of, make_cells
 from .defects import DEFECTS
+from .files import HARMLESS_WHEN_READING
 from .pipeline import Error, run, statistics_of
+from .quality import quality_rows, solid_verdict
+from .serializing import vtk_array
 from .tetrahedralization import inside_cells
 from .view import HEIGHT, PANEL_WIDTH, View
 from .vtkFiltersInsideOut import vtkSurfaceDefects
@@ -245,7 +253,53 @@ def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]
 
 
-def render(panels: list[list[vtkProp]], view: View, file: str, description: str) -> None:
+SHARP_BINS = 2  # of the histogram: up to 10 degrees
+
+
+def histogram_panel(figures: vtkUnstructuredGrid) -> list[vtkProp]:
+    counts = vtk_to_numpy(figures.GetFieldData().GetArray("DihedralAngleHistogram"))
+    width = 180 / len(counts)
+    chart = vtkChartXY()
+    chart.SetAutoSize(False)
+    chart.SetSize(vtkRectf(0.05 * PANEL_WIDTH, 0.27 * HEIGHT, 0.9 * PANEL_WIDTH, 0.62 * HEIGHT))
+    chart.SetBarWidthFraction(0.95)
+    shares = 100 * counts / max(counts.sum(), 1)
+    bins = np.arange(len(counts))
+    table, colours = vtkTable(), vtkLookupTable()
+    for name, values in (("angle", (bins + 0.5) * width), ("share", shares), ("sharp", 1.0 * (bins < SHARP_BINS))):
+        column = vtk_array(values)
+        column.SetName(name)
+        table.AddColumn(column)
+    colours.SetNumberOfTableValues(2)
+    colours.SetTableRange(0, 1)
+    for k, colour in enumerate((SOLID, CROSSING)):
+        colours.SetTableValue(k, *colour)
+    bars = chart.AddPlot(vtkChart.BAR)
+    bars.SetInputData(table, "angle", "share")
+    bars.SelectColorArray("sharp")
+    bars.SetLookupTable(colours)
+    bars.ScalarVisibilityOn()
+    for side, title, least, most in ((vtkAxis.BOTTOM, "degrees", 0, 180), (vtkAxis.LEFT, "% of all angles", 0, 1.1 * shares.max())):
+        axis = chart.GetAxis(side)
+        axis.SetTitle(title)
+        axis.SetBehavior(vtkAxis.FIXED)
+        axis.SetRange(least, most)
+        axis.GetTitleProperties().SetFontSize(22)
+        axis.GetTitleProperties().SetBold(False)
+        axis.GetLabelProperties().SetFontSize(18)
+    drawn = vtkContextActor()
+    drawn.GetScene().AddItem(chart)
+    lines = [words(text, 0.2 - 0.033 * k, size=20) for k, text in enumerate(texts_of(figures))]
+    return [drawn, words("Dihedral angles of the tetrahedra", 0.95, size=30, bold=True), *lines]
+
+
+def texts_of(figures: vtkUnstructuredGrid) -> list[str]:
+    """How good a solid is, as the command's summary says it."""
+    statistics = statistics_of(figures)
+    return [solid_verdict(statistics), *(f"{what}: {how_much}" for what, how_much in quality_rows(statistics))]
+
+
+def render(panels: list[list[vtkProp]], view: Optional[View], file: str, description: str) -> None:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
@@ -256,7 +310,8 @@ def render(panels: list[list[vtkProp]], view: View, file: str, description: str)
         renderer.SetViewport(k / len(panels), 0, (k + 1) / len(panels), 1)
         for prop in panel:
             renderer.AddViewProp(prop)
-        view.apply(renderer)
+        if view:
+            view.apply(renderer)
         window.AddRenderer(renderer)
     window.Render()
 
@@ -274,7 +329,7 @@ def render(panels: list[list[vtkProp]], view: View, file: str, description: str)
 
 def read(reader: Any, file: str) -> Any:
     reader.SetFileName(file)
-    run(reader)
+    run(reader, harmless=HARMLESS_WHEN_READING)  # figures alone have no points
     return reader.GetOutput()
 
 
@@ -287,7 +342,7 @@ def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
     return faces.GetOutput()
 
 
-def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], up: Optional[str]) -> None:
+def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], up: Optional[str], quality: Optional[str]) -> None:
     hull = read(vtkXMLUnstructuredGridReader(), hull_file) if hull_file else None
     panels, description = [], ""
     view: Optional[View] = None
@@ -302,7 +357,11 @@ def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], u
     if hull:
         view = view or View(triangles_of(outside_of(hull)), up)
         panels += [slice_panel(hull, view), solid_panel(hull, view)]
-    if view:
+    if quality:
+        figures = read(vtkXMLUnstructuredGridReader(), quality)
+        panels.append(histogram_panel(figures))
+        description = "; ".join(([description] if description else []) + texts_of(figures))
+    if panels:
         render(panels, view, picture, description)
 
 
@@ -312,8 +371,9 @@ if __name__ == "__main__":
     parser.add_argument("--surface", nargs=2)
     parser.add_argument("--hull")
     parser.add_argument("--up", choices="xyz")
+    parser.add_argument("--quality")
     options = parser.parse_args()
     try:
-        main(options.picture, options.surface, options.hull, options.up)
+        main(options.picture, options.surface, options.hull, options.up, options.quality)
     except Error as error:
         sys.exit(str(error))

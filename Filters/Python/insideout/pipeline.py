@@ -33,7 +33,13 @@ Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
 
 STATISTICS_PREFIX = "Statistics_"
-MEASURED = ("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Diagonal", "EnclosedVolume", "OpenLength", "OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia")  # all other statistics count
+MEASURED = (
+    *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Diagonal", "EnclosedVolume", "OpenLength"),
+    *("OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
+    *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
+    "AverageMeanRatio",
+)
+"""What the names of statistics begin with that do not count."""
 
 
 class Error(RuntimeError):

@@ -8,6 +8,7 @@ from typing import Iterable, Mapping, Optional, Sequence
 from . import stages
 from .checking import Finding
 from .defects import DEFECTS
+from .quality import quality_rows, solid_verdict
 from .verdict import verdict, volumes_of_shells, what_it_bounds
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
 
@@ -25,13 +26,14 @@ COUNTS = {
     "Components": "components",
     "InputTriangles": "triangles",
     "InsideCells": "tetrahedra",
+    "Cells": "cells",
     "InsidePlaces": "inside",
     "SecondsTotal": "seconds",
 }
 """What tables call the statistics."""
 
 CHECK_ROWS = ("Points", "Facets", "OpenEdges", "IntersectingPairs", "Components", "NonManifoldEdges", "InconsistentEdges", "NearPoints")
-COLUMNS = ("InputTriangles", "OpenEdges", "IntersectingPairs", "InsideCells", "InsidePlaces", "SecondsTotal")
+COLUMNS = ("InputTriangles", "OpenEdges", "IntersectingPairs", "InsideCells", "InsidePlaces", "Cells", "SecondsTotal")
 
 TIMES = (
     ("SecondsRead", stages.READING),
@@ -114,6 +116,18 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
         *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),
+        f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+    ]
+
+
+def solid_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding]) -> list[str]:
+    """The lines that `--check` prints of a solid."""
+    return [
+        f"Solid {name}: {solid_verdict(statistics)}",
+        f"  {_count(statistics['BoundaryFaces'])} boundary triangles",
+        *(f"  {what:20} {how_much}" for what, how_much in quality_rows(statistics)),
+        *_listed("Wrong, and may matter", [finding for finding in findings if finding.matters]),
+        *_listed("Worth knowing", [finding for finding in findings if not finding.matters]),
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
     ]
 

@@ -9,6 +9,7 @@
 #include "vtkRefineTetrahedra.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
+#include "vtkSolidQuality.h"
 #include "vtkSurfaceDefects.h"
 #include "vtkSurfaceReader.h"
 #include "vtkSurfaceWriter.h"
@@ -158,6 +159,9 @@ TEST(vtkInsideOutMonitor, KnowsEveryStageThatTheFiltersRun)
   vtkNew<vtkGraphCutSegmentation> cut;
   cut->SetInputConnection(windingNumber->GetOutputPort());
   ExpectStages(cut, { Stages::Segmenting });
+  vtkNew<vtkSolidQuality> quality;
+  quality->SetInputConnection(windingNumber->GetOutputPort());
+  ExpectStages(quality, with(toCrossings, { Stages::Measuring }));
   vtkNew<vtkRobustTetrahedralize> robust;
   robust->SetInputData(box);
   robust->ConstrainFacetsOn();

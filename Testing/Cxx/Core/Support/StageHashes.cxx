@@ -6,6 +6,8 @@
 #include "HullMesh.h"
 #include "Output/BoundaryTriangles.h"
 #include "Output/Outliers.h"
+#include "Quality/QualityOfMesh.h"
+#include "Quality/SolidDefects.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 
 #include <cstring>
@@ -109,6 +111,13 @@ Hashes HashStages(const TriangleSoup& soup)
     BoundaryTriangles(
       surface, hull.Mesh, BoundaryFaces(hull.Mesh, inside, monitor, progress), monitor, progress));
   add("outliers", OutlierPieces(surface, hull.Mesh, inside, monitor, progress));
+
+  const SolidDefects solid = FindSolidDefects(hull.Mesh.Points, hull.Mesh.Cells, monitor);
+  add("solid defects", solid.Orientations, solid.Regions, solid.ContactPairs);
+  const MeshQuality quality = QualityOfMesh(hull.Mesh.Points, hull.Mesh.Cells, monitor, progress);
+  add("quality", quality.Histogram, quality.MinDihedralAngle, quality.DihedralAngle1Percent,
+    quality.MaxRadiusEdgeRatio, quality.RadiusEdgeRatio99Percent, quality.AverageMeanRatio,
+    quality.SurfaceEdgesUnder10Degrees);
 
   for (const WindingNumberMethod method : { WindingNumberMethod::Exact, WindingNumberMethod::Naive,
          WindingNumberMethod::Hierarchical, WindingNumberMethod::Approximate })

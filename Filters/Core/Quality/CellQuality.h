@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace insideout
+{
+/** Corners of the edges of a tetrahedron, as vtkTetra numbers them. */
+constexpr std::array<std::array<int, 2>, 6> TetrahedronEdges = { { { { 0, 1 } }, { { 1, 2 } },
+  { { 2, 0 } }, { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } } };
+
+/** How good a tetrahedron is. An inverted one has all that its mirror image has, but for the mean
+ * ratio's sign. */
+struct CellQuality
+{
+  /** In degrees, from 0 to 180, at each of TetrahedronEdges. */
+  std::array<double, 6> DihedralAngles;
+
+  /** The radius of the circumsphere over the shortest edge: sqrt(6) / 4 = 0.612 at best, infinite
+   * where the cell is flat. */
+  double RadiusEdgeRatio;
+
+  /** 12 (3 V)^(2/3) over the sum of the squared edges, as Verdict has it (Liu and Joe 1994): 1 at
+   * best, 0 where the cell is flat, negative where it is inverted. */
+  double MeanRatio;
+
+  double MinDihedralAngle() const
+  {
+    return *std::min_element(this->DihedralAngles.begin(), this->DihedralAngles.end());
+  }
+  double MaxDihedralAngle() const
+  {
+    return *std::max_element(this->DihedralAngles.begin(), this->DihedralAngles.end());
+  }
+};
+
+/**
+ * The quality of a tetrahedron, never NaN. Doubles decide where the cell is thick; where its volume
+ * is below a millionth of its longest edge cubed, double-doubles do, of coordinates whose
+ * differences are exact: so that all has ten digits down to 1e-20 of that, where those that doubles
+ * give are noise. Only an exactly flat cell is called so; its angles are 0 and 180 degrees, and 0
+ * at an edge of a face without area.
+ *
+ * @param[in] corners finite coordinates
+ */
+CellQuality QualityOfCell(const std::array<Point, 4>& corners);
+
+/** The same of one cell of a mesh. */
+CellQuality QualityOfCell(const std::vector<Point>& points, const Tetrahedron& cell);
+} // namespace insideout

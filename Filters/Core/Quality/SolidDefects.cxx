@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/SolidDefects.h"
+
+#include "Common/DisjointSets.h"
+#include "Common/FaceTable.h"
+#include "Common/ParallelLoop.h"
+#include "Common/PointPredicates.h"
+#include "Common/Stages.h"
+#include "Resolve/FindIntersections.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** What the orientation of a cell takes. */
+constexpr double NanosecondsPerCell = 50;
+
+/** Faces by how many cells they are of, and how these lie. */
+struct Faces
+{
+  std::vector<std::array<Id, 2>> Joints; ///< cells on both sides
+  std::vector<Triangle> Boundary;
+  Id Crowded = 0;
+  Id Overlapping = 0;
+};
+
+/** On which side of the face, as its sorted points run, the cell lies; 0 for a flat one. */
+int SideOf(const FaceEntry& entry, const std::vector<std::int8_t>& orientations)
+{
+  return (entry.Turned ? -1 : 1) * orientations[entry.Cell];
+}
+
+Faces FindFaces(const std::vector<Tetrahedron>& cells, std::size_t numberOfPoints,
+  const std::vector<std::int8_t>& orientations)
+{
+  Faces faces;
+  const FaceTable table(numberOfPoints, cells);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Triangle corners = FaceOf(cells[c], k);
+      const FaceTable::Range sharing = table.Find(SortedTriangle(corners));
+      if (sharing.First[0].Cell != static_cast<Id>(c))
+      {
+        continue; // seen already
+      }
+      if (sharing.Size() == 1)
+      {
+        faces.Boundary.push_back(corners);
+      }
+      for (std::size_t other = 1; other < sharing.Size(); ++other)
+      {
+        faces.Joints.push_back({ static_cast<Id>(c), sharing.First[other].Cell });
+      }
+      faces.Crowded += sharing.Size() > 2;
+      faces.Overlapping += sharing.Size() == 2 &&
+        SideOf(sharing.First[0], orientations) * SideOf(sharing.First[1], orientations) > 0;
+    }
+  }
+  return faces;
+}
+
+/** Number the parts that cells make up, by their first ones. */
+void FindRegions(const std::vector<std::array<Id, 2>>& joints, SolidDefects& defects)
+{
+  const std::size_t cells = defects.Orientations.size();
+  DisjointSets parts(cells);
+  for (const std::array<Id, 2>& joint : joints)
+  {
+    parts.Join(joint[0], joint[1]);
+  }
+  defects.Regions.resize(cells);
+  for (Id c = 0; c < static_cast<Id>(cells); ++c)
+  {
+    const Id first = parts.Find(c);
+    defects.Regions[c] = first == c ? defects.NumberOfRegions++ : defects.Regions[first];
+  }
+}
+
+/** The triangles that have an area. */
+std::vector<Triangle> WithArea(const std::vector<Point>& points, std::vector<Triangle> triangles)
+{
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                    [&](const Triangle& t) { return IsDegenerate(points, t); }),
+    triangles.end());
+  return triangles;
+}
+} // namespace
+
+SolidDefects FindSolidDefects(
+  const std::vector<Point>& points, const std::vector<Tetrahedron>& cells, Monitor& monitor)
+{
+  SolidDefects defects;
+  defects.Orientations.resize(cells.size());
+  ParallelLoop(cells.size(), NanosecondsPerCell, monitor, { Stages::Validating, 0, 0.3 },
+    [&](std::size_t c)
+    { defects.Orientations[c] = static_cast<std::int8_t>(Orient3D(points, cells[c])); });
+  const auto count = [&](int sign)
+  {
+    return static_cast<Id>(
+      std::count(defects.Orientations.begin(), defects.Orientations.end(), sign));
+  };
+  defects.NegativeCells = count(-1);
+  defects.FlatCells = count(0);
+  Faces faces = FindFaces(cells, points.size(), defects.Orientations);
+  monitor.Check(Stages::Validating, 0.8);
+  FindRegions(faces.Joints, defects);
+  defects.CrowdedFaces = faces.Crowded;
+  defects.OverlappingFaces = faces.Overlapping;
+  defects.BoundaryFaces = static_cast<Id>(faces.Boundary.size());
+  monitor.Check(Stages::Validating, 1);
+  defects.ContactPairs = static_cast<Id>(
+    FindIntersections(points, WithArea(points, std::move(faces.Boundary)), monitor).size());
+  return defects;
+}
+
+void AppendSolidDefects(const SolidDefects& defects, Statistics& statistics)
+{
+  statistics.emplace_back("Cells", defects.Orientations.size());
+  statistics.emplace_back("Regions", defects.NumberOfRegions);
+  statistics.emplace_back("NegativeCells", defects.NegativeCells);
+  statistics.emplace_back("FlatCells", defects.FlatCells);
+  statistics.emplace_back("CrowdedFaces", defects.CrowdedFaces);
+  statistics.emplace_back("OverlappingFaces", defects.OverlappingFaces);
+  statistics.emplace_back("BoundaryFaces", defects.BoundaryFaces);
+  statistics.emplace_back("ContactPairs", defects.ContactPairs);
+  statistics.emplace_back("Conforms", defects.Conforms());
+}
+} // namespace insideout

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`check_solid`: what is wrong with tetrahedra, and how good they are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkUnstructuredGrid
+
+from .checking import Finding, find_among
+from .defects import Defect
+from .pipeline import Progress, run, statistics_of
+from .results import Result
+from .solids import AnySolid, as_solid
+from .vtkFiltersInsideOut import vtkSolidQuality
+
+# What matters comes first.
+SOLID_DEFECTS = (
+    Defect(*("NegativeCells", "negative cell", "negative cells"), "their points run the wrong way, or they are turned inside out: solvers refuse them", True),
+    Defect(*("FlatCells", "flat cell", "flat cells"), "they have no volume, exactly: solvers divide by it", True),
+    Defect(*("CrowdedFaces", "face of more than two cells", "faces of more than two cells"), "cells overlap there", True),
+    Defect(*("OverlappingFaces", "face with both cells on one side", "faces with both cells on one side"), "they overlap", True),
+    Defect(
+        *("ContactPairs", "pair of boundary faces that meet", "pairs of boundary faces that meet"),
+        "beyond the points and edges that they share: cells overlap, or do not fit together",
+        True,
+    ),
+    Defect(
+        *("CellsUnder5Degrees", "cell with a dihedral angle under 5 degrees", "cells with a dihedral angle under 5 degrees"),
+        "solvers take longer, and are less exact; the surface itself is as sharp along {SurfaceEdgesUnder5Degrees:,} edges",
+    ),
+)
+
+
+@dataclass(frozen=True, repr=False)
+class SolidCheck(Result):
+    """What `check_solid` found. The VTK class vtkSolidQuality describes the arrays and statistics."""
+
+    solid: vtkUnstructuredGrid
+    """The solid with the quality of each cell. Its field data are what was measured, and not what it had."""
+    statistics: dict[str, float]
+    """Counts, angles and ratios by name."""
+    histogram: list[int]
+    """How many dihedral angles are in each 5 degrees, from 0 to 180."""
+    findings: list[Finding]
+    """What is wrong, with what matters first; empty when nothing is."""
+    verdict: str
+    """Whether it is a mesh that a solver takes, in one sentence."""
+    warnings: list[str]
+    """What is worth knowing about the input, one line each."""
+
+    def figures(self) -> list[tuple[str, str]]:
+        return [
+            ("", self.verdict),
+            *quality_rows(self.statistics),
+            *((finding.text, finding.consequence) for finding in self.findings),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+    def seen(self) -> dict[str, Any]:
+        return {"quality": self.solid}
+
+
+def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> SolidCheck:
+    """What is wrong with a solid of tetrahedra, and how good they are. Nothing is changed.
+
+    solid     a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a .vtu file; a pair
+              (points, cells) of arrays; a meshio.Mesh; or a VTK algorithm
+    progress  called with the stage and the fraction of all the work that is done
+
+    What is flat, negative, or does not fit together is decided exactly. Returns a `SolidCheck`. Raises
+    `Error` with one line that names what is wrong where it is no solid at all.
+    """
+    measure = vtkSolidQuality()
+    grid, warnings = as_solid(solid)
+    bare = vtkUnstructuredGrid()
+    bare.ShallowCopy(grid)
+    bare.SetFieldData(vtkFieldData())  # statistics of another run are not this one's
+    measure.SetInputData(bare)
+    warnings = warnings + run(measure, progress)
+    statistics = statistics_of(measure.GetOutput())
+    return SolidCheck(
+        solid=measure.GetOutput(),
+        statistics=statistics,
+        histogram=vtk_to_numpy(measure.GetOutput().GetFieldData().GetArray("DihedralAngleHistogram")).tolist(),
+        findings=find_among(SOLID_DEFECTS, statistics),
+        verdict=solid_verdict(statistics),
+        warnings=warnings,
+    )
+
+
+def solid_verdict(statistics: Mapping[str, float]) -> str:
+    """In one sentence."""
+    cells, regions = (int(statistics[name]) for name in ("Cells", "Regions"))
+    mesh = f"{cells:,} tetrahedra in {regions:,} {'part' if regions == 1 else 'parts'}"
+    wrong = [defect.counted(statistics[defect.statistic]) for defect in SOLID_DEFECTS[:2] if statistics[defect.statistic] > 0]
+    positive = " and ".join(wrong) if wrong else "all positive"
+    if not statistics["Conforms"]:
+        return f"{mesh} that do not conform; {positive}"
+    return f"{mesh}, conforming, the boundary watertight; {positive}"
+
+
+def quality_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
+    """The figures in words: what, and how much."""
+    least, one_percent, largest = (statistics[name] for name in ("MinDihedralAngle", "DihedralAngle1Percent", "MaxDihedralAngle"))
+    rows = [
+        ("dihedral angles", f"{least:.3g} to {largest:.4g} degrees, 1 % of them up to {one_percent:.3g}"),
+        ("radius-edge ratio", f"up to {statistics['MaxRadiusEdgeRatio']:.3g}, of 99 % up to {statistics['RadiusEdgeRatio99Percent']:.3g}"),
+        ("mean ratio", f"from {statistics['MinMeanRatio']:.3g}, on average {statistics['AverageMeanRatio']:.3g}; 1 is best"),
+    ]
+    for degrees in (10, 5):
+        cells, edges = (int(statistics[f"{what}Under{degrees}Degrees"]) for what in ("Cells", "SurfaceEdges"))
+        rows.append((f"under {degrees} degrees", f"{cells:,} cells; {edges:,} edges of the surface itself"))
+    return rows

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solids out of whatever holds tetrahedra."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Protocol, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+
+from .data import ARRAYS, Algorithm, AlgorithmOutput, MeshioMesh, Tetrahedra, make_cells, make_points, output_of, refuse_composite, table_of
+from .files import Path, read_solid
+from .pipeline import Error
+
+
+class UnstructuredGrid(Protocol):
+    """A vtkUnstructuredGrid."""
+
+    def GetCells(self) -> Any: ...
+
+    def GetCellTypesArray(self) -> Any: ...
+
+
+AnySolid = Union[UnstructuredGrid, Path, Tuple[ArrayLike, ArrayLike], MeshioMesh, Algorithm, AlgorithmOutput]
+"""What every function takes for a solid: a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a
+.vtu file; a pair (points, cells) of arrays with three and four columns; a meshio.Mesh; or a VTK algorithm, or an
+output port of one, which is updated."""
+
+
+def as_solid(solid: AnySolid) -> tuple[vtkUnstructuredGrid, list[str]]:
+    """The solid as VTK holds it, and what was passed over on the way. Raises `Error` for what is none."""
+    try:
+        return _as_solid(solid)
+    except MemoryError:
+        raise Error("not enough memory for this solid") from None
+
+
+def _as_solid(solid: Any) -> tuple[vtkUnstructuredGrid, list[str]]:
+    if isinstance(solid, vtkUnstructuredGrid):
+        return solid, []
+    if isinstance(solid, (str, os.PathLike)):
+        return read_solid(solid)
+    if isinstance(solid, (vtkAlgorithm, vtkAlgorithmOutput)):
+        return output_of(solid, "solid", vtkUnstructuredGrid)
+    refuse_composite("solid", solid)
+    if hasattr(solid, "points") and hasattr(solid, "cells"):
+        return _solid_of_meshio(solid)
+    if isinstance(solid, (tuple, list)) and len(solid) == 2:
+        return make_solid(*solid), []
+    raise Error(
+        f"the solid is of type {type(solid).__name__}; it can be a vtkUnstructuredGrid, a file's name, "
+        "a pair (points, cells) of arrays, a meshio.Mesh, or a VTK algorithm"
+    )
+
+
+def make_solid(points: ArrayLike, cells: ArrayLike) -> Tetrahedra:
+    """A solid of points and tetrahedra."""
+    corners = table_of("cells", cells, np.int64)
+    if len(corners) and corners.shape[1] != 4:
+        raise Error(f"cells has {corners.shape[1]} columns; it must have 4: ids of points, from 0")
+    solid = Tetrahedra()
+    solid.SetPoints(make_points(points, ARRAYS[0]))
+    solid.SetCells(VTK_TETRA, make_cells(corners.reshape(-1, 4)))
+    return solid
+
+
+def _solid_of_meshio(mesh: Any) -> tuple[Tetrahedra, list[str]]:
+    """The tetrahedra of a meshio.Mesh, and how many other cells there are."""
+    chosen = [np.asarray(block.data)[:, :4] for block in mesh.cells if block.type in ("tetra", "tetra10")]
+    others = sum(len(block.data) for block in mesh.cells if block.type not in ("tetra", "tetra10"))
+    if not chosen:
+        raise Error("the meshio.Mesh has no tetrahedra")
+    warnings = [f"{others} cells of the meshio.Mesh are ignored: they are no tetrahedra"] if others else []
+    return make_solid(mesh.points, np.concatenate(chosen)), warnings

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSolidQuality.h"
+
+#include "Common/Error.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutArrays.h"
+#include "Private/vtkInsideOutAttributes.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutReadGrid.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutWholeInput.h"
+#include "Quality/QualityOfMesh.h"
+#include "Quality/SolidDefects.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkSignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <utility>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkSolidQuality);
+
+void vtkSolidQuality::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+int vtkSolidQuality::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
+namespace
+{
+/** An array with a value for each tetrahedron, and 0 for other cells. */
+template <typename Array, typename ValueOf>
+void AddArray(const char* name, const vtkInsideOutTetrahedra& tetrahedra, vtkUnstructuredGrid* grid,
+  const ValueOf& valueOf)
+{
+  const auto array = vtkInsideOutMakeArray<Array>(name, grid->GetNumberOfCells());
+  array->Fill(0);
+  for (std::size_t c = 0; c < tetrahedra.Cells.size(); ++c)
+  {
+    array->SetValue(tetrahedra.CellIds[c], valueOf(c));
+  }
+  grid->GetCellData()->AddArray(array);
+}
+
+void MarkCells(const vtkInsideOutTetrahedra& cells, const SolidDefects& defects,
+  const std::vector<CellQuality>& qualities, vtkUnstructuredGrid* grid)
+{
+  AddArray<vtkDoubleArray>("MinDihedralAngle", cells, grid,
+    [&](std::size_t c) { return qualities[c].MinDihedralAngle(); });
+  AddArray<vtkDoubleArray>("MaxDihedralAngle", cells, grid,
+    [&](std::size_t c) { return qualities[c].MaxDihedralAngle(); });
+  AddArray<vtkDoubleArray>(
+    "RadiusEdgeRatio", cells, grid, [&](std::size_t c) { return qualities[c].RadiusEdgeRatio; });
+  AddArray<vtkDoubleArray>(
+    "MeanRatio", cells, grid, [&](std::size_t c) { return qualities[c].MeanRatio; });
+  AddArray<vtkSignedCharArray>(
+    "Orientation", cells, grid, [&](std::size_t c) { return defects.Orientations[c]; });
+}
+} // namespace
+
+int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  return vtkInsideOutRunOnWhole(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(
+        this, { Stages::Validating, Stages::FindingIntersections, Stages::Measuring });
+      const vtkInsideOutTetrahedra given = vtkInsideOutReadCorners(input);
+      if (given.Cells.empty())
+      {
+        throw Error(ErrorCode::EmptySurface, "the grid has no tetrahedra");
+      }
+      std::vector<std::string> warnings;
+      const vtkIdType others =
+        input->GetNumberOfCells() - static_cast<vtkIdType>(given.Cells.size());
+      if (others > 0)
+      {
+        warnings.push_back(std::to_string(others) + " cells are ignored: they are no tetrahedra");
+      }
+      const SolidDefects defects = FindSolidDefects(given.Points, given.Cells, monitor);
+      const std::vector<CellQuality> qualities =
+        QualityOfCells(given.Points, given.Cells, monitor, { Stages::Measuring, 0, 0.5 });
+      const MeshQuality quality = SummarizeQuality(
+        given.Cells, qualities, given.Points.size(), monitor, { Stages::Measuring, 0.5, 1 });
+
+      vtkNew<vtkUnstructuredGrid> marked;
+      marked->CopyStructure(input);
+      vtkInsideOutAttributes::PassAll(input,
+        { "MinDihedralAngle", "MaxDihedralAngle", "RadiusEdgeRatio", "MeanRatio", "Orientation" },
+        marked, warnings);
+      MarkCells(given, defects, qualities, marked);
+      marked->GetFieldData()->AddArray(
+        vtkInsideOutMakeArray<vtkIdTypeArray>("DihedralAngleHistogram",
+          std::vector<vtkIdType>(quality.Histogram.begin(), quality.Histogram.end())));
+      Statistics statistics;
+      AppendSolidDefects(defects, statistics);
+      AppendQuality(quality, statistics);
+      vtkInsideOutAddStatistics(statistics, marked);
+      output->ShallowCopy(marked);
+      vtkInsideOutWarn(this, warnings);
+    });
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSolidQuality
+ * @brief   says what is wrong with tetrahedra, and how good they are
+ *
+ * Takes a grid of tetrahedra, of first or second order (vtkTetra, vtkQuadraticTetra; of the latter
+ * the corners count), and finds cells that are flat or negative, where cells do not fit together,
+ * and the quality of each. Nothing is changed. What is flat, negative or does not fit is decided by
+ * exact predicates. Cells of fewer dimensions are passed over, with a warning.
+ *
+ * The output is the input with these cell arrays, 0 where a cell is no tetrahedron:
+ * - MinDihedralAngle, MaxDihedralAngle (double): the cell's least and largest angle between two of
+ *   its faces, in degrees
+ * - RadiusEdgeRatio (double): the radius of its circumsphere over its shortest edge, 0.612 at best,
+ *   infinite where it is flat
+ * - MeanRatio (double): 12 (3 V)^(2/3) over the sum of its squared edges, as vtkMeshQuality has it:
+ *   1 at best, 0 where it is flat, negative where it is inverted
+ * - Orientation (signed char): 1 where its volume is positive, 0 where it is flat, -1 where it is
+ *   negative
+ *
+ * Field data Statistics_NAME, a double each:
+ * - Cells; Regions, the parts that are joined through faces; NegativeCells, FlatCells
+ * - BoundaryFaces, of one cell; CrowdedFaces, of more than two; OverlappingFaces, whose two cells
+ *   lie on the same side; ContactPairs, pairs of boundary faces that meet beyond the points and
+ *   edges that they share, as where a point lies in the middle of another cell's face
+ * - Conforms: 1 without crowded or overlapping faces and contacts; the boundary is watertight then
+ * - MinDihedralAngle, MaxDihedralAngle and DihedralAngle1Percent, the least angle that is no less
+ *   than a hundredth of all six angles of all cells
+ * - MaxRadiusEdgeRatio, and RadiusEdgeRatio99Percent, the least that is no less than 99 % of them
+ * - MinMeanRatio, AverageMeanRatio
+ * - CellsUnder10Degrees and CellsUnder5Degrees, which have a dihedral angle below
+ * - SurfaceEdgesUnder10Degrees and SurfaceEdgesUnder5Degrees, edges of the boundary where the solid
+ *   itself is that sharp, so that some cells have to be
+ *
+ * The field array DihedralAngleHistogram (vtkIdType, 36 values) says how many angles are in each 5
+ * degrees.
+ *
+ * A point that is not finite, a cell with a point out of range or one twice, and a volume that is
+ * no tetrahedron are errors that name them; the output is then empty.
+ *
+ * @sa vtkSurfaceDefects, vtkMeshQuality
+ */
+#ifndef vtkSolidQuality_h
+#define vtkSolidQuality_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkSolidQuality : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkSolidQuality* New();
+  vtkTypeMacro(vtkSolidQuality, vtkUnstructuredGridAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSolidQuality() = default;
+  ~vtkSolidQuality() override = default;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSolidQuality(const vtkSolidQuality&) = delete;
+  void operator=(const vtkSolidQuality&) = delete;
+};
+
+#endif

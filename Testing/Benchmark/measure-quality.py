@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How good tetrahedra are, ours and those that TetGen, gmsh and Netgen make of the boundary of our solid.
+
+    measure-quality.py [SURFACE...] [--table TABLE.md] [--inputs FOLDER] [--limit SECONDS] [--set NAME=VALUE]...
+
+Without a surface it takes 30 dirty and 10 clean ones of Debian's packages libcgal-demo and openfoam-examples.
+Each surface is meshed by the command line as it comes, without refinement. Every other mesher gets the boundary of
+that solid, watertight and without crossings, with a point in each cavity: vtkRefineTetrahedra gets the solid itself.
+Each runs in a process of its own, with a limit of processor time (120 s) and memory, with its defaults for sizes; its
+seconds are its own, without files. --set sets a property of vtkRefineTetrahedra, to bring our number of cells near another's:
+`--set EdgeLength=0.1`. --table writes all figures as Markdown, --inputs keeps what the meshers were given.
+
+Prints lines as Measure.h does: of the 1 % quantiles of dihedral angles where both made a mesh, and of the seconds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Optional
+
+from meshers import Outcome, meshers, outcome_of, write_inputs
+from solids import boundary_of, points_and_cells, read_grid, volume_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+DIRTY = (
+    *("ChineseDragon-10kv.off", "b9_mesh.off", "blade.off", "blobby-shuffled.off", "blobby_3cc.off", "bones.off"),
+    *("bull.off", "camel.off", "cow.off", "diplodocus.off", "elephant-with-holes.off", "elk.off", "head.off"),
+    *("lion-head.off", "lion.off", "man.off", "mannequin-devil.off", "mech-holes-shark.off", "mushroom.off"),
+    *("pig.off", "pig.stl", "three_peaks.off", "cyclone.stl", "desk.stl", "fan.stl", "propellerTip.obj"),
+    *("simpleCar.stl", "sloshingCylinder.obj", "stirrer.stl", "vessel.stl"),
+)
+CLEAN = (
+    *("anchor.off", "couplingdown.off", "dino.off", "elephant.off", "fandisk.off", "hand.off", "joint.off"),
+    *("rotor.off", "turbine.off", "flange.stl"),
+)
+
+TARGETS = (
+    ("kept", "ours, kept", ("TetGen -pq1.2/18O9Y",)),
+    ("split", "ours, split", ("TetGen -pq1.2/18O9", "TetGen -pq1.2O9")),
+    ("remeshed", "ours, remeshed", ("Netgen", "gmsh Delaunay")),
+)
+"""Of which mesher of ours the 1 % angle is to be at least that of which other: the first that made a mesh."""
+
+MOST_SECONDS = 1.5
+"""Times what TetGen takes, in the median."""
+
+COLUMNS = ("surface", "mesher", "cells", "least angle", "1 %", "largest", "radius-edge 99 %", "largest", "seconds", "")
+FIGURES = ("MinDihedralAngle", "DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio")
+
+
+@dataclass
+class Row:
+    """What became of a surface."""
+
+    name: str
+    triangles: int = 0
+    sharp: int = 0
+    """Edges of the surface itself under 10 degrees."""
+    cavities: int = 0
+    outcomes: dict[str, Outcome] = field(default_factory=dict)
+    trouble: str = ""
+
+    def one_percent(self, mesher: str) -> Optional[float]:
+        outcome = self.outcomes.get(mesher)
+        return outcome.figures["DihedralAngle1Percent"] if outcome and outcome.figures else None
+
+    def lines(self) -> list[str]:
+        """Of the table."""
+        if self.trouble:
+            return [_cells(self.name, "ours, as it comes", *[""] * 7, self.trouble)]
+        name = f"{self.name}, {self.triangles:,} triangles, {self.sharp:,} edges under 10 degrees"
+        name += f", {self.cavities} cavities" if self.cavities else ""
+        return [_line(name if k == 0 else "", mesher, outcome) for k, (mesher, outcome) in enumerate(self.outcomes.items())]
+
+
+def _cells(*cells: str) -> str:
+    return "| " + " | ".join(cells) + " |"
+
+
+def _line(name: str, mesher: str, outcome: Outcome) -> str:
+    if outcome.figures is None:
+        return _cells(name, mesher, *[""] * 7, outcome.trouble)
+    figures = (f"{outcome.figures[figure]:.3g}" for figure in FIGURES)
+    return _cells(name, mesher, f"{outcome.figures['Cells']:,}", *figures, f"{outcome.seconds:.2f}", outcome.trouble)
+
+
+def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
+    row = Row(Path(surface).name)
+    command = [sys.executable, "-m", "insideout", os.path.abspath(surface), "solid.vtu", "--hull", "hull.vtu"]
+    command += ["--report", "report.json", "--quiet", "--timeout", f"{options.limit:g}"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if done.returncode != 0:
+        row.trouble = done.stderr.strip().splitlines()[-1]
+        return row
+    seconds = json.loads((folder / "report.json").read_text())["statistics"]["SecondsCDT"]
+    hull = read_grid(str(folder / "hull.vtu"))
+    points, cells = points_and_cells(hull)
+    inside = vtk_to_numpy(hull.GetCellData().GetArray("Inside")) > 0
+    boundary = boundary_of(points, cells, inside)
+    write_inputs(boundary, folder)
+    ours = row.outcomes["ours, as it comes"] = outcome_of(points, cells[inside], seconds)
+    row.triangles, row.cavities = len(boundary.triangles), len(boundary.cavities)
+    row.sharp = ours.figures["SurfaceEdgesUnder10Degrees"]
+    volume = volume_of(points, cells[inside])
+    for mesher in meshers(options.set):
+        if mesher.exists():
+            outcome = row.outcomes[mesher.name] = mesher.run(folder, volume, options.limit)
+            if mesher.package is None and outcome.seconds is not None:
+                outcome.seconds += seconds  # TetGen's, too, begin with the boundary
+    return row
+
+
+def ratio_lines(row: Row) -> list[str]:
+    lines = []
+    for target, ours, others in TARGETS:
+        found = [value for value in map(row.one_percent, others) if value is not None]
+        own = row.one_percent(ours)
+        if own is not None and found and found[0] > 0:
+            lines.append(f"ratio quality/{target}/{row.name} {own / found[0]:.3f} at least 1.0")
+    return lines
+
+
+def median_lines(rows: list[Row]) -> list[str]:
+    """Of the seconds of all surfaces that both meshed."""
+    lines = []
+    for target, ours, others in TARGETS[:2]:
+        both = [row.outcomes for row in rows if ours in row.outcomes and others[0] in row.outcomes]
+        pairs = [(outcomes[ours].seconds, outcomes[others[0]].seconds) for outcomes in both]
+        ratios = [own / other for own, other in pairs if own is not None and other]
+        if ratios:
+            lines.append(f"ratio quality/{target}/seconds {statistics.median(ratios):.3f} at most {MOST_SECONDS}")
+    return lines
+
+
+def overview(rows: list[Row]) -> list[str]:
+    """What each mesher did with all surfaces, as a table."""
+    columns = ("mesher", "meshed", "cells, median", "1 %, median", "least angle, median", "seconds, median")
+    lines = ["", _cells(*columns), _cells(*["---"] * len(columns))]
+    for name in dict.fromkeys(name for row in rows for name in row.outcomes):
+        done = [row.outcomes[name] for row in rows if name in row.outcomes and row.outcomes[name].figures]
+        medians = [""] * 4
+        if done:
+            values = ([one.figures[figure] for one in done] for figure in ("Cells", "DihedralAngle1Percent", "MinDihedralAngle"))
+            cells, one_percent, least = map(statistics.median, values)
+            seconds = statistics.median(one.seconds for one in done)
+            medians = [f"{cells:,.0f}", f"{one_percent:.3g}", f"{least:.3g}", f"{seconds:.2f}"]
+        lines.append(_cells(name, f"{len(done)} of {len(rows)}", *medians))
+    return lines
+
+
+def write_table(rows: list[Row], path: str) -> None:
+    text = ["Angles are dihedral, in degrees; the 1 % quantile is of all dihedral angles of all cells.", ""]
+    text += [_cells(*COLUMNS), _cells(*["---"] * len(COLUMNS))]
+    text += [line for row in rows for line in row.lines()]
+    Path(path).write_text("\n".join([*text, *overview(rows), ""]))
+
+
+def main(options: argparse.Namespace) -> None:
+    rows = []
+    for mesher in meshers(options.set):
+        if not mesher.exists():
+            where = f"of the Debian package {mesher.package}" if mesher.package else "which this build has not"
+            print(f"missing: {mesher.name}, {where}")
+    with tempfile.TemporaryDirectory() as temporary:
+        surfaces = options.surfaces
+        if not surfaces:
+            unpack = Path(__file__).with_name("unpack-surfaces.sh")
+            subprocess.run([unpack, temporary, *DIRTY, *CLEAN], check=True)
+            surfaces = [str(Path(temporary, name)) for name in (*DIRTY, *CLEAN) if Path(temporary, name).exists()]
+        for surface in surfaces:
+            folder = Path(options.inputs or temporary, re.sub(r"\W", "-", Path(surface).name)).resolve()
+            folder.mkdir(parents=True, exist_ok=True)
+            rows.append(measure(surface, folder, options))
+            print("\n".join([*rows[-1].lines(), *ratio_lines(rows[-1])]), flush=True)
+            if options.table:
+                write_table(rows, options.table)
+    print("\n".join([*overview(rows), *median_lines(rows)]))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("surfaces", nargs="*", metavar="SURFACE")
+    parser.add_argument("--table", metavar="TABLE.md")
+    parser.add_argument("--inputs", metavar="FOLDER")
+    parser.add_argument("--limit", type=float, default=120, metavar="SECONDS")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
+    main(parser.parse_args())
