@@ -17,6 +17,7 @@ The solid, its boundary and the whole hull, as VTK data sets with numpy views::
 The solid in better cells, whose edges are at most so long::
 
     insideout.refine(result.solid, edge_length=0.05).solid
+
 What is wrong with tetrahedra, and how good they are::
 
     print(insideout.check_solid(result.solid).verdict)

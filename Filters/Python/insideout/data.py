@@ -12,7 +12,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_QUADRATIC_TETRA,
-    VTK_TETRA,
     vtkCellArray,
     vtkCompositeDataSet,
     vtkDataObject,
@@ -67,14 +66,6 @@ class DataSetOfPoints(Protocol):
     def GetNumberOfPoints(self) -> int: ...
 
 
-class UnstructuredGrid(Protocol):
-    """A vtkUnstructuredGrid."""
-
-    def GetCells(self) -> Any: ...
-
-    def GetCellTypesArray(self) -> Any: ...
-
-
 class MeshioMesh(Protocol):
     """A meshio.Mesh."""
 
@@ -106,9 +97,6 @@ AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Algo
 """What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
 .stl or .vtp file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
 `vertices` and `faces`, as a trimesh.Trimesh; or a VTK algorithm, or an output port of one, which is updated."""
-
-AnyTetrahedra = Union[UnstructuredGrid, Tuple[ArrayLike, ArrayLike]]
-"""What `refine` takes: a vtkUnstructuredGrid, or a pair (points, cells) of arrays with three and four columns."""
 
 AnyPoints = Union[DataSetOfPoints, ArrayLike]
 """What every function takes for points: an array with three columns, or the points of a VTK data set."""
@@ -220,27 +208,6 @@ def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
         f"the surface is of type {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
         "a pair (points, triangles) of arrays, a meshio.Mesh, an object with vertices and faces, or a VTK algorithm"
     )
-
-
-def as_tetrahedra(solid: Any) -> vtkUnstructuredGrid:
-    """The tetrahedra as VTK holds them. Raises `Error` for what are none."""
-    if isinstance(solid, vtkUnstructuredGrid):
-        return solid
-    _refuse_composite("solid", solid)
-    if not isinstance(solid, (tuple, list)) or len(solid) != 2:
-        raise Error(
-            f"the solid is of type {type(solid).__name__}; it can be a vtkUnstructuredGrid, or a pair (points, cells) of arrays"
-        )
-    try:
-        corners = _rows("cells", solid[1], np.int64)
-        if len(corners) and corners.shape[1] != 4:
-            raise Error(f"cells has {corners.shape[1]} columns; it must have 4: ids of points, from 0")
-        grid = vtkUnstructuredGrid()
-        grid.SetPoints(_make_points(solid[0], ARRAYS[0]))
-        grid.SetCells(VTK_TETRA, make_cells(corners.reshape(-1, 4)))
-    except MemoryError:
-        raise Error("not enough memory for this solid") from None
-    return grid
 
 
 def output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput], what: str, kind: type[DataSet]) -> tuple[DataSet, list[str]]:

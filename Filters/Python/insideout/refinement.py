@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkUnstructuredGrid
 
-from .data import AnyTetrahedra, DataSetOfPoints, Tetrahedra, as_tetrahedra, as_type
+from .data import DataSetOfPoints, Tetrahedra, as_type
 from .options import REFINING_OPTIONS, Options, describe_options, in_words_of_python
 from .pipeline import Error, Progress, run, statistics_of
 from .results import Result, counted
 from .serializing import vtk_array
+from .solids import AnySolid, as_solid
 from .vtkFiltersInsideOut import vtkRefineTetrahedra
 
 Sizes = Union[str, ArrayLike]
@@ -44,7 +45,7 @@ class Refinement(Result):
 
 @describe_options
 def refine(
-    solid: AnyTetrahedra,
+    solid: AnySolid,
     *,
     edge_length: Optional[float] = None,
     grading: Optional[float] = None,
@@ -56,8 +57,7 @@ def refine(
 ) -> Refinement:
     """Better tetrahedra of the same solid. Each triangle of its boundary, and between regions, stays as it is.
 
-    solid       a vtkUnstructuredGrid of tetrahedra, as `tetrahedralize` gives it, or a pair (points, cells) of
-                arrays; an array of integers RegionId per cell tells regions apart
+    solid       whatever `check_solid` takes, of first order; an array of integers RegionId per cell tells regions apart
     sizes       how long edges are to be at each point of the solid; or the name of its point array that says so
     background  a vtkDataSet that has a point array of that name, too: it holds between its points
     progress    called with the stage and the fraction of all the work that is done; what it
@@ -68,9 +68,10 @@ def refine(
     What is not given has the default of the class vtkRefineTetrahedra. Returns a `Refinement`. Raises `Error`
     with one line that names what is wrong.
     """
-    grid = as_tetrahedra(solid)
-    found, warnings = refined(grid, Options.among(locals()), progress, sizes, background)
-    return Refinement(solid=as_type(Tetrahedra, found), statistics=statistics_of(found), warnings=warnings)
+    options = Options.among(locals())
+    grid, warnings = as_solid(solid)
+    found, more = refined(grid, options, progress, sizes, background)
+    return Refinement(solid=as_type(Tetrahedra, found), statistics=statistics_of(found), warnings=warnings + more)
 
 
 def refined(
