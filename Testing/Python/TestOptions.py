@@ -12,7 +12,7 @@ from pathlib import Path
 
 import insideout
 from insideout import arguments
-from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Switch
+from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Scale, Switch
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -73,7 +73,7 @@ def example(option: Option) -> object:
         return option.choices[-1]
     if isinstance(option, Order):
         return option.most
-    return True if isinstance(option, Switch) else 7.0 if isinstance(option, Number) else "Some"
+    return True if isinstance(option, Switch) else 7.0 if isinstance(option, (Number, Scale)) else "Some"
 
 
 def plugin_properties():
@@ -236,7 +236,7 @@ class Python(unittest.TestCase):
         self.defaults = properties("vtkRobustTetrahedralize")
 
     def test_each_property_of_the_filter_is_an_option_or_is_left_out_for_a_reason(self):
-        named = {option.vtk_property for option in OPTIONS.values()} - {"SeedsData"}
+        named = {option.vtk_property for option in OPTIONS.values()} - {"SeedsData", ""}
         self.assertEqual(named | set(self.NO_OPTIONS), set(self.defaults))
         self.assertEqual(named & set(self.NO_OPTIONS), set())
 
@@ -250,7 +250,8 @@ class Python(unittest.TestCase):
         self.assertEqual({one.kind for one in found}, {inspect.Parameter.KEYWORD_ONLY})
 
     def test_other_functions_that_have_them_have_the_same(self):
-        for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside):
+        for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside, insideout.draw):
+            self.assertIn("scale", inspect.signature(function).parameters)
             for parameter in inspect.signature(function).parameters.values():
                 if parameter.name in OPTIONS:
                     self.assertEqual(parameter.default, OPTIONS[parameter.name].default, parameter.name)
@@ -288,6 +289,15 @@ class Python(unittest.TestCase):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(made)
 
+    def test_a_scale_is_above_0_and_no_property(self):
+        for bad in (0, -1, math.inf, math.nan, "much"):
+            for function in (insideout.check, insideout.resolve, insideout.tetrahedralize):
+                with self.assertRaisesRegex(insideout.Error, "^scale is "):
+                    function("missing.ply", scale=bad)
+        made = Options(scale=0.001).set_on(insideout.vtkRobustTetrahedralize())
+        self.assertEqual({key: getattr(made, "Get" + key)() for key in self.defaults}, self.defaults)
+        self.assertEqual((Options().factor(), Options(scale=2).factor()), (1, 2))
+
     def test_orders_have_the_range_of_the_class(self):
         for name, option in OPTIONS.items():
             if isinstance(option, Order):
@@ -314,7 +324,7 @@ class Python(unittest.TestCase):
     def test_each_option_sets_its_property_and_no_other(self):
         for name, option in OPTIONS.items():
             value = example(option)
-            if not isinstance(option, Choice) and name != "seeds":
+            if not isinstance(option, (Choice, Scale)) and name != "seeds":
                 with self.subTest(name):
                     made = Options(**{name: value}).set_on(insideout.vtkRobustTetrahedralize())
                     found = {key: getattr(made, "Get" + key)() for key in self.defaults}
