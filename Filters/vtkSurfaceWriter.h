@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSurfaceWriter
- * @brief   writes a surface as a PLY, OBJ or STL file, in full precision where the format has it
+ * @brief   writes a surface as a PLY, OBJ, OFF or STL file, in full precision where that has it
  *
  * Writes the polygons and strips of its input. The file name's ending says how: .ply (binary,
- * coordinates as doubles), .obj (text with 17 digits) or .stl (binary; the format has only
- * floats). What vtkSurfaceReader reads back from the first two has the same coordinates to the
- * last bit.
+ * coordinates as doubles), .obj or .off (text with 17 digits) or .stl (binary; the format has
+ * only floats). What vtkSurfaceReader reads back from the first three has the same coordinates to
+ * the last bit.
  *
  * Normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are written to PLY
- * and OBJ, every other numeric array to PLY. Lines and vertices are not written.
+ * and OBJ, every other numeric array to PLY, none to OFF. Lines and vertices are not written.
  *
  * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file to write, with the ending .ply, .obj or .stl. An older file is replaced. */
+  /** The file to write, with the ending .ply, .obj, .off or .stl. An older file is replaced. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

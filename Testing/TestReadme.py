@@ -72,7 +72,7 @@ class TestReadme(unittest.TestCase):
                 self.run_shell(ENVIRONMENT + block.replace("/where/you/like", str(self.folder / "prefix")))
                 ran += 1
         self.assertGreaterEqual(ran, 5)
-        for name in ("solid.vtu", "boundary.ply", "solids/mine.png", "w.csv", "results/solid.pvtu"):
+        for name in ("solid.vtu", "boundary.ply", "solids/mine.png", "w.csv", "results/solid.pvtu", "finer.msh", "rings.dat"):
             self.assertTrue((self.folder / name).exists(), name)
 
     def test_the_python_blocks(self):
@@ -84,7 +84,7 @@ class TestReadme(unittest.TestCase):
         for name, runner, code in (("program.py", "python3", program), ("batch.py", "pvbatch --force-offscreen-rendering", batch)):
             (self.folder / name).write_text("\n".join(code), encoding="utf-8")
             self.run_shell(f"{ENVIRONMENT}{runner} {name}")
-        for name in ("boundary.stl", "solid.vtu", "boundary.vtp"):
+        for name in ("boundary.stl", "solid.vtu", "boundary.vtp", "solid.msh", "solid.inp"):
             self.assertTrue((self.folder / name).exists(), name)
 
     def test_the_batch_script_says_that_its_folder_is_missing(self):

@@ -19,9 +19,10 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libpugixml-dev libxcb1-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libgl2ps-dev"
 
-# Real meshes, a display for pictures, the checks of style and types, and a second compiler with its
-# sanitizers, their symbolizer and its OpenMP.
-packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy python3-meshio
+# Real meshes, a display for pictures, the checks of style and types, programs that read the files for
+# solvers, and a second compiler with its sanitizers, their symbolizer and its OpenMP.
+packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy
+  python3-meshio python3-h5py gmsh python3-gmsh calculix-ccx
   clang-14 libclang-rt-14-dev libomp-14-dev llvm-14"
 
 missing=

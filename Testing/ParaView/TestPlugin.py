@@ -144,6 +144,29 @@ class TestPlugin(unittest.TestCase):
                 self.assertIn("SurfaceReader", [readers.GetString(i) for i in range(1, readers.GetLength(), 3)])
         self.assertIn("Surface in Full Precision (Inside Out)", factory.GetSupportedFileTypes(session))
 
+    def test_a_solid_is_saved_for_solvers(self):
+        solid = simple.RobustTetrahedralize(Input=self.surface)
+        boundary = servermanager.OutputPort(solid, 1)
+        tagged = simple.Calculator(Input=boundary, AttributeType="Cell Data", ResultArrayName="BoundaryTag", Function="3")
+        with tempfile.TemporaryDirectory() as folder:
+            def saved(name, **options):
+                path = os.path.join(folder, name)
+                simple.SaveData(path, **options)
+                with open(path, encoding="utf-8") as file:
+                    return file.read()
+
+            for ending, begin in (("msh", "$MeshFormat\n4.1 0 8"), ("inp", "** A solid"), ("mesh", "MeshVersionFormatted 2")):
+                self.assertTrue(saved("solid." + ending, proxy=solid).startswith(begin), ending)
+            self.assertIn('2 1 "surface"', saved("alone.msh", proxy=solid))
+            self.assertTrue(saved("old.msh", proxy=solid, MshVersion="2.2").startswith("$MeshFormat\n2.2 0 8"))
+            group = simple.GroupDatasets(Input=[solid, tagged])
+            self.assertIn('2 4 "tag_3"', saved("group.msh", proxy=group))
+            self.assertIn('2 4 "tag_3"', saved("both.msh", proxy=solid, Boundary=tagged))
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+        for proxy, port, offered in ((solid, 0, True), (group, 0, True), (solid, 1, False)):
+            types = factory.GetSupportedFileTypes(proxy.SMProxy, port)
+            self.assertEqual("Solid for Solvers (Inside Out)(*.inp *.mesh *.msh )" in types, offered, types)
+
     def test_statistics_are_among_the_information(self):
         """ParaView shows no field data whose first array is empty."""
         resolved = simple.ResolveSelfIntersections(Input=self.surface)

@@ -5,6 +5,7 @@ import gzip
 import json
 import os
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -118,7 +119,7 @@ class Success(CommandLine):
                     found["parameters"],
                     {
                         **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
-                        **{"engine": "automatic", "data_term": "uniform", "orientation": "automatic"},
+                        **{"scale": 1, "engine": "automatic", "data_term": "uniform", "orientation": "automatic"},
                         **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
                         **{"thicken": 0, "thicken_all": False},
                         **{"constrain_facets": False, "constrain_manifold": False},
@@ -127,6 +128,69 @@ class Success(CommandLine):
                     },
                 )
                 self.assertEqual(found["tetrahedralizer"], "exact flips and cuts")
+
+    def test_every_format_of_output(self):
+        source = self.file("boxes.ply", surfaces.two_boxes_and_a_stray_facet())
+        first_line = {
+            **{".msh": "$MeshFormat", ".inp": "** A solid", ".mesh": "MeshVersionFormatted 2", ".xdmf": "<Xdmf"},
+            **{".vtp": "<?xml", ".ply": "ply", ".obj": "v ", ".off": "OFF", ".stl": "Binary STL"},
+        }
+        for ending, begin in first_line.items():
+            with self.subTest(ending):
+                output, report = self.path("result" + ending), self.path("report.json")
+                done = run(source, output, "--report", report, "--scale", "0.1")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(output, "rb") as file:
+                    self.assertTrue(file.read().startswith(begin.encode()))
+                with open(report, encoding="utf-8") as file:
+                    found = json.load(file)
+                is_surface = ending in (".vtp", ".ply", ".obj", ".off", ".stl")
+                self.assertEqual(found["outputs"], {"surface" if is_surface else "solid": output})
+                self.assertEqual((found["parameters"]["scale"], found["statistics"]["Scale"]), (0.1, 0.1))
+                self.assertAlmostEqual(found["statistics"]["Volume"], 15 / 8000, delta=1e-15)
+                self.assertIn("coordinates multiplied by 0.1", done.stdout)
+                if is_surface:
+                    again = read_surface(output)[0]
+                    self.assertAlmostEqual(surfaces.enclosed_volume(again), 15 / 8000, delta=1e-9)
+                    self.assertEqual(insideout.check(again).statistics["OpenEdges"], 0)
+
+    def test_versions_of_msh(self):
+        source = self.file("box.ply", surfaces.box())
+        for options, expected in (((), "4.1"), (("--msh-version", "4.1"), "4.1"), (("--msh-version", "2.2"), "2.2")):
+            done = run(source, self.path("solid.msh"), "--hull", self.path("hull.msh"), *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for name in ("solid.msh", "hull.msh"):
+                with open(self.path(name), encoding="utf-8") as file:
+                    self.assertEqual(file.readlines()[1], f"{expected} 0 8\n")
+        self.check_failure(run(source, self.output, "--msh-version", "2.2"), "--msh-version is for .msh")
+
+    def test_a_scale_is_that_of_checks_pictures_and_places_too(self):
+        source, report = self.file("box.ply", surfaces.box()), self.path("report.json")
+        done = run("--check", source, "--scale", "2", "--report", report)
+        self.assertIn("bounds a solid of volume 8", done.stdout)
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["parameters"]["scale"], 2)
+        query = self.file("query.csv", "1.5,1.5,1.5\n")
+        self.assertIn("1 of 1 places are inside", run("--winding", query, source, self.path("w.csv"), "--scale", "2").stdout)
+        self.assertNotIn("multiplied", run("--check", source).stdout)
+        self.check_failure(run(source, self.output, "--scale", "0"), "scale is 0; it must be above 0")
+
+    def test_what_a_format_needs_is_known_before_the_work(self):
+        source = self.file("box.ply", surfaces.box())
+        missing = self.path("missing")
+        for module in ("meshio", "h5py"):
+            os.mkdir(missing)
+            with open(os.path.join(missing, module + ".py"), "w", encoding="utf-8") as file:
+                file.write("raise ImportError\n")
+            path = os.pathsep.join([missing, os.environ.get("PYTHONPATH", "")])
+            done = run(source, self.path("solid.xdmf"), env={**os.environ, "PYTHONPATH": path})
+            self.check_failure(done, f"{module}", "is not installed: apt-get install python3-" + module)
+            self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")
+            shutil.rmtree(missing)
+        for ending in (".msh", ".inp", ".mesh"):
+            done = run(source, self.path("solid" + ending), "--merge-coplanar-pieces")
+            self.check_failure(done, "--merge-coplanar-pieces", "solid" + ending)
+            self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")
 
     def test_the_report_is_json_of_a_surface_beyond_all_volumes(self):
         report = self.path("report.json")
@@ -599,7 +663,7 @@ class Failure(CommandLine):
             ((self.path("missing/solid.vtu"),), "there is no folder"),
             ((self.path("folder.vtu"),), "it is a folder"),
             ((self.output, "--hull", self.path("hull.vtp")), "hull.vtp: unknown ending"),
-            ((self.output, "--boundary", self.path("boundary.off")), "boundary.off: unknown ending"),
+            ((self.output, "--boundary", self.path("boundary.msh")), "boundary.msh: unknown ending"),
             ((self.output, "--outliers", self.path("outliers")), "outliers: unknown ending"),
             ((self.output, "--report", self.path("report.txt")), "report.txt: unknown ending"),
             ((self.output, "--hull", self.output), "is named twice"),
@@ -659,6 +723,8 @@ class Failure(CommandLine):
             ("a", "b", "--threads", "0"),
             ("a", "b", "--timeout", "0"),
             ("--check", "a.ply", self.output),
+            ("--check", "a.ply", self.path("solid.msh")),
+            ("a.ply", self.output, "--msh-version", "3"),
             ("--check", "a.ply", "--plot", "a.png"),
             ("--winding", "q.csv", "a.ply", "w.csv", "--gamma", "1"),
         ):

@@ -105,9 +105,10 @@ class OfPython(InAFolder):
 
     def writers(self):
         hull = insideout.tetrahedralize(surfaces.box()).hull
-        for name in ("box.vtp", "box.ply", "box.stl", "box.obj"):
+        for name in ("box.vtp", "box.ply", "box.stl", "box.obj", "box.off"):
             yield name, lambda path: insideout.write(surfaces.box(), path)
-        yield "hull.vtu", lambda path: insideout.write(hull, path)
+        for name in ("hull.vtu", "hull.msh", "hull.inp", "hull.mesh", "hull.xdmf"):
+            yield name, lambda path: insideout.write(hull, path)
         with open(self.source("query.csv"), "w", encoding="utf-8") as file:
             file.write("0.5,0.5,0.5\n" * 50)
         image = vtkImageData()
@@ -140,7 +141,7 @@ class OfPython(InAFolder):
                     self.assertIn(path, str(caught.exception))
                     self.assertIn(os.strerror(error), str(caught.exception))
                     self.assertEqual(self.files(), before)
-                    table[f"{words}: {errno.errorcode[error]}", name[-4:], "Error, file as before, process lives"] += 1
+                    table[f"{words}: {errno.errorcode[error]}", os.path.splitext(name)[1], "Error, file as before, process lives"] += 1
 
     def test_ctrl_c_leaves_the_earlier_file(self):
         for name, path, write, whole in self.each_writer():
@@ -152,7 +153,7 @@ class OfPython(InAFolder):
                         write(path)
                     self.assertEqual(self.files(), whole if call == "rename" else before)
                     what = "whole file" if call == "rename" else "file as before"
-                    table[f"{words}: SIGINT", name[-4:], f"KeyboardInterrupt, {what}, process lives"] += 1
+                    table[f"{words}: SIGINT", os.path.splitext(name)[1], f"KeyboardInterrupt, {what}, process lives"] += 1
 
 
 class OfTheCommand(InAFolder):
@@ -175,6 +176,8 @@ class OfTheCommand(InAFolder):
         yield "report.json", (box, solid, "--report", result("report.json"))
         if ALL:
             yield "hull.vtu", (box, solid, "--hull", result("hull.vtu"))
+            for ending in (".msh", ".inp", ".mesh", ".xdmf", ".off"):
+                yield "solid" + ending, (box, result("solid" + ending))
             for ending in (".vtp", ".ply", ".stl", ".obj"):
                 yield "boundary" + ending, (box, solid, "--boundary", result("boundary" + ending))
             yield "outliers.stl", (box, solid, "--outliers", result("outliers.stl"))

@@ -19,8 +19,10 @@ import numpy as np
 import surfaces
 from insideout import vtkSurfaceWriter
 from insideout.files import read_surface, write_grid, write_surface
+from insideout.writing import write_solid
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
@@ -52,7 +54,7 @@ def awkward_box() -> vtkPolyData:
 class RoundTrips(InAFolder):
     def test_doubles_come_back_to_the_last_bit(self):
         surface = awkward_box()
-        for ending in (".ply", ".obj", ".vtp"):
+        for ending in (".ply", ".obj", ".off", ".vtp"):
             with self.subTest(ending):
                 write_surface(surface, self.path("box" + ending))
                 again, warnings = read_surface(self.path("box" + ending))
@@ -287,8 +289,15 @@ class Writing(InAFolder):
         yield "w.csv", lambda path: insideout.pipeline.write_bytes(b"0123456789abcdef" * 10000, path)
         points = np.random.default_rng(1).random((6000, 3))
         surface = surfaces.polydata(points, np.arange(6000).reshape(-1, 3))
-        for ending in (".vtp", ".ply", ".stl", ".obj"):
+        for ending in (".vtp", ".ply", ".stl", ".obj", ".off"):
             yield "surface" + ending, lambda path: write_surface(surface, path)
+        cells = vtkCellArray()
+        cells.SetData(4, numpy_to_vtkIdTypeArray(np.arange(6000), deep=True))
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(surface.GetPoints())
+        grid.SetCells(VTK_TETRA, cells)
+        for ending in (".msh", ".inp", ".mesh", ".xdmf"):
+            yield "grid" + ending, lambda path: write_solid(grid, path)
 
     def content(self, path: str) -> bytes:
         with open(path, "rb") as file:
@@ -392,6 +401,8 @@ print("after")"""
         unlimited = resource.getrlimit(resource.RLIMIT_FSIZE)
         for name, write in self.write_all():
             for action in (signal.SIG_DFL, signal.SIG_IGN):
+                if name.endswith(".xdmf") and action == signal.SIG_DFL:
+                    continue  # which ends a program whose files Python writes, as meshio's
                 with self.subTest(name, action=action):
                     with open(self.path(name), "wb") as file:
                         file.write(b"earlier")

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import insideout
 from insideout import arguments
-from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Switch
+from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Scale, Switch
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -54,7 +54,8 @@ def constants(class_name: str, name: str) -> dict[int, str]:
 
 def proxies() -> dict[str, ElementTree.Element]:
     """The proxies of InsideOut's classes in the plugin's XML, by class."""
-    found = [proxy for file in PLUGIN.glob("*.xml") for proxy in ElementTree.parse(file).iter("SourceProxy")]
+    files = [ElementTree.parse(file) for file in PLUGIN.glob("*.xml")]
+    found = [proxy for file in files for kind in ("SourceProxy", "WriterProxy") for proxy in file.iter(kind)]
     return {proxy.get("class"): proxy for proxy in found if hasattr(insideout, proxy.get("class"))}
 
 
@@ -72,7 +73,7 @@ def example(option: Option) -> object:
         return option.choices[-1]
     if isinstance(option, Order):
         return option.most
-    return True if isinstance(option, Switch) else 7.0 if isinstance(option, Number) else "Some"
+    return True if isinstance(option, Switch) else 7.0 if isinstance(option, (Number, Scale)) else "Some"
 
 
 def plugin_properties():
@@ -115,7 +116,7 @@ class ParaView(unittest.TestCase):
     def test_each_enumeration_has_the_constants_of_the_class(self):
         for class_name, name, element, default in plugin_properties():
             with self.subTest(filter=class_name, property=name):
-                entries = {int(entry.get("value")): entry.get("text").lower().replace(" ", "-") for entry in element.iterfind("EnumerationDomain/Entry")}
+                entries = {int(entry.get("value")): re.sub("[ .]", "-", entry.get("text").lower()) for entry in element.iterfind("EnumerationDomain/Entry")}
                 self.assertEqual(entries, constants(class_name, name))
                 if entries:
                     self.assertEqual(read_back(class_name, name, min(entries) - 1), min(entries))
@@ -144,15 +145,15 @@ class ParaView(unittest.TestCase):
             made = getattr(insideout, class_name)()
             inputs = {int(one.get("port_index", "0")): one for one in proxy.iterfind("InputProperty")}
             self.assertEqual(sorted(inputs), list(range(made.GetNumberOfInputPorts())))
-            self.assertEqual(max(1, len(proxy.findall("OutputPort"))), made.GetNumberOfOutputPorts())
+            outputs = 0 if proxy.tag == "WriterProxy" else max(1, len(proxy.findall("OutputPort")))
+            self.assertEqual(outputs, made.GetNumberOfOutputPorts())
             for port, element in inputs.items():
                 information = made.GetInputPortInformation(port)
                 with self.subTest(filter=class_name, port=port):
                     self.assertTrue(words_of(element))
-                    self.assertEqual(
-                        element.find("DataTypeDomain/DataType").get("value"),
-                        information.Get(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), 0),
-                    )
+                    kinds = [kind.get("value") for kind in element.iterfind("DataTypeDomain/DataType")]
+                    key = vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()
+                    self.assertEqual(kinds, [information.Get(key, index) for index in range(information.Length(key))])
                     optional = bool(information.Get(vtkAlgorithm.INPUT_IS_OPTIONAL()))
                     self.assertEqual(element.find("Hints/Optional") is not None, optional)
 
@@ -235,7 +236,7 @@ class Python(unittest.TestCase):
         self.defaults = properties("vtkRobustTetrahedralize")
 
     def test_each_property_of_the_filter_is_an_option_or_is_left_out_for_a_reason(self):
-        named = {option.vtk_property for option in OPTIONS.values()} - {"SeedsData"}
+        named = {option.vtk_property for option in OPTIONS.values()} - {"SeedsData", ""}
         self.assertEqual(named | set(self.NO_OPTIONS), set(self.defaults))
         self.assertEqual(named & set(self.NO_OPTIONS), set())
 
@@ -249,7 +250,8 @@ class Python(unittest.TestCase):
         self.assertEqual({one.kind for one in found}, {inspect.Parameter.KEYWORD_ONLY})
 
     def test_other_functions_that_have_them_have_the_same(self):
-        for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside):
+        for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside, insideout.draw):
+            self.assertIn("scale", inspect.signature(function).parameters)
             for parameter in inspect.signature(function).parameters.values():
                 if parameter.name in OPTIONS:
                     self.assertEqual(parameter.default, OPTIONS[parameter.name].default, parameter.name)
@@ -287,6 +289,15 @@ class Python(unittest.TestCase):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(made)
 
+    def test_a_scale_is_above_0_and_no_property(self):
+        for bad in (0, -1, math.inf, math.nan, "much"):
+            for function in (insideout.check, insideout.resolve, insideout.tetrahedralize):
+                with self.assertRaisesRegex(insideout.Error, "^scale is "):
+                    function("missing.ply", scale=bad)
+        made = Options(scale=0.001).set_on(insideout.vtkRobustTetrahedralize())
+        self.assertEqual({key: getattr(made, "Get" + key)() for key in self.defaults}, self.defaults)
+        self.assertEqual((Options().factor(), Options(scale=2).factor()), (1, 2))
+
     def test_orders_have_the_range_of_the_class(self):
         for name, option in OPTIONS.items():
             if isinstance(option, Order):
@@ -313,7 +324,7 @@ class Python(unittest.TestCase):
     def test_each_option_sets_its_property_and_no_other(self):
         for name, option in OPTIONS.items():
             value = example(option)
-            if not isinstance(option, Choice) and name != "seeds":
+            if not isinstance(option, (Choice, Scale)) and name != "seeds":
                 with self.subTest(name):
                     made = Options(**{name: value}).set_on(insideout.vtkRobustTetrahedralize())
                     found = {key: getattr(made, "Get" + key)() for key in self.defaults}
@@ -349,6 +360,7 @@ class Everywhere(unittest.TestCase):
     OTHER_WORDS = {
         ("vtkProbeWindingNumber", "NonParticipatingArrayName"): "probes make no mesh",
         ("vtkGraphCutSegmentation", "ConstrainFacets"): "needs more of its input",
+        ("vtkSolidWriter", "FileName"): "is written",
     }
 
     def test_defaults(self):

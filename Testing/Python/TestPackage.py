@@ -385,10 +385,9 @@ class Package(unittest.TestCase):
                 with self.subTest(name):
                     hints = typing.get_type_hints(thing)
                     self.assertEqual(set(hints), {*inspect.signature(thing).parameters, "return"})
-                    if name != "write":
-                        for parameter in inspect.signature(thing).parameters:
-                            if name != "inside" or parameter == "threshold":
-                                self.assertRegex(thing.__doc__, rf"\n    {parameter}  ")
+                    for parameter in inspect.signature(thing).parameters:
+                        if name != "inside" or parameter == "threshold":
+                            self.assertRegex(thing.__doc__, rf"\n    {parameter}  ")
 
     def test_the_help_names_all_functions_and_its_code_runs(self):
         page = pydoc.render_doc(insideout, renderer=pydoc.plaintext)

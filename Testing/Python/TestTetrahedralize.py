@@ -550,7 +550,7 @@ class Package(unittest.TestCase):
     def test_every_wrapped_class_is_a_public_name(self):
         for name in (
             *("vtkConstrainedDelaunay3D", "vtkGeneralizedWindingNumber", "vtkGraphCutSegmentation"),
-            *("vtkResolveSelfIntersections", "vtkRobustTetrahedralize", "vtkSurfaceReader", "vtkSurfaceWriter"),
+            *("vtkResolveSelfIntersections", "vtkRobustTetrahedralize", "vtkSurfaceReader", "vtkSurfaceWriter", "vtkSolidWriter"),
         ):
             self.assertIn(name, insideout.__all__)
             self.assertEqual(getattr(insideout, name)().GetClassName(), name)

@@ -43,6 +43,11 @@ refined = insideout.refine(meshed.solid, edge_length=0.1, sizes=np.ones(9), quad
 insideout.refine(([(0, 0, 0)], [(0, 0, 0, 0)]), sizes="Size", background=vtkImageData()).solid.to_meshio()
 insideout.tetrahedralize("broken.ply", refine=True, maximum_volume=0.1, grading=0.3).solid.cells[0, 9]
 insideout.write(insideout.resolve(meshed.boundary, merge_tolerance=1e-6).surface, pathlib.Path("resolved.vtp"))
+insideout.write(meshed, "solid.msh", msh_version="2.2")
+insideout.write(meshed.solid, "solid.inp", boundary=meshed.boundary)
+insideout.check("broken.stl", scale=0.001)
+insideout.tetrahedralize(meshed.to_meshio(), scale=2)
+print(meshed.boundary.tag_names[0])
 print(meshed.hull.w[meshed.hull.inside], meshed.statistics["OpenEdges"] + 1, meshed.solid.cells[0, 3])
 """
 
@@ -76,6 +81,9 @@ insideout.refine(3)
 insideout.refine(insideout.tetrahedralize("broken.ply").solid, edge_length="short")
 insideout.refine(insideout.tetrahedralize("broken.ply").solid, 0.1)
 insideout.draw(3, None, "picture.png")
+insideout.write(3, 4)
+insideout.write(insideout.tetrahedralize("broken.ply"), "solid.msh", msh_version="3")
+insideout.tetrahedralize("broken.ply", scale="mm")
 """
 
 

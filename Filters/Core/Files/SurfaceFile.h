@@ -69,10 +69,10 @@ struct PolygonSurface
 PolygonSurface ReadSurface(const std::string& path, Monitor& monitor);
 
 /**
- * Write a surface as PLY (binary, doubles), OBJ (as many digits as keep every bit) or STL (binary,
- * floats: the format has no doubles), by the name's ending. Attributes that the format knows are
- * written: `Colors`, `Normals` and `TCoords` of points in PLY and OBJ, and any other attribute in
- * PLY, one property per component: NAME_0, NAME_1, ...
+ * Write a surface as PLY (binary, doubles), OBJ or OFF (as many digits as keep every bit) or STL
+ * (binary, floats: the format has no doubles), by the name's ending. Attributes that the format
+ * knows are written: `Colors`, `Normals` and `TCoords` of points in PLY and OBJ, and any other
+ * attribute in PLY, one property per component: NAME_0, NAME_1, ...
  *
  * The file is there whole or not at all, and an earlier one stays as it was until then
  * (OutputFile). `monitor` is told of Stages::Writing.

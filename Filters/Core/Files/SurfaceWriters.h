@@ -10,6 +10,7 @@ namespace insideout
 /** The writers. Offsets and corners of the surface fit each other, and attributes what they belong
  * to. @{ */
 void WriteObj(OutputFile& file, const PolygonSurface& surface);
+void WriteOff(OutputFile& file, const PolygonSurface& surface);
 void WritePly(OutputFile& file, const PolygonSurface& surface);
 void WriteStl(OutputFile& file, const PolygonSurface& surface);
 /** @} */

@@ -81,23 +81,32 @@ bool IsTCoord(const Attribute& attribute)
 
 void WriteSurface(const std::string& path, const PolygonSurface& surface, Monitor& monitor)
 {
+  using Writer = void (*)(OutputFile&, const PolygonSurface&);
+  struct Format
+  {
+    const char* Ending;
+    Writer Write;
+  };
+  constexpr std::array<Format, 4> formats = { { { ".obj", WriteObj }, { ".off", WriteOff },
+    { ".ply", WritePly }, { ".stl", WriteStl } } };
+
   CheckSurface(surface);
   const std::string ending = std::filesystem::path(path).extension().string();
-  const bool isStl = EqualsIgnoringCase(ending, ".stl");
-  const bool isPly = EqualsIgnoringCase(ending, ".ply");
-  if (!isStl && !isPly && !EqualsIgnoringCase(ending, ".obj"))
+  const auto* const format = std::find_if(formats.begin(), formats.end(),
+    [&ending](const Format& known) { return EqualsIgnoringCase(ending, known.Ending); });
+  if (format == formats.end())
   {
     throw Error(ErrorCode::InvalidParameter,
-      path + ": the ending is none of .obj, .ply and .stl, which can be written");
+      path + ": the ending is none of .obj, .off, .ply and .stl, which can be written");
   }
-  if (isStl)
+  if (format->Write == WriteStl)
   {
     CheckForStl(surface);
   }
   try
   {
     OutputFile file(path, monitor);
-    isStl ? WriteStl(file, surface) : isPly ? WritePly(file, surface) : WriteObj(file, surface);
+    format->Write(file, surface);
     file.Close();
   }
   catch (const std::bad_alloc&)

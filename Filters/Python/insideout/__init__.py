@@ -11,7 +11,7 @@ The solid, its boundary and the whole hull, as VTK data sets with numpy views::
     result = insideout.tetrahedralize("broken.ply")
     print(len(result.solid.cells), "tetrahedra,", result.statistics["OpenEdges"], "open edges closed")
     result.hull.points, result.hull.cells, result.hull.w
-    insideout.write(result.solid, "solid.vtu")
+    insideout.write(result, "solid.msh")
     insideout.draw("broken.ply", result.hull, "picture.png")
 
 The solid in better cells, whose edges are at most so long::
@@ -35,8 +35,8 @@ SURFACES
     .stl or .vtp file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
     with three columns each, as a meshio.Mesh, as an object that has arrays `vertices` and `faces`, such as a
     trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
-    What comes back does not depend on that. `to_meshio()` of the surfaces and tetrahedra in a result gives a
-    meshio.Mesh back. Faces should run counterclockwise seen from outside. Solids are taken likewise: a
+    What comes back does not depend on that. Faces should run counterclockwise seen from outside.
+    `scale` multiplies its coordinates first, for files have no unit. Solids are taken likewise: a
     vtkUnstructuredGrid of tetrahedra, the name of a .vtu file, a pair (points, cells), and so on.
 
 RESULTS
@@ -49,7 +49,8 @@ RESULTS
     inside          an array of bool, one value per point
 
     They can be pickled, and so sent to other processes, and copied. A notebook shows them as a table, with a
-    picture where one can be drawn.
+    picture where one can be drawn. `write` puts them into files, for VTK, gmsh, CalculiX and others, and
+    `to_meshio()` of a Tetrahedralization, or of any surface and tetrahedra in a result, makes a meshio.Mesh.
 
 ERRORS
     What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy.
@@ -69,10 +70,10 @@ COMMAND
     python3 -m insideout broken.ply solid.vtu
 
 MODULES
-    `checking`, `quality`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options` what can be chosen,
-    `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files` reads and
-    writes, `pipeline` runs any VTK algorithm with its errors as exceptions, `results` and `serializing` are
-    how results are shown and pickled, `command_line` is the command.
+    `checking`, `quality`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options`
+    what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files`
+    reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
+    exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command.
 """
 
 # The wrapped classes derive from VTK's, which Python has to know first.
@@ -85,7 +86,6 @@ from . import vtkFiltersInsideOut as _classes
 from .checking import Check, Finding, check
 from .data import Tetrahedra, TriangleSurface
 from .drawing import draw, draw_quality
-from .files import write
 from .pipeline import Error
 from .quality import SolidCheck, check_solid
 from .queries import inside, winding_number
@@ -94,6 +94,7 @@ from .resolving import Resolution, resolve
 from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .version import __version__
 from .vtkFiltersInsideOut import *  # noqa: F403
+from .writing import write
 
 _class_names = [name for name in dir(_classes) if name.startswith("vtk")]
 

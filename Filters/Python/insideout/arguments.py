@@ -6,12 +6,13 @@ from __future__ import annotations
 import argparse
 import os
 from dataclasses import dataclass, fields
-from typing import NoReturn, Optional, Sequence
+from typing import NoReturn, Optional, Sequence, get_args
 
 from .files import GZIP, READABLE_SOLIDS, READABLE_SURFACES, STANDARD_INPUT, WRITABLE_SURFACES, ending, identity
 from .options import OPTIONS
 from .places import QUERIES
 from .version import __version__
+from .writing import WRITABLE_GRIDS, MshVersion
 
 USAGE_ERROR = 1
 
@@ -19,6 +20,10 @@ EXAMPLES = """\
 examples:
   python3 -m insideout broken.ply solid.vtu
       the tetrahedra inside
+  python3 -m insideout broken.stl solid.msh --scale 0.001
+      the same for gmsh, in metres where the surface is in millimetres
+  python3 -m insideout broken.stl fixed.stl
+      only their watertight boundary
   python3 -m insideout --check broken.ply
       only what is wrong with it
   python3 -m insideout --check solid.vtu --plot angles.png
@@ -38,11 +43,11 @@ Exit status 0 when all was done, 1 when it was not for some surface (one line sa
 143 after SIGTERM. A file is written whole or not at all: an earlier one of its name stays until then.
 """
 
-CHECK_OPTIONS = ("orientation", "merge_tolerance")
+CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
 WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 """Those that make sense without a mesh: of `check`, and of `winding_number`."""
 
-MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", *OPTIONS)
+MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", "msh_version", *OPTIONS)
 
 
 @dataclass(frozen=True)
@@ -82,17 +87,19 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
     options.output = None
     if not options.check:
         last = surfaces.pop() if len(surfaces) > 1 else None
-        expected = "OUTPUT.vtu" if options.winding is None else "OUTPUT" + os.path.splitext(options.winding)[1]
+        expected = "OUTPUT" if options.winding is None else "OUTPUT" + os.path.splitext(options.winding)[1]
         if last is None:
             parser.error(f"the following arguments are required: {expected}")
         options.output = last
-    elif len(surfaces) > 1 and ending(surfaces[-1]) in READABLE_SOLIDS and not os.path.exists(surfaces[-1]):
-        parser.error("--check meshes nothing: it goes without OUTPUT.vtu")
+    elif len(surfaces) > 1 and ending(surfaces[-1]) in WRITABLE_GRIDS and not os.path.exists(surfaces[-1]):
+        parser.error(f"--check meshes nothing: it goes without OUTPUT{ending(surfaces[-1])}")
     _refuse_what_makes_no_mesh(parser, options, surfaces)
     if surfaces.count("-") > 1:
         parser.error("- is named twice: standard input can be read once")
     if options.format is not None and "-" not in surfaces:
         parser.error("--format is for standard input: it goes with - as SURFACE")
+    if options.msh_version is not None and ".msh" not in (ending(options.output), ending(options.hull or "")):
+        parser.error("--msh-version is for .msh files, and none is to be written")
     if options.threads is not None and options.threads < 1:
         parser.error(f"--threads is {options.threads}; it must be at least 1")
     if options.timeout is not None and not options.timeout > 0:
@@ -152,7 +159,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="insideout",
         allow_abbrev=False,
-        usage="python3 -m insideout SURFACE... OUTPUT.vtu [options]\n"
+        usage="python3 -m insideout SURFACE... OUTPUT [options]\n"
         "       python3 -m insideout --check SURFACE|SOLID.vtu... [options]\n"
         "       python3 -m insideout --winding QUERY SURFACE... OUTPUT [options]",
         description="From a broken surface to tetrahedra of the solid that it means.",
@@ -164,8 +171,9 @@ def _parser() -> argparse.ArgumentParser:
         *("files",),
         metavar="SURFACE... OUTPUT",
         nargs="+",
-        help=f"the surfaces ({', '.join(READABLE_SURFACES)}, each also with .gz; - is standard input), and where to write the tetrahedra inside (.vtu); in the name "
-        "of every file that is written {} stands for the surface's name without folder and ending",
+        help=f"the surfaces ({', '.join(READABLE_SURFACES)}, each also with .gz; - is standard input), and where to write the tetrahedra inside "
+        f"({', '.join(WRITABLE_GRIDS)}), or only their watertight boundary ({surface_endings}); in the name of every file that is "
+        "written {} stands for the surface's name without folder and ending",
     )
     mode = parser.add_argument_group("instead of tetrahedra")
     mode.add_argument(
@@ -181,6 +189,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     files = parser.add_argument_group("what to write")
     files.add_argument("--hull", metavar="HULL.vtu", help="all tetrahedra of the convex hull, with w and Inside")
+    files.add_argument("--msh-version", choices=get_args(MshVersion), help="of .msh files: 4.1 by default, 2.2 for programs that know no other")
     files.add_argument("--boundary", metavar="FILE", help=f"the solid's boundary ({surface_endings})")
     files.add_argument("--outliers", metavar="FILE", help=f"the facets that are no part of the solid ({surface_endings})")
     files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; with --check of a .vtu file, a histogram of dihedral angles; needs no window")

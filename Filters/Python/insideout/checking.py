@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from .data import AnySurface, as_surface
 from .defects import DEFECTS, Defect
 from .options import Options, Orientation, describe_options, in_words_of_python
-from .pipeline import Progress, run, statistics_of
+from .pipeline import Progress, add_statistic, run, statistics_of
 from .results import Result
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkSurfaceDefects
@@ -63,6 +63,7 @@ class Check(Result):
 def check(
     surface: AnySurface,
     *,
+    scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
     progress: Optional[Progress] = None,
@@ -77,10 +78,12 @@ def check(
     Returns a `Check`. Raises `Error` with one line that names what is wrong where the surface is no
     surface at all.
     """
-    marker = Options.among(locals()).set_on(vtkSurfaceDefects())
-    polygons, warnings = as_surface(surface)
+    options = Options.among(locals())
+    marker = options.set_on(vtkSurfaceDefects())
+    polygons, warnings = as_surface(surface, options.scale)
     marker.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(marker, progress))
+    add_statistic("Scale", options.factor(), marker.GetOutput())
     statistics = statistics_of(marker.GetOutput())
     volumes = marker.GetOutput().GetFieldData().GetArray("ShellVolumes")
     findings = find(statistics)

@@ -21,11 +21,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .arguments import CHECK_OPTIONS, WINDING_OPTIONS, Files, parse
 from .checking import Finding, check
+from .data import Tetrahedra
 from .drawing import draw, draw_quality, up_of
 from .files import (
     READABLE_SOLIDS,
     READABLE_SURFACES,
-    WRITABLE_GRIDS,
     WRITABLE_SURFACES,
     check_input,
     check_output,
@@ -34,7 +34,6 @@ from .files import (
     read_solid,
     read_standard_input,
     read_surface,
-    write_grid,
     write_surface,
 )
 from .interruption import exit_status, message, told, work_on
@@ -51,6 +50,7 @@ from .tetrahedralization import Tetrahedralization, tetrahedralize
 from .verdict import verdict
 from .version import __version__
 from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects
+from .writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, write_solid
 
 SUCCESS, FAILURE = 0, 1
 """Of the exit status; above are those of signals."""
@@ -274,12 +274,20 @@ class MeshJob(Job):
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {
-            "output": WRITABLE_GRIDS,
+            "output": WRITABLE_GRIDS + WRITABLE_SURFACES,
             "hull": WRITABLE_GRIDS,
             "boundary": WRITABLE_SURFACES,
             "outliers": WRITABLE_SURFACES,
             "plot": PICTURES,
         }
+
+    def check(self) -> None:
+        super().check()
+        output = self.files.output or ""
+        if self.settings.merge_coplanar_pieces and ending(output) in WRITABLE_SOLIDS:
+            raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
+        for path in (output, self.files.hull or ""):
+            check_format(path)
 
     def work(self) -> None:
         surface = self.read()
@@ -293,7 +301,7 @@ class MeshJob(Job):
             self.write(surface, result)
         finally:
             self.measure()
-        if "solid" not in self.outputs:
+        if not {"solid", "surface"} & set(self.outputs):
             least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
             raise Error(f"{self.files.name()}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
 
@@ -318,10 +326,18 @@ class MeshJob(Job):
 
     def files_to_write(self, result: Tetrahedralization) -> Iterator[tuple]:
         files = self.files
+        version: MshVersion = self.options.msh_version or "4.1"
+
+        def write_with_boundary(solid: Tetrahedra, path: str) -> None:
+            write_solid(solid, path, result.boundary, version)
+
         if files.hull is not None:
-            yield "hull", result.hull, files.hull, write_grid
+            yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)
         if len(result.solid.cells) > 0:
-            yield "solid", result.solid, files.output, write_grid
+            if ending(files.output or "") in WRITABLE_SURFACES:
+                yield "surface", result.boundary, files.output, write_surface
+            else:
+                yield "solid", result.solid, files.output, write_with_boundary
             if files.boundary is not None:
                 yield "boundary", result.boundary, files.boundary, write_surface
             if files.outliers is not None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Mapping, Protocol, Sequence, Tuple, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Protocol, Tuple, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +22,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
+from .exporting import mesh_of
 from .files import Path, read_surface
 from .pipeline import Error, run_with_upstream
 from .serializing import packed, unpacked, vtk_array
@@ -103,7 +104,8 @@ AnyPoints = Union[DataSetOfPoints, ArrayLike]
 
 ARRAYS = ("points", "triangles")
 
-_POLYGONS = ("triangle", "quad", "polygon")  # meshio's types of cells that are one
+_POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
+"""How meshio's types of cells that are one begin, and how many corners they have; behind these are midpoints."""
 
 DataSet = TypeVar("DataSet", bound=vtkDataSet)
 
@@ -146,7 +148,13 @@ class TriangleSurface(_Views, vtkPolyData):
 
     def to_meshio(self) -> Any:
         """The same as a meshio.Mesh, with all arrays."""
-        return _meshio_mesh(self, "triangle", self.triangles)
+        return mesh_of(self, "triangle", self.triangles)
+
+    @property
+    def tag_names(self) -> list[str]:
+        """The names of the tags in the cell array BoundaryTag, if it has any."""
+        names = self.GetFieldData().GetAbstractArray("BoundaryTagNames")
+        return [] if names is None else [names.GetValue(tag) for tag in range(names.GetNumberOfValues())]
 
 
 class Tetrahedra(_Views, vtkUnstructuredGrid):
@@ -168,8 +176,12 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
         return self.cell_arrays["Inside"].astype(bool)
 
     def to_meshio(self) -> Any:
-        """The same as a meshio.Mesh, with all arrays."""
-        return _meshio_mesh(self, "tetra10" if self._is_quadratic() else "tetra", self.cells)
+        """The same as a meshio.Mesh, with all arrays. That of the whole result has the boundary and groups, too."""
+        return mesh_of(self, self.kind(), self.cells)
+
+    def kind(self) -> str:
+        """What meshio calls the type of its cells."""
+        return "tetra10" if self._is_quadratic() else "tetra"
 
     def _is_quadratic(self) -> bool:
         return self.GetNumberOfCells() > 0 and self.GetCellType(0) == VTK_QUADRATIC_TETRA
@@ -182,12 +194,22 @@ def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:
     return typed
 
 
-def as_surface(surface: AnySurface) -> tuple[vtkPolyData, list[str]]:
-    """The surface as VTK holds it, and what was passed over on the way. Raises `Error` for what is none."""
+def as_surface(surface: AnySurface, scale: Optional[float] = None) -> tuple[vtkPolyData, list[str]]:
+    """The surface as VTK holds it, its coordinates multiplied, and what was passed over on the way. Raises `Error` for what is none."""
     try:
-        return _as_surface(surface)
+        polygons, warnings = _as_surface(surface)
+        return (polygons if scale is None else _scaled(polygons, scale)), warnings
     except MemoryError:
         raise Error("not enough memory for this surface") from None
+
+
+def _scaled(surface: vtkPolyData, scale: float) -> vtkPolyData:
+    """A copy whose coordinates are multiplied, as doubles."""
+    copy = vtkPolyData()
+    copy.ShallowCopy(surface)
+    if surface.GetNumberOfPoints() > 0:
+        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * scale, ARRAYS[0]))
+    return copy
 
 
 def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
@@ -330,25 +352,22 @@ def _add_arrays(arrays: Mapping[str, ArrayLike], data: vtkDataSetAttributes) -> 
 
 def _surface_of_meshio(mesh: Any) -> tuple[TriangleSurface, list[str]]:
     """The polygons of a meshio.Mesh with their data, and how many other cells there are."""
-    chosen = [k for k, block in enumerate(mesh.cells) if block.type.startswith(_POLYGONS)]
+    chosen = [k for k, block in enumerate(mesh.cells) if block.type.startswith(tuple(_POLYGONS))]
     others = sum(len(block.data) for k, block in enumerate(mesh.cells) if k not in chosen)
     if not chosen:
         raise Error("the meshio.Mesh has no triangles, quads or polygons")
     points = np.asarray(mesh.points)
     if points.ndim == 2 and points.shape[1] == 2:
         raise Error("the meshio.Mesh is flat: it bounds no volume")
-    surface = make_surface(points, *(mesh.cells[k].data for k in chosen))
+    surface = make_surface(points, *(_corners_of_meshio(mesh.cells[k]) for k in chosen))
     _add_arrays(mesh.point_data, surface.GetPointData())
     joined = {name: np.concatenate([np.asarray(blocks[k]) for k in chosen]) for name, blocks in mesh.cell_data.items()}
     _add_arrays(joined, surface.GetCellData())
     return surface, [f"{others} cells of the meshio.Mesh are ignored: only polygons count"] if others else []
 
 
-def _meshio_mesh(data: Union[TriangleSurface, Tetrahedra], kind: str, corners: NDArray[np.int64]) -> Any:
-    try:
-        import meshio
-    except ImportError:
-        raise Error("meshio is not installed: apt-get install python3-meshio, or pip install meshio") from None
-    cells: Sequence[tuple[str, NDArray[np.int64]]] = [(kind, corners)]
-    cell_data = {name: [values] for name, values in data.cell_arrays.items()}
-    return meshio.Mesh(data.points, cells, point_data=data.point_arrays, cell_data=cell_data)
+def _corners_of_meshio(block: Any) -> NDArray:
+    """The corners of cells, without midpoints."""
+    rows = np.asarray(block.data)
+    corners = next(count for begin, count in _POLYGONS.items() if block.type.startswith(begin))
+    return rows if rows.ndim != 2 else rows[:, :corners]

@@ -25,6 +25,7 @@ def draw(
     picture: Path,
     *,
     up: Optional[str] = None,
+    scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
 ) -> None:
@@ -49,7 +50,7 @@ def draw(
     picture = os.fspath(picture)
     check_output(picture, PICTURES)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
-    checked = check(surface, orientation=orientation, merge_tolerance=merge_tolerance)
+    checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
     _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read surfaces and write results. The ending of a file's name says what it holds.
+"""Read and write surfaces, and VTK's grids. The ending of a file's name says what it holds.
 
 A file is written beside its name and then put there, so that an earlier one stays as it was until all is
 well. XML files are written in VTK's inline binary mode: what VTK writes by default, appended mode, cannot be
@@ -15,7 +15,7 @@ import sys
 import tempfile
 import zlib
 from contextlib import contextmanager
-from typing import Iterator, Optional, Union
+from typing import Any, Iterator, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
@@ -29,8 +29,10 @@ Path = Union[str, os.PathLike]
 
 READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp")
 READABLE_SOLIDS = (".vtu",)
-WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj")
-WRITABLE_GRIDS = (".vtu",)
+WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj", ".off")
+GRID = ".vtu"
+"""VTK's own format of grids, and what a device or pipe is written in whose name says nothing else."""
+
 GZIP = ".gz"
 
 STANDARD_INPUT = "standard input"
@@ -181,15 +183,20 @@ def temporary_folder() -> Iterator[str]:
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> None:
-    """Write a surface as .vtp, .ply, .obj or .stl (which has only floats). Raises `Error` that names the file."""
+    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats). Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
     if ending(path) == ".vtp":
         write_data(surface, path)
         return
     writer = vtkSurfaceWriter()
-    writer.SetFileName(path)
     writer.SetInputData(surface)
+    run_writer(writer, path)
+
+
+def run_writer(writer: Any, path: str) -> None:
+    """Let a writer write a file. Raises `Error` that names the file."""
+    writer.SetFileName(path)
     try:
         run(writer)
     except Error as error:
@@ -199,19 +206,8 @@ def write_surface(surface: vtkPolyData, path: Path) -> None:
 def write_grid(grid: vtkUnstructuredGrid, path: Path) -> None:
     """Write tetrahedra as .vtu. Raises `Error` that names the file."""
     path = os.fspath(path)
-    check_output(path, WRITABLE_GRIDS)
+    check_output(path, (GRID,))
     write_data(grid, path)
-
-
-def write(data: Union[vtkPolyData, vtkUnstructuredGrid], path: Path) -> None:
-    """Write a surface as .vtp, .ply, .obj or .stl, or tetrahedra as .vtu, whole or not at all.
-
-    An earlier file stays as it was until the new one is on the disk. Raises `Error` that names the file.
-    """
-    if isinstance(data, vtkUnstructuredGrid):
-        write_grid(data, path)
-    else:
-        write_surface(data, path)
 
 
 def ending(path: Path) -> str:
@@ -241,12 +237,12 @@ def check_input(path: Path, endings: tuple[str, ...] = READABLE_SURFACES) -> Non
 def check_output(path: Path, endings: tuple[str, ...]) -> None:
     """Raise `Error` unless the name has one of the endings and a file can be written there.
 
-    Devices and pipes need no ending where there is only one.
+    Devices and pipes need no ending where there is only one, or where it can be that of VTK's grids.
     """
     path = os.fspath(path)
     _check_encoding(path)
     is_special = _is_special(path)
-    if not is_special or len(endings) > 1:
+    if not is_special or len(endings) > 1 and GRID not in endings:
         _check_ending(path, ending(path), endings)
     if os.path.isdir(path):
         raise Error(f"cannot write {path}: it is a folder")

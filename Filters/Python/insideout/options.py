@@ -126,6 +126,28 @@ class SwitchOrArray(Switch):
             algorithm.SetConstrainedFacetsArrayName(value)
 
 
+@dataclass(frozen=True)
+class Scale(Option):
+    """What a surface's coordinates are multiplied by before any filter has it: there is no property."""
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> float:
+        if not at_least(0, name, value) > 0:
+            raise Error(f"{name} is {value:g}; it must be above 0")
+        return float(value)
+
+    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
+        self.checked(algorithm, name, value)
+
+    def used_by(self, algorithm: Any, value: Any) -> float:
+        return 1.0 if value is None else float(value)
+
+    def help(self) -> str:
+        return f"{self.words}; default 1"
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "FACTOR", "type": float}
+
+
 class Places(Option):
     def checked(self, algorithm: Any, name: str, value: Any) -> vtkPointSet:
         if isinstance(value, vtkPointSet):
@@ -145,9 +167,12 @@ class Options:
     """The options of `tetrahedralize`, some of which other functions have too.
 
     Of vtkRobustTetrahedralize's properties one is missing: ExtractInside, since a result has both the solid and the
-    hull.
+    hull. It has no scale: that is for the surface, before any filter has it.
     """
 
+    scale: Optional[float] = _is(
+        Scale("", "multiply the surface's coordinates by this: 0.001 makes metres of millimetres; other lengths are in the new unit")
+    )
     gamma: Optional[float] = _is(
         Number("Gamma", "weight of a smooth boundary against the winding number; 0 takes every cell with w above 1/2")
     )
@@ -251,6 +276,10 @@ class Options:
         )
     )
 
+    def factor(self) -> float:
+        """What the surface's coordinates are multiplied by."""
+        return 1.0 if self.scale is None else float(self.scale)
+
     @classmethod
     def among(cls, values: Mapping[str, Any]) -> Options:
         """Those of some named values that are options."""
@@ -280,12 +309,12 @@ OPTIONS: dict[str, Option] = {one.name: one.metadata["option"] for one in fields
 
 def in_words_of_python(texts: Iterable[str]) -> list[str]:
     """Texts that name VTK's properties, with the names that these have in Python."""
-    return _renamed(texts, {option.vtk_property: name for name, option in OPTIONS.items()})
+    return _renamed(texts, {option.vtk_property: name for name, option in OPTIONS.items() if option.vtk_property})
 
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
     """Texts that name Python's options, with those of the command line."""
-    return _renamed(texts, {name: "--" + name.replace("_", "-") for name in OPTIONS if name != "seeds"})
+    return _renamed(texts, {name: "--" + name.replace("_", "-") for name in OPTIONS if name not in ("scale", "seeds")})
 
 
 def _renamed(texts: Iterable[str], names: Mapping[str, str]) -> list[str]:

@@ -19,7 +19,7 @@ from typing import Any, Callable, Collection, Optional
 import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkIOCore import vtkWriter
@@ -34,7 +34,7 @@ Progress = Callable[[str, float], object]
 
 STATISTICS_PREFIX = "Statistics_"
 MEASURED = (
-    *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Diagonal", "EnclosedVolume", "OpenLength"),
+    *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
     *("OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
     "AverageMeanRatio",
@@ -152,6 +152,14 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
             name, value = name[len(STATISTICS_PREFIX) :], array.GetTuple1(0)
             statistics[name] = value if name.startswith(MEASURED) else int(value)
     return statistics
+
+
+def add_statistic(name: str, value: float, data: vtkDataObject) -> None:
+    """Put one more figure into the field data."""
+    array = vtkDoubleArray()
+    array.SetName(STATISTICS_PREFIX + name)
+    array.InsertNextValue(value)
+    data.GetFieldData().AddArray(array)
 
 
 def cells_of(data: vtkDataObject, name: str) -> list[int]:

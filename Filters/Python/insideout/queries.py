@@ -20,6 +20,7 @@ def winding_number(
     surface: AnySurface,
     points: AnyPoints,
     *,
+    scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
@@ -46,7 +47,7 @@ def winding_number_and_warnings(
     """The same, and what is worth knowing about it, one line each."""
     probe = options.set_on(vtkProbeWindingNumber())
     probe.SetInputData(as_points(points))
-    polygons, warnings = as_surface(surface)
+    polygons, warnings = as_surface(surface, options.scale)
     probe.SetSurfaceData(polygons)
     warnings = warnings + in_words_of_python(run(probe, progress))
     return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w")), warnings
@@ -57,6 +58,7 @@ def inside(
     points: AnyPoints,
     *,
     threshold: float = 0.5,
+    scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
@@ -73,6 +75,7 @@ def inside(
     w = winding_number(
         surface,
         points,
+        scale=scale,
         orientation=orientation,
         merge_tolerance=merge_tolerance,
         count_duplicates=count_duplicates,

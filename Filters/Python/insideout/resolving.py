@@ -9,7 +9,7 @@ from typing import Any, Optional
 from .checking import check
 from .data import AnySurface, TriangleSurface, as_surface, as_type
 from .options import Options, describe_options, in_words_of_python
-from .pipeline import Progress, cells_of, run, statistics_of
+from .pipeline import Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections
 
@@ -43,6 +43,7 @@ class Resolution(Result):
 def resolve(
     surface: AnySurface,
     *,
+    scale: Optional[float] = None,
     merge_tolerance: Optional[float] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
@@ -57,10 +58,12 @@ def resolve(
 
     Returns a `Resolution`. Raises `Error` with one line that names what is wrong.
     """
-    resolver = Options.among(locals()).set_on(vtkResolveSelfIntersections())
-    polygons, warnings = as_surface(surface)
+    options = Options.among(locals())
+    resolver = options.set_on(vtkResolveSelfIntersections())
+    polygons, warnings = as_surface(surface, options.scale)
     resolver.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(resolver, progress))
+    add_statistic("Scale", options.factor(), resolver.GetOutput())
     return Resolution(
         surface=as_type(TriangleSurface, resolver.GetOutput()),
         statistics=statistics_of(resolver.GetOutput()),

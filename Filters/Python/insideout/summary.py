@@ -75,6 +75,11 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
     return [f"  refined to {cells} tetrahedra: {added} points added, {removed} removed"]
 
 
+def _scaled(statistics: Mapping[str, float]) -> list[str]:
+    """By what the coordinates were multiplied, if they were."""
+    return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
+
+
 def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     """The lines that the command ends with."""
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
@@ -84,6 +89,7 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     return [
         f"Surface {name}: {verdict(statistics)}",
         f"  {count['InputPoints']} points{merged}, {count['InputTriangles']} triangles, {components}",
+        *_scaled(statistics),
         *(f"  {line}" for line in what_it_bounds(statistics)),
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
@@ -112,6 +118,7 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
     return [
         f"Surface {name}: {verdict(statistics)}",
         f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
+        *_scaled(statistics),
         *(f"  {line}" for line in [*what_it_bounds(statistics), *volumes_of_shells(volumes)]),
         *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),

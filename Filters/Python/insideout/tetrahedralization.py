@@ -10,8 +10,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
+from .exporting import mesh_of_solid
 from .options import DataTerm, Engine, Options, Orientation, QuadratureOrder, Seeds, describe_options, in_words_of_python
-from .pipeline import Error, Progress, cells_of, run, statistics_of
+from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .refinement import refined
 from .results import Result, counted
 from .stages import TETRAHEDRALIZE
@@ -57,11 +58,23 @@ class Tetrahedralization(Result):
     def seen(self) -> dict[str, Any]:
         return {"hull": self.hull}
 
+    def to_meshio(self) -> Any:
+        """The solid and its boundary as one meshio.Mesh: tetrahedra and triangles with all their arrays, in groups.
+
+        There is a block of cells for each region and tag. `gmsh:physical` and `gmsh:geometrical` of cells are RegionId
+        and BoundaryTag plus 1, `gmsh:dim_tags` of points says what they lie on, and field_data has the number and
+        dimension of each group by its name, as meshio has them of a .msh file. An array that only one of the two has
+        is NaN at the other's cells, or -1, or 0 where it has no sign; FacetIds, of four components, becomes FacetIds_0
+        to _3, for few formats have four.
+        """
+        return mesh_of_solid(self.solid, self.boundary)
+
 
 @describe_options
 def tetrahedralize(
     surface: AnySurface,
     *,
+    scale: Optional[float] = None,
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
     orientation: Orientation = "automatic",
@@ -103,7 +116,7 @@ def tetrahedralize(
     # The hull comes out too: its cells inside are refined here.
     tetrahedralizer.RefineOff()
     shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if options.refines() else 1
-    polygons, warnings = as_surface(surface)
+    polygons, warnings = as_surface(surface, options.scale)
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
     warnings = warnings + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
@@ -111,6 +124,7 @@ def tetrahedralize(
     hull = tetrahedralizer.GetOutput()
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
+    add_statistic("Scale", options.factor(), hull)
     solid = inside_cells(hull)
     statistics = statistics_of(hull)
     if options.refines() and solid.GetNumberOfCells() > 0:

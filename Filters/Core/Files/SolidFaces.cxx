@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files/SolidFaces.h"
+
+#include "Common/Error.h"
+#include "Common/FaceTable.h"
+#include "Common/Vectors.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace insideout
+{
+namespace
+{
+[[noreturn]] void Refuse(ErrorCode code, std::size_t triangle, const std::string& what)
+{
+  throw Error(code, "triangle " + std::to_string(triangle) + " of the boundary " + what);
+}
+
+void CheckTriangles(Id points, const std::vector<Triangle>& triangles)
+{
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (const Id point : triangles[t])
+    {
+      if (point < 0 || point >= points)
+      {
+        Refuse(ErrorCode::PointOutOfRange, t,
+          "refers to point " + std::to_string(point) + " of " + std::to_string(points));
+      }
+    }
+  }
+}
+
+template <std::size_t Size>
+void CheckIds(Id points, const std::vector<std::array<Id, Size>>& cells)
+{
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    for (const Id point : cells[c])
+    {
+      if (point < 0 || point >= points)
+      {
+        throw Error(ErrorCode::PointOutOfRange,
+          "cell " + std::to_string(c) + " refers to point " + std::to_string(point) + " of " +
+            std::to_string(points));
+      }
+    }
+  }
+}
+
+/** Points in the order of their places, and of their ids where they are in one place. */
+std::vector<Id> OrderByPlace(const std::vector<Point>& points)
+{
+  std::vector<Id> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Id p, Id q) { return points[p] < points[q]; });
+  return order;
+}
+
+/** For each point the lowest in its place. */
+std::vector<Id> LowestInPlaces(const std::vector<Point>& points, const std::vector<Id>& order)
+{
+  std::vector<Id> lowest(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
+    lowest[order[i]] = same ? lowest[order[i - 1]] : order[i];
+  }
+  return lowest;
+}
+
+template <std::size_t Size>
+std::vector<std::array<Id, Size>> Renamed(
+  std::vector<std::array<Id, Size>> cells, const std::vector<Id>& names)
+{
+  for (auto& cell : cells)
+  {
+    for (Id& point : cell)
+    {
+      point = names[point];
+    }
+  }
+  return cells;
+}
+
+/** Of the entries of a face that of the cell which the triangle faces away from, or the first. */
+const FaceEntry& EntryBehind(const FaceTable::Range& entries, bool turned)
+{
+  const auto behind = std::find_if(entries.begin(), entries.end(),
+    [turned](const FaceEntry& entry) { return entry.Turned == turned; });
+  return behind == entries.end() ? *entries.begin() : *behind;
+}
+} // namespace
+
+void CheckCells(const SolidMesh& solid)
+{
+  if (solid.Cells.empty())
+  {
+    throw Error(ErrorCode::InvalidParameter, "there are no cells to write");
+  }
+  const auto bad = std::find_if_not(solid.Points.begin(), solid.Points.end(), IsFinite);
+  if (bad != solid.Points.end())
+  {
+    throw Error(ErrorCode::PointNotFinite,
+      "point " + std::to_string(bad - solid.Points.begin()) +
+        " has a coordinate that is infinite "
+        "or no number");
+  }
+  const auto points = static_cast<Id>(solid.Points.size());
+  CheckIds(points, solid.Cells);
+  CheckIds(points, solid.Midpoints);
+}
+
+std::vector<CellFace> OuterFaces(const SolidMesh& solid)
+{
+  CheckCells(solid);
+  std::vector<std::array<unsigned char, 4>> isOuter(solid.Cells.size());
+  FaceTable(solid.Points.size(), solid.Cells)
+    .ForEach(
+      [&isOuter](const FaceTable::Range& entries, Id)
+      {
+        const FaceEntry& entry = *entries.begin();
+        isOuter[entry.Cell][entry.Face] = entries.Size() == 1;
+      });
+  std::vector<CellFace> faces;
+  for (std::size_t c = 0; c < isOuter.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (isOuter[c][k])
+      {
+        faces.push_back({ static_cast<Id>(c), k });
+      }
+    }
+  }
+  return faces;
+}
+
+std::vector<CellFace> FacesOfTriangles(
+  const SolidMesh& solid, const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+{
+  CheckCells(solid);
+  CheckTriangles(static_cast<Id>(points.size()), triangles);
+  const std::vector<Id> order = OrderByPlace(solid.Points);
+  const FaceTable table(
+    solid.Points.size(), Renamed(solid.Cells, LowestInPlaces(solid.Points, order)));
+
+  std::vector<Id> pointThere(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    const auto found = std::lower_bound(order.begin(), order.end(), points[p],
+      [&solid](Id q, const Point& wanted) { return solid.Points[q] < wanted; });
+    const bool isThere = found != order.end() && solid.Points[*found] == points[p];
+    pointThere[p] = isThere ? *found : None;
+  }
+  const std::vector<Triangle> renamed = Renamed(triangles, pointThere);
+
+  std::vector<CellFace> faces;
+  faces.reserve(renamed.size());
+  for (std::size_t t = 0; t < renamed.size(); ++t)
+  {
+    const SortedTriangle sorted(renamed[t]);
+    const FaceTable::Range entries = table.Find(sorted);
+    if (entries.Size() == 0)
+    {
+      Refuse(ErrorCode::InvalidParameter, t, "is no face of the solid's cells");
+    }
+    const FaceEntry& entry = EntryBehind(entries, sorted.Turned);
+    faces.push_back({ entry.Cell, entry.Face });
+  }
+  return faces;
+}
+} // namespace insideout

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Files/SolidFile.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * Whether there are cells, whose points exist and have finite coordinates.
+ *
+ * @throws Error InvalidParameter, PointOutOfRange, PointNotFinite
+ */
+void CheckCells(const SolidMesh& solid);
+
+/** The faces that only one cell has, in the order of the cells.
+ * @throws Error of CheckCells */
+std::vector<CellFace> OuterFaces(const SolidMesh& solid);
+
+/**
+ * The face that each triangle of a surface is, found by where its corners are: the surface has
+ * points of its own. Between two cells it is the face of the one that the triangle faces away from.
+ *
+ * @throws Error InvalidParameter that names the first triangle that is no face; PointOutOfRange;
+ * what CheckCells throws
+ */
+std::vector<CellFace> FacesOfTriangles(
+  const SolidMesh& solid, const std::vector<Point>& points, const std::vector<Triangle>& triangles);
+} // namespace insideout

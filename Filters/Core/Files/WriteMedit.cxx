@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files/GroupNames.h"
+#include "Files/SolidWriters.h"
+
+// The format: Frey, MEDIT: An interactive mesh visualization software (2001); of quadratic cells,
+// and the sections that say how their points are ordered, Marechal, libMeshb.
+
+namespace insideout
+{
+namespace
+{
+/** Comments that say which group a number stands for. */
+void WriteNames(OutputFile& file, const char* what, const std::vector<SolidGroup>& groups)
+{
+  for (const SolidGroup& group : groups)
+  {
+    file.Text(std::string("# ") + what + " " + std::to_string(group.Number) + ": " +
+      PrintableText(group.Name) + "\n");
+  }
+}
+
+/** Where the points of an element are: twice their barycentric coordinates, of corners and then of
+ * the middles of edges. */
+template <std::size_t Edges>
+void WriteOrdering(OutputFile& file, const char* section, std::size_t corners,
+  const std::array<std::array<int, 2>, Edges>& edges)
+{
+  file.Text(std::string(section) + "\n" + std::to_string(corners + Edges) + "\n");
+  const auto writePlace = [&file, corners](std::size_t one, std::size_t other)
+  {
+    for (std::size_t k = 0; k < corners; ++k)
+    {
+      file.Text(k > 0 ? " " : "");
+      file.Decimal(int(k == one) + int(k == other));
+    }
+    file.Text("\n");
+  };
+  for (std::size_t k = 0; k < corners; ++k)
+  {
+    writePlace(k, k);
+  }
+  for (const std::array<int, 2>& edge : edges)
+  {
+    writePlace(static_cast<std::size_t>(edge[0]), static_cast<std::size_t>(edge[1]));
+  }
+}
+
+/** Points, and the number of the group. */
+void WriteElement(OutputFile& file, const SolidNodes& nodes, const SolidGroup& group)
+{
+  WriteNumbers(file, nodes);
+  file.Text(" ");
+  file.Decimal(group.Number);
+  file.Text("\n");
+}
+} // namespace
+
+void WriteMedit(OutputFile& file, const SolidMesh& solid)
+{
+  file.Text("MeshVersionFormatted 2\n"); // of doubles
+  WriteNames(file, "Triangles with reference", solid.Tags);
+  WriteNames(file, "Tetrahedra with reference", solid.Regions);
+  file.Text("Dimension\n3\nVertices\n" + std::to_string(solid.Points.size()) + "\n");
+  for (const Point& point : solid.Points)
+  {
+    WriteCoordinates(file, point);
+    file.Text(" 0\n");
+  }
+  constexpr std::array<std::array<int, 2>, 3> triangleEdges = { { { { 0, 1 } }, { { 1, 2 } },
+    { { 2, 0 } } } };
+  if (IsQuadratic(solid))
+  {
+    WriteOrdering(file, "TrianglesP2Ordering", 3, triangleEdges);
+    WriteOrdering(file, "TetrahedraP2Ordering", 4, TetrahedronEdges);
+  }
+  const std::string order = IsQuadratic(solid) ? "P2\n" : "\n";
+  file.Text("Triangles" + order + std::to_string(solid.Faces.size()) + "\n");
+  for (std::size_t f = 0; f < solid.Faces.size(); ++f)
+  {
+    WriteElement(file, NodesOf(solid, solid.Faces[f]), solid.Tags[solid.TagOfFace[f]]);
+  }
+  file.Text("Tetrahedra" + order + std::to_string(solid.Cells.size()) + "\n");
+  for (std::size_t c = 0; c < solid.Cells.size(); ++c)
+  {
+    WriteElement(file, NodesOf(solid, c), solid.Regions[solid.RegionOfCell[c]]);
+  }
+  file.Text("End\n");
+}
+} // namespace insideout

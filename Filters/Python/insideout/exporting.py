@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces and solids as a meshio.Mesh."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .pipeline import Error
+
+if TYPE_CHECKING:
+    from .data import Tetrahedra, TriangleSurface
+
+PHYSICAL, GEOMETRICAL, ENTITIES = "gmsh:physical", "gmsh:geometrical", "gmsh:dim_tags"
+"""What meshio calls the groups of elements in gmsh's files, and what each point lies on, by dimension and number."""
+
+EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+"""Of a tetrahedron, in the order in which its midpoints stand."""
+
+
+def import_meshio() -> Any:
+    """The module. Raises `Error` that says what to do where it is not installed."""
+    try:
+        import meshio
+    except ImportError:
+        raise Error("meshio is not installed: apt-get install python3-meshio, or pip install meshio") from None
+    return meshio
+
+
+def mesh_of(data: Any, kind: str, corners: NDArray[np.int64]) -> Any:
+    """A surface or tetrahedra as a meshio.Mesh, with all arrays."""
+    cell_data = {name: [values] for name, values in data.cell_arrays.items()}
+    return import_meshio().Mesh(data.points, [(kind, corners)], point_data=data.point_arrays, cell_data=cell_data)
+
+
+def scalars_and_vectors(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
+    """What most formats have: arrays of other than one or three components fall apart into NAME_0, NAME_1 ..."""
+    found: dict[str, NDArray] = {}
+    for name, values in arrays.items():
+        if values.ndim == 1 or values.shape[1] == 3:
+            found[name] = values
+        else:
+            found.update((f"{name}_{k}", column) for k, column in enumerate(values.T))
+    return found
+
+
+def mesh_of_solid(solid: Tetrahedra, boundary: TriangleSurface) -> Any:
+    """Tetrahedra and the triangles of their boundary as one meshio.Mesh: see Tetrahedralization.to_meshio."""
+    meshio = import_meshio()
+    kind, nodes = solid.kind(), solid.cells
+    triangles = _points_there(solid.points, boundary.points)[boundary.triangles]
+    if kind == "tetra10":
+        triangles = np.hstack([triangles, _midpoints(nodes, triangles)])
+    groups = (
+        _Groups(3, kind, nodes, _numbers(solid.cell_arrays.get("RegionId"), len(nodes))),
+        _Groups(2, "triangle" if kind == "tetra" else "triangle6", triangles, _numbers(boundary.cell_arrays.get("BoundaryTag"), len(triangles))),
+    )
+    cells = [(one.kind, one.nodes[chosen]) for one in groups for chosen in one.parts()]
+    cell_data: dict[str, list[NDArray]] = {}
+    joined = _joined(scalars_and_vectors(solid.cell_arrays), scalars_and_vectors(boundary.cell_arrays), groups)
+    for name, blocks in joined.items():
+        cell_data[name] = [values[chosen] for one, values in zip(groups, blocks) for chosen in one.parts()]
+    for name in (PHYSICAL, GEOMETRICAL):
+        cell_data[name] = [one.numbers[chosen] + 1 for one in groups for chosen in one.parts()]
+    point_data = {**scalars_and_vectors(solid.point_arrays), ENTITIES: _entities(len(solid.points), groups)}
+    field_data = _field_data(groups, boundary.tag_names)
+    return meshio.Mesh(solid.points, cells, point_data=point_data, cell_data=cell_data, field_data=field_data)
+
+
+class _Groups(NamedTuple):
+    """Cells of one type, and the number of the group of each, from 0."""
+
+    dimension: int
+    kind: str
+    nodes: NDArray[np.int64]
+    numbers: NDArray[np.int32]
+
+    def present(self) -> list[int]:
+        return np.unique(self.numbers).tolist()
+
+    def parts(self) -> list[NDArray[np.int64]]:
+        """The cells of each group: meshio wants a block for each."""
+        return [np.flatnonzero(self.numbers == number) for number in self.present()]
+
+
+def _numbers(values: Any, count: int) -> NDArray[np.int32]:
+    return np.zeros(count, np.int32) if values is None else values.astype(np.int32)
+
+
+def _entities(points: int, groups: Sequence[_Groups]) -> NDArray[np.int64]:
+    """The dimension and number of what each point lies on: of several tags the first, and else of regions."""
+    entities = np.tile([3, 1], (points, 1))
+    for one in groups:
+        first = np.full(points, np.iinfo(np.int64).max)
+        np.minimum.at(first, one.nodes.ravel(), np.repeat(one.numbers.astype(np.int64) + 1, one.nodes.shape[1]))
+        there = np.unique(one.nodes)
+        entities[there, 0], entities[there, 1] = one.dimension, first[there]
+    return entities
+
+
+def _points_there(points: NDArray[np.float64], others: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Which of the points is where each of the others is. Raises `Error` where there is none."""
+    places, ids = np.unique(np.vstack([points, others]) + 0.0, axis=0, return_inverse=True)  # -0 is 0
+    there = np.full(len(places), -1, np.int64)
+    first = ids.ravel()[: len(points)][::-1]
+    there[first] = np.arange(len(points))[::-1]
+    found = there[ids.ravel()[len(points) :]]
+    if (found < 0).any():
+        raise Error(f"point {int(np.argmax(found < 0))} of the boundary is no point of the solid")
+    return found
+
+
+def _midpoints(nodes: NDArray[np.int64], triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The points in the middle of the triangles' edges, which are edges of quadratic tetrahedra."""
+    ends = np.sort(nodes[:, np.array(EDGES)].reshape(-1, 2), axis=1)
+    keys = ends[:, 0] * (int(nodes.max()) + 1) + ends[:, 1]
+    order = np.argsort(keys, kind="stable")
+    wanted = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2), axis=2)
+    wanted_keys = wanted[..., 0] * (int(nodes.max()) + 1) + wanted[..., 1]
+    found = order[np.minimum(np.searchsorted(keys, wanted_keys, sorter=order), len(keys) - 1)]
+    wrong = (keys[found] != wanted_keys).any(axis=1)
+    if wrong.any():
+        raise Error(f"triangle {int(np.argmax(wrong))} of the boundary is no face of the solid's cells")
+    return nodes[:, 4:].reshape(-1)[found]
+
+
+def _joined(
+    ours: Mapping[str, NDArray], theirs: Mapping[str, NDArray], groups: Sequence[_Groups]
+) -> dict[str, list[NDArray]]:
+    """Arrays of two blocks of cells, for both of which each has values."""
+    joined = {}
+    for name in (*ours, *(name for name in theirs if name not in ours)):
+        given = [arrays.get(name) for arrays in (ours, theirs)]
+        like = next(values for values in given if values is not None)
+        blocks = [_nothing_like(like, len(one.nodes)) if values is None else values for values, one in zip(given, groups)]
+        if blocks[0].shape[1:] == blocks[1].shape[1:]:
+            joined[name] = blocks
+    return joined
+
+
+def _nothing_like(values: NDArray, count: int) -> NDArray:
+    nothing = {"f": np.nan, "i": -1}.get(values.dtype.kind, 0)
+    return np.full((count, *values.shape[1:]), nothing, values.dtype)
+
+
+def _field_data(groups: Sequence[_Groups], names_of_tags: Sequence[str]) -> dict[str, NDArray]:
+    """The number and dimension of each group by its name, as vtkSolidWriter gives them."""
+    field_data: dict[str, NDArray] = {}
+    for one, alone, several, given in zip(groups, ("solid", "surface"), ("region_", "tag_"), ((), names_of_tags)):
+        for number in one.present():
+            default = alone if one.present() == [0] else f"{several}{number}"
+            name = wanted = (given[number] if number < len(given) else "") or default
+            count = 2
+            while name in field_data:
+                name, count = f"{wanted}_{count}", count + 1
+            field_data[name] = np.array([number + 1, one.dimension])
+    return field_data

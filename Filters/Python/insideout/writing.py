@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`write`: results as files, for VTK, solvers and other programs. The ending of a file's name says what it holds."""
+
+from __future__ import annotations
+
+import os
+from typing import Literal, Mapping, Optional, Union, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+
+from .data import Tetrahedra, as_type
+from .exporting import import_meshio, scalars_and_vectors
+from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
+from .pipeline import Error, one_of, write_bytes
+from .tetrahedralization import Tetrahedralization
+from .vtkFiltersInsideOut import vtkSolidWriter
+
+MshVersion = Literal["4.1", "2.2"]
+
+XDMF = ".xdmf"
+WRITABLE_SOLIDS = (".msh", ".inp", ".mesh")
+"""What vtkSolidWriter writes: files for solvers, with regions and tags."""
+
+WRITABLE_GRIDS = (GRID, *WRITABLE_SOLIDS, XDMF)
+
+
+def write(
+    data: Union[Tetrahedralization, vtkPolyData, vtkUnstructuredGrid],
+    path: Path,
+    *,
+    boundary: Optional[vtkPolyData] = None,
+    msh_version: MshVersion = "4.1",
+) -> None:
+    """Write a result, a surface or tetrahedra, whole or not at all; the ending of the file's name says how.
+
+    data         what `tetrahedralize` gave, or a surface or tetrahedra of VTK's
+    path         the file's name
+    boundary     of tetrahedra alone, for solvers: the triangles of their boundary, with tags; without them
+                 the faces of one cell are a group. A result brings its own
+    msh_version  of .msh files: "4.1", or "2.2" for programs that know no other
+
+    .vtu               VTK's own: tetrahedra with all arrays
+    .msh, .inp, .mesh  for gmsh, for CalculiX and Abaqus, and for Medit: tetrahedra by regions and the boundary's
+                       triangles by tags, with their names (the VTK class vtkSolidWriter says how)
+    .xdmf              tetrahedra with all arrays, by meshio; FacetIds and the like as FacetIds_0 to _3
+    .vtp, .ply, .stl, .obj, .off
+                       a surface; of a result the solid's watertight boundary
+
+    An earlier file stays as it was until the new one is on the disk. Raises `Error` that names the file.
+    """
+    if isinstance(data, Tetrahedralization):
+        if ending(path) in WRITABLE_SURFACES:
+            write_surface(data.boundary, path)
+        else:
+            write_solid(data.solid, path, boundary or data.boundary, msh_version)
+    elif isinstance(data, vtkUnstructuredGrid):
+        write_solid(data, path, boundary, msh_version)
+    elif isinstance(data, vtkPolyData):
+        write_surface(data, path)
+    else:
+        raise Error(f"what is to be written is of type {type(data).__name__}; it can be a result, a vtkPolyData or a vtkUnstructuredGrid")
+
+
+def write_solid(
+    grid: vtkUnstructuredGrid, path: Path, boundary: Optional[vtkPolyData] = None, msh_version: MshVersion = "4.1"
+) -> None:
+    """Write tetrahedra in any of the formats that have them. Raises `Error` that names the file."""
+    path = os.fspath(path)
+    check_output(path, WRITABLE_GRIDS)
+    check_format(path)
+    if ending(path) in WRITABLE_SOLIDS:
+        versions = get_args(MshVersion)
+        writer = vtkSolidWriter()
+        writer.SetInputData(grid)
+        writer.SetBoundaryData(boundary)
+        writer.SetMshVersion(versions.index(one_of(versions, "msh_version", msh_version)))
+        run_writer(writer, path)
+    elif ending(path) == XDMF:
+        _write_xdmf(as_type(Tetrahedra, grid), path)
+    else:
+        write_grid(grid, path)
+
+
+def check_format(path: Path) -> None:
+    """Raise `Error` where what writes this format is not installed."""
+    if ending(path) == XDMF:
+        import_meshio()
+        try:
+            import h5py  # noqa: F401
+        except ImportError:
+            raise Error("h5py, which meshio takes for .xdmf, is not installed: apt-get install python3-h5py, or pip install h5py") from None
+
+
+def _wide(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
+    """As meshio can write them as text: it takes no narrow integers, and has too few digits for floats."""
+    widened = {"f": np.float64, "i": np.int64, "u": np.uint64}
+    return {name: values.astype(widened[values.dtype.kind]) for name, values in scalars_and_vectors(arrays).items()}
+
+
+def _write_xdmf(grid: Tetrahedra, path: str) -> None:
+    """All in one file, as text: meshio puts numbers into a second one otherwise."""
+    kind, nodes = grid.kind(), grid.cells
+    cell_data = {name: [values] for name, values in _wide(grid.cell_arrays).items()}
+    mesh = import_meshio().Mesh(grid.points, [(kind, nodes)], point_data=_wide(grid.point_arrays), cell_data=cell_data)
+    with temporary_folder() as folder:
+        whole = os.path.join(folder, "whole.xdmf")
+        try:
+            import_meshio().write(whole, mesh, data_format="XML")
+            with open(whole, "rb") as file:
+                content = file.read()
+        except OSError as error:
+            raise Error(f"{path}: {error.strerror or error} in {folder}, where meshio writes it first") from None
+        except MemoryError:
+            raise Error(f"{path}: not enough memory to write it") from None
+    write_bytes(content, path)

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSolidWriter
+ * @brief   writes a solid for a solver, with its regions and the parts of its boundary by name
+ *
+ * Writes tetrahedra (vtkTetra, or vtkQuadraticTetra) by the file name's ending: .msh (gmsh, ascii),
+ * .inp (CalculiX and Abaqus) or .mesh (Medit, ascii).
+ *
+ * Regions come from the solid's cell array RegionId, integers from 0. The triangles of the boundary
+ * come from the second input, tags of them from its cell array BoundaryTag, integers from 0, and
+ * their names from its field array BoundaryTagNames. Each triangle has to be a face of a cell; that
+ * of two cells is an interface. Without the second input the faces of one cell are the boundary.
+ * Where there is no RegionId all cells are the region "solid", and without BoundaryTag all
+ * triangles have the tag "surface". Other regions are called region_0, region_1 and so on; tags
+ * without a name, tag_0, tag_1 and so on.
+ *
+ * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
+ *   and BoundaryTag plus 1.
+ * - .inp has elements C3D4 or C3D10, an element set and a node set for each region, a node set and
+ *   a surface by element face for each tag, and the sets Eall and Nall of all.
+ * - .mesh has RegionId and BoundaryTag plus 1 as references; names are in comments. Of quadratic
+ *   cells it has the sections TrianglesP2 and TetrahedraP2, which not every program reads.
+ *
+ * Point p is number p + 1 in each. What a format does not take in a name becomes an underscore, and
+ * of equal names the later end in _2, _3 and so on. Coordinates are read back to the last bit; but
+ * .inp has 20 characters for a number, which are enough from 0.01 to 1e17, and elsewhere differ by
+ * less than 1e-12 of it. Other arrays are not written.
+ *
+ * The first input may be a composite data set too, of which one block is the solid and at most one
+ * other the boundary: what ParaView's Group Datasets makes of the two.
+ *
+ * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
+ * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
+ * permissions of an earlier file are kept. Devices and pipes are written at once.
+ *
+ * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
+ * which cell, point, triangle or array is wrong. It gives 0 without one when it was aborted.
+ *
+ * @sa vtkRobustTetrahedralize
+ *
+ */
+#ifndef vtkSolidWriter_h
+#define vtkSolidWriter_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkWriter.h"
+
+class vtkPolyData;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkSolidWriter : public vtkWriter
+{
+public:
+  static vtkSolidWriter* New();
+  vtkTypeMacro(vtkSolidWriter, vtkWriter)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to write, with the ending .msh, .inp or .mesh. An older file is replaced. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /** The versions of gmsh's format. */
+  enum MshVersionType
+  {
+    MSHVERSION_4_1 = 0, ///< that of gmsh 4
+    MSHVERSION_2_2 = 1  ///< the older one, for programs that know no other
+  };
+
+  ///@{
+  /**
+   * Which version of gmsh's format a .msh file has: MSHVERSION_4_1 (0), or MSHVERSION_2_2 (1) for
+   * programs that do not read the first. Default MSHVERSION_4_1.
+   */
+  vtkSetClampMacro(MshVersion, int, MSHVERSION_4_1, MSHVERSION_2_2);
+  vtkGetMacro(MshVersion, int);
+  ///@}
+
+  ///@{
+  /**
+   * The second input: triangles of the boundary, with the cell array BoundaryTag. Optional.
+   */
+  void SetBoundaryConnection(vtkAlgorithmOutput* boundary);
+  void SetBoundaryData(vtkPolyData* boundary);
+  ///@}
+
+protected:
+  vtkSolidWriter();
+  ~vtkSolidWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+  char* FileName = nullptr;
+  int MshVersion = MSHVERSION_4_1;
+
+private:
+  vtkSolidWriter(const vtkSolidWriter&) = delete;
+  void operator=(const vtkSolidWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files/SolidFaces.h"
+
+#include "Common/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace insideout;
+
+namespace
+{
+/** Two tetrahedra on the face 1 2 3. */
+SolidMesh TwoCells()
+{
+  SolidMesh solid;
+  solid.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
+  solid.Cells = { { 0, 1, 2, 3 }, { 4, 2, 1, 3 } };
+  return solid;
+}
+
+std::vector<std::array<int, 2>> Pairs(const std::vector<CellFace>& faces)
+{
+  std::vector<std::array<int, 2>> pairs;
+  for (const CellFace& face : faces)
+  {
+    pairs.push_back({ { face.Cell, face.Face } });
+  }
+  return pairs;
+}
+
+template <typename Work>
+void ExpectError(ErrorCode code, const std::string& words, const Work& work)
+{
+  try
+  {
+    work();
+    ADD_FAILURE() << "no error: " << words;
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, code) << error.what();
+    EXPECT_EQ(error.what(), words);
+  }
+}
+
+using Faces = std::vector<std::array<int, 2>>;
+} // namespace
+
+TEST(SolidFaces, OfOneCellAreTheOuterOnes)
+{
+  // Face 1 of both is the one between them.
+  EXPECT_EQ(Pairs(OuterFaces(TwoCells())),
+    (Faces{ { 0, 0 }, { 0, 2 }, { 0, 3 }, { 1, 0 }, { 1, 2 }, { 1, 3 } }));
+}
+
+TEST(SolidFaces, OfTrianglesAreFoundByTheirPlaces)
+{
+  const SolidMesh solid = TwoCells();
+  const std::vector<Point> points = { { 5, 5, 5 }, { 0, 0, 1 }, { 1, 0, 0 }, { -0.0, -0.0, 0 },
+    { 0, 1, 0 } };
+  EXPECT_EQ(Pairs(FacesOfTriangles(solid, points, { { 3, 2, 1 }, { 1, 2, 3 }, { 2, 1, 3 } })),
+    (Faces{ { 0, 0 }, { 0, 0 }, { 0, 0 } }));
+}
+
+TEST(SolidFaces, BetweenCellsAreOfTheOneThatTheTriangleFacesAwayFrom)
+{
+  const SolidMesh solid = TwoCells();
+  const Triangle first = FaceOf(solid.Cells[0], 1);
+  const Triangle second = FaceOf(solid.Cells[1], 1);
+  const Triangle turned = { { first[1], first[2], first[0] } };
+  EXPECT_EQ(Pairs(FacesOfTriangles(solid, solid.Points, { first, second, turned })),
+    (Faces{ { 0, 1 }, { 1, 1 }, { 0, 1 } }));
+}
+
+TEST(SolidFaces, OfCellsThatShareNoPointsAreFoundToo)
+{
+  SolidMesh solid = TwoCells();
+  // The second cell gets points of its own, in the same places.
+  solid.Points.insert(solid.Points.end(), solid.Points.begin(), solid.Points.end());
+  solid.Cells[1] = { { 9, 7, 6, 8 } };
+  const std::vector<Triangle> triangles = { FaceOf(solid.Cells[0], 1), FaceOf(solid.Cells[1], 1),
+    FaceOf({ { 4, 2, 1, 3 } }, 1), FaceOf(solid.Cells[1], 2) };
+  EXPECT_EQ(Pairs(FacesOfTriangles(solid, solid.Points, triangles)),
+    (Faces{ { 0, 1 }, { 1, 1 }, { 1, 1 }, { 1, 2 } }));
+  EXPECT_EQ(OuterFaces(solid).size(), 8u);
+}
+
+TEST(SolidFaces, ThatAreNoneAreNamed)
+{
+  const SolidMesh solid = TwoCells();
+  const Triangle face = FaceOf(solid.Cells[0], 0);
+  ExpectError(ErrorCode::InvalidParameter,
+    "triangle 1 of the boundary is no face of the solid's cells",
+    [&]() {
+      FacesOfTriangles(solid, solid.Points, { face, { { 0, 1, 4 } } });
+    });
+  ExpectError(ErrorCode::InvalidParameter,
+    "triangle 0 of the boundary is no face of the solid's cells",
+    [&]() {
+      FacesOfTriangles(solid, { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 2 } }, { { { 0, 1, 2 } } });
+    });
+  ExpectError(ErrorCode::PointOutOfRange, "triangle 1 of the boundary refers to point 5 of 5",
+    [&]() {
+      FacesOfTriangles(solid, solid.Points, { face, { { 0, 1, 5 } } });
+    });
+}
+
+TEST(SolidFaces, OfCellsThatAreNoneAreNot)
+{
+  SolidMesh solid = TwoCells();
+  solid.Cells[1][2] = 5;
+  ExpectError(
+    ErrorCode::PointOutOfRange, "cell 1 refers to point 5 of 5", [&]() { OuterFaces(solid); });
+  solid = TwoCells();
+  solid.Midpoints = { { { 0, 0, 0, 0, 0, 0 } }, { { 0, 0, 0, 0, 0, -1 } } };
+  ExpectError(
+    ErrorCode::PointOutOfRange, "cell 1 refers to point -1 of 5", [&]() { OuterFaces(solid); });
+  solid = TwoCells();
+  solid.Points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  ExpectError(ErrorCode::PointNotFinite, "point 3 has a coordinate that is infinite or no number",
+    [&]() { FacesOfTriangles(solid, solid.Points, {}); });
+  ExpectError(
+    ErrorCode::InvalidParameter, "there are no cells to write", [&]() { OuterFaces(SolidMesh()); });
+}
