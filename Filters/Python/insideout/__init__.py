@@ -32,7 +32,7 @@ SURFACES
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
     resolve         Resolution: surface, statistics
-    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, statistics
+    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, statistics
     winding_number  an array of float64, one value per point
     inside          an array of bool, one value per point
 
@@ -77,7 +77,7 @@ from .files import write
 from .pipeline import Error
 from .queries import inside, winding_number
 from .resolving import Resolution, resolve
-from .tetrahedralization import Tetrahedralization, tetrahedralize
+from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .version import __version__
 from .vtkFiltersInsideOut import *  # noqa: F403
 
@@ -88,6 +88,7 @@ __all__ = [
     "Check",
     "Error",
     "Finding",
+    "Region",
     "Resolution",
     "Tetrahedra",
     "Tetrahedralization",
