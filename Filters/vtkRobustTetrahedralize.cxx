@@ -13,6 +13,7 @@
 #include "Private/vtkInsideOutRefine.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
+#include "Private/vtkInsideOutTags.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkCellData.h>
@@ -124,6 +125,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
   os << indent << "SplitSeams: " << this->SplitSeams << "\n";
+  os << indent << "TagArrayName: " << this->TagArrayName << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
@@ -234,8 +236,37 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   CountOutliers(hull, outliers, surfaces.Counts);
   surfaces.Lost = MeasureLostArea(hull, outliers);
   surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
-  AppendMass(MeasureMass(hull.Mesh, inside), surfaces.Counts);
   return surfaces;
+}
+
+/** The solid's cells with their regions, and what it and each of these weigh. */
+struct Solid
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::vector<MassProperties> Masses; ///< of the regions
+  Statistics Counts;
+};
+
+Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
+  vtkUnstructuredGrid* hullGrid, bool extractInside, Monitor& monitor)
+{
+  const SolidRegions regions =
+    FindRegions(hull.Mesh, inside, monitor, { Stages::Extracting, 0.4, 0.45 });
+  Solid solid;
+  solid.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  solid.Grid->ShallowCopy(hullGrid);
+  vtkInsideOutAddInside(inside, solid.Grid);
+  vtkInsideOutAddRegions(regions, solid.Grid);
+  if (extractInside)
+  {
+    solid.Grid = vtkInsideOutExtractInside(solid.Grid, monitor, { Stages::Extracting, 0.45, 1 });
+  }
+  solid.Masses = MeasureRegions(hull.Mesh, regions);
+  solid.Counts.emplace_back("InsideCells", std::count(inside.begin(), inside.end(), 1));
+  solid.Counts.emplace_back("Regions", regions.Count);
+  AppendMass(
+    regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside), solid.Counts);
+  return solid;
 }
 } // namespace
 
@@ -260,6 +291,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
           "Refine takes ExtractInside: of the hull only the solid can be refined");
       }
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
+      const vtkInsideOutTags tags =
+        vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
       const std::string& nonParticipating = this->NonParticipatingArrayName;
       const std::shared_ptr<HullOfInput> kept =
@@ -281,43 +314,37 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const double cutSeconds = stopwatch.Lap();
       const Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
         this->SplitSeams, kept->Surface.Soup, outputs, monitor);
+      vtkInsideOutAddTags(tags, surfaces.Boundary);
+      Solid solid = MakeSolid(hull, segmentation.Inside, kept->Grid, this->ExtractInside, monitor);
 
-      auto solid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      solid->ShallowCopy(kept->Grid);
-      vtkInsideOutAddInside(segmentation.Inside, solid);
-      if (this->ExtractInside)
-      {
-        solid = vtkInsideOutExtractInside(solid, monitor, { Stages::Extracting, 0.4, 1 });
-      }
-      const auto insideCells =
-        std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1);
       vtkInsideOutRefinement refinement;
-      if (this->Refine && insideCells > 0)
+      if (this->Refine && !solid.Masses.empty())
       {
         refinement = vtkInsideOutRefine(
-          solid, vtkInsideOutSizingParameters(this), this->QuadraticCells, monitor);
-        solid = refinement.Grid;
+          solid.Grid, vtkInsideOutSizingParameters(this), this->QuadraticCells, monitor);
+        solid.Grid = refinement.Grid;
       }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
       statistics.insert(
         statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
-      statistics.emplace_back("InsideCells", insideCells);
+      statistics.insert(statistics.end(), solid.Counts.begin(), solid.Counts.end());
       statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
       statistics.insert(
         statistics.end(), refinement.Statistics.begin(), refinement.Statistics.end());
       statistics.emplace_back("PeakMemory", PeakMemory());
 
-      vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(solid);
+      vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(solid.Grid);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(surfaces.Boundary);
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(surfaces.Outliers);
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
       outputs.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
+      vtkInsideOutAddMasses(solid.Masses, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, segmentation.Warnings);
       vtkInsideOutWarn(this, outputs.Warnings);
       vtkInsideOutWarn(this, refinement.Warnings);
-      if (insideCells == 0)
+      if (solid.Masses.empty())
       {
         vtkWarningMacro(<< NothingInside(hull));
       }

@@ -11,14 +11,28 @@
  * the hull, with its exact coordinates.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D), and with field data Statistics_NAME, LeftOutCellIds (see
- * vtkResolveSelfIntersections), LostCellIds (see vtkConstrainedDelaunay3D) and TurnedCellIds.
- * Output 1, its boundary: triangles, oriented outward and watertight, with vtkOriginalCellIds (the
- * input cell each lies on, -1 where a hole was closed) and Turned (1 where that was turned over,
- * see Orientation). Output 2, the outliers: the pieces of input facets that are no face of a cell
- * inside, with the cell array OutlierReason (unsigned char, see OutlierReasonType; their names are
- * the field array OutlierReasonNames). All carry the input's point data and vtkOriginalPointIds,
- * the surfaces its cell data. Normals and texture coordinates stay active.
+ * (see vtkConstrainedDelaunay3D) and RegionId, and with field data Statistics_NAME, LeftOutCellIds
+ * (see vtkResolveSelfIntersections), LostCellIds (see vtkConstrainedDelaunay3D), TurnedCellIds and
+ * what each region weighs. Output 1, its boundary: triangles, oriented outward and watertight, with
+ * vtkOriginalCellIds (the input cell each lies on, -1 where a hole was closed), Turned (1 where
+ * that was turned over, see Orientation) and BoundaryTag. Output 2, the outliers: the pieces of
+ * input facets that are no face of a cell inside, with the cell array OutlierReason (unsigned char,
+ * see OutlierReasonType; their names are the field array OutlierReasonNames). All carry the input's
+ * point data and vtkOriginalPointIds, the surfaces its cell data. Normals and texture coordinates
+ * stay active.
+ *
+ * RegionId (int, -1 outside) are the parts of the solid, numbered from 0 by their first cell. Faces
+ * connect: parts that touch in no more than an edge or a point are two. The field arrays
+ * RegionVolume, RegionCenterOfMass (3 components) and RegionInertia (6: XX, YY, ZZ, XY, YZ, XZ,
+ * about the region's own center) have a tuple for each; their units are those of the statistics
+ * below.
+ *
+ * BoundaryTag (int, from 0) is what the input says of the cell that a triangle of the boundary lies
+ * on: its group, material, solid or block, or what TagArrayName chooses. The field array
+ * BoundaryTagNames (vtkStringArray) has the name of each; some may be of no triangle. A surface
+ * that says nothing has one tag, surface. Triangles that lie on no cell close a hole: their tag is
+ * the last, and called hole (hole_2 where the input has such a name). Slabs, and the rims around
+ * them, have the tag of the sheet's facet that they belong to (see Thicken).
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -28,8 +42,9 @@
  * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
  * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts. Of
  * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area). Of
- * the solid, with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and the
- * inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x y).
+ * the solid: Regions; with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and
+ * the inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x
+ * y).
  *
  * With Refine the solid's cells are others of the same solid: see vtkRefineTetrahedra, which says
  * what becomes of its arrays, too. InsideCells then counts the cells before.
@@ -257,6 +272,19 @@ public:
 
   ///@{
   /**
+   * Name of a cell array of the input, of one integer or string per cell: what becomes the
+   * boundary's array BoundaryTag. Strings are numbered in the order of their first cells, integers
+   * in their own order; these are called as the field array of strings says that goes with the
+   * array (GroupNames with GroupIds, PartNames with Part), or else as they are written; floats have
+   * to be whole numbers. Default empty: the first of BoundaryTag, GroupIds, MaterialIds and
+   * STLSolidLabeling that tells polygons apart, or the blocks of a composite input.
+   */
+  vtkSetStdStringFromCharMacro(TagArrayName);
+  vtkGetCharFromStdStringMacro(TagArrayName);
+  ///@}
+
+  ///@{
+  /**
    * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
    * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
    * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
@@ -383,6 +411,7 @@ protected:
   std::string NonParticipatingArrayName;
   bool MergeCoplanarPieces = false;
   bool SplitSeams = false;
+  std::string TagArrayName;
   int QuadratureOrder;
   int Engine;
   double TimeBudget;

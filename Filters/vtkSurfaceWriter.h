@@ -9,7 +9,10 @@
  * the last bit.
  *
  * Normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are written to PLY
- * and OBJ, every other numeric array to PLY, none to OFF. Lines and vertices are not written.
+ * and OBJ, every other numeric array to PLY, none to OFF. OBJ gets the groups that the cell array
+ * BoundaryTag, or else GroupIds, and the materials that MaterialIds numbers, where the field array
+ * BoundaryTagNames, GroupNames or MaterialNames has their names. Lines and vertices are not
+ * written.
  *
  * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the

@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 
 #include <vtkDataSet.h>
+#include <vtkStringArray.h>
 
 #include <limits>
 #include <new>
@@ -45,4 +46,19 @@ vtkSmartPointer<vtkPoints> vtkInsideOutMakePoints(const std::vector<insideout::P
       values.front().data(), 3 * values.size(), static_cast<double*>(points->GetVoidPointer(0)));
   }
   return points;
+}
+
+vtkSmartPointer<vtkStringArray> vtkInsideOutMakeStrings(
+  const char* name, const std::vector<std::string>& values)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  const auto size = static_cast<vtkIdType>(values.size());
+  vtkInsideOutRequireMemory(size * array->GetDataTypeSize());
+  array->SetName(name);
+  array->SetNumberOfValues(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    array->SetValue(i, values[i]);
+  }
+  return array;
 }

@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkStringArray;
 
 /**
  * The points of a data set that the stages can count.
@@ -75,3 +76,7 @@ vtkSmartPointer<Array> vtkInsideOutMakeArray(const char* name, const std::vector
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }
+
+/** An array of strings with a name. */
+vtkSmartPointer<vtkStringArray> vtkInsideOutMakeStrings(
+  const char* name, const std::vector<std::string>& values);

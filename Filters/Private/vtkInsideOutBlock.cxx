@@ -11,8 +11,6 @@
 #include <vtkInformationDataObjectKey.h>
 #include <vtkSmartPointer.h>
 
-#include <optional>
-
 namespace
 {
 /** Of an input: the composite data set whose blocks it becomes in turn. */
@@ -29,16 +27,15 @@ std::string Part(vtkInformation* metaData, unsigned int index, unsigned int numb
   return name ? name : numberOfChildren > 1 ? std::to_string(index) : std::string();
 }
 
-std::optional<std::string> PathTo(vtkDataObject* block, vtkDataObject* data)
+/** Visit what has no blocks of its own as (data, path). */
+template <typename Visit>
+void VisitLeaves(vtkDataObject* data, const std::string& path, const Visit& visit)
 {
-  if (data == block)
-  {
-    return std::string();
-  }
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
   if (!tree)
   {
-    return std::nullopt;
+    visit(data, path);
+    return;
   }
   auto child = vtk::TakeSmartPointer(tree->NewTreeIterator());
   child->TraverseSubTreeOff();
@@ -52,15 +49,41 @@ std::optional<std::string> PathTo(vtkDataObject* block, vtkDataObject* data)
   unsigned int index = 0;
   for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem(), ++index)
   {
-    if (const auto rest = PathTo(block, child->GetCurrentDataObject()))
+    if (vtkDataObject* block = child->GetCurrentDataObject())
     {
       vtkInformation* metaData =
         child->HasCurrentMetaData() ? child->GetCurrentMetaData() : nullptr;
       const std::string part = Part(metaData, index, numberOfChildren);
-      return part + (part.empty() || rest->empty() ? "" : "/") + *rest;
+      VisitLeaves(block, path + (part.empty() || path.empty() ? "" : "/") + part, visit);
     }
   }
-  return std::nullopt;
+}
+
+/** The blocks, of which one is that with the data; none is where it is not among them. */
+vtkInsideOutBlocks FindBlock(vtkDataObject* data, vtkDataObject* blocks)
+{
+  vtkInsideOutBlocks found;
+  VisitLeaves(blocks, std::string(),
+    [&](vtkDataObject* block, const std::string& path)
+    {
+      if (block == data)
+      {
+        found.Current = static_cast<int>(found.Names.size());
+      }
+      found.Names.push_back(path);
+    });
+  return found;
+}
+
+/** The blocks that an input of an algorithm has, and which of them it works on. */
+vtkInsideOutBlocks BlocksOf(vtkAlgorithm* algorithm, int port)
+{
+  vtkInformation* input = algorithm->GetNumberOfInputConnections(port) > 0
+    ? algorithm->GetExecutive()->GetInputInformation(port, 0)
+    : nullptr;
+  vtkDataObject* blocks = input ? input->Get(Blocks()) : nullptr;
+  vtkDataObject* block = input ? input->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
+  return blocks && block ? FindBlock(block, blocks) : vtkInsideOutBlocks();
 }
 } // namespace
 
@@ -71,7 +94,8 @@ void vtkInsideOutRememberBlocks(vtkInformation* input)
   {
     input->Set(Blocks(), data);
   }
-  else if (!PathTo(data, input->Get(Blocks())))
+  else if (vtkDataObject* blocks = input->Get(Blocks());
+           blocks && !FindBlock(data, blocks).AreThere())
   {
     input->Remove(Blocks());
   }
@@ -81,16 +105,18 @@ std::string vtkInsideOutBlock(vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
-    vtkInformation* input = algorithm->GetNumberOfInputConnections(port) > 0
-      ? algorithm->GetExecutive()->GetInputInformation(port, 0)
-      : nullptr;
-    vtkDataObject* blocks = input ? input->Get(Blocks()) : nullptr;
-    vtkDataObject* block = input ? input->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
-    const auto path = PathTo(block, blocks);
-    if (path && block != blocks)
+    const vtkInsideOutBlocks blocks = BlocksOf(algorithm, port);
+    if (blocks.AreThere())
     {
-      return "block " + (path->empty() ? "0" : *path) + ": ";
+      const std::string& name = blocks.Names[blocks.Current];
+      return "block " + (name.empty() ? "0" : name) + ": ";
     }
   }
   return "";
+}
+
+vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm)
+{
+  const vtkInsideOutBlocks blocks = BlocksOf(algorithm, 0);
+  return blocks.AreThere() ? blocks : vtkInsideOutBlocks();
 }

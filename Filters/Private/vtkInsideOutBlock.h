@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkInformation;
@@ -20,3 +21,15 @@ void vtkInsideOutRememberBlocks(vtkInformation* input);
  * slashes.
  */
 std::string vtkInsideOutBlock(vtkAlgorithm* algorithm);
+
+/** The blocks of a composite data set by the same names, and which of them is worked on. */
+struct vtkInsideOutBlocks
+{
+  std::vector<std::string> Names;
+  int Current = -1;
+
+  bool AreThere() const { return this->Current >= 0; }
+};
+
+/** Those of an algorithm's first input; none where it is not composite. */
+vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm);

@@ -3,7 +3,9 @@
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <limits>
@@ -138,4 +140,22 @@ std::vector<insideout::Attribute> vtkInsideOutReadAttributes(
     }
   }
   return attributes;
+}
+
+std::vector<insideout::AttributeNames> vtkInsideOutReadNames(vtkFieldData* data)
+{
+  std::vector<insideout::AttributeNames> all;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    auto* array = vtkStringArray::SafeDownCast(data->GetAbstractArray(i));
+    if (array && array->GetName() && array->GetNumberOfComponents() == 1)
+    {
+      all.push_back({ array->GetName(), {} });
+      for (vtkIdType value = 0; value < array->GetNumberOfValues(); ++value)
+      {
+        all.back().Values.push_back(array->GetValue(value));
+      }
+    }
+  }
+  return all;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkDataSetAttributes;
+class vtkFieldData;
 
 /** Add an attribute as an array, and as VTK's normals, texture coordinates or colours if it is
  * these. */
@@ -25,3 +26,6 @@ void vtkInsideOutAddAttribute(const insideout::Attribute& attribute, vtkDataSetA
  */
 std::vector<insideout::Attribute> vtkInsideOutReadAttributes(
   vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids);
+
+/** The arrays of strings, one for each number: the names of what attributes number. */
+std::vector<insideout::AttributeNames> vtkInsideOutReadNames(vtkFieldData* data);

@@ -14,6 +14,7 @@
 #include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkShortArray.h>
@@ -23,6 +24,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
 
@@ -172,7 +174,7 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
     turned.push_back(std::binary_search(
       hull.TurnedTriangles.begin(), hull.TurnedTriangles.end(), triangle.Source));
   }
-  auto output = this->MakeSurface(points, origins, triangles, cells, { "Turned" });
+  auto output = this->MakeSurface(points, origins, triangles, cells, { "Turned", "BoundaryTag" });
   output->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", turned));
   return output;
 }
@@ -234,18 +236,14 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeOutliers(
       insideout::OutlierReason::Degenerate);
   }
 
-  vtkNew<vtkStringArray> names;
-  names->SetName("OutlierReasonNames");
-  for (const char* name : insideout::OutlierReasonNames)
-  {
-    names->InsertNextValue(name);
-  }
+  const auto& names = insideout::OutlierReasonNames;
   auto output = this->MakeSurface(points, origins, triangles, cells, { "OutlierReason" });
   output->GetCellData()->AddArray(
     vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", multiplicity));
   output->GetCellData()->AddArray(
     vtkInsideOutMakeArray<vtkUnsignedCharArray>("OutlierReason", reasons));
-  output->GetFieldData()->AddArray(names);
+  output->GetFieldData()->AddArray(
+    vtkInsideOutMakeStrings("OutlierReasonNames", { names.begin(), names.end() }));
   return output;
 }
 
@@ -300,6 +298,34 @@ void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstruct
   grid->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inside", inside));
 }
 
+void vtkInsideOutAddRegions(const insideout::SolidRegions& regions, vtkUnstructuredGrid* grid)
+{
+  grid->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkIntArray>("RegionId", regions.OfCell));
+}
+
+void vtkInsideOutAddMasses(const std::vector<insideout::MassProperties>& masses, vtkDataSet* output)
+{
+  const auto count = static_cast<vtkIdType>(masses.size());
+  const auto volumes = vtkInsideOutMakeArray<vtkDoubleArray>("RegionVolume", count);
+  const auto centers = vtkInsideOutMakeArray<vtkDoubleArray>("RegionCenterOfMass", count, 3);
+  const auto inertias = vtkInsideOutMakeArray<vtkDoubleArray>("RegionInertia", count, 6);
+  for (vtkIdType region = 0; region < count; ++region)
+  {
+    volumes->SetTypedComponent(region, 0, masses[region].Volume);
+    centers->SetTypedTuple(region, masses[region].CenterOfMass.data());
+    inertias->SetTypedTuple(region, masses[region].Inertia.data());
+  }
+  const std::array<const char*, 6> axes = { { "XX", "YY", "ZZ", "XY", "YZ", "XZ" } };
+  for (int k = 0; k < 6; ++k)
+  {
+    inertias->SetComponentName(k, axes[k]);
+  }
+  for (const auto& array : { volumes, centers, inertias })
+  {
+    output->GetFieldData()->AddArray(array);
+  }
+}
+
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolygons(const insideout::PolygonSurface& surface)
 {
   vtkNew<vtkCellArray> polygons;
@@ -315,6 +341,10 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolygons(const insideout::PolygonSu
   for (const insideout::Attribute& attribute : surface.PolygonAttributes)
   {
     vtkInsideOutAddAttribute(attribute, output->GetCellData());
+  }
+  for (const insideout::AttributeNames& names : surface.Names)
+  {
+    output->GetFieldData()->AddArray(vtkInsideOutMakeStrings(names.Name.c_str(), names.Values));
   }
   return output;
 }

@@ -8,6 +8,7 @@
 #include "Defects/SurfaceDefects.h"
 #include "HullMesh.h"
 #include "Output/BoundaryTriangles.h"
+#include "Output/MassProperties.h"
 #include "Output/Outliers.h"
 #include "vtkInsideOutReadSurface.h"
 
@@ -85,7 +86,7 @@ private:
   const vtkInsideOutSurface* Surface;
 };
 
-/** The polygons of a file, with their attributes. */
+/** The polygons of a file, with their attributes, and the names of these as field arrays. */
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolygons(const insideout::PolygonSurface& surface);
 
 /** The lines of a surface's defects with vtkOriginalPointIds: those of one point become vertices,
@@ -100,6 +101,14 @@ void vtkInsideOutAddStatistics(const insideout::Statistics& statistics, vtkDataS
 
 /** Put the labels on the grid as its cell array Inside. */
 void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
+
+/** Put the cells' regions on the grid as its cell array RegionId, -1 for those outside. */
+void vtkInsideOutAddRegions(const insideout::SolidRegions& regions, vtkUnstructuredGrid* grid);
+
+/** What each region weighs as the field arrays RegionVolume, RegionCenterOfMass and RegionInertia,
+ * with a tuple for each. */
+void vtkInsideOutAddMasses(
+  const std::vector<insideout::MassProperties>& masses, vtkDataSet* output);
 
 /** The cells whose array Inside is 1, with the points they use. Can be stopped. */
 vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutExtractInside(

@@ -10,6 +10,7 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -247,5 +248,6 @@ insideout::PolygonSurface vtkInsideOutReadPolygons(vtkPolyData* input)
   std::iota(points.begin(), points.end(), 0);
   surface.PointAttributes = vtkInsideOutReadAttributes(input->GetPointData(), points);
   surface.PolygonAttributes = vtkInsideOutReadAttributes(input->GetCellData(), cells);
+  surface.Names = vtkInsideOutReadNames(input->GetFieldData());
   return surface;
 }

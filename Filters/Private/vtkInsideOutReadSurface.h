@@ -54,7 +54,7 @@ std::vector<unsigned char> vtkInsideOutReadChosenFacets(const vtkInsideOutSurfac
 
 /**
  * The polygons and strips for a file: strips become triangles, lines and vertices stay behind. For
- * attributes see vtkInsideOutReadAttributes.
+ * attributes and their names see vtkInsideOutReadAttributes and vtkInsideOutReadNames.
  *
  * @throws insideout::Error that names the cell whose point is out of range
  */

@@ -25,11 +25,17 @@ int LargestExponent(const std::vector<Point>& points)
   return exponent;
 }
 
-std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent)
+PowerOfTwo::PowerOfTwo(int exponent)
 {
   // Upwards in two steps, for the factor itself may overflow; downwards in one, for each may round.
   const int second = std::max(exponent, 0) / 2;
-  const double factors[2] = { std::ldexp(1.0, exponent - second), std::ldexp(1.0, second) };
+  this->Factors[0] = std::ldexp(1.0, exponent - second);
+  this->Factors[1] = std::ldexp(1.0, second);
+}
+
+std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent)
+{
+  const PowerOfTwo power(exponent);
   std::vector<Point> scaled(points.size());
   const double nanosecondsPerPoint = 3;
   ParallelLoop(points.size(), nanosecondsPerPoint,
@@ -37,7 +43,7 @@ std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        scaled[p][axis] = points[p][axis] * factors[0] * factors[1];
+        scaled[p][axis] = power.Times(points[p][axis]);
       }
     });
   return scaled;

@@ -15,6 +15,18 @@ double LargestCoordinate(const std::vector<Point>& points);
  */
 int LargestExponent(const std::vector<Point>& points);
 
-/** The points times 2^exponent, which is from -1074 to 2046: as std::ldexp gives them, quickly. */
+/** Multiplies by 2^exponent, which is from -1074 to 2046: as std::ldexp does, quickly. */
+class PowerOfTwo
+{
+public:
+  explicit PowerOfTwo(int exponent);
+
+  double Times(double x) const { return x * this->Factors[0] * this->Factors[1]; }
+
+private:
+  double Factors[2];
+};
+
+/** The points times a power of two. */
 std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent);
 } // namespace insideout

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files/NameNumbers.h"
 #include "Files/SurfaceReaders.h"
 #include "Files/TextScanner.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <unordered_map>
 
 // The format: Wavefront, Advanced Visualizer Manual, appendix B1 (object files).
@@ -120,36 +120,6 @@ struct HashOfPointWithData
   }
 };
 
-/** Numbers names in the order in which faces first use them. */
-class NameNumbers
-{
-public:
-  void Choose(const std::string& name)
-  {
-    this->Name = name;
-    this->Number = None;
-    this->AnyChosen = true;
-  }
-
-  bool Any() const { return this->AnyChosen; }
-
-  std::int32_t Current()
-  {
-    if (this->Number == None)
-    {
-      const auto next = static_cast<std::int32_t>(this->Numbers.size());
-      this->Number = this->Numbers.insert({ this->Name, next }).first->second;
-    }
-    return this->Number;
-  }
-
-private:
-  std::string Name;
-  std::int32_t Number = None;
-  bool AnyChosen = false;
-  std::map<std::string, std::int32_t> Numbers;
-};
-
 /** Counts the lines of one kind that are passed over. */
 struct PassedOver
 {
@@ -213,11 +183,11 @@ private:
   {
     if (word == "usemtl")
     {
-      this->Materials.Choose(this->Scanner.RestOfLine());
+      this->Materials.Choose(ToUtf8(this->Scanner.RestOfLine()));
     }
     else if (word == "g" || word == "o")
     {
-      (word == "g" ? this->Group : this->Object) = this->Scanner.RestOfLine();
+      (word == "g" ? this->Group : this->Object) = ToUtf8(this->Scanner.RestOfLine());
       this->Groups.Choose(this->Object + '\n' + this->Group);
     }
     else
@@ -418,10 +388,12 @@ private:
     if (this->Groups.Any())
     {
       attributes.push_back({ "GroupIds", 1, std::move(this->GroupIds) });
+      this->Surface.Names.push_back({ "GroupNames", NamesOfGroups(this->Groups.Used()) });
     }
     if (this->Materials.Any())
     {
       attributes.push_back({ "MaterialIds", 1, std::move(this->MaterialIds) });
+      this->Surface.Names.push_back({ "MaterialNames", NamesOrDefault(this->Materials.Used()) });
     }
   }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Files/ByteOrder.h"
+#include "Files/NameNumbers.h"
 #include "Files/SurfaceReaders.h"
 #include "Files/TextScanner.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 // The format: 3D Systems, StereoLithography Interface Specification (1988). Binary: 80 bytes of
@@ -141,15 +143,20 @@ public:
     while (this->Scanner.SkipToContent())
     {
       this->Expect("solid");
+      const std::string name = ToUtf8(this->Scanner.RestOfLine());
       this->Scanner.SkipLine();
       const std::size_t facets = this->GroupIds.size();
       this->ReadFacets();
-      this->Solids += this->GroupIds.size() > facets ? 1 : 0;
+      if (this->GroupIds.size() > facets)
+      {
+        this->Names.push_back(name);
+      }
     }
     AddFacetsOfOwnPoints(this->Surface);
-    if (this->Solids > 1)
+    if (this->Names.size() > 1)
     {
       this->Surface.PolygonAttributes.push_back({ "GroupIds", 1, std::move(this->GroupIds) });
+      this->Surface.Names.push_back({ "GroupNames", std::move(this->Names) });
     }
     return std::move(this->Surface);
   }
@@ -199,7 +206,7 @@ private:
     this->Expect("endloop");
     this->Expect("endfacet");
     CheckCount(this->File, this->Surface.Points.size(), "points");
-    this->GroupIds.push_back(this->Solids);
+    this->GroupIds.push_back(static_cast<std::int32_t>(this->Names.size()));
   }
 
   /** The corners tell the normal; in files it may be missing, or no number. Ends behind `outer`. */
@@ -231,7 +238,7 @@ private:
   TextScanner Scanner;
   PolygonSurface Surface;
   std::vector<std::int32_t> GroupIds;
-  std::int32_t Solids = 0; ///< that have facets
+  std::vector<std::string> Names; ///< of the solids that have facets
 };
 } // namespace
 

@@ -20,6 +20,13 @@ struct Attribute
     Values;
 };
 
+/** The names of what an attribute of polygons numbers: Values[i] is that of i. In UTF-8. */
+struct AttributeNames
+{
+  std::string Name;
+  std::vector<std::string> Values;
+};
+
 /** What a surface file holds. Polygon p has the corners Corners[Offsets[p]] to Corners[Offsets[p +
  * 1]]. */
 struct PolygonSurface
@@ -29,6 +36,7 @@ struct PolygonSurface
   std::vector<Id> Corners;
   std::vector<Attribute> PointAttributes;
   std::vector<Attribute> PolygonAttributes;
+  std::vector<AttributeNames> Names;
   std::vector<std::string> Warnings; ///< what was in the file and was passed over, one line each
 };
 
@@ -57,7 +65,9 @@ struct PolygonSurface
  *   have one. Numbers that are not bytes count from 0 to 1 if none is larger, else from 0 to 255.
  * - `GroupIds` (int) of polygons: pairs of `o` and `g` in OBJ, solids in STL where there are
  *   several. `MaterialIds` (int): `usemtl` in OBJ. Both number what polygons use, in the order of
- *   first use.
+ *   first use, and solids even where they have one name. Names has `GroupNames` and
+ *   `MaterialNames`: of solids as they stand in the file, which may be empty or the same for
+ *   several; of OBJ see NamesOfGroups and NamesOrDefault. What is no UTF-8 is read as Latin-1.
  * - Every other number of a PLY vertex or face under its own name: unsigned char for uchar, int for
  *   integers that fit, float for float, else double. Lists are passed over with a warning.
  *
@@ -72,7 +82,9 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor);
  * Write a surface as PLY (binary, doubles), OBJ or OFF (as many digits as keep every bit) or STL
  * (binary, floats: the format has no doubles), by the name's ending. Attributes that the format
  * knows are written: `Colors`, `Normals` and `TCoords` of points in PLY and OBJ, and any other
- * attribute in PLY, one property per component: NAME_0, NAME_1, ...
+ * attribute in PLY, one property per component: NAME_0, NAME_1, ... OBJ gets groups by the names of
+ * `BoundaryTag` or else `GroupIds`, and materials by those of `MaterialIds`, where Names has them;
+ * what has no name is called by its number.
  *
  * The file is there whole or not at all, and an earlier one stays as it was until then
  * (OutputFile). `monitor` is told of Stages::Writing.

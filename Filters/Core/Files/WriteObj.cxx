@@ -2,6 +2,8 @@
 #include "Files/SurfaceWriters.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <variant>
 
 // The format: Wavefront, Advanced Visualizer Manual, appendix B1 (object files).
 
@@ -67,6 +69,73 @@ void WriteObjData(OutputFile& file, const char* word, const Attribute* data)
     file.Text("\n");
   }
 }
+/** A name as one line of OBJ can hold it: a number sign behind a blank begins a comment there, and
+ * a backslash at the end joins the line with the next. */
+std::string ObjName(std::string name)
+{
+  char before = ' ';
+  for (char& c : name)
+  {
+    c = static_cast<unsigned char>(c) < ' ' ? ' ' : c == '#' && before == ' ' ? '_' : c;
+    before = c;
+  }
+  if (!name.empty() && name.back() == '\\')
+  {
+    name.back() = '_';
+  }
+  return name;
+}
+
+/** A statement of OBJ that says what the next polygons belong to. */
+class ObjGrouping
+{
+public:
+  /** By the first of some attributes of polygons that is there with names. */
+  ObjGrouping(const char* word, const PolygonSurface& surface,
+    std::initializer_list<std::array<const char*, 2>> candidates)
+    : Word(word)
+  {
+    for (const auto& [ids, name] : candidates)
+    {
+      for (const Attribute& attribute : surface.PolygonAttributes)
+      {
+        const auto* numbers = std::get_if<std::vector<std::int32_t>>(&attribute.Values);
+        if (!this->Names && attribute.Name == ids && attribute.Components == 1 && numbers)
+        {
+          this->Numbers = numbers;
+          this->Names = FindNames(surface, name);
+        }
+      }
+    }
+  }
+
+  /** To be called before each polygon. */
+  void Write(OutputFile& file, std::size_t polygon)
+  {
+    if (!this->Names || (polygon > 0 && (*this->Numbers)[polygon] == this->Last))
+    {
+      return;
+    }
+    this->Last = (*this->Numbers)[polygon];
+    const auto index = static_cast<std::size_t>(this->Last);
+    const bool isNamed = index < this->Names->size() && !(*this->Names)[index].empty();
+    const std::string name = isNamed ? ObjName((*this->Names)[index]) : std::to_string(this->Last);
+    file.Text(std::string(this->Word) + " " + name + "\n");
+  }
+
+private:
+  static const std::vector<std::string>* FindNames(const PolygonSurface& surface, const char* name)
+  {
+    const auto found = std::find_if(surface.Names.begin(), surface.Names.end(),
+      [name](const AttributeNames& names) { return names.Name == name; });
+    return found == surface.Names.end() ? nullptr : &found->Values;
+  }
+
+  const char* const Word;
+  const std::vector<std::int32_t>* Numbers = nullptr;
+  const std::vector<std::string>* Names = nullptr;
+  std::int32_t Last = 0;
+};
 } // namespace
 
 void WriteObj(OutputFile& file, const PolygonSurface& surface)
@@ -76,8 +145,13 @@ void WriteObj(OutputFile& file, const PolygonSurface& surface)
   WriteObjPoints(file, surface);
   WriteObjData(file, "vn", normals);
   WriteObjData(file, "vt", tcoords);
+  ObjGrouping group(
+    "g", surface, { { "BoundaryTag", "BoundaryTagNames" }, { "GroupIds", "GroupNames" } });
+  ObjGrouping material("usemtl", surface, { { "MaterialIds", "MaterialNames" } });
   for (std::size_t p = 0; p + 1 < surface.Offsets.size(); ++p)
   {
+    group.Write(file, p);
+    material.Write(file, p);
     file.Text("f");
     for (Id c = surface.Offsets[p]; c < surface.Offsets[p + 1]; ++c)
     {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Output/MassProperties.h"
 
+#include "Common/Buckets.h"
 #include "Common/DoubleDouble.h"
 #include "Common/ParallelLoop.h"
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
+#include "Output/InsideBoundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,18 +27,6 @@ constexpr double NanosecondsPerCell = 30;
 using Moments = std::array<double, 10>;
 constexpr std::array<std::array<int, 2>, 6> Pairs = { { { { 0, 0 } }, { { 1, 1 } }, { { 2, 2 } },
   { { 0, 1 } }, { { 1, 2 } }, { { 0, 2 } } } };
-
-Point MiddleOf(const std::vector<Point>& points)
-{
-  Point middle = { { 0, 0, 0 } };
-  for (int k = 0; k < 3 && !points.empty(); ++k)
-  {
-    const auto ends = std::minmax_element(
-      points.begin(), points.end(), [k](const Point& p, const Point& q) { return p[k] < q[k]; });
-    middle[k] = (*ends.first)[k] / 2 + (*ends.second)[k] / 2;
-  }
-  return middle;
-}
 
 void AddCell(const std::array<Point, 4>& corners, Moments& moments)
 {
@@ -62,25 +52,80 @@ void AddCell(const std::array<Point, 4>& corners, Moments& moments)
   }
 }
 
-Moments MomentsAbout(const Point& origin, const std::vector<Point>& points,
-  const std::vector<Tetrahedron>& cells, const std::vector<unsigned char>& inside)
+/** Some cells of a mesh, scaled so that no product of their coordinates over- or underflows. */
+class Part
 {
-  std::vector<Moments> blocks((cells.size() + CellsPerBlock - 1) / CellsPerBlock, Moments{});
+public:
+  Part(const TetrahedralMesh& mesh, const Buckets<Id>::Range& cells);
+
+  MassProperties Measure() const;
+
+private:
+  Moments MomentsAbout(const Point& origin) const;
+  std::array<Point, 4> CornersFrom(const Point& origin, Id cell) const;
+
+  const TetrahedralMesh& Mesh;
+  const Buckets<Id>::Range Cells;
+  int Exponent = 0; ///< of what all coordinates are below
+  PowerOfTwo Scale{ 0 };
+  Point Middle = { { 0, 0, 0 } };
+};
+
+Part::Part(const TetrahedralMesh& mesh, const Buckets<Id>::Range& cells)
+  : Mesh(mesh)
+  , Cells(cells)
+{
+  if (cells.Size() == 0)
+  {
+    return;
+  }
+  Point low = mesh.Points[mesh.Cells[*cells.First][0]];
+  Point high = low;
+  double largest = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const Id cell : cells)
+    {
+      for (const Id p : mesh.Cells[cell])
+      {
+        low[k] = std::min(low[k], mesh.Points[p][k]);
+        high[k] = std::max(high[k], mesh.Points[p][k]);
+      }
+    }
+    largest = std::max({ largest, std::abs(low[k]), std::abs(high[k]) });
+  }
+  std::frexp(largest, &this->Exponent);
+  this->Scale = PowerOfTwo(-this->Exponent);
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Middle[k] = this->Scale.Times(low[k]) / 2 + this->Scale.Times(high[k]) / 2;
+  }
+}
+
+std::array<Point, 4> Part::CornersFrom(const Point& origin, Id cell) const
+{
+  std::array<Point, 4> corners;
+  for (int i = 0; i < 4; ++i)
+  {
+    const Point& point = this->Mesh.Points[this->Mesh.Cells[cell][i]];
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[i][k] = this->Scale.Times(point[k]) - origin[k];
+    }
+  }
+  return corners;
+}
+
+Moments Part::MomentsAbout(const Point& origin) const
+{
+  std::vector<Moments> blocks((this->Cells.Size() + CellsPerBlock - 1) / CellsPerBlock, Moments{});
   ParallelLoop(blocks.size(), CellsPerBlock * NanosecondsPerCell,
     [&](std::size_t block)
     {
-      const std::size_t end = std::min((block + 1) * CellsPerBlock, cells.size());
-      for (std::size_t cell = block * CellsPerBlock; cell < end; ++cell)
+      const std::size_t end = std::min((block + 1) * CellsPerBlock, this->Cells.Size());
+      for (std::size_t i = block * CellsPerBlock; i < end; ++i)
       {
-        if (inside[cell] != 0)
-        {
-          std::array<Point, 4> corners;
-          for (int k = 0; k < 4; ++k)
-          {
-            corners[k] = Difference(points[cells[cell][k]], origin);
-          }
-          AddCell(corners, blocks[block]);
-        }
+        AddCell(this->CornersFrom(origin, this->Cells.First[i]), blocks[block]);
       }
     });
   std::array<DoubleDouble, 10> sums;
@@ -96,15 +141,11 @@ Moments MomentsAbout(const Point& origin, const std::vector<Point>& points,
     [](const DoubleDouble& sum) { return static_cast<double>(sum); });
   return moments;
 }
-} // namespace
 
-MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+MassProperties Part::Measure() const
 {
   MassProperties mass;
-  const int exponent = LargestExponent(mesh.Points);
-  const std::vector<Point> points = ScaledPoints(mesh.Points, -exponent);
-  const Point middle = MiddleOf(points);
-  const Moments rough = MomentsAbout(middle, points, mesh.Cells, inside);
+  const Moments rough = this->MomentsAbout(this->Middle);
   if (!(rough[0] > 0))
   {
     return mass;
@@ -114,13 +155,13 @@ MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsign
   Point center;
   for (int k = 0; k < 3; ++k)
   {
-    center[k] = middle[k] + rough[1 + k] / rough[0];
+    center[k] = this->Middle[k] + rough[1 + k] / rough[0];
   }
-  const Moments moments = MomentsAbout(center, points, mesh.Cells, inside);
-  mass.Volume = std::ldexp(moments[0], 3 * exponent);
+  const Moments moments = this->MomentsAbout(center);
+  mass.Volume = std::ldexp(moments[0], 3 * this->Exponent);
   for (int k = 0; k < 3; ++k)
   {
-    mass.CenterOfMass[k] = std::ldexp(center[k] + moments[1 + k] / moments[0], exponent);
+    mass.CenterOfMass[k] = std::ldexp(center[k] + moments[1 + k] / moments[0], this->Exponent);
   }
   const double xx = moments[4];
   const double yy = moments[5];
@@ -128,9 +169,48 @@ MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsign
   mass.Inertia = { { yy + zz, xx + zz, xx + yy, -moments[7], -moments[8], -moments[9] } };
   for (double& inertia : mass.Inertia)
   {
-    inertia = std::ldexp(inertia, 5 * exponent);
+    inertia = std::ldexp(inertia, 5 * this->Exponent);
   }
   return mass;
+}
+} // namespace
+
+MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  CheckLabels(mesh, inside);
+  const Buckets<Id> cells(1,
+    [&](const auto& visit)
+    {
+      for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+      {
+        if (inside[cell] != 0)
+        {
+          visit(0, cell);
+        }
+      }
+    });
+  return Part(mesh, cells[0]).Measure();
+}
+
+std::vector<MassProperties> MeasureRegions(const TetrahedralMesh& mesh, const SolidRegions& regions)
+{
+  const Buckets<Id> cells(static_cast<std::size_t>(regions.Count),
+    [&](const auto& visit)
+    {
+      for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+      {
+        if (regions.OfCell[cell] != None)
+        {
+          visit(static_cast<std::size_t>(regions.OfCell[cell]), cell);
+        }
+      }
+    });
+  std::vector<MassProperties> masses;
+  for (Id region = 0; region < regions.Count; ++region)
+  {
+    masses.push_back(Part(mesh, cells[static_cast<std::size_t>(region)]).Measure());
+  }
+  return masses;
 }
 
 void AppendMass(const MassProperties& mass, Statistics& statistics)

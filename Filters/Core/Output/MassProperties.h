@@ -3,6 +3,7 @@
 
 #include "Common/Statistics.h"
 #include "Common/TetrahedralMesh.h"
+#include "Output/Regions.h"
 
 #include <vector>
 
@@ -22,13 +23,17 @@ struct MassProperties
 /**
  * The mass properties of the cells inside, to some units in the last place: each is a sum of the
  * cells' own moments (Tonon 2004, Explicit exact formulas for the 3-D tetrahedron inertia tensor)
- * about the middle of the points, with the rounding errors added up beside it. The same for any
+ * about their common center, with the rounding errors added up beside it. The same for any
  * number of threads. Infinite where a double cannot hold it.
  *
  * @param[in] inside one label per cell, not 0 for those inside
  */
 MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
 
-/** The same as figures: Volume, CenterOfMassX to Z, InertiaXX to XZ. */
+/** The same for each region, about its own center: as if the others were not there. */
+std::vector<MassProperties> MeasureRegions(
+  const TetrahedralMesh& mesh, const SolidRegions& regions);
+
+/** Mass properties as figures: Volume, CenterOfMassX to Z, InertiaXX to XZ. */
 void AppendMass(const MassProperties& mass, Statistics& statistics);
 } // namespace insideout

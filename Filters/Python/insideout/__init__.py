@@ -43,7 +43,7 @@ RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
     resolve         Resolution: surface, statistics
     check_solid     SolidCheck: findings, verdict, statistics, histogram, the solid with the quality of each cell
-    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, statistics
+    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, statistics
     refine          Refinement: solid, statistics
     winding_number  an array of float64, one value per point
     inside          an array of bool, one value per point
@@ -91,7 +91,7 @@ from .quality import SolidCheck, check_solid
 from .queries import inside, winding_number
 from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
-from .tetrahedralization import Tetrahedralization, tetrahedralize
+from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .version import __version__
 from .vtkFiltersInsideOut import *  # noqa: F403
 from .writing import write
@@ -104,6 +104,7 @@ __all__ = [
     "Error",
     "Finding",
     "Refinement",
+    "Region",
     "Resolution",
     "SolidCheck",
     "Tetrahedra",

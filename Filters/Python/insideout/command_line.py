@@ -46,7 +46,7 @@ from .quality import check_solid, solid_verdict
 from .queries import winding_number_and_warnings
 from .stages import CHECK, CHECK_SOLID, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
 from .summary import check_summary, defects, seams, solid_summary, summary, table, tetrahedralizer, winding_summary
-from .tetrahedralization import Tetrahedralization, tetrahedralize
+from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .verdict import verdict
 from .version import __version__
 from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects
@@ -264,6 +264,8 @@ class MeshJob(Job):
     stages: Sequence[str] = TETRAHEDRALIZE
     left_out_cells: list[int] = []
     lost_cells: list[int] = []
+    regions: list[Region] = []
+    tags: dict[str, int] = {}
 
     def check_parameters(self) -> dict[str, Any]:
         if self.settings.refines():
@@ -297,6 +299,8 @@ class MeshJob(Job):
         self.statistics = dict(result.statistics)
         self.left_out_cells = result.left_out_cells
         self.lost_cells = result.lost_cells
+        self.regions = result.regions
+        self.tags = {name: len(triangles) for name, triangles in result.tags.items()}
         try:
             self.write(surface, result)
         finally:
@@ -350,10 +354,13 @@ class MeshJob(Job):
             "verdict": verdict(self.statistics) if self.statistics else None,
             "left_out_cells": self.left_out_cells,
             "lost_cells": self.lost_cells,
+            "regions": [vars(region) for region in self.regions],
+            "tags": self.tags,
         }
 
     def summary(self) -> list[str]:
-        return summary(os.path.basename(self.files.name()), self.statistics)
+        volumes = [region.volume for region in self.regions]
+        return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags)
 
     def notes(self) -> list[str]:
         return [] if self.settings.split_seams else seams(self.statistics)

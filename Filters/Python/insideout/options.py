@@ -252,6 +252,13 @@ class Options:
             "the lowest point's alone",
         )
     )
+    tag_array: Optional[str] = _is(
+        Option(
+            "TagArrayName",
+            "the name of a cell array of the surface, of integers or strings, that tags the boundary; by default its groups, "
+            "materials or solids do",
+        )
+    )
     refine: bool = _is(
         Switch(
             "Refine",

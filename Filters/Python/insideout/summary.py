@@ -32,6 +32,9 @@ COUNTS = {
 }
 """What tables call the statistics."""
 
+MOST_LISTED = 8
+"""Of regions and tags, in a line."""
+
 CHECK_ROWS = ("Points", "Facets", "OpenEdges", "IntersectingPairs", "Components", "NonManifoldEdges", "InconsistentEdges", "NearPoints")
 COLUMNS = ("InputTriangles", "OpenEdges", "IntersectingPairs", "InsideCells", "InsidePlaces", "Cells", "SecondsTotal")
 
@@ -80,8 +83,24 @@ def _scaled(statistics: Mapping[str, float]) -> list[str]:
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
 
 
-def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
-    """The lines that the command ends with."""
+def _regions(volumes: Sequence[float]) -> list[str]:
+    """The volumes of the solid's parts in words, if it has several."""
+    return [f"  {len(volumes):,} regions, of volume {_first(f'{volume:.6g}' for volume in volumes)}"] if len(volumes) > 1 else []
+
+
+def _tags(tags: Mapping[str, int]) -> list[str]:
+    """How many triangles of the boundary have each tag, if the surface says anything about it."""
+    return [] if set(tags) <= {"surface"} else [f"  tags {_first(f'{name} {count:,}' for name, count in tags.items())}"]
+
+
+def _first(words: Iterable[str]) -> str:
+    """A list of which the first are told."""
+    every = list(words)
+    return ", ".join(every[:MOST_LISTED]) + (f" and {len(every) - MOST_LISTED:,} more" if len(every) > MOST_LISTED else "")
+
+
+def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float], tags: Mapping[str, int]) -> list[str]:
+    """The lines that the command ends with: volumes are those of the regions, tags are told with how many triangles have each."""
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
     merged = f" ({count['MergedPoints']} merged with others in their place)" if statistics["MergedPoints"] else ""
     components = "1 component" if statistics["Components"] == 1 else f"{count['Components']} components"
@@ -96,9 +115,11 @@ def summary(name: str, statistics: Mapping[str, float]) -> list[str]:
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
         *_refined(statistics),
         *_mass(statistics),
+        *_regions(volumes),
         f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
         f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",
+        *_tags(tags),
         f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
         f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
         *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),

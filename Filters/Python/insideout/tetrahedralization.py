@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, Optional, Tuple, Union
 
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
@@ -19,15 +22,25 @@ from .stages import TETRAHEDRALIZE
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 
+@dataclass(frozen=True)
+class Region:
+    """A part of a solid, with density 1 and in the surface's units. See the array `RegionId` for which cells it has."""
+
+    volume: float
+    center_of_mass: Tuple[float, float, float]
+    inertia: Tuple[float, float, float, float, float, float]
+    """xx, yy, zz, xy, yz and xz about its own center of mass: xx is the integral of y^2 + z^2, xy that of -x y."""
+
+
 @dataclass(frozen=True, repr=False)
 class Tetrahedralization(Result):
     """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays."""
 
     solid: Tetrahedra
-    """The tetrahedra inside, with `w` per cell, refined where that was asked for. Empty, with a warning, when nothing is
-    inside."""
+    """The tetrahedra inside, with `w` and `RegionId` per cell, refined where that was asked for. Empty, with a warning, when
+    nothing is inside."""
     boundary: TriangleSurface
-    """The solid's boundary: watertight, oriented outward, with the input's attributes."""
+    """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle."""
     outliers: TriangleSurface
     """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
     hull: Tetrahedra
@@ -43,12 +56,28 @@ class Tetrahedralization(Result):
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
+    @property
+    def regions(self) -> list[Region]:
+        """The parts of the solid that faces connect, by their `RegionId`."""
+        fields = self.hull.GetFieldData()
+        rows = [vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")]
+        return [Region(volume, tuple(center), tuple(inertia)) for volume, center, inertia in zip(*rows)]
+
+    @property
+    def tags(self) -> dict[str, NDArray[np.int64]]:
+        """The triangles of the boundary that have each tag, by its name: groups, materials or solids of the surface, or
+        what `tag_array` says; those that close a hole are called "hole"."""
+        names = self.boundary.GetFieldData().GetAbstractArray("BoundaryTagNames")
+        of_triangle = vtk_to_numpy(self.boundary.GetCellData().GetArray("BoundaryTag"))
+        return {names.GetValue(tag): np.flatnonzero(of_triangle == tag) for tag in range(names.GetNumberOfValues())}
+
     def figures(self) -> list[tuple[str, str]]:
         least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
         return [
             ("tetrahedra inside", counted(int(self.statistics["InsideCells"]))),
             *([("refined to", counted(int(self.statistics["RefinedCells"])))] if "RefinedCells" in self.statistics else []),
             ("in the convex hull", counted(self.hull.GetNumberOfCells())),
+            ("regions", counted(len(self.regions))),
             ("boundary triangles", counted(self.boundary.GetNumberOfCells())),
             ("outliers", counted(self.outliers.GetNumberOfCells())),
             ("winding numbers", f"{least:.6g} to {most:.6g}"),
@@ -92,6 +121,7 @@ def tetrahedralize(
     quadrature_order: Optional[QuadratureOrder] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
+    tag_array: Optional[str] = None,
     refine: bool = False,
     edge_length: Optional[float] = None,
     grading: Optional[float] = None,

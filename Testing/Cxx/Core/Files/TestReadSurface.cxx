@@ -102,6 +102,20 @@ const std::vector<T>& ValuesOf(
   return none;
 }
 
+using Words = std::vector<std::string>;
+
+Words NamesOf(const PolygonSurface& surface, const std::string& name)
+{
+  for (const AttributeNames& names : surface.Names)
+  {
+    if (names.Name == name)
+    {
+      return names.Values;
+    }
+  }
+  return {};
+}
+
 bool HasAttribute(const std::vector<Attribute>& attributes, const std::string& name)
 {
   return std::any_of(attributes.begin(), attributes.end(),
@@ -147,6 +161,8 @@ TEST(ReadSurface, ReadsObjAttributes)
     (std::vector<std::int32_t>{ 0, 0 }));
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "MaterialIds", 1),
     (std::vector<std::int32_t>{ 0, 1 }));
+  EXPECT_EQ(NamesOf(surface, "GroupNames"), Words{ "top" });
+  EXPECT_EQ(NamesOf(surface, "MaterialNames"), (Words{ "red", "blue" }));
   EXPECT_TRUE(surface.Warnings.empty());
 }
 
@@ -157,6 +173,43 @@ TEST(ReadSurface, NumbersObjGroupsByObjectAndGroupInOrderOfUse)
     "3\n");
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "GroupIds", 1),
     (std::vector<std::int32_t>{ 0, 1, 2, 1 }));
+  EXPECT_EQ(NamesOf(surface, "GroupNames"), (Words{ "unused", "A/x", "B/x" }));
+}
+
+TEST(ReadSurface, CallsObjGroupsByWhatTellsThemApart)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string f = "f 1 2 3\n";
+  const auto names = [&](const std::string& text, const char* of = "GroupNames")
+  { return NamesOf(Read("a.obj", points + text), of); };
+  EXPECT_EQ(names("o part\ng a\n" + f + "g b\n" + f), (Words{ "a", "b" })) << "one object";
+  EXPECT_EQ(names("o p\ng a\n" + f + "o q\n" + f), (Words{ "p", "q" })) << "one group";
+  EXPECT_EQ(names("o p\n" + f + "g a\n" + f), (Words{ "p", "a" })) << "without a group at first";
+  EXPECT_EQ(names(f + "g a\n" + f + "o p\n" + f), (Words{ "default", "a", "p/a" }));
+  EXPECT_EQ(names("g left  wing # a comment\n" + f), Words{ "left wing" });
+  EXPECT_EQ(names("g\n" + f + "usemtl m\n" + f, "GroupNames"), Words{ "default" });
+  EXPECT_EQ(names(f + "usemtl m\n" + f, "MaterialNames"), (Words{ "default", "m" }));
+  EXPECT_TRUE(Read("a.obj", points + f).Names.empty());
+}
+
+TEST(ReadSurface, GivesNamesInUtf8WhateverTheFileHas)
+{
+  const auto name = [](const std::string& text)
+  {
+    return NamesOf(
+      Read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\ng " + text + "\nf 1 2 3\n"), "GroupNames")
+      .at(0);
+  };
+  for (const char* kept : { "Geh\xC3\xA4use", "\xE2\x82\xAC", "\xF0\x9F\x90\x8D", "\xEE\x80\x80" })
+  {
+    EXPECT_EQ(name(kept), kept);
+  }
+  EXPECT_EQ(name("Geh\xE4use"), "Geh\xC3\xA4use") << "Latin-1";
+  EXPECT_EQ(name("\xC3"), "\xC3\x83") << "a character that ends too early";
+  EXPECT_EQ(name("\xC0\xAF"), "\xC3\x80\xC2\xAF") << "a longer code than need be";
+  EXPECT_EQ(name("\xE0\x80\xAF"), "\xC3\xA0\xC2\x80\xC2\xAF") << "the same";
+  EXPECT_EQ(name("\xED\xA0\x80"), "\xC3\xAD\xC2\xA0\xC2\x80") << "half a character of UTF-16";
+  EXPECT_EQ(name("\xF4\x90\x80\x80"), "\xC3\xB4\xC2\x90\xC2\x80\xC2\x80") << "beyond the last";
 }
 
 TEST(ReadSurface, CopiesObjPointsThatHaveSeveralTextureCoordinates)
@@ -664,11 +717,16 @@ TEST(ReadSurface, ReadsAsciiStlOfSeveralSolids)
   EXPECT_EQ(surface.Corners, (std::vector<Id>{ 0, 1, 2, 3, 4, 5 }));
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "GroupIds", 1),
     (std::vector<std::int32_t>{ 0, 1 }));
+  EXPECT_EQ(NamesOf(surface, "GroupNames"), (Words{ "a name of facet", "" }));
   const std::string text = AsciiStl;
+  EXPECT_EQ(NamesOf(Read("a.stl", "solid empty\nendsolid\n" + text + text), "GroupNames"),
+    (Words{ "a name of facet", "", "a name of facet", "" }));
   EXPECT_EQ(ValuesOf<std::int32_t>(
               Read("a.stl", "solid empty\nendsolid\n" + text).PolygonAttributes, "GroupIds", 1),
     (std::vector<std::int32_t>{ 0, 1 }));
-  EXPECT_TRUE(Read("a.stl", text.substr(text.find("SOLID"))).PolygonAttributes.empty());
+  const PolygonSurface alone = Read("a.stl", text.substr(0, text.find("SOLID")));
+  EXPECT_TRUE(alone.PolygonAttributes.empty());
+  EXPECT_TRUE(alone.Names.empty()) << "of one solid the name is a title";
 }
 
 TEST(ReadSurface, NamesTheLineWhereAsciiStlGoesWrong)

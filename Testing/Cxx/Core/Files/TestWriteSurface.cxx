@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <random>
 
 using namespace insideout;
@@ -220,6 +221,58 @@ TEST(WriteSurface, KeepsAttributesThroughObj)
     ExpectSame(back, surface);
     ExpectSameAttributes(back.PointAttributes, attributes);
   }
+}
+
+TEST(WriteSurface, KeepsGroupsAndMaterialsThroughObj)
+{
+  PolygonSurface surface = RandomPolygons(3);
+  std::vector<std::int32_t> groups;
+  std::vector<std::int32_t> materials;
+  for (std::size_t p = 0; p + 1 < surface.Offsets.size(); ++p)
+  {
+    groups.push_back(p < 7 ? 0 : static_cast<std::int32_t>(p % 6) - 1);
+    materials.push_back(p < 9 ? 1 : 0);
+  }
+  surface.PolygonAttributes = { { "GroupIds", 1, groups }, { "MaterialIds", 1, materials } };
+  surface.Names = { { "MaterialNames", { "steel\\", "red #2" } },
+    { "GroupNames", { "left\nwing", "", "#one", "a#b" } } };
+  const auto back = [&]()
+  {
+    const PolygonSurface read = WrittenAndRead(surface, "a.obj");
+    ExpectSame(read, surface);
+    std::vector<std::string> names;
+    for (std::size_t a = 0; a < read.PolygonAttributes.size(); ++a)
+    {
+      for (const auto id : std::get<std::vector<std::int32_t>>(read.PolygonAttributes[a].Values))
+      {
+        names.push_back(read.Names.at(a).Values.at(static_cast<std::size_t>(id)));
+      }
+    }
+    return names;
+  };
+  const auto named =
+    [](const std::vector<std::int32_t>& ids, const std::map<std::int32_t, std::string>& nameOf)
+  {
+    std::vector<std::string> names;
+    for (const std::int32_t id : ids)
+    {
+      names.push_back(nameOf.at(id));
+    }
+    return names;
+  };
+  const std::vector<std::string> ofMaterials =
+    named(materials, { { 0, "steel_" }, { 1, "red _2" } });
+  std::vector<std::string> expected = named(groups,
+    { { -1, "-1" }, { 0, "left wing" }, { 1, "1" }, { 2, "_one" }, { 3, "a#b" }, { 4, "4" } });
+  expected.insert(expected.end(), ofMaterials.begin(), ofMaterials.end());
+  EXPECT_EQ(back(), expected);
+
+  surface.PolygonAttributes.push_back({ "BoundaryTag", 1, materials });
+  EXPECT_EQ(back(), expected) << "without names";
+  surface.Names.push_back({ "BoundaryTagNames", { "in", "out" } });
+  expected = named(materials, { { 0, "in" }, { 1, "out" } });
+  expected.insert(expected.end(), ofMaterials.begin(), ofMaterials.end());
+  EXPECT_EQ(back(), expected);
 }
 
 TEST(WriteSurface, WritesPolygonsOfMoreCornersThanAByteCounts)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Output/MassProperties.h"
 
+#include "Common/Stages.h"
+#include "GraphCut/ConnectCells.h"
 #include "Support/TestTetrahedra.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -91,6 +93,29 @@ void ExpectNear(const MassProperties& found, const MassProperties& expected, dou
     EXPECT_NEAR(found.Inertia[k], expected.Inertia[k], few * expected.Inertia[0]);
   }
 }
+
+std::vector<MassProperties> OfRegions(
+  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  Monitor silent;
+  return MeasureRegions(mesh, FindRegions(mesh, inside, silent, { Stages::Extracting, 0, 1 }));
+}
+
+/** A box of six tetrahedra around the diagonal from its lowest corner. */
+void AddBox(
+  const Point& low, const Point& size, std::vector<Point>& points, std::vector<Tetrahedron>& cells)
+{
+  const Id first = static_cast<Id>(points.size());
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    points.push_back({ { low[0] + (corner & 1 ? size[0] : 0), low[1] + (corner & 2 ? size[1] : 0),
+      low[2] + (corner & 4 ? size[2] : 0) } });
+  }
+  for (const auto& [a, b] : { std::pair(1, 3), { 3, 2 }, { 2, 6 }, { 6, 4 }, { 4, 5 }, { 5, 1 } })
+  {
+    cells.push_back({ { first, first + a, first + b, first + 7 } });
+  }
+}
 } // namespace
 
 TEST(MassProperties, AreThoseOfExactSums)
@@ -157,4 +182,83 @@ TEST(MassProperties, OfNothingAreZero)
   {
     EXPECT_EQ(value, 0) << name;
   }
+}
+
+TEST(MassProperties, OfRegionsAreThoseOfBoxesAndTetrahedra)
+{
+  std::vector<Point> points;
+  std::vector<Tetrahedron> cells;
+  AddBox({ { -1, 2, 5 } }, { { 2, 4, 8 } }, points, cells);
+  AddBox({ { 100, 0, 0 } }, { { 0.25, 0.5, 3 } }, points, cells);
+  const Id first = static_cast<Id>(points.size());
+  points.insert(points.end(), { { 10, 10, 10 }, { 14, 10, 10 }, { 10, 14, 10 }, { 10, 10, 18 } });
+  cells.push_back({ { first, first + 1, first + 2, first + 3 } });
+  const TetrahedralMesh mesh = ConnectCells(points, cells);
+  const std::vector<MassProperties> found =
+    OfRegions(mesh, std::vector<unsigned char>(mesh.Cells.size(), 1));
+  ASSERT_EQ(found.size(), 3u);
+  const auto box = [](const Point& center, const Point& size)
+  {
+    MassProperties mass;
+    mass.Volume = size[0] * size[1] * size[2];
+    mass.CenterOfMass = center;
+    const auto moment = [&](int i, int j)
+    { return mass.Volume * (size[i] * size[i] + size[j] * size[j]) / 12; };
+    mass.Inertia = { { moment(1, 2), moment(0, 2), moment(0, 1), 0, 0, 0 } };
+    return mass;
+  };
+  ExpectNear(found[0], box({ { 0, 4, 9 } }, { { 2, 4, 8 } }), 10);
+  ExpectNear(found[1], box({ { 100.125, 0.25, 1.5 } }, { { 0.25, 0.5, 3 } }), 100);
+  // A corner of a box with the sides a, b and c: its center is a quarter of each away; the integral
+  // of x^2 about it is a^2 3 / 80 of the volume, that of x y is -a b / 80.
+  const double volume = 4. * 4 * 8 / 6;
+  const double xx = volume * 3 * 16 / 80;
+  const double zz = volume * 3 * 64 / 80;
+  ExpectNear(found[2],
+    { volume, { { 11, 11, 12 } },
+      { { xx + zz, xx + zz, xx + xx, volume * 16 / 80, volume * 32 / 80, volume * 32 / 80 } } },
+    20);
+}
+
+TEST(MassProperties, OfARegionAreThoseOfItsCellsAloneBitByBit)
+{
+  for (unsigned seed = 0; seed < 10; ++seed)
+  {
+    const TetrahedralMesh mesh = Grid(seed, 3);
+    const std::vector<unsigned char> inside = RandomInside(mesh, seed);
+    Monitor silent;
+    const SolidRegions regions = FindRegions(mesh, inside, silent, { Stages::Extracting, 0, 1 });
+    const std::vector<MassProperties> found = MeasureRegions(mesh, regions);
+    ASSERT_EQ(found.size(), static_cast<std::size_t>(regions.Count));
+    for (Id region = 0; region < regions.Count; ++region)
+    {
+      std::vector<unsigned char> alone;
+      for (const Id of : regions.OfCell)
+      {
+        alone.push_back(of == region);
+      }
+      const MassProperties expected = MeasureMass(mesh, alone);
+      EXPECT_EQ(found[region].Volume, expected.Volume);
+      EXPECT_EQ(found[region].CenterOfMass, expected.CenterOfMass);
+      EXPECT_EQ(found[region].Inertia, expected.Inertia);
+      ExpectNear(found[region], ExactMass(mesh, alone), 300);
+    }
+  }
+}
+
+TEST(MassProperties, OfASmallRegionDoNotSufferFromALargeOneFarAway)
+{
+  std::vector<Point> points;
+  std::vector<Tetrahedron> cells;
+  AddBox({ { 0, 0, 0 } }, { { 0x1p-40, 0x1p-41, 0x1p-40 } }, points, cells);
+  const TetrahedralMesh alone = ConnectCells(points, cells);
+  AddBox({ { 0x1p200, 0, 0 } }, { { 0x1p200, 0x1p201, 0x1p200 } }, points, cells);
+  const TetrahedralMesh both = ConnectCells(points, cells);
+  const MassProperties found = OfRegions(both, std::vector<unsigned char>(12, 1)).front();
+  const MassProperties expected = MeasureMass(alone, std::vector<unsigned char>(6, 1));
+  EXPECT_DOUBLE_EQ(expected.Volume, 0x1p-121);
+  EXPECT_GT(expected.Inertia[0], 0);
+  EXPECT_EQ(found.Volume, expected.Volume);
+  EXPECT_EQ(found.CenterOfMass, expected.CenterOfMass);
+  EXPECT_EQ(found.Inertia, expected.Inertia);
 }

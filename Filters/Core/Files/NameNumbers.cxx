@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files/NameNumbers.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace insideout
+{
+namespace
+{
+/** How many bytes the character that begins at `at` takes in UTF-8, 0 where none does. */
+std::size_t LengthInUtf8(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t i)
+  { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned first = byte(at);
+  const std::size_t length = first < 0x80 ? 1
+    : first >= 0xC2 && first < 0xE0       ? 2
+    : first >= 0xE0 && first < 0xF0       ? 3
+    : first >= 0xF0 && first < 0xF5       ? 4
+                                          : 0;
+  for (std::size_t i = 1; i < length; ++i)
+  {
+    if (byte(at + i) >> 6 != 2)
+    {
+      return 0;
+    }
+  }
+  // Of three and four bytes some are longer than need be, surrogates, or beyond the last character.
+  const unsigned second = byte(at + 1);
+  const bool isNone = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
+    (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
+  return isNone ? 0 : length;
+}
+
+bool IsUtf8(const std::string& text)
+{
+  for (std::size_t at = 0; at < text.size();)
+  {
+    const std::size_t length = LengthInUtf8(text, at);
+    if (length == 0)
+    {
+      return false;
+    }
+    at += length;
+  }
+  return true;
+}
+} // namespace
+
+void NameNumbers::Choose(const std::string& name)
+{
+  this->Name = name;
+  this->Number = None;
+  this->AnyChosen = true;
+}
+
+std::int32_t NameNumbers::Current()
+{
+  if (this->Number == None)
+  {
+    const auto next = static_cast<std::int32_t>(this->Names.size());
+    const auto [found, isNew] = this->Numbers.insert({ this->Name, next });
+    this->Number = found->second;
+    if (isNew)
+    {
+      this->Names.push_back(this->Name);
+    }
+  }
+  return this->Number;
+}
+
+std::vector<std::string> NamesOfGroups(const std::vector<std::string>& pairs)
+{
+  std::vector<std::string> objects;
+  std::vector<std::string> groups;
+  for (const std::string& pair : pairs)
+  {
+    const std::size_t end = std::min(pair.find('\n'), pair.size());
+    objects.push_back(pair.substr(0, end));
+    groups.push_back(pair.substr(std::min(end + 1, pair.size())));
+  }
+  const auto areOne = [](const std::vector<std::string>& all)
+  { return std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) == all.end(); };
+  const bool oneObject = areOne(objects);
+  const bool oneGroup = areOne(groups);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    const bool onlyGroup = objects[i].empty() || (oneObject && !groups[i].empty());
+    const bool onlyObject = groups[i].empty() || (oneGroup && !oneObject && !objects[i].empty());
+    names.push_back(onlyObject ? objects[i] : onlyGroup ? groups[i] : objects[i] + "/" + groups[i]);
+  }
+  return NamesOrDefault(std::move(names));
+}
+
+std::vector<std::string> NamesOrDefault(std::vector<std::string> names)
+{
+  std::replace(names.begin(), names.end(), std::string(), std::string("default"));
+  return names;
+}
+
+std::string ToUtf8(const std::string& text)
+{
+  if (IsUtf8(text))
+  {
+    return text;
+  }
+  std::string encoded;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+    {
+      encoded += c;
+      continue;
+    }
+    encoded += static_cast<char>(0xC0 | (byte >> 6));
+    encoded += static_cast<char>(0x80 | (byte & 0x3F));
+  }
+  return encoded;
+}
+} // namespace insideout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
+#include "Common/TetrahedralMesh.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Which part of the solid each cell belongs to. */
+struct SolidRegions
+{
+  std::vector<Id> OfCell; ///< one per cell, None for those outside
+  Id Count = 0;
+};
+
+/**
+ * The parts of the solid, numbered by their first cell. Faces connect: cells that have no more than
+ * an edge or a point in common belong to one region only if there is a way from one to the other
+ * through faces of cells inside. Facets between cells inside part nothing.
+ *
+ * @param[in] inside one value per cell, 0 for outside
+ * @throws Error InvalidParameter when there is not one label per cell; Stopped
+ */
+SolidRegions FindRegions(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress);
+} // namespace insideout

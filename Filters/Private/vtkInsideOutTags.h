@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * What the cells of a surface are tagged with, for the boundary of the solid that is made of it.
+ */
+#pragma once
+
+#include "vtkInsideOutBlock.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+/** Tags are numbers from 0, which have names. */
+struct vtkInsideOutTags
+{
+  std::vector<int> OfCell; ///< one per cell of the surface, -1 where it is no polygon
+  std::vector<std::string> Names;
+};
+
+/**
+ * The tags that a cell array of integers or strings gives to the polygons of a surface. Integers
+ * are numbered in their order, and called by the field array of strings that goes with the array
+ * (GroupNames with GroupIds, BoundaryTagNames with BoundaryTag) or else as they are written;
+ * strings are numbered in the order of their first cells. What has one name has one tag.
+ *
+ * Where no array is named it is the first that tells cells apart, of the tags of a boundary that
+ * this house made (BoundaryTag), groups (GroupIds), materials (MaterialIds), the solids of VTK's
+ * STL reader (STLSolidLabeling), and the blocks of a composite data set, of which this surface is
+ * one. If none does all cells have one tag: the one name that the first of these gives, or else
+ * surface.
+ *
+ * @throws insideout::Error when the surface has no such array, or it holds something else
+ */
+vtkInsideOutTags vtkInsideOutReadTags(
+  vtkPolyData* surface, const std::string& name, const vtkInsideOutBlocks& blocks);
+
+/** Tag the triangles of a boundary by its vtkOriginalCellIds: the cell array BoundaryTag, and the
+ * field array BoundaryTagNames. Those that lie on no cell close a hole, and have a tag of their
+ * own, the last. */
+void vtkInsideOutAddTags(const vtkInsideOutTags& tags, vtkPolyData* boundary);
