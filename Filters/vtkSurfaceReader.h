@@ -12,9 +12,9 @@
  * (OBJ's objects and groups, or the solids of an STL file that has several) and MaterialIds, and
  * any other property of a PLY file under its own name. The field arrays GroupNames and
  * MaterialNames (vtkStringArray) have the name for each such id. An OBJ group is called by its
- * object, too, where there are several of both: OBJECT/GROUP. Points stand in the file's order;
- * where an OBJ file gives a point several normals or texture coordinates, copies follow behind the
- * last.
+ * object where that tells all apart, else by its own name where that does, else OBJECT/GROUP.
+ * Points stand in the file's order; where an OBJ file gives a point several normals or texture
+ * coordinates, copies follow behind the last.
  *
  * @sa vtkRobustTetrahedralize
  *

@@ -2,7 +2,7 @@
 #include "Files/NameNumbers.h"
 
 #include <algorithm>
-#include <functional>
+#include <set>
 
 namespace insideout
 {
@@ -72,26 +72,26 @@ std::int32_t NameNumbers::Current()
 
 std::vector<std::string> NamesOfGroups(const std::vector<std::string>& pairs)
 {
-  std::vector<std::string> objects;
-  std::vector<std::string> groups;
+  std::vector<std::string> byObject;
+  std::vector<std::string> byGroup;
+  std::vector<std::string> byBoth;
   for (const std::string& pair : pairs)
   {
     const std::size_t end = std::min(pair.find('\n'), pair.size());
-    objects.push_back(pair.substr(0, end));
-    groups.push_back(pair.substr(std::min(end + 1, pair.size())));
+    const std::string object = pair.substr(0, end);
+    const std::string group = pair.substr(std::min(end + 1, pair.size()));
+    byObject.push_back(object.empty() ? group : object);
+    byGroup.push_back(group.empty() ? object : group);
+    byBoth.push_back(object + (object.empty() || group.empty() ? "" : "/") + group);
   }
-  const auto areOne = [](const std::vector<std::string>& all)
-  { return std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) == all.end(); };
-  const bool oneObject = areOne(objects);
-  const bool oneGroup = areOne(groups);
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
+  for (std::vector<std::string>* names : { &byObject, &byGroup })
   {
-    const bool onlyGroup = objects[i].empty() || (oneObject && !groups[i].empty());
-    const bool onlyObject = groups[i].empty() || (oneGroup && !oneObject && !objects[i].empty());
-    names.push_back(onlyObject ? objects[i] : onlyGroup ? groups[i] : objects[i] + "/" + groups[i]);
+    if (std::set<std::string>(names->begin(), names->end()).size() == names->size())
+    {
+      return NamesOrDefault(std::move(*names));
+    }
   }
-  return NamesOrDefault(std::move(names));
+  return NamesOrDefault(std::move(byBoth));
 }
 
 std::vector<std::string> NamesOrDefault(std::vector<std::string> names)

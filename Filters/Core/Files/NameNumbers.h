@@ -34,9 +34,9 @@ private:
 };
 
 /**
- * OBJ's names of pairs of an object and a group in it, which a line end parts: OBJECT/GROUP where
- * there are several of both, else the one of which there are several. What has no name is called
- * as OBJ calls such a group: default.
+ * OBJ's names of pairs of an object and a group in it, which a line end parts: the object's where
+ * it tells all of them apart, else the group's where that does, else OBJECT/GROUP. Where one has no
+ * name it is the other's, and default, as in OBJ, where neither has.
  */
 std::vector<std::string> NamesOfGroups(const std::vector<std::string>& pairs);
 

@@ -161,7 +161,7 @@ TEST(ReadSurface, ReadsObjAttributes)
     (std::vector<std::int32_t>{ 0, 0 }));
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "MaterialIds", 1),
     (std::vector<std::int32_t>{ 0, 1 }));
-  EXPECT_EQ(NamesOf(surface, "GroupNames"), Words{ "top" });
+  EXPECT_EQ(NamesOf(surface, "GroupNames"), Words{ "Thing" });
   EXPECT_EQ(NamesOf(surface, "MaterialNames"), (Words{ "red", "blue" }));
   EXPECT_TRUE(surface.Warnings.empty());
 }
@@ -173,7 +173,7 @@ TEST(ReadSurface, NumbersObjGroupsByObjectAndGroupInOrderOfUse)
     "3\n");
   EXPECT_EQ(ValuesOf<std::int32_t>(surface.PolygonAttributes, "GroupIds", 1),
     (std::vector<std::int32_t>{ 0, 1, 2, 1 }));
-  EXPECT_EQ(NamesOf(surface, "GroupNames"), (Words{ "unused", "A/x", "B/x" }));
+  EXPECT_EQ(NamesOf(surface, "GroupNames"), (Words{ "unused", "A", "B" }));
 }
 
 TEST(ReadSurface, CallsObjGroupsByWhatTellsThemApart)
@@ -184,8 +184,12 @@ TEST(ReadSurface, CallsObjGroupsByWhatTellsThemApart)
   { return NamesOf(Read("a.obj", points + text), of); };
   EXPECT_EQ(names("o part\ng a\n" + f + "g b\n" + f), (Words{ "a", "b" })) << "one object";
   EXPECT_EQ(names("o p\ng a\n" + f + "o q\n" + f), (Words{ "p", "q" })) << "one group";
+  EXPECT_EQ(names("o p\ng a\n" + f + "o q\ng b\n" + f), (Words{ "p", "q" })) << "both";
+  EXPECT_EQ(names("o p\ng a\n" + f + "g b\n" + f + "o q\n" + f), (Words{ "p/a", "p/b", "q/b" }));
   EXPECT_EQ(names("o p\n" + f + "g a\n" + f), (Words{ "p", "a" })) << "without a group at first";
-  EXPECT_EQ(names(f + "g a\n" + f + "o p\n" + f), (Words{ "default", "a", "p/a" }));
+  EXPECT_EQ(names(f + "g a\n" + f + "o p\n" + f), (Words{ "default", "a", "p" }));
+  EXPECT_EQ(
+    names(f + "o p\n" + f + "g a\n" + f + "o q\n" + f), (Words{ "default", "p", "p/a", "q/a" }));
   EXPECT_EQ(names("g left  wing # a comment\n" + f), Words{ "left wing" });
   EXPECT_EQ(names("g\n" + f + "usemtl m\n" + f, "GroupNames"), Words{ "default" });
   EXPECT_EQ(names(f + "usemtl m\n" + f, "MaterialNames"), (Words{ "default", "m" }));
