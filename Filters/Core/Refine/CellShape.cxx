@@ -35,7 +35,8 @@ double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d)
       Dot(ad, ad) * (inverseB * inverseC), Dot(bc, bc) * (inverseA * inverseD),
       Dot(bd, bd) * (inverseA * inverseC), Dot(cd, cd) * (inverseA * inverseB) });
   const double shape = determinant * determinant * least;
-  return shape > 0 ? std::min(shape, 1.0) : 0.0; // not a number where a face has no area
+  // No number where a face has no area, and too much where products under- and overflow.
+  return shape > 0 && shape < 1 ? shape : 0.0;
 }
 
 double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell)

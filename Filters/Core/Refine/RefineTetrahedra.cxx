@@ -2,6 +2,7 @@
 #include "Refine/RefineTetrahedra.h"
 
 #include "Common/PointPredicates.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -23,6 +25,9 @@ constexpr std::array<int, 4> AcrossFrom = { { 2, 0, 1, 3 } };
 
 /** Of cells that are to be: a mesh may need some times as many while it is made. */
 constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
+
+/** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
+constexpr int LargestOrdinaryExponent = 60;
 
 void CheckInput(const TetrahedralMesh& mesh, const SizingParameters& parameters)
 {
@@ -117,12 +122,10 @@ Id CountLargeCells(const RefinedMesh& mesh, double maximumVolume)
         6 * maximumVolume;
     }));
 }
-} // namespace
 
-RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const SizingParameters& parameters, Monitor& monitor)
 {
-  CheckInput(mesh, parameters);
   monitor.Check(Stages::Refining, 0);
   RefinableMesh refinable = MakeRefinable(mesh, regions);
   SizingField sizes(refinable, parameters);
@@ -145,7 +148,14 @@ RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>&
     barycentres[c] = Barycentre(result.Points, result.Cells[c]);
   }
   const CellLocator locator(mesh);
+  const std::vector<Id> near = result.OriginalCells;
   locator.Locate(barycentres, result.OriginalCells, monitor, { Stages::Refining, 0.9, 0.97 });
+  for (std::size_t c = 0; c < near.size() && !regions.empty(); ++c)
+  {
+    // The rounded barycentre of a sliver may be beyond a face between regions.
+    Id& found = result.OriginalCells[c];
+    found = regions[found] == regions[near[c]] ? found : near[c];
+  }
   locator.Locate(result.Points, result.CellsOfPoints, monitor, { Stages::Refining, 0.97, 1 });
 
   const auto kept = static_cast<Id>(result.OriginalPoints.size() -
@@ -156,6 +166,60 @@ RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>&
   {
     result.Statistics.emplace_back(
       "CellsAboveMaximumVolume", CountLargeCells(result, parameters.MaximumVolume));
+  }
+  return result;
+}
+
+/** The parameters for a mesh that is 2^exponent times as large. */
+SizingParameters Scaled(const SizingParameters& parameters, int exponent)
+{
+  SizingParameters scaled = parameters;
+  scaled.EdgeLength = std::ldexp(parameters.EdgeLength, exponent);
+  scaled.MaximumVolume = std::ldexp(parameters.MaximumVolume, 3 * exponent);
+  for (double& length : scaled.Lengths)
+  {
+    length = std::ldexp(length, exponent);
+  }
+  if (parameters.LengthAt)
+  {
+    scaled.LengthAt = [&parameters, exponent](const Point& place)
+    {
+      const Point there = { { std::ldexp(place[0], -exponent), std::ldexp(place[1], -exponent),
+        std::ldexp(place[2], -exponent) } };
+      return std::ldexp(parameters.LengthAt(there), exponent);
+    };
+  }
+  return scaled;
+}
+} // namespace
+
+RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const SizingParameters& parameters, Monitor& monitor)
+{
+  CheckInput(mesh, parameters);
+  const int exponent = LargestExponent(mesh.Points);
+  if (std::abs(exponent) <= LargestOrdinaryExponent)
+  {
+    return RefineNearUnitSize(mesh, regions, parameters, monitor);
+  }
+  TetrahedralMesh scaled = mesh;
+  scaled.Points = ScaledPoints(mesh.Points, -exponent);
+  RefinedMesh result = RefineNearUnitSize(scaled, regions, Scaled(parameters, -exponent), monitor);
+  result.Points = ScaledPoints(result.Points, exponent);
+  for (std::size_t p = 0; p < result.Points.size(); ++p)
+  {
+    if (result.OriginalPoints[p] != None)
+    {
+      result.Points[p] = mesh.Points[result.OriginalPoints[p]];
+    }
+  }
+  for (const Tetrahedron& cell : result.Cells)
+  {
+    if (Orient3D(result.Points, cell) <= 0)
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        "the points are too large and too small at once for cells between them to be refined");
+    }
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #include "Refine/RefineTetrahedra.h"
 
 #include "Common/PointPredicates.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
@@ -155,6 +156,29 @@ TEST_P(RefineRandomMeshes, TakesWhatIsSqueezed)
     TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 3);
     testtetrahedra::Squeeze(grid, 1, factor);
     ExpectRefinementLaws(grid, {}, Refined(grid));
+  }
+}
+
+TEST_P(RefineRandomMeshes, IsTheSameAtAnySize)
+{
+  const TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 4);
+  const std::vector<int> labels = testtetrahedra::RandomLabels(grid, GetParam());
+  const std::vector<Id> regions(labels.begin(), labels.end());
+  SizingParameters parameters;
+  parameters.EdgeLength = 60;
+  parameters.LengthAt = [](const Point& p) { return 40 + p[0] / 8; };
+  const RefinedMesh ordinary = Refined(grid, regions, parameters);
+  for (const int exponent : { -600, -150, 130, 900 })
+  {
+    TetrahedralMesh scaled = grid;
+    scaled.Points = ScaledPoints(grid.Points, exponent);
+    SizingParameters other;
+    other.EdgeLength = std::ldexp(60, exponent);
+    other.LengthAt = [&](const Point& p)
+    { return std::ldexp(40 + std::ldexp(p[0], -exponent) / 8, exponent); };
+    const RefinedMesh refined = Refined(scaled, regions, other);
+    ExpectRefinementLaws(scaled, regions, refined);
+    EXPECT_EQ(refined.Cells.size(), ordinary.Cells.size()) << exponent;
   }
 }
 
