@@ -215,7 +215,7 @@ class TestPlugin(unittest.TestCase):
                     self.assertEqual(prop.GetElement(0), "", "and none of them at first")
                     seen.append((name, key))
         self.assertIn(("RobustTetrahedralize", "ConstrainedFacetsArrayName"), seen)
-        self.assertEqual(len(seen), 6)
+        self.assertEqual(len(seen), 7)
 
     def test_each_block_has_its_solid_and_keeps_its_name(self):
         blocks = simple.GroupDatasets(Input=[self.surface, simple.Box()], BlockNames=["boxes", "box"])

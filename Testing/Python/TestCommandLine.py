@@ -123,7 +123,7 @@ class Success(CommandLine):
                         **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
                         **{"thicken": 0, "thicken_all": False},
                         **{"constrain_facets": False, "constrain_manifold": False},
-                        **{"non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
+                        **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                         **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "quadratic": False},
                     },
                 )

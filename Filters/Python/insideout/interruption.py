@@ -81,8 +81,8 @@ def deferring_signals() -> Iterator[None]:
     finally:
         for number, handler in handlers.items():
             signal.signal(number, handler)
-        for number in heard[:1]:
-            signal.raise_signal(number)
+        for first in heard[:1]:
+            signal.raise_signal(first)
 
 
 def before_end_at_once(clean_up: Callable[[], object]) -> None:

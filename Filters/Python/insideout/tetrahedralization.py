@@ -60,8 +60,13 @@ class Tetrahedralization(Result):
     def regions(self) -> list[Region]:
         """The parts of the solid that faces connect, by their `RegionId`."""
         fields = self.hull.GetFieldData()
-        rows = [vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")]
-        return [Region(volume, tuple(center), tuple(inertia)) for volume, center, inertia in zip(*rows)]
+        volumes, centers, inertias = (
+            vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")
+        )
+        return [
+            Region(volume, (x, y, z), (xx, yy, zz, xy, yz, xz))
+            for volume, (x, y, z), (xx, yy, zz, xy, yz, xz) in zip(volumes, centers, inertias)
+        ]
 
     @property
     def tags(self) -> dict[str, NDArray[np.int64]]:
