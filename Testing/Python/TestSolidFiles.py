@@ -309,6 +309,8 @@ class Meshio(InAFolder):
         listed = [{name: values.tolist() for name, values in one.field_data.items()} for one in (mesh, there)]
         self.assertEqual(*listed)
         self.assertEqual(mesh.points.tobytes(), self.result.solid.points.tobytes())
+        entities = [dict(zip(map(bytes, one.points), one.point_data["gmsh:dim_tags"].tolist())) for one in (mesh, there)]
+        self.assertEqual(*entities)
         tags = self.result.boundary.cell_arrays["BoundaryTag"]
         for tag in range(len(SIDES)):
             places = self.result.boundary.points[self.result.boundary.triangles[tags == tag]]
