@@ -6,19 +6,19 @@
  * Writes tetrahedra (vtkTetra, or vtkQuadraticTetra) by the file name's ending: .msh (gmsh, ascii),
  * .inp (CalculiX and Abaqus) or .mesh (Medit, ascii).
  *
- * Regions come from the solid's cell array RegionId, integers from 0. The triangles of the boundary
- * come from the second input, tags of them from its cell array BoundaryTag, integers from 0, and
- * their names from its field array BoundaryTagNames. Each triangle has to be a face of a cell; that
- * of two cells is an interface. Without the second input the faces of one cell are the boundary.
- * Where there is no RegionId all cells are the region "solid", and without BoundaryTag all
- * triangles have the tag "surface". Other regions are called region_0, region_1 and so on; tags
- * without a name, tag_0, tag_1 and so on.
+ * Regions come from the solid's cell array RegionId: integers from 0, and -1 outside. The triangles
+ * of the boundary come from the second input, their tags from its cell array BoundaryTag, integers
+ * from 0, and the names of these from its field array BoundaryTagNames. Each triangle has to be a
+ * face of a cell; that of two cells is an interface. Without the second input the faces of one cell
+ * are the boundary. Where there is no RegionId all cells are the region "solid", and without
+ * BoundaryTag all triangles have the tag "surface". Other regions are called region_0, region_1 and
+ * so on, and what is outside "outside"; tags without a name, tag_0, tag_1 and so on.
  *
  * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
- *   and BoundaryTag plus 1.
+ *   and BoundaryTag plus 1; of what is outside, the one behind the last.
  * - .inp has elements C3D4 or C3D10, an element set and a node set for each region, a node set and
  *   a surface by element face for each tag, and the sets Eall and Nall of all.
- * - .mesh has RegionId and BoundaryTag plus 1 as references; names are in comments. Of quadratic
+ * - .mesh has the same numbers as references; names are in comments. Of quadratic
  *   cells it has the sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *
  * Point p is number p + 1 in each. What a format does not take in a name becomes an underscore, and

@@ -112,8 +112,8 @@ void ReadCells(vtkUnstructuredGrid* grid, SolidMesh& solid)
   }
 }
 
-/** The numbers from 0 that a cell array has, all 0 without it. */
-std::vector<Id> ReadNumbers(vtkDataSet* data, const char* name)
+/** The numbers that a cell array has, all 0 without it. */
+std::vector<Id> ReadNumbers(vtkDataSet* data, const char* name, Id least)
 {
   std::vector<Id> numbers(data->GetNumberOfCells(), 0);
   vtkDataArray* array = data->GetCellData()->GetArray(name);
@@ -125,31 +125,32 @@ std::vector<Id> ReadNumbers(vtkDataSet* data, const char* name)
   {
     Refuse(std::string("the cell array ") + name + " has not one number per cell");
   }
-  constexpr double most = std::numeric_limits<Id>::max() - 1; // files count from 1
+  constexpr double most = std::numeric_limits<Id>::max() - 2; // files count from 1
   for (std::size_t c = 0; c < numbers.size(); ++c)
   {
     const double number = array->GetComponent(static_cast<vtkIdType>(c), 0);
-    if (!(number >= 0 && number <= most && number == std::floor(number)))
+    if (!(number >= least && number <= most && number == std::floor(number)))
     {
       Refuse(std::string("the cell array ") + name + " is " + std::to_string(number) + " at cell " +
-        std::to_string(c) + "; it has to hold whole numbers from 0");
+        std::to_string(c) + "; it has to hold whole numbers from " + std::to_string(least));
     }
     numbers[c] = static_cast<Id>(number);
   }
   return numbers;
 }
 
-/** The groups of the numbers that there are, ascending, and which of these each element has. */
+/** The groups of the numbers that there are, ascending, and which of these each element has. Files
+ * count from 1, and -1 comes last there. */
 template <typename NameOf>
 std::vector<SolidGroup> MakeGroups(std::vector<Id>& numbers, const NameOf& nameOf)
 {
   std::vector<Id> present = numbers;
   SortUniquely(present);
-  const bool isAlone = present == std::vector<Id>{ 0 };
+  const bool isAlone = !present.empty() && present.back() == 0; // but for what is outside
   std::vector<SolidGroup> groups;
   for (const Id number : present)
   {
-    groups.push_back({ nameOf(number, isAlone), number + 1 });
+    groups.push_back({ nameOf(number, isAlone), 1 + (number < 0 ? present.back() + 1 : number) });
   }
   for (Id& number : numbers)
   {
@@ -184,7 +185,7 @@ void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)
 {
   const std::vector<Point> points = vtkInsideOutReadPoints(boundary, "the boundary");
   solid.Faces = FacesOfTriangles(solid, points, ReadTriangles(boundary));
-  solid.TagOfFace = ReadNumbers(boundary, "BoundaryTag");
+  solid.TagOfFace = ReadNumbers(boundary, "BoundaryTag", 0);
   auto* names =
     vtkStringArray::SafeDownCast(boundary->GetFieldData()->GetAbstractArray("BoundaryTagNames"));
   solid.Tags = MakeGroups(solid.TagOfFace,
@@ -216,10 +217,14 @@ SolidMesh vtkInsideOutReadSolid(vtkDataObject* input, vtkPolyData* boundary)
   SolidMesh solid;
   solid.Points = vtkInsideOutReadPoints(parts.Solid, "the solid");
   ReadCells(parts.Solid, solid);
-  solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId");
+  solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId", None);
   solid.Regions = MakeGroups(solid.RegionOfCell,
     [](Id region, bool isAlone)
-    { return isAlone ? std::string("solid") : "region_" + std::to_string(region); });
+    {
+      return region == None ? std::string("outside")
+        : isAlone           ? std::string("solid")
+                            : "region_" + std::to_string(region);
+    });
   if (parts.Boundary)
   {
     ReadBoundary(parts.Boundary, solid);

@@ -215,6 +215,14 @@ class ThreeWays(unittest.TestCase):
                 self.assertIn(f" {option.strip('`')} {OPTIONS[key].help()}".replace("%%", "%")[:60], usage)
         self.assertEqual(others, {})
 
+    def test_those_of_files_are_told_too(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        usage = " ".join(arguments._parser().format_help().split())
+        for option, argument, function in (("--scale FACTOR", "scale", insideout.tetrahedralize), ("--msh-version {4.1,2.2}", "msh_version", insideout.write)):
+            self.assertRegex(text, rf"(?m)^\| `{re.escape(option)}` \| `{argument}` of .* \|$")
+            self.assertIn(f" {option} ", usage)
+            self.assertIn(argument, inspect.signature(function).parameters)
+
     def test_the_two_that_are_something_else(self):
         rows = self.rows()
         self.assertEqual(rows["ExtractInside"], ("off: `--hull FILE.vtu`", "off: `result.hull`"))

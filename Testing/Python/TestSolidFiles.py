@@ -212,6 +212,30 @@ class Gmsh(InAFolder):
         cells, faces = self.result.solid.GetNumberOfCells(), self.result.boundary.GetNumberOfCells()
         self.assertEqual(self.groups(), {(3, "solid"): cells, (2, "surface"): faces})
 
+    def test_a_hull_tells_what_is_outside(self):
+        hull = insideout.tetrahedralize(surfaces.two_boxes()).hull
+        write_solid(hull, self.path("hull.msh"))
+        gmsh.open(self.path("hull.msh"))
+        inside = int(hull.inside.sum())
+        cells = {name: count for (dimension, name), count in self.groups().items() if dimension == 3}
+        self.assertEqual(cells, {"solid": inside, "outside": hull.GetNumberOfCells() - inside})
+
+    def test_groups_of_a_surface_and_cells_of_a_refined_solid_arrive(self):
+        obj = "".join("v {} {} {}\n".format(*point) for point in surfaces.box_points())
+        for name, facets in (("base_plate", surfaces.BOX_FACETS[:2]), ("walls", surfaces.BOX_FACETS[4:])):
+            obj += f"g {name}\n" + "".join("f {} {} {}\n".format(*(corner + 1 for corner in facet)) for facet in facets)
+        with open(self.path("open.obj"), "w", encoding="utf-8") as file:
+            file.write(obj)
+        result = insideout.tetrahedralize(self.path("open.obj"), edge_length=0.4, quadratic=True)
+        insideout.write(result, self.path("open.msh"))
+        gmsh.open(self.path("open.msh"))
+        expected = {(2, name): len(triangles) for name, triangles in result.tags.items()}
+        self.assertEqual({name for _, name in expected}, {"base_plate", "walls", "hole"})
+        self.assertEqual(self.groups(), {**expected, (3, "solid"): result.solid.GetNumberOfCells()})
+        self.check_points(result.solid)
+        self.check_order()
+        self.assertEqual([block.type for block in result.to_meshio().cells], ["tetra10"] + ["triangle6"] * 3)
+
     def test_it_reads_what_meshio_makes_of_a_result(self):
         cells = self.result.solid.GetNumberOfCells()
         sides = {(2, name): self.counts[2, name] for name in SIDES}
@@ -309,6 +333,8 @@ class Meshio(InAFolder):
         listed = [{name: values.tolist() for name, values in one.field_data.items()} for one in (mesh, there)]
         self.assertEqual(*listed)
         self.assertEqual(mesh.points.tobytes(), self.result.solid.points.tobytes())
+        entities = [dict(zip(map(bytes, one.points), one.point_data["gmsh:dim_tags"].tolist())) for one in (mesh, there)]
+        self.assertEqual(*entities)
         tags = self.result.boundary.cell_arrays["BoundaryTag"]
         for tag in range(len(SIDES)):
             places = self.result.boundary.points[self.result.boundary.triangles[tags == tag]]

@@ -163,6 +163,19 @@ TEST(vtkSolidWriter, NamesRegionsAndTagsAndNumbersThemFromOne)
     writing.Has("\n1 2 2 3 3 1 2 4\n2 2 2 8 8 5 2 3\n3 4 2 4 4 1 2 3 4\n4 4 2 1 1 5 3 2 4\n"));
 }
 
+TEST(vtkSolidWriter, TellsWhatIsOutside)
+{
+  const auto hull = TwoCells();
+  AddNumbers(hull, "RegionId", { -1, 4 });
+  Writing writing;
+  writing.Writer->SetInputData(hull);
+  EXPECT_EQ(writing.Writer->Write(), 1);
+  EXPECT_TRUE(writing.Has("\n3 6 \"outside\"\n3 5 \"region_4\"\n"));
+  AddNumbers(hull, "RegionId", { -1, 0 });
+  EXPECT_EQ(writing.Writer->Write(), 1);
+  EXPECT_TRUE(writing.Has("\n3 2 \"outside\"\n3 1 \"solid\"\n"));
+}
+
 TEST(vtkSolidWriter, TakesAGroupOfSolidAndBoundary)
 {
   const auto boundary = TwoFaces();
@@ -209,9 +222,9 @@ TEST(vtkSolidWriter, NamesWhatItCannotWrite)
   ExpectError("point 4 has a coordinate that is infinite or no number",
     [](vtkUnstructuredGrid* solid, vtkPolyData*)
     { solid->GetPoints()->SetPoint(4, 0, 0, HUGE_VAL); });
-  ExpectError("RegionId is -1.000000 at cell 1; it has to hold whole numbers from 0",
+  ExpectError("RegionId is -2.000000 at cell 1; it has to hold whole numbers from -1",
     [](vtkUnstructuredGrid* solid, vtkPolyData*) {
-      AddNumbers(solid, "RegionId", { 0, -1 });
+      AddNumbers(solid, "RegionId", { 0, -2 });
     });
   ExpectError("BoundaryTag is 0.500000 at cell 1",
     [](vtkUnstructuredGrid*, vtkPolyData* boundary) {
