@@ -131,6 +131,12 @@ class OfArrays(Tags):
             self.check(result, ["wall", "inlet", "wall", "3", "outlet", "5"] * 2)
             self.assertEqual(names_of(result.boundary), ["wall", "inlet", "3", "outlet", "5"])
 
+    def test_names_are_utf_8_whatever_they_were(self):
+        surface = surfaces.box()
+        surface.GetCellData().AddArray(strings("Part", [b"Geh\xe4use", "Gehäuse", "Deckel"] * 4))
+        result = insideout.tetrahedralize(surface, tag_array="Part")
+        self.check(result, ["Gehäuse", "Gehäuse", "Deckel"] * 4)
+
     def test_what_gives_no_tags_is_an_error_that_names_it(self):
         surface = tagged(surfaces.box(), np.array([1.0] * 7 + [0.5] + [2.0] * 4))
         tagged(surface, np.array([np.nan] * 12), "Unknown")
