@@ -4,6 +4,7 @@
 #include "vtkInsideOutArrays.h"
 
 #include "Common/Error.h"
+#include "Files/NameNumbers.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -29,12 +30,14 @@ namespace
 constexpr const char* KnownArrays[] = { "BoundaryTag", "GroupIds", "MaterialIds",
   "STLSolidLabeling" };
 
-/** Numbers names in the order in which they come. */
+/** Numbers names in the order in which they come. They may be in any encoding: VTK's readers take
+ * them as they are. */
 class TagNumbers
 {
 public:
-  int Of(const std::string& name)
+  int Of(const std::string& given)
   {
+    const std::string name = insideout::ToUtf8(given);
     const auto [found, isNew] =
       this->Numbers.insert({ name, static_cast<int>(this->Names.size()) });
     if (isNew)

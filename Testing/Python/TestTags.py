@@ -131,6 +131,12 @@ class OfArrays(Tags):
             self.check(result, ["wall", "inlet", "wall", "3", "outlet", "5"] * 2)
             self.assertEqual(names_of(result.boundary), ["wall", "inlet", "3", "outlet", "5"])
 
+    def test_names_are_utf_8_whatever_they_were(self):
+        surface = surfaces.box()
+        surface.GetCellData().AddArray(strings("Part", [b"Geh\xe4use", "Gehäuse", "Deckel"] * 4))
+        result = insideout.tetrahedralize(surface, tag_array="Part")
+        self.check(result, ["Gehäuse", "Gehäuse", "Deckel"] * 4)
+
     def test_what_gives_no_tags_is_an_error_that_names_it(self):
         surface = tagged(surfaces.box(), np.array([1.0] * 7 + [0.5] + [2.0] * 4))
         tagged(surface, np.array([np.nan] * 12), "Unknown")
@@ -284,20 +290,26 @@ class OfDirtySurfaces(Tags):
         self.assertEqual(names_of(again.boundary), [name for name, triangles in first.tags.items() if len(triangles)])
 
 
-OBJ = "\n".join(
-    [f"v {x} {y} {z}" for x, y, z in surfaces.box_points()]
-    + ["o box", *(f"g {name}\nusemtl {'steel' if k < 3 else 'glass'}\n" + "\n".join("f {} {} {}".format(*(p + 1 for p in facet)) for facet in surfaces.BOX_FACETS[2 * k : 2 * k + 2]) for k, name in enumerate(FACES))]
-)
+def obj_box() -> str:
+    """A group for each face; the first three are of steel."""
+    lines = ["v {} {} {}".format(*point) for point in surfaces.box_points()] + ["o box"]
+    for k, facet in enumerate(surfaces.BOX_FACETS):
+        lines += [] if k % 2 else [f"g {FACES[k // 2]}", "usemtl " + ("steel" if k < 6 else "glass")]
+        lines.append("f {} {} {}".format(*(p + 1 for p in facet)))
+    return "\n".join(lines)
 
-STL = "\n".join(
-    f"solid {name}\n"
-    + "\n".join(
-        "facet normal 0 0 0\nouter loop\n" + "\n".join("vertex {} {} {}".format(*surfaces.box_points()[p]) for p in facet) + "\nendloop\nendfacet"
-        for facet in surfaces.BOX_FACETS[2 * k : 2 * k + 2]
-    )
-    + f"\nendsolid {name}"
-    for k, name in enumerate(FACES)
-)
+
+def stl_box() -> str:
+    """A solid for each face."""
+    points, lines = surfaces.box_points(), []
+    for k, facet in enumerate(surfaces.BOX_FACETS):
+        lines += [] if k % 2 else [f"solid {FACES[k // 2]}"]
+        lines += ["facet normal 0 0 0", "outer loop", *("vertex {} {} {}".format(*points[p]) for p in facet), "endloop", "endfacet"]
+        lines += [f"endsolid {FACES[k // 2]}"] if k % 2 else []
+    return "\n".join(lines)
+
+
+OBJ, STL = obj_box(), stl_box()
 
 
 class OfFiles(CommandLine, Tags):
