@@ -10,6 +10,8 @@ have the processors. As a program this is two of them:
 
 from __future__ import annotations
 
+import contextlib
+import io
 import math
 import re
 import resource
@@ -240,7 +242,8 @@ def _read(mesh: Path) -> tuple[np.ndarray, np.ndarray]:
         return points_and_cells(read_grid(str(mesh)))
     import meshio
 
-    found = meshio.read(mesh)
+    with contextlib.redirect_stdout(io.StringIO()):  # it prints empty lines
+        found = meshio.read(mesh)
     cells = [block.data for block in found.cells if block.type == "tetra"]
     return found.points, np.concatenate(cells) if cells else np.zeros((0, 4), int)
 
@@ -268,7 +271,7 @@ def _refine(solid: str, mesh: str, *settings: str) -> None:
         known = getattr(refinement, value) if value.isupper() else float(value)
         getattr(refinement, "Set" + name)(known)
     began = time.perf_counter()
-    refinement.Update()
+    insideout.pipeline.run(refinement)
     seconds = time.perf_counter() - began
     insideout.write(refinement.GetOutput(), mesh)
     print(f"\nSECONDS {seconds}", flush=True)
