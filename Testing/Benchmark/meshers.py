@@ -234,7 +234,7 @@ def _trouble(status: int, text: str) -> str:
     words = re.compile(r"error|intersect|fail|overlap|wrong|out of memory|bad_alloc", re.IGNORECASE)
     lines = [line.strip() for line in text.splitlines() if words.search(line)]
     end = f"signal {-status}" if status < 0 else f"status {status}"
-    return "; ".join([end, *lines[-1:]]).replace("|", "/")[:80]
+    return "; ".join([end, *lines[:1]]).replace("|", "/")[:80]
 
 
 def _read(mesh: Path) -> tuple[np.ndarray, np.ndarray]:
