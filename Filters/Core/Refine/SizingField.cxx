@@ -175,6 +175,10 @@ double SizingField::EstimatedCells() const
   double cells = 0;
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
+    if (this->Mesh.IsDead(c))
+    {
+      continue;
+    }
     // Lengths grow from the corners, so that small ones matter near these only.
     const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
     const double size = this->At(c, Barycentre(this->Mesh.Points, corners));
