@@ -126,7 +126,7 @@ class Job:
         self.seconds = time.monotonic() - self.begin
         self.bars.abandon()
         self.status = max(self.status, self.attempt(self.write_report))
-        if self.statistics and not self.options.quiet:
+        if "SecondsTotal" in self.statistics and not self.options.quiet:  # the work came to its end
             self.print_summary()
         if self.error is not None:
             self.print_error(self.error)
