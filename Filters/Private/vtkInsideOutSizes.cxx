@@ -125,6 +125,11 @@ std::function<double(const Point&)> vtkInsideOutLengthsWithin(
     throw Error(ErrorCode::InvalidParameter,
       "the background has no point array " + name + " of edge lengths");
   }
+  if (background->GetNumberOfCells() == 0)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the background has no cells, between whose points its edge lengths would hold");
+  }
   const auto field = std::make_shared<Background>(background, std::move(lengths));
   return [field](const Point& place) { return field->At(place); };
 }

@@ -43,12 +43,8 @@ CLEAN = (
     *("rotor.off", "turbine.off", "flange.stl"),
 )
 
-TARGETS = (
-    ("kept", "ours, kept", ("TetGen -pq1.2/18O9Y",)),
-    ("split", "ours, split", ("TetGen -pq1.2/18O9", "TetGen -pq1.2O9")),
-    ("remeshed", "ours, remeshed", ("Netgen", "gmsh Delaunay")),
-)
-"""Of which mesher of ours the 1 % angle is to be at least that of which other: the first that made a mesh."""
+OURS, PEER = "ours, refined", "TetGen -pq1.2/18O9Y"
+"""Both keep every triangle of the boundary: our 1 % angle is to be at least the other's."""
 
 MOST_SECONDS = 1.5
 """Times what TetGen takes, in the median."""
@@ -120,25 +116,16 @@ def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
 
 
 def ratio_lines(row: Row) -> list[str]:
-    lines = []
-    for target, ours, others in TARGETS:
-        found = [value for value in map(row.one_percent, others) if value is not None]
-        own = row.one_percent(ours)
-        if own is not None and found and found[0] > 0:
-            lines.append(f"ratio quality/{target}/{row.name} {own / found[0]:.3f} at least 1.0")
-    return lines
+    own, other = row.one_percent(OURS), row.one_percent(PEER)
+    return [f"ratio quality/{row.name} {own / other:.3f} at least 1.0"] if own is not None and other else []
 
 
 def median_lines(rows: list[Row]) -> list[str]:
     """Of the seconds of all surfaces that both meshed."""
-    lines = []
-    for target, ours, others in TARGETS[:2]:
-        both = [row.outcomes for row in rows if ours in row.outcomes and others[0] in row.outcomes]
-        pairs = [(outcomes[ours].seconds, outcomes[others[0]].seconds) for outcomes in both]
-        ratios = [own / other for own, other in pairs if own is not None and other]
-        if ratios:
-            lines.append(f"ratio quality/{target}/seconds {statistics.median(ratios):.3f} at most {MOST_SECONDS}")
-    return lines
+    both = [row.outcomes for row in rows if OURS in row.outcomes and PEER in row.outcomes]
+    pairs = [(outcomes[OURS].seconds, outcomes[PEER].seconds) for outcomes in both]
+    ratios = [own / other for own, other in pairs if own is not None and other]
+    return [f"ratio quality/seconds {statistics.median(ratios):.3f} at most {MOST_SECONDS}"] if ratios else []
 
 
 def overview(rows: list[Row]) -> list[str]:

@@ -158,13 +158,12 @@ def meshers(settings: list[str]) -> list[Mesher]:
         *(_tetgen(options) for options in TETGENS),
         *(_gmsh(name, algorithm) for name, algorithm in GMSHES.items()),
         _netgen(),
-        *(_refinement(surface, settings) for surface in REFINEMENTS),
+        _refinement(settings),
     ]
 
 
 TETGENS = ("pq1.2/18O9Y", "pq1.2/18O9", "pq1.2O9")  # the last asks for no angle: with one 1.5 seldom ends
 GMSHES = {"gmsh Delaunay": "del3d", "gmsh HXT": "hxt"}
-REFINEMENTS = ("KEPT", "SPLIT", "REMESHED")
 
 
 def _tetgen(options: str) -> Mesher:
@@ -205,17 +204,13 @@ def _netgen() -> Mesher:
     )
 
 
-def _refinement(surface: str, settings: list[str]) -> Mesher:
-    def exists() -> bool:
-        return hasattr(insideout, "vtkRefineTetrahedra")
-
-    mesh = f"{surface.lower()}.vtu"
+def _refinement(settings: list[str]) -> Mesher:
     return Mesher(
-        f"ours, {surface.lower()}",
+        "ours, refined",
         None,
-        exists,
-        lambda _: [PYTHON, __file__, "refine", "solid.vtu", mesh, f"Surface={surface}", *settings],
-        mesh,
+        lambda: True,
+        lambda _: [PYTHON, __file__, "refine", "solid.vtu", "refined.vtu", *settings],
+        "refined.vtu",
         _told_seconds,
     )
 
@@ -268,8 +263,7 @@ def _refine(solid: str, mesh: str, *settings: str) -> None:
     refinement.SetInputData(read_grid(solid))
     for setting in settings:
         name, value = setting.split("=", 1)
-        known = getattr(refinement, value) if value.isupper() else float(value)
-        getattr(refinement, "Set" + name)(known)
+        getattr(refinement, "Set" + name)(float(value))
     began = time.perf_counter()
     insideout.pipeline.run(refinement)
     seconds = time.perf_counter() - began

@@ -10,6 +10,9 @@ import unittest
 import xml.dom.minidom
 
 from paraview import servermanager, simple, smtrace
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import insideout
 
@@ -37,6 +40,11 @@ def volumes_of_blocks(proxy):
         array = iterator.GetCurrentDataObject().GetCellData().GetArray("Volume")
         yield sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
         iterator.GoToNextItem()
+
+
+def names_of_tags(solid):
+    names = servermanager.Fetch(solid, idx=1).GetFieldData().GetAbstractArray("BoundaryTagNames")
+    return [names.GetValue(i) for i in range(names.GetNumberOfValues())]
 
 
 class TestPlugin(unittest.TestCase):
@@ -216,6 +224,33 @@ class TestPlugin(unittest.TestCase):
                     seen.append((name, key))
         self.assertIn(("RobustTetrahedralize", "ConstrainedFacetsArrayName"), seen)
         self.assertEqual(len(seen), 7)
+
+    def test_tags_are_chosen_among_strings_too(self):
+        """And what ParaView's own readers call groups is known."""
+        cube, names = vtkCubeSource(), vtkStringArray()
+        cube.Update()
+        names.SetName("Words")
+        for name in ("left", "wall", "wall", "wall", "wall", "right"):
+            names.InsertNextValue(name)
+        cube.GetOutput().GetCellData().AddArray(names)
+        with tempfile.NamedTemporaryFile(suffix=".vtp") as file:
+            writer = vtkXMLPolyDataWriter()
+            writer.SetFileName(file.name)
+            writer.SetInputData(cube.GetOutput())
+            writer.Write()
+            parts = simple.XMLPolyDataReader(FileName=[file.name])
+            parts.UpdatePipeline()
+        solid = simple.RobustTetrahedralize(Input=parts)
+        domain = solid.GetProperty("TagArrayName").SMProperty.FindDomain("vtkSMArrayListDomain")
+        self.assertEqual([domain.GetString(i) for i in range(domain.GetNumberOfStrings())], ["", "Words"])
+        solid.TagArrayName = "Words"
+        self.assertEqual(names_of_tags(solid), ["left", "wall", "right"])
+
+        with tempfile.NamedTemporaryFile("w", suffix=".obj") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng a\nf 1 3 2\nf 1 2 4\ng b\nf 2 3 4\nf 3 1 4\n")
+            file.flush()
+            solid = simple.RobustTetrahedralize(Input=simple.WavefrontOBJReader(FileName=file.name))
+            self.assertEqual(names_of_tags(solid), ["0", "1"])
 
     def test_each_block_has_its_solid_and_keeps_its_name(self):
         blocks = simple.GroupDatasets(Input=[self.surface, simple.Box()], BlockNames=["boxes", "box"])

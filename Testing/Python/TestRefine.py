@@ -25,6 +25,13 @@ def content(solid) -> tuple:
     return solid.points.tobytes(), solid.cells.tobytes(), [(name, values.tobytes()) for one in arrays for name, values in one]
 
 
+def points_with_sizes():
+    """A data set without cells, so that nothing is between its points."""
+    points = surfaces.polydata([(0, 0, 0)], [])
+    surfaces.add_array(points.GetPointData(), "Size", np.ones(1))
+    return points
+
+
 def faces_on_boundary(solid) -> set:
     """The coordinates of the faces that one cell has."""
     faces, numbers = surfaces.faces_of(solid)
@@ -129,6 +136,7 @@ class Function(unittest.TestCase):
             (r"sizes has the shape \(2,\); it must have one value", self.solid, {"sizes": [1, 2]}),
             ("sizes is no array of numbers", self.solid, {"sizes": object()}),
             ("the grid has no point array Size", self.solid, {"sizes": "Size"}),
+            ("the background has no cells, between", self.solid, {"sizes": "Size", "background": points_with_sizes()}),
             ("background is of type int; it must be a vtkDataSet", self.solid, {"sizes": "Size", "background": 3}),
             ("sizes has to be the name", self.solid, {"background": vtkImageData()}),
         ):

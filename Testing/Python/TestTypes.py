@@ -48,6 +48,8 @@ insideout.write(meshed.solid, "solid.inp", boundary=meshed.boundary)
 insideout.check("broken.stl", scale=0.001)
 insideout.tetrahedralize(meshed.to_meshio(), scale=2)
 print(meshed.boundary.tag_names[0])
+print(meshed.regions[0].volume + 1, meshed.regions[0].center_of_mass[2], meshed.tags["inlet"].max())
+insideout.tetrahedralize(meshed.boundary, tag_array="Part")
 print(meshed.hull.w[meshed.hull.inside], meshed.statistics["OpenEdges"] + 1, meshed.solid.cells[0, 3])
 """
 
@@ -64,6 +66,8 @@ insideout.tetrahedralize("broken.ply", gamma="much")
 insideout.tetrahedralize("broken.ply", seeds=[(0, 0, 0)])
 insideout.tetrahedralize("broken.ply", progress=3)
 insideout.tetrahedralize("broken.ply", gama=1)
+insideout.tetrahedralize("broken.ply", tag_array=3)
+insideout.tetrahedralize("broken.ply").tags[0]
 insideout.tetrahedralize("broken.ply").solids
 insideout.check(3)
 insideout.check("broken.ply", orientation="up")

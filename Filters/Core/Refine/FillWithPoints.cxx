@@ -8,6 +8,7 @@
 #include "Refine/InsertPoint.h"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -88,7 +89,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
   const ProgressRange& progress)
 {
   PointInsertion insertion(mesh);
-  std::vector<Candidate> queue;
+  std::deque<Candidate> queue; // what was looked at goes: there are far more than cells
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
     queue.push_back({ cell, mesh.Version(cell) });
@@ -96,11 +97,12 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
   // Each cell that there will be is looked at some times.
   const LoopProgress looked(
     monitor, progress, static_cast<std::size_t>(2 * sizes.EstimatedCells()) + 2 * queue.size());
-  for (std::size_t next = 0; next < queue.size(); ++next)
+  for (std::size_t turn = 0; !queue.empty(); ++turn)
   {
-    looked.Check(next);
-    const Id cell = queue[next].Cell;
-    if (mesh.IsDead(cell) || mesh.Version(cell) != queue[next].Version)
+    looked.Check(turn);
+    const auto [cell, version] = queue.front();
+    queue.pop_front();
+    if (mesh.IsDead(cell) || mesh.Version(cell) != version)
     {
       continue;
     }

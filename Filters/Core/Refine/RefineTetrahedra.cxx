@@ -3,6 +3,7 @@
 
 #include "Common/PointPredicates.h"
 #include "Common/ScaledPoints.h"
+#include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
@@ -13,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace insideout
@@ -29,13 +32,38 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
 
+/** Whether a face has a cell that sees it from the same side as its neighbour does. */
+bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
+{
+  const SortedTriangle face(FaceOf(mesh.Cells[cell], k));
+  const Tetrahedron& other = mesh.Cells[mesh.Neighbors[cell][k]];
+  for (int i = 0; i < 4; ++i)
+  {
+    const SortedTriangle twin(FaceOf(other, i));
+    if (twin.Points == face.Points && twin.Turned == face.Turned)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void CheckInput(const TetrahedralMesh& mesh, const SizingParameters& parameters)
 {
-  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {
     if (Orient3D(mesh.Points, mesh.Cells[c]) <= 0)
     {
       throw Error(ErrorCode::InvalidParameter, "cell " + std::to_string(c) + " has no volume");
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] != None && Overlaps(mesh, c, k))
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "cells " + std::to_string(c) + " and " + std::to_string(mesh.Neighbors[c][k]) +
+            " overlap: they are on the same side of a face");
+      }
     }
   }
   for (std::size_t p = 0; p < parameters.Lengths.size(); ++p)
@@ -80,7 +108,7 @@ RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& 
   return result;
 }
 
-RefinedMesh Compress(const RefinableMesh& mesh, Id inputPoints)
+RefinedMesh Compress(const RefinableMesh& mesh, const std::vector<Point>& input)
 {
   RefinedMesh result;
   std::vector<Id> numbers(mesh.Points.size(), None);
@@ -98,7 +126,8 @@ RefinedMesh Compress(const RefinableMesh& mesh, Id inputPoints)
     {
       numbers[p] = static_cast<Id>(result.Points.size());
       result.Points.push_back(mesh.Points[p]);
-      result.OriginalPoints.push_back(p < inputPoints && mesh.IsFixed[p] != 0 ? p : None);
+      const bool isOriginal = p < static_cast<Id>(input.size()) && mesh.Points[p] == input[p];
+      result.OriginalPoints.push_back(isOriginal ? p : None);
       result.CellsOfPoints.push_back(mesh.Cell(mesh.CellAt(p)).Parent);
     }
   }
@@ -131,9 +160,10 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   SizingField sizes(refinable, parameters);
   if (const double cells = sizes.EstimatedCells(); !(cells < MostCells))
   {
-    throw Error(ErrorCode::TooLarge,
-      "edges as short as asked for would make about " + std::to_string(cells) +
-        " cells, more than can be counted");
+    std::ostringstream words;
+    words << "edges as short as asked for would make about " << std::setprecision(2) << cells
+          << " cells, more than can be counted";
+    throw Error(ErrorCode::TooLarge, words.str());
   }
   monitor.Check(Stages::Refining, 0.05);
   ThinPoints(refinable);
@@ -141,7 +171,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
     refinable, sizes, parameters.MaximumVolume, monitor, { Stages::Refining, 0.1, 0.3 });
   ImproveCells(refinable, sizes, monitor, { Stages::Refining, 0.3, 0.9 });
 
-  RefinedMesh result = Compress(refinable, static_cast<Id>(mesh.Points.size()));
+  RefinedMesh result = Compress(refinable, mesh.Points);
   std::vector<Point> barycentres(result.Cells.size());
   for (std::size_t c = 0; c < result.Cells.size(); ++c)
   {
@@ -170,15 +200,21 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   return result;
 }
 
+/** Not 0, which has a meaning of its own, unless the size is. */
+double ScaledSize(double size, int exponent)
+{
+  return size > 0 ? std::max(std::ldexp(size, exponent), std::numeric_limits<double>::min()) : 0;
+}
+
 /** The parameters for a mesh that is 2^exponent times as large. */
 SizingParameters Scaled(const SizingParameters& parameters, int exponent)
 {
   SizingParameters scaled = parameters;
-  scaled.EdgeLength = std::ldexp(parameters.EdgeLength, exponent);
-  scaled.MaximumVolume = std::ldexp(parameters.MaximumVolume, 3 * exponent);
+  scaled.EdgeLength = ScaledSize(parameters.EdgeLength, exponent);
+  scaled.MaximumVolume = ScaledSize(parameters.MaximumVolume, 3 * exponent);
   for (double& length : scaled.Lengths)
   {
-    length = std::ldexp(length, exponent);
+    length = ScaledSize(length, exponent);
   }
   if (parameters.LengthAt)
   {

@@ -283,13 +283,26 @@ TEST(RefineTetrahedra, NamesWhatItCannotTake)
   TetrahedralMesh flat = cube;
   flat.Cells[5][3] = flat.Cells[5][2];
   EXPECT_EQ(errorOf(flat, {}), "cell 5 has no volume");
+  const std::vector<Point> corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 0.2, 0.2, 0.6 } };
+  const TetrahedralMesh sameSide =
+    ConnectCells(corners, { { { 0, 1, 2, 3 } }, { { 0, 1, 2, 4 } } });
+  EXPECT_EQ(errorOf(sameSide, {}), "cells 0 and 1 overlap: they are on the same side of a face");
+  const TetrahedralMesh twice = ConnectCells(corners, { { { 0, 1, 2, 3 } }, { { 0, 1, 2, 3 } } });
+  EXPECT_EQ(errorOf(twice, {}), "cells 0 and 1 overlap: they are on the same side of a face");
   SizingParameters lengths;
   lengths.Lengths.assign(cube.Points.size(), 1);
   lengths.Lengths[7] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(errorOf(cube, lengths), "the edge length at point 7 is not positive");
   SizingParameters tiny;
   tiny.EdgeLength = 1e-6;
-  EXPECT_NE(errorOf(cube, tiny).find("more than can be counted"), std::string::npos);
+  EXPECT_EQ(errorOf(cube, tiny),
+    "edges as short as asked for would make about 8.5e+18 cells, more than can be counted");
+  TetrahedralMesh large = cube;
+  large.Points = ScaledPoints(cube.Points, 900);
+  SizingParameters small;
+  small.MaximumVolume = 1e-300;
+  EXPECT_NE(errorOf(large, small).find("more than can be counted"), std::string::npos);
 }
 
 TEST(RefineTetrahedra, TakesATinyDetailOfALargeSolid)

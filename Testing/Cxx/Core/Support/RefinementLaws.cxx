@@ -81,8 +81,15 @@ void ExpectRefinementLaws(
   }
   EXPECT_EQ(FacesOfRegions(mesh.Points, mesh.Cells, before),
     FacesOfRegions(refined.Points, refined.Cells, after));
+  std::map<Point, Id> pointAt;
+  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
+  {
+    pointAt.insert({ mesh.Points[p], static_cast<Id>(p) });
+  }
   for (std::size_t p = 0; p < refined.Points.size(); ++p)
   {
+    EXPECT_TRUE(refined.OriginalPoints[p] != None || pointAt.count(refined.Points[p]) == 0)
+      << "point " << p << " has not moved";
     if (const Id original = refined.OriginalPoints[p]; original != None)
     {
       EXPECT_EQ(refined.Points[p], mesh.Points[original]);
