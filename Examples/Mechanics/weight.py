@@ -12,7 +12,6 @@ points themselves.) Writes solid.inp and solid.vtu, with displacements and stres
 from __future__ import annotations
 
 import sys
-import tarfile
 from pathlib import Path
 
 import insideout
@@ -20,8 +19,9 @@ import numpy as np
 from calculix import CalculiXError, printed_displacements, solve, with_results
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-PACKED = ("/usr/share/doc/libcgal-dev/data.tar.gz", "/usr/share/doc/libcgal-demo/data.tar.gz")
-DEFAULT = "data/meshes/camel.off"
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+import models  # noqa: E402  of the folder above
+
 DENSITY, GRAVITY = 1100.0, 9.81
 FOOT = 0.03  # of the height
 SPRING = 1e6  # N/m, in each direction, at each point
@@ -48,15 +48,6 @@ U
 S
 *END STEP
 """
-
-
-def default_surface(folder: Path) -> Path:
-    packed = next((archive for archive in PACKED if Path(archive).exists()), None)
-    if packed is None:
-        raise FileNotFoundError("no surface: give one, or apt-get install libcgal-demo")
-    with tarfile.open(packed) as archive:
-        (folder / "camel.off").write_bytes(archive.extractfile(DEFAULT).read())
-    return folder / "camel.off"
 
 
 def springs(points: np.ndarray, first: int) -> str:
@@ -99,6 +90,6 @@ if __name__ == "__main__":
     try:
         to = Path(sys.argv[1])
         to.mkdir(parents=True, exist_ok=True)
-        main(to, Path(sys.argv[2]) if len(sys.argv) > 2 else default_surface(to), sys.argv[3] if len(sys.argv) > 3 else "y")
+        main(to, Path(sys.argv[2]) if len(sys.argv) > 2 else models.unpacked("camel.off", to), sys.argv[3] if len(sys.argv) > 3 else "y")
     except (insideout.Error, CalculiXError, OSError) as error:
         sys.exit(f"weight.py: {error}")
