@@ -29,6 +29,8 @@ class Panel(NamedTuple):
     title: str
     words: str
     actors: Sequence[vtkActor]
+    seen_from: Optional[Sequence[float]] = None
+    """A place of its own, from which to see all of its actors; none for the place and the box of the whole picture."""
 
 
 def actor(data: vtkDataSet, colour=GREY, edges: bool = False, width: float = 1.0, opacity: float = 1.0) -> vtkActor:
@@ -151,16 +153,24 @@ def _look_at(renderer: vtkRenderer, bounds: np.ndarray, seen_from, up) -> None:
     renderer.ResetCameraClippingRange()
 
 
-def save(panels: Sequence[Panel], picture: Path, seen_from, up=(0, 0, 1), bounds: Optional[np.ndarray] = None, columns: int = 0) -> None:
-    """All panels from the same place, in rows of so many columns, or one row. Bounds (low and high of x, y, z): what all show, or all that there is."""
+def box_of(actors: Sequence[vtkActor]) -> np.ndarray:
+    """Low and high of x, y and z."""
+    boxes = np.array([one.GetBounds() for one in actors]).reshape(-1, 3, 2)
+    return np.stack([boxes[..., 0].min(axis=0), boxes[..., 1].max(axis=0)], axis=1)
+
+
+def save(panels: Sequence[Panel], picture: Path, seen_from=(1, 0, 0), up=(0, 0, 1), bounds=None, columns: int = 0) -> None:
+    """Panels in rows of so many columns, or in one row, all seen from the same place unless they say another.
+
+    Bounds, low and high of x, y and z, are what they show; if none are given, all that there is.
+    """
     columns = columns or len(panels)
     rows = -(-len(panels) // columns)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
     window.SetSize(WIDTH * columns, HEIGHT * rows)
-    boxes = np.array([one.GetBounds() for panel in panels for one in panel.actors]).reshape(-1, 3, 2)
-    bounds = np.stack([boxes[..., 0].min(axis=0), boxes[..., 1].max(axis=0)], axis=1) if bounds is None else np.asarray(bounds)
+    bounds = box_of([one for panel in panels for one in panel.actors]) if bounds is None else np.asarray(bounds)
     for k, panel in enumerate(panels):
         row, column = divmod(k, columns)
         renderer = vtkRenderer()
@@ -170,7 +180,10 @@ def save(panels: Sequence[Panel], picture: Path, seen_from, up=(0, 0, 1), bounds
             renderer.AddViewProp(one)
         renderer.AddViewProp(_line(panel.title, 0.93, 30, True))
         renderer.AddViewProp(_line(panel.words, 0.04, 22, False))
-        _look_at(renderer, bounds, seen_from, up)
+        if panel.seen_from is not None:
+            _look_at(renderer, box_of(panel.actors), panel.seen_from, up)
+        else:
+            _look_at(renderer, bounds, seen_from, up)
         window.AddRenderer(renderer)
     window.Render()
     image = vtkWindowToImageFilter()
