@@ -3,8 +3,8 @@
 
     xvfb-run -a python3 deformation.py PICTURE.png [SURFACE HANDLES.json]
 
-The file of handles has a list "handles" of boxes, "low" and "high" in fractions of the model's own box, and how what is within moves:
-by "angle" degrees about "axis" through "about", also in fractions. A handle of angle 0 stays where it is. Both methods are
+The file of handles has a list "handles" of boxes, "low" and "high" in fractions of the model's own box, and how what is
+within moves: by "angle" degrees about "axis" through "about", also in fractions. A handle of angle 0 stays where it is. Both methods are
 that of Sorkine and Alexa (2007), with the same code: edges' weights are those of the tetrahedra, or of the boundary's
 triangles. Without a surface it is diplodocus.off of Debian's package libcgal-demo, and handles.json beside this script.
 Plain numpy and scipy.
@@ -135,7 +135,7 @@ def main(picture: Path, surface: Path, handles: list[dict]) -> None:
         places, rounds = Deformation(all_points, matrix, held).run(targets, start)
         change = volume(places[boundary], triangles) / before - 1
         missed = np.abs(places[held] - targets).max()
-        print(f"{name}: {len(all_points):,} points, {rounds} rounds, handles missed by {missed:g}, volume {100 * change:+.2f} %", flush=True)
+        print(f"{name}: {len(all_points):,} points, {rounds} rounds, handles missed by {missed:g}, volume {100 * change:+.2f} %")
         seen = insideout.TriangleSurface()
         seen.DeepCopy(result.boundary)
         seen.points[:] = places[boundary]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A dirty figure with a skeleton: limbs that overlap, open where they are hidden in others. In metres, z is up, it looks along -y.
+"""A dirty figure with a skeleton: limbs that overlap, open where they are hidden in others. In metres; z is up, -y the front.
 
     python3 figure.py FIGURE.obj
 """
@@ -82,7 +82,7 @@ def is_open(name: str) -> bool:
 
 
 def write_figure(path: Path, names=tuple(SKELETON), around: int = AROUND) -> None:
-    """As an .obj file with a group for each limb, and six decimals, as most programs write it; so many facets go around a limb."""
+    """As an .obj file with a group for each limb, and six decimals, as most programs write it; around: facets around a limb."""
     first = 1
     with Path(path).open("w") as file:
         for name in names:

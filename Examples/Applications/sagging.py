@@ -60,7 +60,7 @@ def is_held(points: np.ndarray) -> np.ndarray:
     return (np.linalg.norm(points[:, :2], axis=1) < HELD) & (points[:, 2] > low) & (points[:, 2] < high)
 
 
-def at_rest(folder: Path, quadratic: bool):
+def deformed(folder: Path, quadratic: bool):
     """The figure's solid with the displacements under gravity, and its volume."""
     result = insideout.tetrahedralize(folder / "figure.obj", edge_length=EDGE_LENGTH, quadratic=quadratic)
     insideout.write(result, folder / "solid.inp")
@@ -88,12 +88,13 @@ def main(picture: Path, folder: Path, quadratic: bool) -> None:
     write_figure(folder / "figure.obj", around=AROUND)
     checked = insideout.check(folder / "figure.obj")
     counts = checked.statistics
-    solved, result = at_rest(folder, quadratic)
+    solved, result = deformed(folder, quadratic)
     moved = drawing.point_array(solved, "Displacement")
     hands = np.abs(result.solid.points[:, 0]) > 0.8
     sinks = -moved[hands, 2].mean()
     most = np.linalg.norm(moved, axis=1).max()
-    print(f"The solid: {len(result.regions)} region, {len(result.solid.cells):,} cells; the hands sink by {sinks:.3f} m, nothing moves more than {most:.3f} m")
+    print(f"The solid: {len(result.regions)} region, {len(result.solid.cells):,} cells")
+    print(f"the hands sink by {sinks:.3f} m, nothing moves more than {most:.3f} m")
 
     pieces = repaired(folder)
     whole, parts = result.statistics["Volume"], {name: piece.statistics["Volume"] for name, piece in pieces.items()}
@@ -104,10 +105,12 @@ def main(picture: Path, folder: Path, quadratic: bool) -> None:
 
     words = f"{counts['IntersectingPairs']} pairs of facets cross, {counts['OpenEdges']} open edges"
     fallen = [drawing.actor(piece.solid, drawing.BLUE if name == "spine" else drawing.RED) for name, piece in pieces.items()]
+    given = [drawing.actor(checked.surface), drawing.actor(checked.lines, drawing.RED, width=4)]
+    at_rest = drawing.actor(drawing.warped(solved, "Displacement", 1), drawing.BLUE)
     drawing.save(
         [
-            drawing.Panel("A dirty figure", words, [drawing.actor(checked.surface), drawing.actor(checked.lines, drawing.RED, width=4)]),
-            drawing.Panel("Its solid under gravity, at rest", f"one body; the hands sink by {100 * sinks:.0f} cm", [drawing.actor(drawing.warped(solved, "Displacement", 1), drawing.BLUE)]),
+            drawing.Panel("A dirty figure", words, given),
+            drawing.Panel("Its solid under gravity, at rest", f"one body; the hands sink by {100 * sinks:.0f} cm", [at_rest]),
             drawing.Panel("Each limb repaired alone", f"{len(pieces)} bodies; the {len(pieces) - 1} red ones fall down", fallen),
         ],
         picture,

@@ -122,12 +122,12 @@ def main(picture: Path, folder: Path) -> None:
     surface = checked.surface
     result = insideout.tetrahedralize(folder / "figure.obj", edge_length=EDGE_LENGTH)
     weights = weights_of(result.solid.points, result.solid.cells, SKELETON)
-    print(f"{len(result.solid.points):,} points: weights from {weights.min():g}, sums less 1 up to {np.abs(weights.sum(axis=1) - 1).max():.1e}")
 
     vertices = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     on_surface, kept = on_vertices(vertices, result.solid, weights)
     least, apart = on_surface.min(), np.abs(on_surface.sum(axis=1) - 1).max()
-    print(f"{kept} of {len(vertices)} vertices of the surface are points of the solid; weights from {least:g}, sums less 1 up to {apart:.1e}")
+    print(f"{kept} of {len(vertices)} vertices of the surface are points of the solid, which has {len(result.solid.points):,}")
+    print(f"on the surface weights are {least:g} at least, and their sums less 1 {apart:.1e} at most")
     names = list(SKELETON)
     for name, far in (("left hand", vertices[:, 0] < 0), ("right shin", vertices[:, 2] > 1.2), ("head", vertices[:, 2] < 0.5)):
         print(f"{name}: at most {on_surface[far, names.index(name)].max():.1e} on the far side")
@@ -140,12 +140,13 @@ def main(picture: Path, folder: Path) -> None:
     array.SetName("Weight")
     shown.GetPointData().AddArray(array)
     statistics = checked.statistics
+    figure = drawing.painted(with_points(surface, places), colours_of(on_surface))
     words = f"{statistics['IntersectingPairs']} pairs of facets cross, {statistics['OpenEdges']} open edges"
     drawing.save(
         [
             drawing.Panel("A dirty figure", words, [drawing.actor(surface), drawing.actor(checked.lines, drawing.RED, width=4)]),
             drawing.Panel("The weight of a forearm", "blue 0, red 1", [drawing.coloured(shown, "Weight", (0, 1))]),
-            drawing.Panel("Bent", "a colour for each bone, mixed by weights", [drawing.painted(with_points(surface, places), colours_of(on_surface))]),
+            drawing.Panel("Bent", "a colour for each bone, mixed by weights", [figure]),
         ],
         picture,
         seen_from=(-0.6, -1, 0.2),

@@ -70,8 +70,9 @@ def row_of(surface: Path, folder: Path) -> tuple[str, str, object]:
     insideout.draw(surface, result.hull, folder / "row.png")
     view = View(triangles_of(insideout.check(surface).surface), up_of(surface))
     slices = sliced(result.solid, view.right)
+    count = f"{len(result.boundary.triangles):,} triangles"
     panels = [
-        drawing.Panel("The solid's boundary", f"{len(result.boundary.triangles):,} triangles", [drawing.actor(result.boundary, drawing.BLUE)]),
+        drawing.Panel("The solid's boundary", count, [drawing.actor(result.boundary, drawing.BLUE)]),
         drawing.Panel("Its tetrahedra, in slices", "", [drawing.actor(slices, drawing.BLUE, edges=True)]),
     ]
     drawing.save(panels, folder / "more.png", seen_from=view.eye, up=view.up)

@@ -28,10 +28,10 @@ def main(picture: Path, folder: Path) -> None:
     for name, seen_from in MODELS.items():
         result = insideout.tetrahedralize(models.unpacked(name, folder))
         counts = result.statistics
-        share = 100 * counts["OutlierFacets"] / counts["Facets"]
-        print(f"{name}: {counts['OutlierFacets']} of {counts['Facets']} facets are outliers, {counts['OutliersByEnergy']} segmented as outside")
+        outliers, segmented = counts["OutlierFacets"], counts["OutliersByEnergy"]
+        print(f"{name}: {outliers} of {counts['Facets']} facets are outliers, {segmented} segmented as outside")
         seen = [drawing.actor(result.boundary, drawing.BLUE, opacity=0.4), drawing.actor(result.outliers, drawing.RED)]
-        panels.append(drawing.Panel(name, f"{counts['OutlierFacets']:,} outliers, {share:.2g} % of the facets", seen, seen_from))
+        panels.append(drawing.Panel(name, f"{outliers:,} outliers, {100 * outliers / counts['Facets']:.2g} % of the facets", seen, seen_from))
     drawing.save(panels, picture)
 
 

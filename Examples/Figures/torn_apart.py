@@ -81,11 +81,13 @@ def main(picture: Path, plotted: Path, angles: int, folder: Path) -> None:
         volumes.append(result.statistics["Volume"])
         energies.append(result.statistics["Energy"])
         crossing = result.statistics["IntersectingPairs"]
-        print(f"{angle:.0f} degrees: {crossing} pairs cross, volume {100 * (volumes[-1] / volumes[0] - 1):+.2f} %, energy {energies[-1]:.1f}", flush=True)
+        change = 100 * (volumes[-1] / volumes[0] - 1)
+        print(f"{angle:.0f} degrees: {crossing} pairs cross, volume {change:+.2f} %, energy {energies[-1]:.1f}", flush=True)
         if np.isclose(angle, np.linspace(0, 180, SHOWN)).any():
             plane.SetOrigin(*result.hull.points.mean(axis=0))
             seen = slice_actor(slice_of(result.hull, plane))
-            slices.append(drawing.Panel(f"{angle:.0f} degrees", f"w from {result.hull.w.min():.2f} to {result.hull.w.max():.2f}", [seen]))
+            words = f"w from {result.hull.w.min():.2f} to {result.hull.w.max():.2f}"
+            slices.append(drawing.Panel(f"{angle:.0f} degrees", words, [seen]))
             solid = [drawing.actor(result.boundary, drawing.BLUE)] if len(result.solid.cells) else []
             solids.append(drawing.Panel("", f"{len(result.solid.cells):,} tetrahedra inside", solid))
     plot(degrees, np.array(volumes), energies, plotted)

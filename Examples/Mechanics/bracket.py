@@ -62,8 +62,9 @@ def bracket(edge: float, is_closed: bool = False) -> list[Part]:
 
 
 def draw(surface: Path, solved, picture: Path) -> None:
-    lines = insideout.check(surface)
-    counts = lines.statistics
+    checked = insideout.check(surface)
+    counts = checked.statistics
+    given = [drawing.actor(checked.surface, edges=True), drawing.actor(checked.lines, drawing.RED, width=4)]
     largest = np.linalg.norm(drawing.point_array(solved, "Displacement"), axis=1).max()
     stress = drawing.point_array(solved, "MisesStress")
     drawing.save(
@@ -71,7 +72,7 @@ def draw(surface: Path, solved, picture: Path) -> None:
             drawing.Panel(
                 "A dirty bracket",
                 f"{counts['IntersectingPairs']:,} pairs of facets cross, {counts['OpenEdges']} open edges",
-                [drawing.actor(lines.surface, (0.8, 0.8, 0.77), edges=True), drawing.actor(lines.lines, (0.85, 0.1, 0.1), width=4)],
+                given,
             ),
             drawing.Panel(
                 "Its cells, of second order",
@@ -97,13 +98,14 @@ def main(folder: Path, edge: float) -> None:
     write_obj(bracket(edge, is_closed=True), folder / "closed.obj")
     closed = insideout.tetrahedralize(folder / "closed.obj").statistics["Volume"]
     volume = result.statistics["Volume"]
-    print(f"{len(result.solid.cells):,} cells, volume {volume:.1f} mm3; with its holes closed by hand {volume / closed - 1:+.1e}")
+    print(f"{len(result.solid.cells):,} cells, volume {volume:.1f} mm3; with its holes closed by hand {closed / volume - 1:+.1e}")
 
     solve(JOB, folder)
     solved = with_results(result.solid, folder)
     insideout.write(solved, folder / "bracket.vtu")
     reaction = total_force(folder)
-    print(f"load {LOAD:.6g} N downward, reaction {reaction[2]:.6g} N: {reaction[2] / LOAD - 1:+.1e}; across {abs(reaction[:2]).max():.1e} N")
+    apart, across = reaction[2] / LOAD - 1, np.abs(reaction[:2]).max()
+    print(f"load {LOAD:.6g} N downward, reaction {reaction[2]:.6g} N: {apart:+.1e}; across {across:.1e} N")
     draw(folder / "bracket.obj", solved, folder / "bracket.png")
 
 

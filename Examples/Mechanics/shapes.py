@@ -21,8 +21,8 @@ class Part(NamedTuple):
     polygons: list[list[int]]
 
 
-def box(low, high, edge: float, group: str = "body", groups: dict[str, str] | None = None, left_out: Iterable[str] = ()) -> list[Part]:
-    """A box in squares of about this edge; sides may have groups of their own, or be left out."""
+def box(low, high, edge: float, groups: dict[str, str] | None = None, left_out: Iterable[str] = ()) -> list[Part]:
+    """A box in squares of about this edge, of group body; sides may have groups of their own, or be left out."""
     axes = [np.linspace(a, b, max(1, round((b - a) / edge)) + 1) for a, b in zip(low, high)]
     parts = []
     for k, side in enumerate(SIDES):
@@ -33,7 +33,7 @@ def box(low, high, edge: float, group: str = "body", groups: dict[str, str] | No
         points = np.empty((len(axes[u]), len(axes[v]), 3))
         points[..., axis] = axes[axis][-1 if is_high else 0]
         points[..., u], points[..., v] = np.meshgrid(axes[u], axes[v], indexing="ij")
-        parts.append(Part((groups or {}).get(side, group), points.reshape(-1, 3), _squares(len(axes[u]), len(axes[v]))))
+        parts.append(Part((groups or {}).get(side, "body"), points.reshape(-1, 3), _squares(len(axes[u]), len(axes[v]))))
     return parts
 
 

@@ -90,6 +90,7 @@ if __name__ == "__main__":
     try:
         to = Path(sys.argv[1])
         to.mkdir(parents=True, exist_ok=True)
-        main(to, Path(sys.argv[2]) if len(sys.argv) > 2 else models.unpacked("camel.off", to), sys.argv[3] if len(sys.argv) > 3 else "y")
+        given = Path(sys.argv[2]) if len(sys.argv) > 2 else models.unpacked("camel.off", to)
+        main(to, given, sys.argv[3] if len(sys.argv) > 3 else "y")
     except (insideout.Error, CalculiXError, OSError) as error:
         sys.exit(f"weight.py: {error}")
