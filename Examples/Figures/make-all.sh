@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# make-all.sh [FOLDER]: draw the thesis's figures again, after Examples/quickstart.sh; about ten minutes. Without a folder
+# make-all.sh [FOLDER]: draw the thesis's figures again, after Examples/quickstart.sh; about five minutes. Without a folder
 # they go to figures/. Figures 8.10 and 8.11 are times: Testing/Benchmark/run.sh draws them.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

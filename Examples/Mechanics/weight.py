@@ -79,7 +79,7 @@ def main(folder: Path, surface: Path, up: str) -> None:
     reaction = -SPRING * printed_displacements(folder).sum(axis=0)
     sinks = np.linalg.norm(vtk_to_numpy(solved.GetPointData().GetArray("Displacement")), axis=1).max()
     print(f"{surface.name}: {result.statistics['IntersectingPairs']} pairs of facets cross, {result.statistics['OpenEdges']} open edges")
-    print(f"{len(result.solid.cells):,} cells stand on {len(feet)} springs; the body gives way by up to {1000 * sinks:.3g} mm")
+    print(f"{len(result.solid.cells):,} cells in {len(result.regions)} parts stand on {len(feet)} springs; the body gives way by up to {1000 * sinks:.3g} mm")
     print(f"weight {weight:.7g} N, reaction {reaction[axis]:.7g} N: {reaction[axis] / weight - 1:+.1e}")
     print(f"across {np.abs(np.delete(reaction, axis)).max() / weight:.1e} of it")
 
