@@ -6,7 +6,7 @@
 The file of handles has a list "handles" of boxes, "low" and "high" in fractions of the model's own box, and how what is
 within moves: by "angle" degrees about "axis" through "about", also in fractions. A handle of angle 0 stays where it is. Both methods are
 that of Sorkine and Alexa (2007), with the same code: edges' weights are those of the tetrahedra, or of the boundary's
-triangles. Without a surface it is diplodocus.off of Debian's package libcgal-demo, and handles.json beside this script.
+triangles, none below 0. Without a surface it is diplodocus.off of Debian's package libcgal-demo, and handles.json beside this script.
 Plain numpy and scipy.
 """
 
