@@ -128,7 +128,8 @@ def mesh_as_it_comes(surface: str, folder: Path, limit: float) -> str:
     command += [sys.executable, "-m", "insideout", os.path.abspath(surface), "solid.vtu", "--hull", "hull.vtu"]
     command += ["--report", "report.json", "--quiet", "--timeout", f"{limit:g}"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    return "" if done.returncode == 0 else (done.stderr.strip().splitlines() or [f"status {done.returncode}"])[-1]
+    said = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
+    return "" if done.returncode == 0 else said[-1].split(f"{os.path.abspath(surface)}: ")[-1]
 
 
 def outcome_of(points: np.ndarray, cells: np.ndarray, seconds: float) -> Outcome:
