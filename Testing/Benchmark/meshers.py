@@ -129,7 +129,7 @@ def mesh_as_it_comes(surface: str, folder: Path, limit: float) -> str:
     command += ["--report", "report.json", "--quiet", "--timeout", f"{limit:g}"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     said = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
-    return "" if done.returncode == 0 else said[-1].split(f"{os.path.abspath(surface)}: ")[-1]
+    return "" if done.returncode == 0 else said[-1].removeprefix("insideout: ").removeprefix(f"{os.path.abspath(surface)}: ")
 
 
 def outcome_of(points: np.ndarray, cells: np.ndarray, seconds: float) -> Outcome:

@@ -232,7 +232,7 @@ def write(rows: list[Row], folder: Path) -> None:
     both = [line for row in rows for line in (row.cells(), thesis_row(row.name, row.figures.get("Facets", 0))) if line]
     escaped = [column.replace("|", "\\|") for column in header]
     peers = table(["mesher", "answers", "right", "and keeps facets", "seconds, median"], overview(rows))
-    text = ["Seconds; |E| counts the cells inside.", "", *table(escaped, both), "", "Right is a volume like ours:", "", *peers, ""]
+    text = ["Seconds; |E| counts the cells inside.", "", *table(escaped, both), "", "Right are sound cells with a volume like ours:", "", *peers, ""]
     (folder / "table.md").write_text("\n".join(text))
     with (folder / "table.csv").open("w", newline="") as file:
         csv.writer(file).writerows([[*header[:-1], "trouble"], *both])
