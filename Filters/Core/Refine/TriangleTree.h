@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/BoxTree.h"
+
+#include <limits>
+#include <vector>
+
+namespace insideout
+{
+/** A triangle by its corners' places. Facets of one label may stand in for another. */
+struct LabelledTriangle
+{
+  std::array<Point, 3> Corners;
+  Id Label;
+};
+
+/** The point of a triangle that is nearest to a place; the triangle may be degenerate. */
+Point NearestPointOf(const std::array<Point, 3>& triangle, const Point& place);
+
+/** How far places and triangles are from a surface. */
+class TriangleTree
+{
+public:
+  explicit TriangleTree(std::vector<LabelledTriangle> triangles);
+
+  /** The nearest point of the triangles of a label. */
+  struct Nearest
+  {
+    Id Triangle;
+    Point Place;
+    double Distance;
+  };
+
+  /**
+   * @param[in] hint a triangle of that label near the place, None for any; it only saves time
+   */
+  Nearest NearestTo(const Point& place, Id label, Id hint = None) const;
+
+  /**
+   * The largest distance that a point of a triangle has from the triangles of its label: at least
+   * that, and larger than it by a small part of `enough` at most, where it can be told by a few
+   * hundred points. The distance from one triangle is convex, so that the corners tell it.
+   *
+   * @param[in] enough what is below it need not be told more exactly
+   */
+  double LargestDistanceOf(const LabelledTriangle& triangle, double enough) const
+  {
+    return this->LargestDistanceOf(
+      triangle, { enough, std::numeric_limits<double>::infinity() }, None, 0);
+  }
+
+  /** Whether no point of a triangle is farther than that; no where that cannot be told. */
+  bool IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const
+  {
+    return this->LargestDistanceOf(triangle, { distance, distance }, hint, 0) <= distance;
+  }
+
+private:
+  /** What need not be told more exactly: what is below the one or above the other. */
+  struct Limits
+  {
+    double Enough;
+    double TooFar;
+  };
+  double LargestDistanceOf(
+    const LabelledTriangle& triangle, const Limits& limits, Id hint, int divisions) const;
+
+  std::vector<LabelledTriangle> Triangles;
+  BoxTree Tree;
+};
+} // namespace insideout
