@@ -114,7 +114,6 @@ bool SurfaceContraction::MakeCells(Id point, Id target, double wanted)
 {
   this->Exchange.Clear();
   this->Exchange.Old = this->OfPoint.Cells;
-  this->Exchange.GoneAt = { point };
   for (const Id c : this->OfPoint.Cells)
   {
     Tetrahedron fresh = this->Mesh.Cell(c).Corners;
@@ -176,6 +175,10 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
     !this->MakeCells(point, target, wanted) || !this->MakePieces(point, target))
   {
     return false;
+  }
+  for (const SurfacePiece& piece : this->Gone)
+  {
+    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
   }
   for (const SurfacePiece& piece : this->Fresh)
   {

@@ -100,6 +100,22 @@ bool Reconnection::TriangulateRing(double wanted)
   return this->ArePositive();
 }
 
+/** Whether the faces of a cell that hold not both ends of the edge lead to others of its region:
+ * where it is the only one at the edge it may go then, without another in its place. */
+bool Reconnection::HasCellsBehind(Id cell) const
+{
+  const RefinableCell& here = this->Mesh.Cell(cell);
+  for (const Id end : { this->Around.U, this->Around.V })
+  {
+    const int k = this->Mesh.CornerIndex(cell, end);
+    if (here.Neighbors[k] == None || here.Facets[k] != None)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Whether the two pieces at an edge of the boundary may be others, and which (FreshPieces). */
 bool Reconnection::TurnDiagonal()
 {
@@ -116,9 +132,14 @@ bool Reconnection::TurnDiagonal()
     piece(ring.V, ring.U, last, ring.EndFacets[1]) };
   this->FreshPieces = { piece(first, last, ring.V, ring.EndFacets[0]),
     piece(last, first, ring.U, ring.EndFacets[0]) };
+  if (ring.Cells.size() == 1 && !this->HasCellsBehind(ring.Cells.front()))
+  {
+    return false;
+  }
   if (this->Surface.Treatment() == SurfaceTreatment::Split)
   {
-    return ring.EndFacets[0] == ring.EndFacets[1];
+    return ring.EndFacets[0] == ring.EndFacets[1] &&
+      AreUnfolded(this->FreshPieces, NormalOf(this->GonePieces.front()));
   }
   if (this->Surface.IsPinched(first))
   {
@@ -141,17 +162,18 @@ bool Reconnection::RemoveEdge(Id u, Id v, Id cell)
   return this->MayRemoveEdge() && this->RemoveEdge(std::max(this->ShapeOfRing(), 0.0) * LeastGain);
 }
 
-bool Reconnection::RemoveEdge(Id u, Id v, Id cell, double wanted)
+bool Reconnection::RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted)
 {
   this->Mesh.Ring(u, v, cell, this->Around);
-  return this->MayRemoveEdge() && this->RemoveEdge(wanted);
+  return this->MayRemoveEdge() &&
+    this->RemoveEdge(std::min(wanted, std::max(this->ShapeOfRing(), 0.0) / 2));
 }
 
 bool Reconnection::MayRemoveEdge() const
 {
   const RefinableRing& ring = this->Around;
   const int n = static_cast<int>(ring.Points.size());
-  return !ring.IsLocked && n >= 3 && n <= LongestRing &&
+  return !ring.IsLocked && n >= (ring.IsClosed ? 3 : 2) && n <= LongestRing &&
     (ring.IsClosed ||
       (!this->Surface.IsLocked(ring.U, ring.V) && !this->Surface.IsRidge(ring.U, ring.V)));
 }
@@ -172,7 +194,10 @@ bool Reconnection::RemoveEdge(double wanted)
   this->Exchange.Old = ring.Cells;
   this->Exchange.Fresh = this->FreshCells;
   this->Exchange.Models.assign(this->FreshCells.size(), ring.Cells.front());
-  this->Exchange.GoneAt = { ring.U, ring.V };
+  for (const SurfacePiece& piece : this->GonePieces)
+  {
+    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
+  }
   for (const SurfacePiece& piece : this->FreshPieces)
   {
     this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });

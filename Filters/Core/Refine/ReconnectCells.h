@@ -28,8 +28,9 @@ public:
 
   bool RemoveEdge(Id u, Id v, Id cell);
 
-  /** The same where the new cells are to be better than `wanted`, at least 0. */
-  bool RemoveEdge(Id u, Id v, Id cell, double wanted);
+  /** The same where the new cells are to be better than `wanted`, at least 0, or half as good as
+   * the old ones. */
+  bool RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted);
   bool RemoveFace(Id cell, int face);
 
   /** The first of these that can be done at the six edges and four faces of a cell. */
@@ -40,6 +41,7 @@ private:
   bool MayRemoveEdge() const;
   bool RemoveEdge(double wanted);
   bool TriangulateRing(double wanted);
+  bool HasCellsBehind(Id cell) const;
   bool TurnDiagonal();
   double ShapeOfTriangle(int i, int j, int k) const;
   void CollectTriangles(int i, int j);

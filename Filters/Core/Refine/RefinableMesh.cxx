@@ -8,23 +8,12 @@
 
 namespace insideout
 {
-namespace
-{
-/** Whether a face has all of some points, of which there are some. */
-bool HasAll(const Triangle& face, const std::vector<Id>& points)
-{
-  return !points.empty() &&
-    std::all_of(points.begin(), points.end(),
-      [&](Id point) { return std::find(face.begin(), face.end(), point) != face.end(); });
-}
-} // namespace
-
 void CellExchange::Clear()
 {
   this->Old.clear();
   this->Fresh.clear();
   this->Models.clear();
-  this->GoneAt.clear();
+  this->Gone.clear();
   this->Facets.clear();
 }
 
@@ -178,7 +167,8 @@ void RefinableMesh::StartTable(std::size_t cells)
 }
 
 /** Enter the faces between the marked cells and the rest. @return how many */
-std::size_t RefinableMesh::EnterWalls(const std::vector<Id>& cells, const std::vector<Id>& goneAt)
+std::size_t RefinableMesh::EnterWalls(
+  const std::vector<Id>& cells, const std::vector<Triangle>& gone)
 {
   std::size_t walls = 0;
   for (const Id cell : cells)
@@ -188,12 +178,16 @@ std::size_t RefinableMesh::EnterWalls(const std::vector<Id>& cells, const std::v
     {
       const Id neighbor = here.Neighbors[k];
       const bool isInner = neighbor != None && this->IsMarked(neighbor);
-      const Triangle face = FaceAcross(here.Corners, k);
-      if (!isInner && (neighbor != None || !HasAll(face, goneAt)))
+      if (isInner)
       {
-        const Triangle corners = SortedTriangle(face).Points;
+        continue;
+      }
+      const Triangle corners = SortedTriangle(FaceAcross(here.Corners, k)).Points;
+      if (neighbor != None || std::find(gone.begin(), gone.end(), corners) == gone.end())
+      {
         this->Slot(corners) = { corners, neighbor,
-          neighbor == None ? 0 : this->MirrorIndex(cell, k), here.Facets[k], this->TableEpoch, false };
+          neighbor == None ? 0 : this->MirrorIndex(cell, k), here.Facets[k], this->TableEpoch,
+          false };
         ++walls;
       }
     }
@@ -258,8 +252,8 @@ std::size_t RefinableMesh::Connect(Id cell)
 }
 
 /**
- * Make a face of the fresh cells a piece of a facet, or a wall, where the cell at it is gone without
- * another. @return 1 where it is on the boundary
+ * Make a face of the fresh cells a piece of a facet, or a wall, where the cell at it is gone
+ * without another. @return 1 where it is on the boundary
  */
 std::size_t RefinableMesh::Place(const FreshFacet& facet)
 {
@@ -279,8 +273,8 @@ std::size_t RefinableMesh::Place(const FreshFacet& facet)
     }
     return 1;
   }
-  this->Cells[cell.Neighbors[pending.Face]]
-    .Facets[this->MirrorIndex(pending.Cell, pending.Face)] = facet.Facet;
+  this->Cells[cell.Neighbors[pending.Face]].Facets[this->MirrorIndex(pending.Cell, pending.Face)] =
+    facet.Facet;
   return 0;
 }
 
@@ -301,7 +295,7 @@ void RefinableMesh::Replace(const CellExchange& exchange)
   {
     this->Mark(cell);
   }
-  const std::size_t walls = this->EnterWalls(exchange.Old, exchange.GoneAt);
+  const std::size_t walls = this->EnterWalls(exchange.Old, exchange.Gone);
   this->FreshContents.clear();
   for (std::size_t i = 0; i < exchange.Fresh.size(); ++i)
   {

@@ -70,8 +70,7 @@ struct CellExchange
   std::vector<Tetrahedron> Fresh;
   std::vector<Id> Models; ///< per fresh cell the old one that it is in the region of
 
-  /** Pieces of facets between and around the old cells that have all these points are gone. */
-  std::vector<Id> GoneAt;
+  std::vector<Triangle> Gone;     ///< pieces of facets around the old cells that go, sorted
   std::vector<FreshFacet> Facets; ///< in place of those
 
   void Clear();
@@ -159,7 +158,7 @@ private:
 
   PendingFace& Slot(const Triangle& sorted);
   void StartTable(std::size_t cells);
-  std::size_t EnterWalls(const std::vector<Id>& cells, const std::vector<Id>& goneAt);
+  std::size_t EnterWalls(const std::vector<Id>& cells, const std::vector<Triangle>& gone);
   void Remove(Id cell);
   Id NewCell(const RefinableCell& content);
   std::size_t Connect(Id cell);

@@ -24,8 +24,8 @@ std::vector<Id> CrossingFacets(
 /** Set the facets of all pieces to the nearest ones of the same label. */
 void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh);
 
-/** How far the first surface's points are from the second at most, but for a small part of
- * `enough`; below that it may be less. */
+/** How far the first surface's points are from the second, as far as samples tell
+ * (TriangleTree::LargestDistanceOf). */
 double LargestDistance(const std::vector<LabelledTriangle>& from,
   const std::vector<LabelledTriangle>& to, double enough);
 } // namespace insideout

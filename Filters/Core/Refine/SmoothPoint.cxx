@@ -101,20 +101,20 @@ Point PointSmoothing::PlaceOnSurface(const Point& place) const
 
 bool PointSmoothing::MoveInFacet(Id point, const Point& place)
 {
-  if (this->Surface.Treatment() == SurfaceTreatment::Remeshed)
+  this->Moved = this->Pieces;
+  for (SurfacePiece& piece : this->Moved)
   {
-    this->Moved = this->Pieces;
-    for (SurfacePiece& piece : this->Moved)
+    for (int k = 0; k < 3; ++k)
     {
-      for (int k = 0; k < 3; ++k)
-      {
-        piece.Places[k] = piece.Corners[k] == point ? place : piece.Places[k];
-      }
+      piece.Places[k] = piece.Corners[k] == point ? place : piece.Places[k];
     }
-    if (!this->Bound.Allows(this->Pieces, this->Moved))
-    {
-      return false;
-    }
+  }
+  const bool isAllowed = this->Surface.Treatment() == SurfaceTreatment::Split
+    ? AreUnfolded(this->Moved, NormalOf(this->Pieces.front()))
+    : this->Bound.Allows(this->Pieces, this->Moved);
+  if (!isAllowed)
+  {
+    return false;
   }
   if (!this->MoveTo(point, place))
   {
@@ -139,7 +139,7 @@ bool PointSmoothing::SmoothInFacet(Id point)
     this->MoveInFacet(point, place);
 }
 
-bool PointSmoothing::Relax(Id point)
+bool PointSmoothing::Relax(Id point, double wanted)
 {
   if (this->Mesh.Kinds[point] != PointKind::InFacet)
   {
@@ -162,8 +162,13 @@ bool PointSmoothing::Relax(Id point)
   {
     return false;
   }
-  return this->MoveInFacet(
-    point, this->PlaceOnSurface({ { mean[0] / weights, mean[1] / weights, mean[2] / weights } }));
+  const Point place =
+    this->PlaceOnSurface({ { mean[0] / weights, mean[1] / weights, mean[2] / weights } });
+  const std::vector<Point>& points = this->Mesh.Points;
+  const double any = -std::numeric_limits<double>::infinity();
+  const double before = WorstShapeAt(points, this->Walls, points[point], any);
+  const double least = std::min(wanted, std::max(before, 0.0) / 2);
+  return WorstShapeAt(points, this->Walls, place, least) > least && this->MoveInFacet(point, place);
 }
 
 bool PointSmoothing::Smooth(Id point)

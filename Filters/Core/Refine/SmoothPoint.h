@@ -25,8 +25,11 @@ public:
   /** @return whether the point moved: only where the worst shape (ShapeOf) around it gets better */
   bool Smooth(Id point);
 
-  /** Move a point amid facets to the middle of those around it, if all cells stay positive. */
-  bool Relax(Id point);
+  /**
+   * Move a point amid facets to the middle of those around it, if the shapes around it are above
+   * `wanted` then, or half as good as before.
+   */
+  bool Relax(Id point, double wanted);
 
 private:
   void Collect(Id point);

@@ -84,7 +84,6 @@ Id EdgeSplitting::Split(SizingField& sizes)
   const Id middle = this->Mesh.AddPoint(this->Middle, kind, size);
   CellExchange exchange;
   exchange.Old = this->Ring.Cells;
-  exchange.GoneAt = { u, v };
   for (const Id c : this->Ring.Cells)
   {
     const RefinableCell& cell = this->Mesh.Cell(c);
@@ -95,6 +94,7 @@ Id EdgeSplitting::Split(SizingField& sizes)
       const Triangle face = FaceAcross(cell.Corners, k);
       if (cell.Facets[k] != None && cell.Corners[k] != u && cell.Corners[k] != v)
       {
+        exchange.Gone.push_back(SortedTriangle(face).Points);
         exchange.Facets.push_back({ With(face, v, middle), cell.Facets[k] });
         exchange.Facets.push_back({ With(face, u, middle), cell.Facets[k] });
         this->Bound.Halve(face, With(face, v, middle), With(face, u, middle));

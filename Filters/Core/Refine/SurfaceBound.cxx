@@ -15,6 +15,16 @@ namespace
 /** Of the angle between a piece and those in whose place it comes: the surface would fold over. */
 constexpr double LeastCosine = 0.4;
 
+/** Height over the longest edge: thinner pieces of a surface may fold over by rounding. */
+constexpr double LeastHeight = 1e-6;
+
+bool IsThin(const std::array<Point, 3>& t)
+{
+  const double longest =
+    std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
+  return !(Length(NormalOf(t[0], t[1], t[2])) > LeastHeight * longest * longest);
+}
+
 Triangle KeyOf(const Triangle& corners)
 {
   return SortedTriangle(corners).Points;
@@ -29,11 +39,6 @@ std::vector<LabelledTriangle> TrianglesOf(const std::vector<FacetOfInput>& facet
     triangles.push_back({ facet.Corners, facet.Label });
   }
   return triangles;
-}
-
-Point NormalOf(const SurfacePiece& piece)
-{
-  return insideout::NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]);
 }
 
 Point CentreOf(const std::array<Point, 3>& t)
@@ -59,10 +64,22 @@ bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfaceP
     [&](const SurfacePiece& piece)
     {
       const Point normal = NormalOf(piece);
-      return Dot(normal, sum) > LeastCosine * Length(normal) * Length(sum);
+      return !IsThin(piece.Places) && Dot(normal, sum) > LeastCosine * Length(normal) * Length(sum);
     });
 }
 } // namespace
+
+Point NormalOf(const SurfacePiece& piece)
+{
+  return insideout::NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]);
+}
+
+bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal)
+{
+  return std::all_of(pieces.begin(), pieces.end(),
+    [&](const SurfacePiece& piece)
+    { return !IsThin(piece.Places) && Dot(NormalOf(piece), normal) > 0; });
+}
 
 SurfaceBound::SurfaceBound(
   const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets, double tolerance)

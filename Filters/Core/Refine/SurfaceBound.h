@@ -19,6 +19,13 @@ struct SurfacePiece
   Id Facet; ///< of the input
 };
 
+/** As long as twice its area. */
+Point NormalOf(const SurfacePiece& piece);
+
+/** Whether pieces of one plane, all seen from one side, look where a normal does. Where cells are
+ * flat their signs do not tell. */
+bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
+
 /**
  * Keeps a remeshed surface near the input's, both ways: no point of it is farther than the
  * tolerance, and neither are the corners, the amids of the edges and the centres of the input's

@@ -12,7 +12,7 @@ namespace insideout
 namespace
 {
 /** Of a triangle into four, until it is clear how far it is: each halves what is not known. */
-constexpr int MostDivisions = 5;
+constexpr int MostDivisions = 3;
 
 /** Of `enough`: what is known so well need not be known better. */
 constexpr double Precision = 0.1;
@@ -114,23 +114,23 @@ TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id h
   return best;
 }
 
-double TriangleTree::LargestDistanceOf(
+TriangleTree::Range TriangleTree::RangeOf(
   const LabelledTriangle& triangle, const Limits& limits, Id hint, int divisions) const
 {
   const auto& [a, b, c] = triangle.Corners;
-  double least = 0;
+  Range range = { 0, std::numeric_limits<double>::infinity() };
   std::array<Id, 3> near;
   for (int k = 0; k < 3; ++k)
   {
     const Nearest nearest = this->NearestTo(triangle.Corners[k], triangle.Label, hint);
     near[k] = hint = nearest.Triangle;
-    least = std::max(least, nearest.Distance);
+    range.Least = std::max(range.Least, nearest.Distance);
   }
   if (hint == None)
   {
-    return least; // there is no triangle of that label
+    return range; // there is no triangle of that label
   }
-  double most = std::numeric_limits<double>::infinity();
+  // The distance from one triangle is convex, so that the corners tell how large it is.
   for (const Id t : near)
   {
     double farthest = 0;
@@ -139,24 +139,29 @@ double TriangleTree::LargestDistanceOf(
       farthest =
         std::max(farthest, Distance(NearestPointOf(this->Triangles[t].Corners, corner), corner));
     }
-    most = std::min(most, farthest);
+    range.Most = std::min(range.Most, farthest);
   }
-  if (most <= limits.Enough || least > limits.TooFar || most - least <= Precision * limits.Enough ||
-    divisions == MostDivisions)
+  if (range.Most <= limits.Enough || range.Least > limits.TooFar ||
+    range.Most - range.Least <= Precision * limits.Enough || divisions == MostDivisions)
   {
-    return most;
+    return range;
   }
   const Point ab = Midpoint(a, b);
   const Point bc = Midpoint(b, c);
   const Point ca = Midpoint(c, a);
-  double largest = 0;
+  range.Most = 0;
   for (const std::array<Point, 3>& part :
-    { std::array<Point, 3>{ { a, ab, ca } }, std::array<Point, 3>{ { ab, b, bc } },
-      std::array<Point, 3>{ { ca, bc, c } }, std::array<Point, 3>{ { bc, ca, ab } } })
+    { std::array<Point, 3>{ { bc, ca, ab } }, std::array<Point, 3>{ { a, ab, ca } },
+      std::array<Point, 3>{ { ab, b, bc } }, std::array<Point, 3>{ { ca, bc, c } } })
   {
-    largest = std::max(
-      largest, this->LargestDistanceOf({ part, triangle.Label }, limits, hint, divisions + 1));
+    const Range ofPart = this->RangeOf({ part, triangle.Label }, limits, hint, divisions + 1);
+    range.Least = std::max(range.Least, ofPart.Least);
+    range.Most = std::max(range.Most, ofPart.Most);
+    if (range.Least > limits.TooFar)
+    {
+      break;
+    }
   }
-  return largest;
+  return range;
 }
 } // namespace insideout

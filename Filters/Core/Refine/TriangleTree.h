@@ -38,22 +38,22 @@ public:
   Nearest NearestTo(const Point& place, Id label, Id hint = None) const;
 
   /**
-   * The largest distance that a point of a triangle has from the triangles of its label: at least
-   * that, and larger than it by a small part of `enough` at most, where it can be told by a few
-   * hundred points. The distance from one triangle is convex, so that the corners tell it.
+   * The largest distance that a point of a triangle has from the triangles of its label, as far as
+   * samples tell, eight along each edge: it may be more by a small part of `enough`, and where the
+   * triangle is not near one other triangle, but several, by what is between samples.
    *
    * @param[in] enough what is below it need not be told more exactly
    */
   double LargestDistanceOf(const LabelledTriangle& triangle, double enough) const
   {
-    return this->LargestDistanceOf(
-      triangle, { enough, std::numeric_limits<double>::infinity() }, None, 0);
+    return this->RangeOf(triangle, { enough, std::numeric_limits<double>::infinity() }, None, 0)
+      .Least;
   }
 
-  /** Whether no point of a triangle is farther than that; no where that cannot be told. */
+  /** Whether no point of a triangle is farther than that; no where samples cannot tell. */
   bool IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const
   {
-    return this->LargestDistanceOf(triangle, { distance, distance }, hint, 0) <= distance;
+    return this->RangeOf(triangle, { distance, distance }, hint, 0).Most <= distance;
   }
 
 private:
@@ -63,7 +63,14 @@ private:
     double Enough;
     double TooFar;
   };
-  double LargestDistanceOf(
+
+  /** Between which the largest distance is. */
+  struct Range
+  {
+    double Least;
+    double Most;
+  };
+  Range RangeOf(
     const LabelledTriangle& triangle, const Limits& limits, Id hint, int divisions) const;
 
   std::vector<LabelledTriangle> Triangles;
