@@ -167,7 +167,8 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
   const PointKind kind = this->Mesh.Kinds[point];
   const bool isRidge = this->Surface.IsRidge(point, target);
   if ((kind != PointKind::InFacet && !(kind == PointKind::OnRidge && isRidge)) ||
-    this->Surface.IsPinched(target) || this->Surface.IsLocked(point, target))
+    this->Surface.IsPinched(target) || this->Surface.IsLocked(point, target) ||
+    (isRidge && !this->Surface.MayContract(point, target)))
   {
     return false;
   }

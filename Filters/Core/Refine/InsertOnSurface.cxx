@@ -141,7 +141,8 @@ bool SurfaceInsertion::WalkTo(PieceOfCell& piece, const Point& place)
 /** Add the pieces of the same facets whose circumcircle holds the place. */
 void SurfaceInsertion::GrowPieces()
 {
-  for (std::size_t next = 0; next < this->Pieces.size(); ++next)
+  for (std::size_t next = 0; next < this->Pieces.size() && this->Cavity.size() <= LargestCavity;
+       ++next)
   {
     const PieceOfCell piece = this->Pieces[next];
     const Triangle t = this->CornersOf(piece);
@@ -164,7 +165,9 @@ void SurfaceInsertion::GrowPieces()
 /** Add the cells whose circumsphere holds the place, up to facets. */
 bool SurfaceInsertion::GrowCavity()
 {
-  for (std::size_t next = 0; next < this->Cavity.size(); ++next)
+  // Of flat cells circumspheres are so large that a cavity might be most of the mesh.
+  for (std::size_t next = 0; next < this->Cavity.size() && this->Cavity.size() <= LargestCavity;
+       ++next)
   {
     const RefinableCell& here = this->Mesh.Cell(this->Cavity[next]);
     for (int k = 0; k < 4; ++k)
@@ -344,7 +347,7 @@ bool SurfaceInsertion::FitsTogether() const
   {
     const auto last = std::find_if(first, edges.end(), [&](const Edge& e) { return e != *first; });
     const bool isRim = std::binary_search(onBoundary.begin(), onBoundary.end(), *first);
-    if (last - first != 2 && !(last - first == 1 && isRim))
+    if (last - first != (isRim ? 1 : 2))
     {
       return false;
     }
@@ -412,6 +415,11 @@ bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
 
 bool SurfaceInsertion::FindOnFacet(PieceOfCell piece, const Point& place)
 {
+  this->Met = EdgeOfCell();
+  if (this->Surface.IsLocked(this->FacetOf(piece)))
+  {
+    return false;
+  }
   const std::array<Point, 3>& t = this->Surface.Facet(this->FacetOf(piece)).Corners;
   const Point normal = NormalOf(t[0], t[1], t[2]);
   const double height = Dot(Difference(place, t[0]), normal) / Dot(normal, normal);

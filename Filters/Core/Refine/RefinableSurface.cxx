@@ -42,11 +42,12 @@ RefinableSurface::RefinableSurface(RefinableMesh& mesh, const std::vector<FacetO
   const std::vector<char>& locked, SurfaceTreatment treatment, double featureAngle)
   : Mesh(mesh)
   , Facets(facets)
+  , Locked(locked)
   , How(treatment)
 {
   this->FindPinched();
-  this->FindRidges(locked, featureAngle);
-  this->SetKinds(locked, featureAngle);
+  this->FindRidges(featureAngle);
+  this->SetKinds(featureAngle);
 }
 
 void RefinableSurface::FindPinched()
@@ -79,7 +80,7 @@ bool RefinableSurface::MustBeRidge(const EdgeUse* first, const EdgeUse* last, do
     first[0].Regions != first[1].Regions || DifferByMore(first[0].Normal, first[1].Normal, cosine);
 }
 
-void RefinableSurface::FindRidges(const std::vector<char>& locked, double featureAngle)
+void RefinableSurface::FindRidges(double featureAngle)
 {
   std::vector<EdgeUse> uses;
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
@@ -111,8 +112,7 @@ void RefinableSurface::FindRidges(const std::vector<char>& locked, double featur
     const auto ofBoundary =
       std::count_if(first, last, [](const EdgeUse& use) { return use.Regions[1] == None; });
     const bool isKept = ofBoundary > 2 ||
-      std::any_of(
-        first, last, [&](const EdgeUse& use) { return !locked.empty() && locked[use.Facet] != 0; });
+      std::any_of(first, last, [&](const EdgeUse& use) { return this->IsLocked(use.Facet); });
     if (isKept || this->How != SurfaceTreatment::Remeshed ||
       this->MustBeRidge(&*first, &*first + (last - first), cosine))
     {
@@ -122,7 +122,7 @@ void RefinableSurface::FindRidges(const std::vector<char>& locked, double featur
   }
 }
 
-void RefinableSurface::SetKinds(const std::vector<char>& locked, double featureAngle)
+void RefinableSurface::SetKinds(double featureAngle)
 {
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
@@ -131,8 +131,8 @@ void RefinableSurface::SetKinds(const std::vector<char>& locked, double featureA
     {
       if (cell.Facets[k] != None)
       {
-        const bool isFixed = this->How != SurfaceTreatment::Remeshed ||
-          (!locked.empty() && locked[cell.Facets[k]] != 0);
+        const bool isFixed =
+          this->How != SurfaceTreatment::Remeshed || this->IsLocked(cell.Facets[k]);
         for (const Id corner : FaceAcross(cell.Corners, k))
         {
           PointKind& kind = this->Mesh.Kinds[corner];
@@ -185,19 +185,33 @@ void RefinableSurface::Split(Id u, Id v, Id middle)
   }
 }
 
-void RefinableSurface::Contract(Id point, Id target)
+/** The other end of the other edge of the ridge at a point, None where it ends there. */
+Id RefinableSurface::NextOnRidge(Id point, Id before) const
 {
-  // The other ridge at the point is looked for among its neighbours.
   std::vector<Id> star;
   this->Mesh.Star(point, star);
-  Id next = None;
   for (const Id cell : star)
   {
     for (const Id other : this->Mesh.Cell(cell).Corners)
     {
-      next = other != point && other != target && this->IsRidge(point, other) ? other : next;
+      if (other != point && other != before && this->IsRidge(point, other))
+      {
+        return other;
+      }
     }
   }
+  return None;
+}
+
+bool RefinableSurface::MayContract(Id point, Id target) const
+{
+  const Id next = this->NextOnRidge(point, target);
+  return next == None || !this->IsRidge(target, next);
+}
+
+void RefinableSurface::Contract(Id point, Id target)
+{
+  const Id next = this->NextOnRidge(point, target);
   this->Ridges.erase(EdgeBetween(point, target));
   if (next != None && this->Ridges.erase(EdgeBetween(point, next)) > 0)
   {

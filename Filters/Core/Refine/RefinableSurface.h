@@ -37,7 +37,7 @@ public:
    * fixed. Remeshed: an edge is a ridge where the normals of its two facets differ by more than an
    * angle, and where not two of one label and of the same regions meet.
    *
-   * @param[in] facets by their ids in the mesh
+   * @param[in] facets by their ids in the mesh; these, and `locked`, have to live as long
    * @param[in] locked per facet whether it stays as it is; empty: none does
    * @param[in] featureAngle in degrees
    */
@@ -50,7 +50,15 @@ public:
   /** Whether an edge of facets has to stay where it is. */
   bool IsRidge(Id u, Id v) const { return this->Ridges.count(EdgeBetween(u, v)) > 0; }
 
-  /** Whether an edge of facets has to stay as it is: where more than two of the boundary meet. */
+  /** Whether a facet has to stay as it is. */
+  bool IsLocked(Id facet) const
+  {
+    return this->How == SurfaceTreatment::Kept ||
+      (!this->Locked.empty() && this->Locked[facet] != 0);
+  }
+
+  /** Whether an edge of facets has to stay as it is: at a locked facet, and where more than two of
+   * the boundary meet. */
   bool IsLocked(Id u, Id v) const;
 
   /** Whether not all cells around a point can be reached from one of them through faces at it. */
@@ -62,18 +70,24 @@ public:
   /** A point was inserted in an edge of facets. */
   void Split(Id u, Id v, Id middle);
 
+  /** Whether a point on a ridge may go into the next one: a ridge around three edges would close
+   * up, and what is within would be gone. */
+  bool MayContract(Id point, Id target) const;
+
   /** A point on a ridge is to go into the next one; the ridge goes on from there. */
   void Contract(Id point, Id target);
 
 private:
   struct EdgeUse;
+  Id NextOnRidge(Id point, Id before) const;
   void FindPinched();
-  void FindRidges(const std::vector<char>& locked, double featureAngle);
+  void FindRidges(double featureAngle);
   bool MustBeRidge(const EdgeUse* first, const EdgeUse* last, double cosine) const;
-  void SetKinds(const std::vector<char>& locked, double featureAngle);
+  void SetKinds(double featureAngle);
 
   RefinableMesh& Mesh;
   const std::vector<FacetOfInput>& Facets;
+  const std::vector<char>& Locked;
   const SurfaceTreatment How;
   std::unordered_map<Edge, bool, HashOfEdge> Ridges; ///< with whether they are locked
   std::vector<char> Pinched;

@@ -224,8 +224,9 @@ RefinableMesh RunUntilNothingCrosses(const TetrahedralMesh& mesh, const std::vec
   }
 }
 
-/** How far the surfaces before and after are apart. */
-void CompareSurfaces(const RefinableMesh& mesh, const SurfaceOfRun& run, Statistics& statistics)
+/** How far the surfaces before and after are apart. @throws Error Stopped */
+void CompareSurfaces(
+  const RefinableMesh& mesh, const SurfaceOfRun& run, Statistics& statistics, Monitor& monitor)
 {
   std::vector<LabelledTriangle> before;
   for (const FacetOfInput& facet : run.Facets)
@@ -238,9 +239,11 @@ void CompareSurfaces(const RefinableMesh& mesh, const SurfaceOfRun& run, Statist
     after.push_back({ piece.Places, run.Facets[piece.Facet].Label });
   }
   const double enough = run.Tolerance / 4; // what is as near need not be told
+  const ProgressRange atEnd = { Stages::Refining, 1, 1 };
   statistics.emplace_back("SurfaceTolerance", run.Tolerance);
-  statistics.emplace_back("SurfaceDistance", LargestDistance(after, before, enough));
-  statistics.emplace_back("InputDistance", LargestDistance(before, after, enough));
+  statistics.emplace_back(
+    "SurfaceDistance", LargestDistance(after, before, enough, monitor, atEnd));
+  statistics.emplace_back("InputDistance", LargestDistance(before, after, enough, monitor, atEnd));
 }
 
 Id CountSurfacePoints(const RefinableMesh& mesh, std::size_t before)
@@ -267,7 +270,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   RefinableMesh refinable = RunUntilNothingCrosses(mesh, regions, run, parameters, monitor);
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    FindNearestFacets(run.Facets, refinable);
+    FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });
   }
 
   RefinedMesh result = Compress(refinable, mesh, regions, run.Facets);
@@ -304,7 +307,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   }
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    CompareSurfaces(refinable, run, result.Statistics);
+    CompareSurfaces(refinable, run, result.Statistics, monitor);
   }
   return result;
 }

@@ -81,7 +81,8 @@ std::vector<Id> CrossingFacets(
   return crossing;
 }
 
-void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh)
+void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh,
+  Monitor& monitor, const ProgressRange& progress)
 {
   std::vector<LabelledTriangle> triangles;
   for (const FacetOfInput& facet : facets)
@@ -89,7 +90,7 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
     triangles.push_back({ facet.Corners, facet.Label });
   }
   const TriangleTree tree(std::move(triangles));
-  ParallelLoop(mesh.NumberOfCells(), CostOfDistance,
+  ParallelLoop(mesh.NumberOfCells(), CostOfDistance, monitor, progress,
     [&](Id c)
     {
       for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
@@ -109,12 +110,13 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
     });
 }
 
-double LargestDistance(
-  const std::vector<LabelledTriangle>& from, const std::vector<LabelledTriangle>& to, double enough)
+double LargestDistance(const std::vector<LabelledTriangle>& from,
+  const std::vector<LabelledTriangle>& to, double enough, Monitor& monitor,
+  const ProgressRange& progress)
 {
   const TriangleTree tree(to);
   std::vector<double> distances(from.size());
-  ParallelLoop(from.size(), CostOfDistance,
+  ParallelLoop(from.size(), CostOfDistance, monitor, progress,
     [&](std::size_t i) { distances[i] = tree.LargestDistanceOf(from[i], enough); });
   return distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
 }

@@ -21,11 +21,21 @@ std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh);
 std::vector<Id> CrossingFacets(
   const RefinableMesh& mesh, Monitor& monitor, const ProgressRange& progress);
 
-/** Set the facets of all pieces to the nearest ones of the same label. */
-void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh);
+/**
+ * Set the facets of all pieces to the nearest ones of the same label.
+ *
+ * @throws Error Stopped
+ */
+void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh,
+  Monitor& monitor, const ProgressRange& progress);
 
-/** How far the first surface's points are from the second, as far as samples tell
- * (TriangleTree::LargestDistanceOf). */
+/**
+ * How far the first surface's points are from the second, as far as samples tell
+ * (TriangleTree::LargestDistanceOf).
+ *
+ * @throws Error Stopped
+ */
 double LargestDistance(const std::vector<LabelledTriangle>& from,
-  const std::vector<LabelledTriangle>& to, double enough);
+  const std::vector<LabelledTriangle>& to, double enough, Monitor& monitor,
+  const ProgressRange& progress);
 } // namespace insideout

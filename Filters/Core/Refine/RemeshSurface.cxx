@@ -61,6 +61,12 @@ struct SurfaceEdge
   }
 };
 
+/** Where no step forward is to be told, but only whether to go on. */
+ProgressRange AtEndOf(const ProgressRange& progress)
+{
+  return { progress.Stage, progress.End, progress.End };
+}
+
 class SurfaceRemeshing
 {
 public:
@@ -111,13 +117,16 @@ public:
         this->EdgesWithin(LongestEdge, std::numeric_limits<double>::infinity());
       std::reverse(edges.begin(), edges.end());
       std::size_t splits = 0;
-      for (const SurfaceEdge& edge : edges)
+      const double part = progress.At(static_cast<double>(round) / MostRoundsOfSplits);
+      const LoopProgress looked(monitor, { progress.Stage, part, part }, edges.size());
+      for (std::size_t i = 0; i < edges.size(); ++i)
       {
+        looked.Check(i);
+        const SurfaceEdge& edge = edges[i];
         const bool isSplit =
           this->IsThere(edge) && this->MaySplit(edge) && this->SplitEdge({ edge.Ends, edge.Cell });
         splits += isSplit ? 1 : 0;
       }
-      monitor.Check(progress.Stage, progress.At(static_cast<double>(round) / MostRoundsOfSplits));
       if (splits == 0)
       {
         return;
@@ -125,10 +134,14 @@ public:
     }
   }
 
-  void ContractShortEdges()
+  void ContractShortEdges(Monitor& monitor, const ProgressRange& progress)
   {
-    for (const SurfaceEdge& edge : this->EdgesWithin(0, ShortestEdge))
+    const std::vector<SurfaceEdge> edges = this->EdgesWithin(0, ShortestEdge);
+    const LoopProgress looked(monitor, AtEndOf(progress), edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i)
     {
+      looked.Check(i);
+      const SurfaceEdge& edge = edges[i];
       if (this->IsThere(edge) && !this->ContractInto(edge.Ends[0], edge.Ends[1]))
       {
         this->ContractInto(edge.Ends[1], edge.Ends[0]);
@@ -136,10 +149,15 @@ public:
     }
   }
 
-  void TurnDiagonals()
+  void TurnDiagonals(Monitor& monitor, const ProgressRange& progress)
   {
-    for (const SurfaceEdge& edge : this->EdgesWithin(0, std::numeric_limits<double>::infinity()))
+    const std::vector<SurfaceEdge> edges =
+      this->EdgesWithin(0, std::numeric_limits<double>::infinity());
+    const LoopProgress looked(monitor, AtEndOf(progress), edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i)
     {
+      looked.Check(i);
+      const SurfaceEdge& edge = edges[i];
       const auto [u, v] = edge.Ends;
       if (this->IsThere(edge) && !this->Surface.IsRidge(u, v) && this->IsBadDiagonal(edge))
       {
@@ -148,10 +166,12 @@ public:
     }
   }
 
-  void MovePoints()
+  void MovePoints(Monitor& monitor, const ProgressRange& progress)
   {
+    const LoopProgress looked(monitor, AtEndOf(progress), this->Mesh.Points.size());
     for (Id p = 0; p < static_cast<Id>(this->Mesh.Points.size()); ++p)
     {
+      looked.Check(static_cast<std::size_t>(p));
       if (this->Mesh.CellAt(p) != None)
       {
         this->Smooth.Relax(p, this->Acceptable);
@@ -358,12 +378,10 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     else
     {
       remeshing.SplitLongEdges(monitor, part);
-      remeshing.ContractShortEdges();
-      monitor.Check(part.Stage, part.End);
+      remeshing.ContractShortEdges(monitor, part);
     }
-    remeshing.TurnDiagonals();
-    monitor.Check(part.Stage, part.End);
-    remeshing.MovePoints();
+    remeshing.TurnDiagonals(monitor, part);
+    remeshing.MovePoints(monitor, part);
     monitor.Check(part.Stage, part.End);
   }
 }

@@ -3,7 +3,6 @@
 
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
-#include "Refine/CellShape.h"
 #include "Refine/QuadraticCells.h"
 
 #include <algorithm>
@@ -44,33 +43,6 @@ bool EdgeSplitting::Find(Id u, Id v, Id cell)
       return Orient3D(first[0], first[1], first[2], first[3]) > 0 &&
         Orient3D(second[0], second[1], second[2], second[3]) > 0;
     });
-}
-
-double EdgeSplitting::WorstShapeBefore() const
-{
-  double worst = 1;
-  for (const Id c : this->Ring.Cells)
-  {
-    worst = std::min(worst, ShapeOf(this->Mesh.Points, this->Mesh.Cell(c).Corners));
-  }
-  return worst;
-}
-
-double EdgeSplitting::WorstShapeAfter() const
-{
-  const std::vector<Point>& points = this->Mesh.Points;
-  double worst = 1;
-  for (const Id c : this->Ring.Cells)
-  {
-    const Tetrahedron& t = this->Mesh.Cell(c).Corners;
-    for (const Id end : { this->Ring.U, this->Ring.V })
-    {
-      std::array<Point, 4> places = CornersOf(points, t);
-      places[this->Mesh.CornerIndex(c, end)] = this->Middle;
-      worst = std::min(worst, ShapeOf(places[0], places[1], places[2], places[3]));
-    }
-  }
-  return worst;
 }
 
 Id EdgeSplitting::Split(SizingField& sizes)

@@ -26,10 +26,6 @@ public:
    */
   bool Find(Id u, Id v, Id cell);
 
-  /** The worst shape (ShapeOf) of the cells around the edge, as they are and as they would be. */
-  double WorstShapeBefore() const;
-  double WorstShapeAfter() const;
-
   /** Split the edge that was found. @return the point */
   Id Split(SizingField& sizes);
 

@@ -4,6 +4,9 @@
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
+#include "Refine/MakeRefinable.h"
+#include "Refine/RefinedSurface.h"
+#include "Refine/RemeshSurface.h"
 #include "Support/RefinementLaws.h"
 #include "Support/TestTetrahedra.h"
 
@@ -217,6 +220,29 @@ TEST(RemeshedSurface, KeepsTheEdgesOfACubeAndThoseBetweenLabels)
   }
 }
 
+TEST(RemeshedSurface, KeepsTheSmallestLabels)
+{
+  // A square amid a side of a cube, smaller than the tolerance, whose corners are smooth enough.
+  const TetrahedralMesh cube = EvenGrid(6);
+  RefinementParameters parameters = Remeshed(1000, 1000);
+  parameters.FeatureAngle = 100;
+  parameters.Labels.assign(cube.Cells.size(), { { 0, 0, 0, 0 } });
+  for (std::size_t c = 0; c < cube.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto places = CornersOf(cube.Points, FaceOf(cube.Cells[c], k));
+      const bool isAmid = std::all_of(places.begin(), places.end(),
+        [](const Point& p)
+        { return p[2] == 0 && std::abs(p[0] - 300) <= 100 && std::abs(p[1] - 300) <= 100; });
+      parameters.Labels[c][k] = isAmid ? 1 : 0;
+    }
+  }
+  const RefinedMesh refined = Refined(cube, {}, parameters);
+  ExpectRemeshingLaws(cube, {}, refined, 1000);
+  EXPECT_LE(StatisticOf(refined, "InputDistance"), 1000);
+}
+
 TEST(SplitSurface, HasNoLongEdgesWhereShortOnesAreAskedFor)
 {
   const TetrahedralMesh cube = EvenGrid(1);
@@ -238,6 +264,34 @@ TEST(SplitSurface, HasNoLongEdgesWhereShortOnesAreAskedFor)
   }
   EXPECT_LT(longest, 1.4 * 20);
   EXPECT_GT(StatisticOf(refined, "SurfacePoints"), 6 * 20);
+}
+
+TEST(SplitSurface, LeavesLockedFacetsWhole)
+{
+  const TetrahedralMesh cube = EvenGrid(1);
+  const std::vector<FacetOfInput> facets = FacetsOf(cube, {}, {});
+  SizingParameters lengths;
+  lengths.EdgeLength = 20;
+  for (std::size_t kept = 0; kept < facets.size(); ++kept)
+  {
+    std::vector<char> locked(facets.size(), 0);
+    locked[kept] = 1;
+    RefinableMesh mesh = MakeRefinable(cube, {}, facets);
+    RefinableSurface surface(mesh, facets, locked, SurfaceTreatment::Split, 30);
+    SurfaceBound none;
+    SizingField sizes(mesh, lengths);
+    Monitor monitor;
+    RemeshSurface(mesh, surface, none, sizes, monitor, { "", 0, 1 });
+    std::vector<int> pieces(facets.size(), 0);
+    for (const SurfacePiece& piece : PiecesOf(mesh))
+    {
+      ++pieces[piece.Facet];
+    }
+    for (std::size_t f = 0; f < facets.size(); ++f)
+    {
+      EXPECT_EQ(pieces[f] == 1, f == kept) << "facet " << f << " of " << pieces[f] << " pieces";
+    }
+  }
 }
 
 TEST(SplitSurface, MakesNeedlesOfASurfaceGoodCells)
