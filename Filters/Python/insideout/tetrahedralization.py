@@ -58,7 +58,8 @@ class Tetrahedralization(Result):
     @property
     def regions(self) -> list[Region]:
         """The parts of the solid that faces connect, by their `RegionId`."""
-        fields = self.hull.GetFieldData()
+        # What a remeshed boundary encloses is told by the solid; one that is empty has no regions.
+        fields = (self.solid if self.solid.GetFieldData().HasArray("RegionVolume") else self.hull).GetFieldData()
         volumes, centers, inertias = (
             vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")
         )
