@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Common/PlanarPoint.h"
 #include "Common/Types.h"
 
 #include <cstdint>
@@ -9,8 +10,6 @@
 
 namespace insideout
 {
-using PlanarPoint = std::array<double, 2>;
-
 /** A line from one point to another, and how often it counts that way. */
 struct CountedSegment
 {
@@ -34,12 +33,18 @@ struct CountedSegment
 class PolylineWindingNumber
 {
 public:
-  /** @param[in] points finite, also their differences */
-  PolylineWindingNumber(
-    std::vector<PlanarPoint> points, const std::vector<CountedSegment>& segments);
+  /**
+   * @param[in] points finite, also their differences
+   * @param[in] metric which angles are those of
+   */
+  PolylineWindingNumber(std::vector<PlanarPoint> points,
+    const std::vector<CountedSegment>& segments, const PlanarMetric& metric = PlanarMetric());
 
   /** At one finite point. Safe to call from several threads. */
   double At(const PlanarPoint& p) const;
+
+  /** At the mean of three finite points, the exact one, which may be no double. Slower. */
+  double AtMean(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const;
 
   /**
    * One value per point, on as many threads as that is worth.
@@ -70,10 +75,15 @@ private:
   void Build(std::size_t begin, std::size_t end);
   std::vector<LooseEnd> LooseEndsOf(std::size_t begin, std::size_t end) const;
   double Argument(Id point, const PlanarPoint& p) const;
-  double WhollyLeft(const Node& node, const PlanarPoint& p) const;
-  double Crossing(const CountedSegment& segment, const PlanarPoint& p) const;
+  template <typename Place>
+  double WhollyLeft(const Node& node, const Place& place) const;
+  template <typename Place>
+  double Crossing(const CountedSegment& segment, const Place& place) const;
+  template <typename Place>
+  double AtPlace(const Place& place) const;
 
   std::vector<PlanarPoint> Points;
+  PlanarMetric Metric;
   std::vector<CountedSegment> Segments;
   std::vector<LooseEnd> LooseEnds;
   std::vector<Node> Nodes;
