@@ -183,9 +183,11 @@ def temporary_folder() -> Iterator[str]:
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> None:
-    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats). Raises `Error` that names the file."""
+    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats), lines as .vtp. Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
+    if ending(path) != ".vtp" and surface.GetNumberOfLines() > 0 and surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise Error(f"{path}: the boundary is lines, which only .vtp files hold here")
     if ending(path) == ".vtp":
         write_data(surface, path)
         return

@@ -89,7 +89,7 @@ std::map<std::array<Point, 2>, Id> FirstOfEach(const SegmentSoup& soup)
 double DistanceFromLine(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& p)
 {
   const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-  return std::abs(Turn(Exact(a), Exact(b), Exact(p)).convert_to<double>()) / length;
+  return std::abs(CGAL::to_double(Turn(Exact(a), Exact(b), Exact(p)))) / length;
 }
 } // namespace
 
