@@ -327,7 +327,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      if (vtkInsideOutDimensionOf(input, this->Dimension) == DIMENSION_2)
+      if (vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2)
       {
         this->MakeTriangles(inputVector, outputVector);
         return;

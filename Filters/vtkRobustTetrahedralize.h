@@ -127,8 +127,8 @@ public:
   /**
    * How many dimensions the input has. 2: lines or polygons in a plane, to become triangles. 3: a
    * surface, to become tetrahedra. DIMENSION_AUTOMATIC (0): 2 for lines without polygons and for
-   * polygons in one plane exactly, or but for rounding in double precision, which a warning says;
-   * else 3. Default DIMENSION_AUTOMATIC, range 0, 2 and 3.
+   * polygons in one plane exactly, or but for rounding in double precision, which a warning says,
+   * unless Thicken makes slabs of them; else 3. Default DIMENSION_AUTOMATIC, range 0, 2 and 3.
    */
   vtkSetClampMacro(Dimension, int, DIMENSION_AUTOMATIC, DIMENSION_3);
   vtkGetMacro(Dimension, int);

@@ -222,7 +222,7 @@ std::string NotFlat(const Plane& plane)
 }
 } // namespace
 
-int vtkInsideOutDimensionOf(vtkPolyData* input, int asked)
+int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens)
 {
   if (asked != 0 && asked != 2 && asked != 3)
   {
@@ -235,6 +235,10 @@ int vtkInsideOutDimensionOf(vtkPolyData* input, int asked)
   if (!HasPolygons(input))
   {
     return input->GetNumberOfLines() > 0 ? 2 : 3;
+  }
+  if (thickens)
+  {
+    return 3;
   }
   try
   {

@@ -32,12 +32,13 @@ struct vtkInsideOutCurve
 
 /**
  * How many dimensions an input has: 2 for lines without polygons, and for polygons in one plane
- * exactly or but for rounding in double precision; else 3.
+ * exactly or but for rounding in double precision, unless they get a thickness; else 3.
  *
  * @param[in] asked 2 or 3 for what somebody asked for, 0 to look
+ * @param[in] thickens whether polygons become slabs
  * @throws insideout::Error when something else is asked for
  */
-int vtkInsideOutDimensionOf(vtkPolyData* input, int asked);
+int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens);
 
 /**
  * The segments of the lines, polylines too; or, where there are polygons or strips, of their edges,

@@ -335,7 +335,7 @@ class BadInput(unittest.TestCase):
             with self.subTest(name):
                 printed = []
                 with what_is_printed(printed), self.assertRaises(insideout.Error) as caught:
-                    insideout.tetrahedralize(surface)
+                    insideout.tetrahedralize(surface, dimension=3)
                 self.assertIn(expected, str(caught.exception))
                 self.assertNotIn("\n", str(caught.exception))
                 self.assertNotIn("0x", str(caught.exception))
@@ -357,6 +357,8 @@ class BadInput(unittest.TestCase):
                     self.check_filter(make(), surface, expected)
 
     def check_filter(self, algorithm, surface, expected):
+        if hasattr(algorithm, "SetDimension"):
+            algorithm.SetDimension(3)
         algorithm.SetInputData(surfaces.box())
         insideout.pipeline.run(algorithm)
         self.assertGreater(algorithm.GetOutputDataObject(0).GetNumberOfCells(), 0)

@@ -113,8 +113,11 @@ void CollectSegments(const SegmentSoup& soup, bool countDuplicates, CountedCurve
     curve.SourceOffsets.push_back(static_cast<Id>(curve.Sources.size()));
     const long multiplicity = CountGroup(soup, segments, first, last, countDuplicates);
     curve.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
-    counted.Counts.DuplicateSegments += static_cast<Id>(last - first - 1);
-    counted.Counts.CancelledSegments += last - first > 1 && multiplicity == 0;
+    if (soup.Multiplicity.empty()) // polygons side by side have edges in common
+    {
+      counted.Counts.DuplicateSegments += static_cast<Id>(last - first - 1);
+      counted.Counts.CancelledSegments += last - first > 1 && multiplicity == 0;
+    }
   }
   curve.NumberOfConstraints = curve.NumberOfSegments();
 }

@@ -12,6 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_QUADRATIC_TETRA,
+    VTK_TRIANGLE,
     vtkCellArray,
     vtkCompositeDataSet,
     vtkDataObject,
@@ -225,6 +226,11 @@ class Polylines(_Views, vtkPolyData):
             return []
         offsets = vtk_to_numpy(lines.GetOffsetsArray())
         return np.split(vtk_to_numpy(lines.GetConnectivityArray()), offsets[1:-1])
+
+
+def is_flat(grid: vtkUnstructuredGrid) -> bool:
+    """Whether its cells are triangles."""
+    return bool(grid.GetNumberOfCells() > 0 and grid.GetCellType(0) == VTK_TRIANGLE)
 
 
 def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:

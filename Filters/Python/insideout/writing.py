@@ -8,9 +8,9 @@ from typing import Literal, Mapping, Optional, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
-from .data import Tetrahedra, Triangles, as_type
+from .data import Tetrahedra, Triangles, as_type, is_flat
 from .exporting import import_meshio, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
 from .pipeline import Error, one_of, write_bytes
@@ -83,11 +83,6 @@ def write_solid(
         _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
     else:
         write_grid(grid, path)
-
-
-def is_flat(grid: vtkUnstructuredGrid) -> bool:
-    """Whether its cells are triangles."""
-    return bool(grid.GetNumberOfCells() > 0 and grid.GetCellType(0) == VTK_TRIANGLE)
 
 
 def check_format(path: Path) -> None:
