@@ -76,8 +76,8 @@ std::vector<double> Evaluate(
   }
   const PolylineWindingNumber number(curve.Points, segments, metric);
   std::vector<double> w(mesh.Cells.size());
-  const double nanosecondsPerEnd = 20;
-  const double cost = 1000 + nanosecondsPerEnd * NumberOfOpenEnds(curve);
+  const double nanosecondsPerCell = 3000;
+  const double cost = nanosecondsPerCell;
   ChunkedLoop(mesh.NumberOfCells(), cost, monitor, { Stages::WindingNumbers, 0, 1 },
     [&](Id cell)
     {

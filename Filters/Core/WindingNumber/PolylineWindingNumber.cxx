@@ -101,6 +101,12 @@ PolylineWindingNumber::PolylineWindingNumber(std::vector<PlanarPoint> points,
     }
   }
   this->LooseEnds = this->LooseEndsOf(0, this->Segments.size());
+  std::vector<CountedPlace> ends;
+  for (const LooseEnd& end : this->LooseEnds)
+  {
+    ends.push_back({ this->Points[end.Point], static_cast<double>(end.Count) });
+  }
+  this->Arguments = ArgumentSum(std::move(ends), metric);
   if (!this->Segments.empty())
   {
     this->Build(0, this->Segments.size());
@@ -226,11 +232,7 @@ double PolylineWindingNumber::AtPlace(const Place& place) const
 {
   const PlanarPoint low = place.Low();
   const PlanarPoint high = place.High();
-  double w = 0;
-  for (const LooseEnd& end : this->LooseEnds)
-  {
-    w += static_cast<double>(end.Count) * this->Argument(end.Point, place.Rounded);
-  }
+  double w = this->Arguments.At(place.Rounded);
   std::vector<std::size_t> stack;
   if (!this->Nodes.empty())
   {

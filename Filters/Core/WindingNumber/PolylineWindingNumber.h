@@ -4,6 +4,7 @@
 #include "Common/Monitor.h"
 #include "Common/PlanarPoint.h"
 #include "Common/Types.h"
+#include "WindingNumber/ArgumentSum.h"
 
 #include <cstdint>
 #include <vector>
@@ -26,7 +27,7 @@ struct CountedSegment
  * crosses the ray to the left of the point, a whole turn. Summed over the segments the differences
  * leave one argument per loose end, so that a closed polyline needs none: its winding number is a
  * count of crossings, decided by exact predicates and found in a tree whose nodes know their own
- * loose ends.
+ * loose ends. The arguments of many loose ends are summed in a tree, too (ArgumentSum.h).
  *
  * On a segment w is the mean of both sides, in a closed polygon's corner the angle over 2 pi.
  */
@@ -86,6 +87,7 @@ private:
   PlanarMetric Metric;
   std::vector<CountedSegment> Segments;
   std::vector<LooseEnd> LooseEnds;
+  ArgumentSum Arguments; ///< of the loose ends
   std::vector<Node> Nodes;
 };
 } // namespace insideout
