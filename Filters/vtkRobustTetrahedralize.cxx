@@ -310,8 +310,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
   vtkPolyData::GetData(outputVector, 2)->ShallowCopy(triangles.Outliers);
   if (this->Dimension == DIMENSION_AUTOMATIC)
   {
-    vtkWarningMacro(<< (curve.ArePolygons ? "the polygons lie in one plane" : "the input is lines")
-                    << ": two dimensions, triangles instead of tetrahedra");
+    vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(curve) });
   }
   vtkInsideOutWarn(this, triangles.Warnings);
   if (this->Thicken > 0)

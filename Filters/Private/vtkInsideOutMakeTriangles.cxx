@@ -8,7 +8,10 @@
 
 #include "Common/Stages.h"
 #include "Planar/PlanarOutputs.h"
+#include "Planar/ResolveSegments.h"
+#include "Planar/SegmentMeetings.h"
 #include "Planar/SegmentTriangles.h"
+#include "Planar/TriangulateHull.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -65,6 +68,7 @@ public:
   }
 
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid();
+  vtkSmartPointer<vtkPolyData> MakeResolved();
   vtkSmartPointer<vtkPolyData> MakeBoundary(const std::vector<unsigned char>& inside);
   vtkSmartPointer<vtkPolyData> MakeOutliers(const std::vector<insideout::OutlierSegment>& outliers);
   void AddLeftOutCells(vtkDataSet* output) const;
@@ -113,7 +117,10 @@ vtkSmartPointer<vtkUnstructuredGrid> Maker::MakeGrid()
   grid->SetCells(VTK_TRIANGLE, vtkInsideOutMakeCells(mesh.Cells));
   grid->GetCellData()->AddArray(facetIds);
   grid->GetCellData()->AddArray(multiplicity);
-  grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", this->Hull.W));
+  if (!this->Hull.W.empty())
+  {
+    grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", this->Hull.W));
+  }
   vtkInsideOutAttributes::PassPointData(
     this->Curve.Input, this->Origins, grid->GetPointData(), this->Warnings);
   grid->GetFieldData()->AddArray(
@@ -160,6 +167,34 @@ vtkSmartPointer<vtkPolyData> Maker::MakeLines(const std::vector<Segment>& segmen
     this->Curve.Input, origins, output->GetPointData(), this->Warnings);
   vtkInsideOutAttributes::PassCellData(
     this->Curve.Input, cells, added, output->GetCellData(), this->Warnings);
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> Maker::MakeResolved()
+{
+  const insideout::SegmentComplex& curve = this->Hull.Curve;
+  using Key = std::pair<vtkIdType, short>;
+  std::vector<Segment> segments;
+  std::vector<Key> keys;
+  std::map<Key, Id> numbers;
+  std::vector<Id> numberOf;
+  for (Id s = 0; s < curve.NumberOfConstraints; ++s)
+  {
+    segments.push_back(curve.Segments[s]);
+    keys.emplace_back(this->CellOf(s, +1), curve.Multiplicity[s]);
+    numberOf.push_back(numbers.emplace(keys.back(), static_cast<Id>(numbers.size())).first->second);
+  }
+  const std::vector<std::vector<Id>> lines = insideout::JoinAlong(segments, numberOf);
+  std::vector<vtkIdType> cells;
+  std::vector<short> multiplicity;
+  for (const std::vector<Id>& line : lines)
+  {
+    cells.push_back(keys[line.front()].first);
+    multiplicity.push_back(keys[line.front()].second);
+  }
+  auto output = this->MakeLines(segments, lines, cells, {});
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", multiplicity));
   return output;
 }
 
@@ -319,16 +354,103 @@ std::string NothingInside(const PlanarHull& hull)
 }
 } // namespace
 
-vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
-  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
-  const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
+namespace
 {
-  insideout::PlanarHullParameters parameters = options.Hull;
+PlanarHull MakeHull(const vtkInsideOutCurve& curve, insideout::PlanarHullParameters parameters,
+  insideout::Monitor& monitor)
+{
   if (curve.ArePolygons)
   {
     parameters.Orientation = insideout::Orientation::AsGiven; // they were turned when read
   }
-  const PlanarHull hull = MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor);
+  return MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor);
+}
+
+/** An output of a stage with what is told of all. */
+template <typename Data>
+vtkInsideOutPlanarStage<Data> Finish(vtkSmartPointer<Data> output, const Maker& maker,
+  insideout::Statistics statistics, const vtkInsideOutCurve& curve, const PlanarHull& hull)
+{
+  statistics.insert(statistics.begin(), { "Dimension", 2 });
+  vtkInsideOutAddStatistics(statistics, output);
+  maker.AddLeftOutCells(output);
+  vtkInsideOutPlanarStage<Data> stage{ std::move(output), { vtkInsideOutTwoDimensions(curve) } };
+  for (const auto& warnings : { curve.Warnings, hull.Warnings, maker.Warnings })
+  {
+    stage.Warnings.insert(stage.Warnings.end(), warnings.begin(), warnings.end());
+  }
+  return stage;
+}
+} // namespace
+
+std::string vtkInsideOutTwoDimensions(const vtkInsideOutCurve& curve)
+{
+  return std::string(curve.ArePolygons ? "the polygons lie in one plane" : "the input is lines") +
+    ": two dimensions, triangles instead of tetrahedra";
+}
+
+vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutMakePlanarHull(
+  const vtkInsideOutCurve& curve, const insideout::PlanarHullParameters& parameters,
+  insideout::Monitor& monitor)
+{
+  const PlanarHull hull = MakeHull(curve, parameters, monitor);
+  Maker maker(curve, hull);
+  auto grid = maker.MakeGrid();
+  return Finish(grid, maker, hull.Statistics, curve, hull);
+}
+
+vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutTriangulate(const vtkInsideOutCurve& curve,
+  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor)
+{
+  PlanarHull hull;
+  hull.Plane = curve.Plane;
+  hull.Curve = CountSegments(curve.Soup, curve.Plane, parameters, monitor).Curve;
+  const insideout::SegmentMeetings meetings = FindSegmentMeetings(hull.Curve.Points,
+    hull.Curve.Segments, {}, monitor, { insideout::Stages::FindingIntersections, 0, 1 });
+  if (!meetings.Empty())
+  {
+    const Id segment =
+      meetings.Crossings.empty() ? meetings.Touches.front().Segment : meetings.Crossings.front()[0];
+    throw insideout::Error(insideout::ErrorCode::SelfIntersecting,
+      "cell " + std::to_string(curve.CellOfSegment[SourceOfSegment(hull.Curve, segment, +1)]) +
+        " meets others, the first of " + std::to_string(meetings.Pairs) +
+        " pairs of segments: run vtkResolveSelfIntersections before");
+  }
+  insideout::Stopwatch stopwatch;
+  hull.Mesh = TriangulateHull(hull.Curve, curve.Plane.Metric, monitor);
+  Maker maker(curve, hull);
+  auto grid = maker.MakeGrid();
+  return Finish(grid, maker,
+    { { "HullPoints", hull.Curve.Points.size() }, { "HullCells", hull.Mesh.NumberOfCells() },
+      { "SecondsCDT", stopwatch.Lap() } },
+    curve, hull);
+}
+
+vtkInsideOutPlanarStage<vtkPolyData> vtkInsideOutResolveLines(const vtkInsideOutCurve& curve,
+  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor)
+{
+  PlanarHull hull;
+  hull.Plane = curve.Plane;
+  const insideout::CountedCurve counted =
+    CountSegments(curve.Soup, curve.Plane, parameters, monitor);
+  insideout::ResolvedCurve resolved = ResolveSegments(counted.Curve, monitor);
+  hull.Curve = std::move(resolved.Curve);
+  insideout::Statistics statistics;
+  AddCounts(counted.Counts, statistics);
+  statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
+  statistics.emplace_back("ResolvedSegments", hull.Curve.NumberOfConstraints);
+  statistics.emplace_back(
+    "LeftOutSegments", hull.Curve.NumberOfSegments() - hull.Curve.NumberOfConstraints);
+  Maker maker(curve, hull);
+  auto lines = maker.MakeResolved();
+  return Finish(lines, maker, statistics, curve, hull);
+}
+
+vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
+  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
+  const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
+{
+  const PlanarHull hull = MakeHull(curve, options.Hull, monitor);
   insideout::Stopwatch stopwatch;
   const insideout::MeshSegmentation segmentation =
     SegmentTriangles(hull.Curve, hull.Mesh, hull.Plane, hull.W,

@@ -150,15 +150,38 @@ void ReadLines(vtkInsideOutCurve& curve)
     });
 }
 
+/** How often lines count that vtkResolveSelfIntersections made. */
+void ReadMultiplicity(vtkInsideOutCurve& curve)
+{
+  vtkDataArray* multiplicity = vtkInsideOutFindCellArray(curve.Input, "FacetMultiplicity");
+  if (multiplicity && multiplicity->GetDataType() == VTK_SHORT)
+  {
+    for (const vtkIdType cell : curve.CellOfSegment)
+    {
+      curve.Soup.Multiplicity.push_back(
+        static_cast<std::int16_t>(multiplicity->GetComponent(cell, 0)));
+    }
+  }
+}
+
 /** The edges of polygons, each counted, for polygons that face where the orientation wants them. */
 void ReadPolygons(vtkInsideOutCurve& curve, insideout::Orientation orientation)
 {
   const std::vector<Point>& points = curve.Soup.Points;
   double total = 0;
+  bool areDegenerate = true;
   vtkIdType tooSmall = 0;
   VisitOutlines(curve.Input,
     [&](vtkIdType, const std::vector<Id>& ids)
-    { total += ids.size() < 3 ? 0 : TwiceAreaOf(points, ids, curve.Plane); });
+    {
+      const double area = ids.size() < 3 ? 0 : TwiceAreaOf(points, ids, curve.Plane);
+      total += area;
+      areDegenerate = areDegenerate && area == 0;
+    });
+  if (areDegenerate)
+  {
+    throw Error(ErrorCode::AllDegenerate, "all polygons are degenerate (without area)");
+  }
   curve.Plane = total < 0 ? curve.Plane.Turned() : curve.Plane;
   const bool makeAgree = orientation == insideout::Orientation::Automatic ||
     orientation == insideout::Orientation::Outward;
@@ -275,6 +298,7 @@ vtkInsideOutCurve vtkInsideOutReadCurve(
   else
   {
     ReadLines(curve);
+    ReadMultiplicity(curve);
   }
   const vtkIdType ignored =
     input->GetNumberOfVerts() + (curve.ArePolygons ? input->GetNumberOfLines() : 0);

@@ -41,9 +41,10 @@ struct vtkInsideOutCurve
 int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens);
 
 /**
- * The segments of the lines, polylines too; or, where there are polygons or strips, of their edges,
- * which all count: those of two polygons side by side cancel, and shape the mesh only. Polygons are
- * turned so that all face one way, unless the orientation says otherwise.
+ * The segments of the lines, polylines too, by the cell array FacetMultiplicity as often as it
+ * says; or, where there are polygons or strips, of their edges, which all count: those of two
+ * polygons side by side cancel, and shape the mesh only. Polygons are turned so that all face one
+ * way, unless the orientation says otherwise.
  *
  * @param[in] nonParticipating a cell array of one number per cell, which is not 0 for cells that do
  * not count in w; none where the name is empty

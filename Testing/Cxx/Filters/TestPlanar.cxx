@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // vtkRobustTetrahedralize in two dimensions. The laws stand in Cxx/Core/Planar.
+#include "vtkConstrainedDelaunay3D.h"
+#include "vtkGeneralizedWindingNumber.h"
+#include "vtkGraphCutSegmentation.h"
+#include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
 
 #include <vtkCallbackCommand.h>
@@ -21,6 +25,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -298,6 +303,63 @@ TEST(vtkRobustTetrahedralizeInAPlane, RefusesWhatIsNotFlatAndWhatItCannotRefine)
   third.Filter->Update();
   ASSERT_EQ(third.Errors.size(), 1u);
   EXPECT_NE(third.Errors[0].find("Dimension is 2, 3, or 0"), std::string::npos);
+}
+
+TEST(StagesInAPlane, GiveTheSameTrianglesAsAllAtOnce)
+{
+  vtkNew<vtkResolveSelfIntersections> resolve;
+  resolve->SetInputData(TwoSquares());
+  vtkNew<vtkConstrainedDelaunay3D> triangulate;
+  triangulate->SetInputConnection(resolve->GetOutputPort());
+  vtkNew<vtkGeneralizedWindingNumber> windingNumber;
+  windingNumber->SetInputData(TwoSquares());
+  vtkNew<vtkGraphCutSegmentation> segmentation;
+  segmentation->SetInputConnection(windingNumber->GetOutputPort());
+  FilterRun run(TwoSquares(), 2);
+  run.Filter->ExtractInsideOff();
+  std::vector<std::string> warnings;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&warnings);
+  keep->SetCallback([](vtkObject*, unsigned long, void* all, void* text)
+    { static_cast<std::vector<std::string>*>(all)->push_back(static_cast<const char*>(text)); });
+  for (vtkAlgorithm* filter : std::vector<vtkAlgorithm*>{ resolve, triangulate, windingNumber })
+  {
+    filter->AddObserver(vtkCommand::WarningEvent, keep);
+  }
+  triangulate->Update();
+  segmentation->Update();
+  run.Filter->Update();
+  EXPECT_EQ(
+    std::count_if(warnings.begin(), warnings.end(),
+      [](const std::string& text) { return text.find("two dimensions") != std::string::npos; }),
+    3);
+
+  EXPECT_EQ(resolve->GetOutput()->GetNumberOfPoints(), 10);
+  EXPECT_EQ(resolve->GetOutput()->GetNumberOfLines(), 4); // two crossings, in each two polylines
+  const vtkIdType cells = run.Filter->GetOutput()->GetNumberOfCells();
+  EXPECT_EQ(triangulate->GetOutput()->GetNumberOfCells(), cells);
+  EXPECT_EQ(windingNumber->GetOutput()->GetNumberOfCells(), cells);
+  EXPECT_DOUBLE_EQ(AreaOf(triangulate->GetOutput()), AreaOf(windingNumber->GetOutput()));
+  EXPECT_DOUBLE_EQ(AreaOf(segmentation->GetOutput()), 7);
+}
+
+TEST(StagesInAPlane, RefuseToTriangulateWhatCrosses)
+{
+  vtkNew<vtkConstrainedDelaunay3D> triangulate;
+  triangulate->SetInputData(TwoSquares());
+  std::vector<std::string> errors;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&errors);
+  keep->SetCallback([](vtkObject*, unsigned long, void* all, void* text)
+    { static_cast<std::vector<std::string>*>(all)->push_back(static_cast<const char*>(text)); });
+  triangulate->AddObserver(vtkCommand::ErrorEvent, keep);
+  vtkNew<vtkCallbackCommand> silence;
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  triangulate->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+  triangulate->Update();
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].find("the first of 2 pairs of segments"), std::string::npos);
+  EXPECT_EQ(triangulate->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(vtkRobustTetrahedralizeInAPlane, CanBeStoppedInEveryStage)
