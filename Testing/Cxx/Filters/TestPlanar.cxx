@@ -3,6 +3,8 @@
 #include "vtkConstrainedDelaunay3D.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
+#include "vtkImplicitWindingNumber.h"
+#include "vtkProbeWindingNumber.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
 
@@ -341,6 +343,26 @@ TEST(StagesInAPlane, GiveTheSameTrianglesAsAllAtOnce)
   EXPECT_EQ(windingNumber->GetOutput()->GetNumberOfCells(), cells);
   EXPECT_DOUBLE_EQ(AreaOf(triangulate->GetOutput()), AreaOf(windingNumber->GetOutput()));
   EXPECT_DOUBLE_EQ(AreaOf(segmentation->GetOutput()), 7);
+}
+
+TEST(QueriesInAPlane, GiveTheWindingNumberOfLines)
+{
+  const Data places =
+    MakeData({ { 0.5, 0.5, 0 }, { 1.5, 1.5, 5 }, { 2.5, 0.5, 5 }, { 2.5, 2.5, 9 } }, {});
+  vtkNew<vtkProbeWindingNumber> probe;
+  probe->SetInputData(places);
+  probe->SetSurfaceData(TwoSquares());
+  probe->Update();
+  vtkNew<vtkImplicitWindingNumber> implicit;
+  implicit->SetInput(TwoSquares());
+  const double wanted[4] = { 1, 2, 0, 1 };
+  vtkDataArray* w = probe->GetOutput()->GetPointData()->GetArray("w");
+  for (vtkIdType p = 0; p < 4; ++p)
+  {
+    EXPECT_EQ(w->GetTuple1(p), wanted[p]);
+    EXPECT_EQ(probe->IsInside(p), wanted[p] > 0.5);
+    EXPECT_EQ(implicit->FunctionValue(places->GetPoint(p)), 0.5 - wanted[p]);
+  }
 }
 
 TEST(StagesInAPlane, RefuseToTriangulateWhatCrosses)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/PlanarHull.h"
 
+#include "Planar/CurveWindingNumber.h"
 #include "Planar/ResolveSegments.h"
 #include "Support/PlanarLaws.h"
 
@@ -219,6 +220,52 @@ TEST(PlanarHull, MeasuresAnglesInATiltedPlane)
       sum += std::atan2(det, u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
     }
     EXPECT_NEAR(hull.W[c], sum / (2 * std::acos(-1)), 1e-9);
+  }
+}
+
+TEST(CurveWindingNumber, IsThatOfTheFootAndItsGradientThatOfDifferences)
+{
+  SegmentSoup soup = RandomWalk(11, 9, 14, false);
+  for (Point& p : soup.Points)
+  {
+    p = { { 20 * p[0] + 10 * p[1] + 7, 10 * p[0] + 20 * p[1], 20 * p[1] - 20 * p[0] } };
+  }
+  const PlanarHull hull = MeshHullOf(soup);
+  const CurveWindingNumber w(hull);
+  Monitor monitor;
+  std::vector<Point> places;
+  for (std::size_t c = 0; c < hull.Mesh.Cells.size(); ++c)
+  {
+    PlanarPoint middle = { 0, 0 };
+    for (const Id p : hull.Mesh.Cells[c])
+    {
+      middle[0] += hull.Curve.Points[p][0] / 3;
+      middle[1] += hull.Curve.Points[p][1] / 3;
+    }
+    places.push_back(hull.Plane.Lift(middle));
+    EXPECT_NEAR(w.At(places.back()), hull.W[c], 1e-9);
+    const Point gradient = w.Gradient(places.back());
+    double onNormal = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double step = 1e-4;
+      Point before = places.back();
+      Point behind = places.back();
+      before[k] -= step;
+      behind[k] += step;
+      EXPECT_NEAR(gradient[k], (w.At(behind) - w.At(before)) / (2 * step), 1e-6);
+      onNormal += gradient[k] * hull.Plane.Normal[k];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      places.back()[k] += 50 * hull.Plane.Normal[k];
+    }
+    EXPECT_NEAR(onNormal, 0, 1e-12);
+  }
+  const std::vector<double> above = w.At(places, monitor, { "", 0, 1 });
+  for (std::size_t c = 0; c < places.size(); ++c)
+  {
+    EXPECT_NEAR(above[c], hull.W[c], 1e-9);
   }
 }
 
