@@ -3,6 +3,7 @@
 
 #include "Planar/CurveWindingNumber.h"
 #include "Planar/ResolveSegments.h"
+#include "Support/AllowedThreads.h"
 #include "Support/PlanarLaws.h"
 
 #include <gtest/gtest.h>
@@ -220,6 +221,21 @@ TEST(PlanarHull, MeasuresAnglesInATiltedPlane)
       sum += std::atan2(det, u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
     }
     EXPECT_NEAR(hull.W[c], sum / (2 * std::acos(-1)), 1e-9);
+  }
+}
+
+TEST(PlanarHull, IsTheSameForAnyNumberOfThreads)
+{
+  const SegmentSoup soup = RandomSegments(5, 150);
+  const PlanarHull first = MeshHullOf(soup);
+  for (const int threads : { 1, 3, 8 })
+  {
+    const testthreads::Allowed allowed(threads);
+    const PlanarHull again = MeshHullOf(soup);
+    EXPECT_EQ(again.Curve.Points, first.Curve.Points);
+    EXPECT_EQ(again.Curve.Segments, first.Curve.Segments);
+    EXPECT_EQ(again.Mesh.Cells, first.Mesh.Cells);
+    EXPECT_EQ(again.W, first.W);
   }
 }
 
