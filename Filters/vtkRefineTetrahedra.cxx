@@ -23,10 +23,13 @@ vtkStandardNewMacro(vtkRefineTetrahedra);
 vtkRefineTetrahedra::vtkRefineTetrahedra()
 {
   this->SetNumberOfInputPorts(2);
-  const SizingParameters sizes;
-  this->EdgeLength = sizes.EdgeLength;
-  this->Grading = sizes.Grading;
-  this->MaximumVolume = sizes.MaximumVolume;
+  const RefinementParameters defaults;
+  this->EdgeLength = defaults.Sizes.EdgeLength;
+  this->Grading = defaults.Sizes.Grading;
+  this->MaximumVolume = defaults.Sizes.MaximumVolume;
+  this->Surface = static_cast<int>(defaults.Surface);
+  this->SurfaceTolerance = defaults.SurfaceTolerance;
+  this->FeatureAngle = defaults.FeatureAngle;
 }
 
 void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
@@ -36,6 +39,9 @@ void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Grading: " << this->Grading << "\n";
   os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
   os << indent << "SizingArrayName: " << this->SizingArrayName << "\n";
+  os << indent << "Surface: " << this->Surface << "\n";
+  os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
 }
 
@@ -102,10 +108,10 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(this, { Stages::Refining });
-      SizingParameters sizes = vtkInsideOutSizingParameters(this);
-      AddLengths(input, background, this->SizingArrayName, sizes);
+      RefinementParameters parameters = vtkInsideOutRefinementParameters(this);
+      AddLengths(input, background, this->SizingArrayName, parameters.Sizes);
       const vtkInsideOutRefinement refinement =
-        vtkInsideOutRefine(input, sizes, this->QuadraticCells, monitor);
+        vtkInsideOutRefine(input, nullptr, parameters, this->QuadraticCells, monitor);
       output->ShallowCopy(refinement.Grid);
       vtkInsideOutAddStatistics(refinement.Statistics, output);
       vtkInsideOutWarn(this, refinement.Warnings);

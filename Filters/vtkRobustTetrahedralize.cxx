@@ -101,10 +101,13 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->Engine = static_cast<int>(hull.Budgets.Engine);
   this->TimeBudget = hull.Budgets.TimeBudget;
   this->MemoryBudget = hull.Budgets.MemoryBudget;
-  const SizingParameters sizes;
-  this->EdgeLength = sizes.EdgeLength;
-  this->Grading = sizes.Grading;
-  this->MaximumVolume = sizes.MaximumVolume;
+  const RefinementParameters refining;
+  this->EdgeLength = refining.Sizes.EdgeLength;
+  this->Grading = refining.Sizes.Grading;
+  this->MaximumVolume = refining.Sizes.MaximumVolume;
+  this->Surface = static_cast<int>(refining.Surface);
+  this->SurfaceTolerance = refining.SurfaceTolerance;
+  this->FeatureAngle = refining.FeatureAngle;
 }
 
 vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
@@ -137,6 +140,9 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "Grading: " << this->Grading << "\n";
   os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
+  os << indent << "Surface: " << this->Surface << "\n";
+  os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
 }
 
@@ -319,6 +325,25 @@ void vtkRobustTetrahedralize::MakeTriangles(
   }
 }
 
+void vtkRobustTetrahedralize::CheckRefinement()
+{
+  if (!this->Refine)
+  {
+    return;
+  }
+  if (!this->ExtractInside)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "Refine takes ExtractInside: of the hull only the solid can be refined");
+  }
+  if (this->Surface != KEPT && (this->MergeCoplanarPieces || this->SplitSeams))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::string(this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams") +
+        " takes a surface that is kept where the solid is refined");
+  }
+}
+
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -332,11 +357,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         return;
       }
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
-      if (this->Refine && !this->ExtractInside)
-      {
-        throw Error(ErrorCode::InvalidParameter,
-          "Refine takes ExtractInside: of the hull only the solid can be refined");
-      }
+      this->CheckRefinement();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
@@ -359,7 +380,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const MeshSegmentation segmentation = SegmentMesh(hull.Mesh, hull.W,
         PiecesOfFacets(hull.Mesh, chosen), seeds, vtkInsideOutSegmentMeshParameters(this), monitor);
       const double cutSeconds = stopwatch.Lap();
-      const Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
+      Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
         this->SplitSeams, kept->Surface.Soup, outputs, monitor);
       vtkInsideOutAddTags(tags, surfaces.Boundary);
       Solid solid = MakeSolid(hull, segmentation.Inside, kept->Grid, this->ExtractInside, monitor);
@@ -367,9 +388,10 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutRefinement refinement;
       if (this->Refine && !solid.Masses.empty())
       {
-        refinement = vtkInsideOutRefine(
-          solid.Grid, vtkInsideOutSizingParameters(this), this->QuadraticCells, monitor);
+        refinement = vtkInsideOutRefine(solid.Grid, surfaces.Boundary,
+          vtkInsideOutRefinementParameters(this), this->QuadraticCells, monitor);
         solid.Grid = refinement.Grid;
+        surfaces.Boundary = refinement.Boundary;
       }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);

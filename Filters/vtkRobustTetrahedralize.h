@@ -401,6 +401,46 @@ public:
   vtkGetMacro(MaximumVolume, double);
   ///@}
 
+  /** What becomes of the surface. */
+  enum SurfaceType
+  {
+    KEPT,
+    SPLIT,
+    REMESHED
+  };
+
+  ///@{
+  /**
+   * What becomes of the triangles of the boundary, and between regions, where the solid is refined.
+   * KEPT: each stays as it is, bit by bit. SPLIT: points are added on them, so that long and thin
+   * ones become pieces that are not; all points that were there stay, and the pieces lie in the
+   * triangles' planes, within rounding. REMESHED: triangles of the edge length that is asked for
+   * take their place, no farther away than SurfaceTolerance; edges above FeatureAngle stay where
+   * they are. What would touch another part of the boundary so stays as it is. Default KEPT.
+   */
+  vtkSetClampMacro(Surface, int, KEPT, REMESHED);
+  vtkGetMacro(Surface, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where the surface is REMESHED: how far the new one may be from the old one, and the old one
+   * from the new one, in units of the input; 0: a thousandth of the longest edge of its bounding
+   * box. Default 0, range 0 to infinity.
+   */
+  vtkSetClampMacro(SurfaceTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SurfaceTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the surface is REMESHED: edges stay where they are between triangles whose normals differ
+   * by more than this, and between those of different tags. In degrees; default 30, range 0 to 180.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
   ///@{
   /**
    * Where the solid is refined: cells of second order (vtkQuadraticTetra), with points amid their
@@ -447,10 +487,14 @@ protected:
   double EdgeLength;
   double Grading;
   double MaximumVolume;
+  int Surface;
+  double SurfaceTolerance;
+  double FeatureAngle;
   bool QuadraticCells = false;
 
 private:
   void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void CheckRefinement();
 
   struct HullOfInput;
   class Cache;

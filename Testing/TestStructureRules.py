@@ -125,6 +125,11 @@ class TestStructureRules(unittest.TestCase):
         self.expect_one(name, "does not name `vtkHouse` of Filters", **{name: "`vtkCellar`\n"})
         self.assertEqual(self.complaints(**{name: None}), [])
 
+    def test_no_page_was_formatted_as_code(self):
+        name = "Filters/Core/Upper/README.md"
+        self.expect_one(name, "its title is none", **{name: "#Upper : the `Tower`\n"})
+        self.assertEqual(self.complaints(**{name: "# Upper: the `Tower`\n"}), [])
+
     def test_every_link_of_a_page_leads_somewhere(self):
         name = "Filters/Core/Upper/README.md"
         self.expect_one(name, "link ../Roof.hxx", **{name: "`Tower` [below](../Roof.hxx) [above](../Roof.h)\n"})

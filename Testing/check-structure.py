@@ -87,6 +87,8 @@ def check_pages(root: Path) -> Iterator[str]:
         for stem in sorted(stems - names_on(page) if stems else []):
             yield f"{page.relative_to(root)}: does not name `{stem}` of {folder.relative_to(root)}"
     for page in files_in(root / "Filters", (".md",)):
+        if re.match(r"#+[^#\s]", read(page)):
+            yield f"{page.relative_to(root)}: its title is none: a page that was formatted as code"
         for link in re.findall(r"\]\(([^)#:]+)\)", read(page)):
             if not (page.parent / link).exists():
                 yield f"{page.relative_to(root)}: the link {link} leads nowhere"

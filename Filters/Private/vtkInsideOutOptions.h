@@ -8,7 +8,7 @@
 
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
-#include "Refine/SizingField.h"
+#include "Refine/RefineTetrahedra.h"
 
 template <typename Filter>
 insideout::CountedChainParameters vtkInsideOutChainParameters(Filter* filter)
@@ -73,11 +73,18 @@ insideout::SegmentMeshParameters vtkInsideOutSegmentMeshParameters(Filter* filte
 }
 
 template <typename Filter>
-insideout::SizingParameters vtkInsideOutSizingParameters(Filter* filter)
+insideout::RefinementParameters vtkInsideOutRefinementParameters(Filter* filter)
 {
-  insideout::SizingParameters parameters;
-  parameters.EdgeLength = filter->GetEdgeLength();
-  parameters.Grading = filter->GetGrading();
-  parameters.MaximumVolume = filter->GetMaximumVolume();
+  using insideout::SurfaceTreatment;
+  static_assert(Filter::KEPT == static_cast<int>(SurfaceTreatment::Kept));
+  static_assert(Filter::SPLIT == static_cast<int>(SurfaceTreatment::Split));
+  static_assert(Filter::REMESHED == static_cast<int>(SurfaceTreatment::Remeshed));
+  insideout::RefinementParameters parameters;
+  parameters.Sizes.EdgeLength = filter->GetEdgeLength();
+  parameters.Sizes.Grading = filter->GetGrading();
+  parameters.Sizes.MaximumVolume = filter->GetMaximumVolume();
+  parameters.Surface = static_cast<SurfaceTreatment>(filter->GetSurface());
+  parameters.SurfaceTolerance = filter->GetSurfaceTolerance();
+  parameters.FeatureAngle = filter->GetFeatureAngle();
   return parameters;
 }

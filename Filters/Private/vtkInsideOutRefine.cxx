@@ -2,6 +2,7 @@
 #include "vtkInsideOutRefine.h"
 
 #include "Common/Error.h"
+#include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "Refine/QuadraticCells.h"
 #include "Refine/RefineTetrahedra.h"
@@ -15,6 +16,7 @@
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -93,49 +95,19 @@ std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
   return regions;
 }
 
-/** A face on the boundary of a region, as it is seen from outside, and whose it is. */
-struct KeptFace
+/** The face of a cell of the grid that is face k of the mesh's: one that is inside out was turned.
+ */
+int FaceInGrid(vtkUnstructuredGrid* grid, const TetrahedralMesh& mesh, Id cell, int k)
 {
-  Triangle Corners;
-  Id Cell;
-  int Face; ///< of the cell in the input, which may have been turned since
-
-  bool operator<(const KeptFace& other) const { return this->Corners < other.Corners; }
-};
-
-/** The lowest corner first, so that it tells a face and its side. */
-Triangle FromLowest(Triangle corners)
-{
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
-
-std::vector<KeptFace> FacesThatAreKept(
-  vtkUnstructuredGrid* grid, const TetrahedralMesh& mesh, const std::vector<Id>& regions)
-{
-  std::vector<KeptFace> faces;
   vtkNew<vtkIdList> given;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    grid->GetCellPoints(c, given);
-    const bool turned = !std::equal(given->begin(), given->end(), mesh.Cells[c].begin());
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = mesh.Neighbors[c][k];
-      if (neighbor == None || (!regions.empty() && regions[neighbor] != regions[c]))
-      {
-        // ConnectCells says which faces of turned cells change places.
-        const int face = turned && (k == 0 || k == 3) ? 3 - k : k;
-        faces.push_back({ FromLowest(FaceOf(mesh.Cells[c], k)), c, face });
-      }
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
+  grid->GetCellPoints(cell, given);
+  const bool turned = !std::equal(given->begin(), given->end(), mesh.Cells[cell].begin());
+  // ConnectCells says which faces of turned cells change places.
+  return turned && (k == 0 || k == 3) ? 3 - k : k;
 }
 
-/** Arrays of four values per cell, one per face: those of faces that are kept, `otherwise` else. */
-void CarryFaces(const std::vector<KeptFace>& kept, const RefinedMesh& refined, const char* name,
+/** Arrays of four values per cell, one per face: those of facets stay, others are `otherwise`. */
+void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const char* name,
   double otherwise, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
 {
   vtkDataArray* source = input->GetCellData()->GetArray(name);
@@ -148,19 +120,116 @@ void CarryFaces(const std::vector<KeptFace>& kept, const RefinedMesh& refined, c
   {
     for (int k = 0; k < 4; ++k)
     {
-      KeptFace face = { FaceOf(refined.Cells[c], k), None, 0 };
-      for (Id& corner : face.Corners)
-      {
-        corner = refined.OriginalPoints[corner];
-      }
-      face.Corners = FromLowest(face.Corners);
-      const auto found =
-        face.Corners[0] == None ? kept.end() : std::lower_bound(kept.begin(), kept.end(), face);
-      const bool isKept = found != kept.end() && found->Corners == face.Corners;
+      const Id face = refined.OriginalFaces[c][k];
       array->SetComponent(static_cast<vtkIdType>(c), k,
-        isKept ? source->GetComponent(found->Cell, found->Face) : otherwise);
+        face == None ? otherwise
+                     : source->GetComponent(face / 4, FaceInGrid(input, mesh, face / 4, face % 4)));
     }
   }
+}
+
+/** The faces of a mesh that have no cell behind them, 4 * cell + face: as a boundary has them. */
+std::vector<Id> FacesOnBoundary(const TetrahedralMesh& mesh)
+{
+  std::vector<Id> faces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] == None)
+      {
+        faces.push_back(4 * c + k);
+      }
+    }
+  }
+  return faces;
+}
+
+/** The tag of each face on the boundary. */
+std::vector<std::array<Id, 4>> LabelsOf(const TetrahedralMesh& mesh, vtkPolyData* boundary)
+{
+  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
+  std::vector<std::array<Id, 4>> labels(mesh.Cells.size(), { { 0, 0, 0, 0 } });
+  const std::vector<Id> faces = FacesOnBoundary(mesh);
+  for (std::size_t i = 0; i < faces.size() && tags; ++i)
+  {
+    labels[faces[i] / 4][faces[i] % 4] =
+      static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
+  }
+  return labels;
+}
+
+/** The weights of a triangle's corners at a place in it or near it: none is negative. */
+std::array<double, 4> WeightsAt(const std::array<Point, 3>& t, const Point& place)
+{
+  std::array<double, 4> weights = { { 0, 0, 0, 0 } };
+  const Point normal = NormalOf(t[0], t[1], t[2]);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = std::max(0.0, Dot(NormalOf(place, t[(k + 1) % 3], t[(k + 2) % 3]), normal));
+    sum += weights[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = sum > 0 ? weights[k] / sum : 1.0 / 3;
+  }
+  return weights;
+}
+
+/** The boundary of a refined mesh, with the data of the one before. */
+vtkSmartPointer<vtkPolyData> MakeBoundary(const TetrahedralMesh& mesh, const RefinedMesh& refined,
+  vtkPolyData* before, std::vector<std::string>& warnings)
+{
+  const std::vector<Id> faces = FacesOnBoundary(mesh);
+  std::vector<Id> numbers(refined.Points.size(), None);
+  std::vector<Point> points;
+  std::vector<vtkInsideOutAttributes::Mixture> mixtures;
+  std::vector<Triangle> triangles;
+  std::vector<Id> sources;
+  vtkNew<vtkIdList> given;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (refined.OriginalFaces[c][k] == None)
+      {
+        continue;
+      }
+      sources.push_back(IndexIn(faces, refined.OriginalFaces[c][k]));
+      before->GetCellPoints(sources.back(), given);
+      std::array<Point, 3> corners;
+      for (int i = 0; i < 3; ++i)
+      {
+        before->GetPoint(given->GetId(i), corners[i].data());
+      }
+      triangles.push_back(FaceOf(refined.Cells[c], k));
+      for (Id& corner : triangles.back())
+      {
+        if (numbers[corner] == None)
+        {
+          numbers[corner] = static_cast<Id>(points.size());
+          const Point& place = refined.Points[corner];
+          points.push_back(place);
+          const auto at = std::find(corners.begin(), corners.end(), place) - corners.begin();
+          const auto id = [&](std::ptrdiff_t i) { return static_cast<Id>(given->GetId(i)); };
+          mixtures.push_back(at < 3
+              ? vtkInsideOutAttributes::Mixture{ { { id(at), 0, 0, 0 } }, { { 1, 0, 0, 0 } },
+                  false }
+              : vtkInsideOutAttributes::Mixture{
+                  { { id(0), id(1), id(2), 0 } }, WeightsAt(corners, place), true });
+        }
+        corner = numbers[corner];
+      }
+    }
+  }
+  auto boundary = vtkSmartPointer<vtkPolyData>::New();
+  boundary->SetPoints(vtkInsideOutMakePoints(points));
+  boundary->SetPolys(vtkInsideOutMakeCells(triangles));
+  vtkInsideOutAttributes::MixPointData(before, mixtures, {}, boundary->GetPointData(), warnings);
+  vtkInsideOutAttributes::CopyCellData(before, sources, boundary->GetCellData(), warnings);
+  boundary->GetFieldData()->ShallowCopy(before->GetFieldData());
+  return boundary;
 }
 
 /** The weights of a cell's corners at a place in it: none is negative, however thin the cell. */
@@ -231,13 +300,18 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
 }
 } // namespace
 
-vtkInsideOutRefinement vtkInsideOutRefine(
-  vtkUnstructuredGrid* grid, const SizingParameters& parameters, bool quadratic, Monitor& monitor)
+vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  const RefinementParameters& given, bool quadratic, Monitor& monitor)
 {
   Stopwatch stopwatch;
   CheckGrid(grid);
   const std::vector<Id> regions = ReadRegions(grid);
   const TetrahedralMesh mesh = vtkInsideOutReadTetrahedra(grid);
+  RefinementParameters parameters = given;
+  if (boundary && parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    parameters.Labels = LabelsOf(mesh, boundary);
+  }
   const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
   QuadraticCells secondOrder;
   if (quadratic)
@@ -251,10 +325,14 @@ vtkInsideOutRefinement vtkInsideOutRefine(
     result.Grid->GetPointData(), result.Warnings);
   vtkInsideOutAttributes::CopyCellData(
     grid, refined.OriginalCells, result.Grid->GetCellData(), result.Warnings);
-  const std::vector<KeptFace> kept = FacesThatAreKept(grid, mesh, regions);
-  CarryFaces(kept, refined, "FacetIds", -1, grid, result.Grid);
-  CarryFaces(kept, refined, "FacetMultiplicity", 0, grid, result.Grid);
+  CarryFaces(mesh, refined, "FacetIds", -1, grid, result.Grid);
+  CarryFaces(mesh, refined, "FacetMultiplicity", 0, grid, result.Grid);
   result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  result.Boundary = boundary;
+  if (boundary && parameters.Surface != SurfaceTreatment::Kept)
+  {
+    result.Boundary = MakeBoundary(mesh, refined, boundary, result.Warnings);
+  }
 
   result.Statistics = refined.Statistics;
   result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
@@ -263,7 +341,7 @@ vtkInsideOutRefinement vtkInsideOutRefine(
     if (name == "CellsAboveMaximumVolume" && value > 0)
     {
       result.Warnings.push_back(
-        TooLargeCells(value, refined.Cells.size(), parameters.MaximumVolume));
+        TooLargeCells(value, refined.Cells.size(), parameters.Sizes.MaximumVolume));
     }
   }
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());

@@ -7,26 +7,32 @@
 
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
-#include "Refine/SizingField.h"
+#include "Refine/RefineTetrahedra.h"
 
 #include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
 
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /** A refined grid, and what is to be said about it. */
 struct vtkInsideOutRefinement
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkSmartPointer<vtkPolyData> Boundary; ///< where one is given
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };
 
-/** What vtkRefineTetrahedra describes: the grid with its data, and with its field data as it is.
+/**
+ * What vtkRefineTetrahedra describes: the grid with its data, and with its field data as it is.
  *
+ * @param[in] boundary of the grid, a triangle for each of its faces in their order (but where the
+ *   surface is kept), with their data; edges between different values of its cell array BoundaryTag
+ *   stay. Null: none.
  * @throws insideout::Error that names the culprit; Stopped
  */
-vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid,
-  const insideout::SizingParameters& parameters, bool quadratic, insideout::Monitor& monitor);
+vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  const insideout::RefinementParameters& parameters, bool quadratic, insideout::Monitor& monitor);

@@ -61,7 +61,7 @@ Point ShortestIn(const std::vector<Point>& vectors)
 
 /** How the place is to be moved to make the worst cells better; none if it cannot be. */
 Point Uphill(const std::vector<Point>& points, const std::vector<Triangle>& walls,
-  const Point& place, double worst, double length)
+  const Point& place, double worst, double length, const Point* normal)
 {
   std::vector<std::pair<double, const Triangle*>> active;
   for (const Triangle& wall : walls)
@@ -85,6 +85,10 @@ Point Uphill(const std::vector<Point>& points, const std::vector<Triangle>& wall
       Point there = place;
       there[k] += h;
       gradient[k] = (ShapeAt(points, *wall, there) - shape) / h;
+    }
+    if (normal)
+    {
+      gradient = Along(gradient, *normal, -Dot(gradient, *normal));
     }
     if (worst <= 0)
     {
@@ -113,8 +117,8 @@ double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle
   return worst;
 }
 
-double FindBestPlace(
-  const std::vector<Point>& points, const std::vector<Triangle>& walls, Point& place)
+double FindBestPlace(const std::vector<Point>& points, const std::vector<Triangle>& walls,
+  Point& place, const Point* normal)
 {
   constexpr double any = -std::numeric_limits<double>::infinity();
   double worst = WorstShapeAt(points, walls, place, any);
@@ -129,7 +133,7 @@ double FindBestPlace(
   double step = 0.3 * length;
   for (int taken = 0; taken < MostSteps; ++taken)
   {
-    const Point uphill = Uphill(points, walls, place, worst, length);
+    const Point uphill = Uphill(points, walls, place, worst, length, normal);
     const double norm = Length(uphill);
     if (!(norm > 0))
     {

@@ -21,8 +21,9 @@ double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle
  * Ollivier-Gooch 1997, Tetrahedral Mesh Improvement Using Swapping and Smoothing).
  *
  * @param[in,out] place it may lie beyond walls in the beginning
+ * @param[in] normal of the plane that it stays in, of length 1; null: none
  * @return the worst shape there
  */
-double FindBestPlace(
-  const std::vector<Point>& points, const std::vector<Triangle>& walls, Point& place);
+double FindBestPlace(const std::vector<Point>& points, const std::vector<Triangle>& walls,
+  Point& place, const Point* normal = nullptr);
 } // namespace insideout

@@ -82,4 +82,23 @@ Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, cons
   }
   return { { { a[0] + offset[0], a[1] + offset[1], a[2] + offset[2] } }, Dot(offset, offset) };
 }
+
+CircleOfTriangle CircumcircleOf(const std::array<Point, 3>& triangle)
+{
+  const Point u = Difference(triangle[1], triangle[0]);
+  const Point v = Difference(triangle[2], triangle[0]);
+  const Point normal = Cross(u, v);
+  const Point toV = Cross(normal, u);
+  const Point toU = Cross(v, normal);
+  const double scale = 0.5 / Dot(normal, normal);
+  const double uu = Dot(u, u);
+  const double vv = Dot(v, v);
+  Point offset;
+  for (int k = 0; k < 3; ++k)
+  {
+    offset[k] = scale * (uu * toU[k] + vv * toV[k]);
+  }
+  const Point& a = triangle[0];
+  return { { { a[0] + offset[0], a[1] + offset[1], a[2] + offset[2] } }, Dot(offset, offset) };
+}
 } // namespace insideout

@@ -27,4 +27,13 @@ struct Circumsphere
   double SquaredRadius; ///< not finite where the cell is too flat for doubles
 };
 Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/** Where all three corners of a triangle are equally far in its plane, and the square of how far.
+ */
+struct CircleOfTriangle
+{
+  Point Center;
+  double SquaredRadius; ///< not finite where it is too thin for doubles
+};
+CircleOfTriangle CircumcircleOf(const std::array<Point, 3>& triangle);
 } // namespace insideout

@@ -23,7 +23,7 @@ double Contraction::WorstAround(Id point)
 
 bool Contraction::Remove(Id point, double wanted, double longest)
 {
-  if (this->Mesh.IsFixed[point] != 0)
+  if (this->Mesh.Kinds[point] != PointKind::Free)
   {
     return false;
   }

@@ -77,7 +77,7 @@ void ThinPoints(RefinableMesh& mesh)
   std::vector<Id> star;
   for (Id p = 0; p < static_cast<Id>(mesh.Points.size()); ++p)
   {
-    if (mesh.CellAt(p) != None && mesh.IsFixed[p] == 0 &&
+    if (mesh.CellAt(p) != None && mesh.Kinds[p] == PointKind::Free &&
       NearestNeighbor(mesh, p, star) < CrowdedSpacing * mesh.Sizes[p])
     {
       contraction.Remove(p, 0, std::numeric_limits<double>::infinity());

@@ -4,6 +4,7 @@
 #include "Common/LoopProgress.h"
 #include "Refine/CellShape.h"
 #include "Refine/ContractEdge.h"
+#include "Refine/ContractOnSurface.h"
 #include "Refine/InsertPoint.h"
 #include "Refine/ReconnectCells.h"
 #include "Refine/SmoothPoint.h"
@@ -36,12 +37,15 @@ constexpr double LongestEdge = 1.8;
 class Improvement
 {
 public:
-  Improvement(RefinableMesh& mesh, SizingField& sizes)
+  Improvement(
+    RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, SizingField& sizes)
     : Mesh(mesh)
     , Sizes(sizes)
-    , Reconnect(mesh)
-    , Smooth(mesh)
+    , Reconnect(mesh, surface, bound)
+    , Smooth(mesh, surface, bound)
     , Contract(mesh)
+    , ContractOnSurface(mesh, surface, bound)
+    , IsRemeshed(surface.Treatment() == SurfaceTreatment::Remeshed)
     , Insert(mesh)
   {
   }
@@ -122,9 +126,15 @@ private:
     return std::any_of(corners.begin(), corners.end(),
       [this](Id corner)
       {
-        return this->Mesh.IsFixed[corner] == 0 &&
-          this->Contract.Remove(
-            corner, std::max(0.0, this->Contract.WorstAround(corner)) * LeastGain, LongestEdge);
+        const PointKind kind = this->Mesh.Kinds[corner];
+        if (kind != PointKind::Free && (kind == PointKind::Fixed || !this->IsRemeshed))
+        {
+          return false;
+        }
+        const double wanted = std::max(0.0, this->Contract.WorstAround(corner)) * LeastGain;
+        return kind == PointKind::Free
+          ? this->Contract.Remove(corner, wanted, LongestEdge)
+          : this->ContractOnSurface.Remove(corner, wanted, LongestEdge);
       });
   }
 
@@ -155,15 +165,17 @@ private:
   Reconnection Reconnect;
   PointSmoothing Smooth;
   Contraction Contract;
+  SurfaceContraction ContractOnSurface;
+  const bool IsRemeshed;
   PointInsertion Insert;
   std::vector<Id> TriedAt; ///< per cell, in changes of the mesh
 };
 } // namespace
 
-void ImproveCells(
-  RefinableMesh& mesh, SizingField& sizes, Monitor& monitor, const ProgressRange& progress)
+void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress)
 {
-  Improvement improvement(mesh, sizes);
+  Improvement improvement(mesh, surface, bound, sizes);
   for (int pass = 0; pass < Passes; ++pass)
   {
     const std::vector<std::pair<double, Id>> cells = improvement.BadCells();

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "Common/Monitor.h"
-#include "Refine/RefinableMesh.h"
+#include "Refine/RefinableSurface.h"
 #include "Refine/SizingField.h"
+#include "Refine/SurfaceBound.h"
 
 namespace insideout
 {
@@ -15,6 +16,6 @@ namespace insideout
  *
  * @throws Error Stopped
  */
-void ImproveCells(
-  RefinableMesh& mesh, SizingField& sizes, Monitor& monitor, const ProgressRange& progress);
+void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

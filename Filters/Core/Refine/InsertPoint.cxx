@@ -240,7 +240,7 @@ double PointInsertion::OptimizePlace()
 
 Id PointInsertion::Insert(double size)
 {
-  const Id point = this->Mesh.AddPoint(this->Place, false, size);
+  const Id point = this->Mesh.AddPoint(this->Place, PointKind::Free, size);
   std::vector<Tetrahedron> fresh;
   fresh.reserve(this->Walls.size());
   for (const Triangle& wall : this->Walls)

@@ -2,6 +2,7 @@
 #include "Refine/ReconnectCells.h"
 
 #include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 
 #include <algorithm>
@@ -49,21 +50,20 @@ bool Reconnection::ArePositive() const
     [this](const Tetrahedron& cell) { return Orient3D(this->Mesh.Points, cell) > 0; });
 }
 
-bool Reconnection::RemoveEdge(Id u, Id v, Id cell)
+double Reconnection::ShapeOfRing() const
 {
-  this->Mesh.Ring(u, v, cell, this->Around);
-  const RefinableRing& ring = this->Around;
-  const int n = static_cast<int>(ring.Points.size());
-  if (!ring.IsClosed || ring.IsLocked || n > LongestRing || n < 3)
+  double worst = 1;
+  for (const Id c : this->Around.Cells)
   {
-    return false;
+    worst = std::min(worst, ShapeOf(this->Mesh.Points, this->Mesh.Cell(c).Corners));
   }
-  double before = 1;
-  for (const Id c : ring.Cells)
-  {
-    before = std::min(before, ShapeOf(this->Mesh.Points, this->Mesh.Cell(c).Corners));
-  }
-  const double wanted = std::max(before, 0.0) * LeastGain;
+  return worst;
+}
+
+/** The cells of the best triangulation of the ring, if they are better than wanted. */
+bool Reconnection::TriangulateRing(double wanted)
+{
+  const int n = static_cast<int>(this->Around.Points.size());
   this->Best.assign(static_cast<std::size_t>(n) * n, Impossible);
   this->Middle.assign(static_cast<std::size_t>(n) * n, -1);
   for (int i = 0; i + 1 < n; ++i)
@@ -97,11 +97,113 @@ bool Reconnection::RemoveEdge(Id u, Id v, Id cell)
   }
   this->FreshCells.clear();
   this->CollectTriangles(0, n - 1);
-  if (!this->ArePositive())
+  return this->ArePositive();
+}
+
+/** Whether the faces of a cell that hold not both ends of the edge lead to others of its region:
+ * where it is the only one at the edge it may go then, without another in its place. */
+bool Reconnection::HasCellsBehind(Id cell) const
+{
+  const RefinableCell& here = this->Mesh.Cell(cell);
+  for (const Id end : { this->Around.U, this->Around.V })
+  {
+    const int k = this->Mesh.CornerIndex(cell, end);
+    if (here.Neighbors[k] == None || here.Facets[k] != None)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Whether the two pieces at an edge of the boundary may be others, and which (FreshPieces). */
+bool Reconnection::TurnDiagonal()
+{
+  const RefinableRing& ring = this->Around;
+  const Id first = ring.Points.front();
+  const Id last = ring.Points.back();
+  const auto piece = [this](Id a, Id b, Id c, Id facet)
+  {
+    const Triangle corners = { { a, b, c } };
+    return SurfacePiece{ corners, CornersOf(this->Mesh.Points, corners), facet };
+  };
+  // Counter-clockwise seen from within, where the cells are (U, V, first, second).
+  this->GonePieces = { piece(ring.U, ring.V, first, ring.EndFacets[0]),
+    piece(ring.V, ring.U, last, ring.EndFacets[1]) };
+  this->FreshPieces = { piece(first, last, ring.V, ring.EndFacets[0]),
+    piece(last, first, ring.U, ring.EndFacets[0]) };
+  if (ring.Cells.size() == 1 && !this->HasCellsBehind(ring.Cells.front()))
   {
     return false;
   }
-  this->Mesh.Replace(ring.Cells, this->FreshCells);
+  if (this->Surface.Treatment() == SurfaceTreatment::Split)
+  {
+    return ring.EndFacets[0] == ring.EndFacets[1] &&
+      AreUnfolded(this->FreshPieces, NormalOf(this->GonePieces.front()));
+  }
+  if (this->Surface.IsPinched(first))
+  {
+    return false;
+  }
+  this->Star.clear();
+  this->Mesh.Star(first, this->Star);
+  const bool isThere = std::any_of(this->Star.begin(), this->Star.end(),
+    [&](Id cell)
+    {
+      const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
+      return std::find(corners.begin(), corners.end(), last) != corners.end();
+    });
+  return !isThere && this->Bound.Allows(this->GonePieces, this->FreshPieces);
+}
+
+bool Reconnection::RemoveEdge(Id u, Id v, Id cell)
+{
+  this->Mesh.Ring(u, v, cell, this->Around);
+  return this->MayRemoveEdge() && this->RemoveEdge(std::max(this->ShapeOfRing(), 0.0) * LeastGain);
+}
+
+bool Reconnection::RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted)
+{
+  this->Mesh.Ring(u, v, cell, this->Around);
+  return this->MayRemoveEdge() &&
+    this->RemoveEdge(std::min(wanted, std::max(this->ShapeOfRing(), 0.0) / 2));
+}
+
+bool Reconnection::MayRemoveEdge() const
+{
+  const RefinableRing& ring = this->Around;
+  const int n = static_cast<int>(ring.Points.size());
+  return !ring.IsLocked && n >= (ring.IsClosed ? 3 : 2) && n <= LongestRing &&
+    (ring.IsClosed ||
+      (!this->Surface.IsLocked(ring.U, ring.V) && !this->Surface.IsRidge(ring.U, ring.V)));
+}
+
+bool Reconnection::RemoveEdge(double wanted)
+{
+  const RefinableRing& ring = this->Around;
+  if (!this->TriangulateRing(wanted) || (!ring.IsClosed && !this->TurnDiagonal()))
+  {
+    return false;
+  }
+  if (ring.IsClosed)
+  {
+    this->Mesh.Replace(ring.Cells, this->FreshCells);
+    return true;
+  }
+  this->Exchange.Clear();
+  this->Exchange.Old = ring.Cells;
+  this->Exchange.Fresh = this->FreshCells;
+  this->Exchange.Models.assign(this->FreshCells.size(), ring.Cells.front());
+  for (const SurfacePiece& piece : this->GonePieces)
+  {
+    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
+  }
+  for (const SurfacePiece& piece : this->FreshPieces)
+  {
+    this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });
+  }
+  this->Bound.Replace();
+  this->Mesh.Replace(this->Exchange);
   return true;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Refine/RefinableMesh.h"
+#include "Refine/RefinableSurface.h"
+#include "Refine/SurfaceBound.h"
 
 #include <vector>
 
@@ -12,30 +13,50 @@ namespace insideout
  * triangulations of its ring (Klincsek 1980; Shewchuk 2002, Two Discrete Optimization Algorithms
  * for the Topological Improvement of Tetrahedral Meshes), or a face removed for an edge across it.
  * Each does so only where the worst shape (ShapeOf) gets better, and leaves the mesh as it is else.
+ * An edge of the boundary between two pieces is removed for the other diagonal of the two, where
+ * the surface allows it.
  */
 class Reconnection
 {
 public:
-  explicit Reconnection(RefinableMesh& mesh)
+  Reconnection(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
     : Mesh(mesh)
+    , Surface(surface)
+    , Bound(bound)
   {
   }
 
   bool RemoveEdge(Id u, Id v, Id cell);
+
+  /** The same where the new cells are to be better than `wanted`, at least 0, or half as good as
+   * the old ones. */
+  bool RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted);
   bool RemoveFace(Id cell, int face);
 
   /** The first of these that can be done at the six edges and four faces of a cell. */
   bool ImproveCell(Id cell);
 
 private:
+  double ShapeOfRing() const;
+  bool MayRemoveEdge() const;
+  bool RemoveEdge(double wanted);
+  bool TriangulateRing(double wanted);
+  bool HasCellsBehind(Id cell) const;
+  bool TurnDiagonal();
   double ShapeOfTriangle(int i, int j, int k) const;
   void CollectTriangles(int i, int j);
   bool ArePositive() const;
 
   RefinableMesh& Mesh;
+  RefinableSurface& Surface;
+  SurfaceBound& Bound;
   RefinableRing Around;
   std::vector<double> Best; ///< of part i to j of the ring, the worst shape of its best cells
   std::vector<int> Middle;
   std::vector<Tetrahedron> FreshCells;
+  CellExchange Exchange;
+  std::vector<Id> Star;
+  std::vector<SurfacePiece> GonePieces;
+  std::vector<SurfacePiece> FreshPieces;
 };
 } // namespace insideout

@@ -8,6 +8,21 @@
 
 namespace insideout
 {
+void CellExchange::Clear()
+{
+  this->Old.clear();
+  this->Fresh.clear();
+  this->Models.clear();
+  this->Gone.clear();
+  this->Facets.clear();
+}
+
+void CellExchange::Add(const Tetrahedron& fresh, Id model)
+{
+  this->Fresh.push_back(fresh);
+  this->Models.push_back(model);
+}
+
 int RefinableMesh::CornerIndex(Id cell, Id point) const
 {
   const Tetrahedron& corners = this->Cells[cell].Corners;
@@ -20,10 +35,10 @@ int RefinableMesh::MirrorIndex(Id cell, int k) const
   return static_cast<int>(std::find(back.begin(), back.end(), cell) - back.begin());
 }
 
-Id RefinableMesh::AddPoint(const Point& place, bool isFixed, double size)
+Id RefinableMesh::AddPoint(const Point& place, PointKind kind, double size)
 {
   this->Points.push_back(place);
-  this->IsFixed.push_back(isFixed ? 1 : 0);
+  this->Kinds.push_back(kind);
   this->Sizes.push_back(size);
   this->CellOf.push_back(None);
   this->Changed.push_back(0);
@@ -90,6 +105,8 @@ void RefinableMesh::Ring(Id u, Id v, Id cell, RefinableRing& ring) const
   } while (before != None && before != cell);
   ring.IsClosed = before != None;
   start = ring.IsClosed ? cell : start;
+  ring.EndFacets[0] =
+    this->Cells[start].Facets[this->CornerIndex(start, this->OtherCorners(start, u, v)[1])];
   Id at = start;
   do
   {
@@ -98,12 +115,12 @@ void RefinableMesh::Ring(Id u, Id v, Id cell, RefinableRing& ring) const
     ring.Cells.push_back(at);
     const RefinableCell& here = this->Cells[at];
     const int across = this->CornerIndex(at, first);
-    ring.IsLocked = ring.IsLocked || here.Facets[across] != None ||
-      here.Facets[this->CornerIndex(at, second)] != None;
     at = here.Neighbors[across];
+    ring.IsLocked = ring.IsLocked || (at != None && here.Facets[across] != None);
     if (at == None)
     {
       ring.Points.push_back(second);
+      ring.EndFacets[1] = here.Facets[across];
     }
   } while (at != None && at != start);
 }
@@ -133,8 +150,25 @@ RefinableMesh::PendingFace& RefinableMesh::Slot(const Triangle& sorted)
   return this->Table[at];
 }
 
+/** Make room for the faces of so many cells, and forget those that are entered. */
+void RefinableMesh::StartTable(std::size_t cells)
+{
+  std::size_t size = std::max<std::size_t>(this->Table.size(), 64);
+  while (size < 6 * cells)
+  {
+    size *= 2;
+  }
+  if (size > this->Table.size())
+  {
+    this->Table.assign(size, { { { None, None, None } }, None, 0, None, 0, false });
+    this->TableEpoch = 0;
+  }
+  ++this->TableEpoch;
+}
+
 /** Enter the faces between the marked cells and the rest. @return how many */
-std::size_t RefinableMesh::EnterWalls(const std::vector<Id>& cells)
+std::size_t RefinableMesh::EnterWalls(
+  const std::vector<Id>& cells, const std::vector<Triangle>& gone)
 {
   std::size_t walls = 0;
   for (const Id cell : cells)
@@ -143,11 +177,17 @@ std::size_t RefinableMesh::EnterWalls(const std::vector<Id>& cells)
     for (int k = 0; k < 4; ++k)
     {
       const Id neighbor = here.Neighbors[k];
-      if (neighbor == None || !this->IsMarked(neighbor))
+      const bool isInner = neighbor != None && this->IsMarked(neighbor);
+      if (isInner)
       {
-        const Triangle corners = SortedTriangle(FaceAcross(here.Corners, k)).Points;
+        continue;
+      }
+      const Triangle corners = SortedTriangle(FaceAcross(here.Corners, k)).Points;
+      if (neighbor != None || std::find(gone.begin(), gone.end(), corners) == gone.end())
+      {
         this->Slot(corners) = { corners, neighbor,
-          neighbor == None ? 0 : this->MirrorIndex(cell, k), here.Facets[k], this->TableEpoch };
+          neighbor == None ? 0 : this->MirrorIndex(cell, k), here.Facets[k], this->TableEpoch,
+          false };
         ++walls;
       }
     }
@@ -196,7 +236,7 @@ std::size_t RefinableMesh::Connect(Id cell)
     PendingFace& pending = this->Slot(face);
     if (pending.Epoch != this->TableEpoch)
     {
-      pending = { face, cell, k, None, this->TableEpoch };
+      pending = { face, cell, k, None, this->TableEpoch, false };
       continue;
     }
     this->Cells[cell].Neighbors[k] = pending.Cell;
@@ -205,48 +245,83 @@ std::size_t RefinableMesh::Connect(Id cell)
     {
       this->Cells[pending.Cell].Neighbors[pending.Face] = cell;
     }
+    pending.IsMatched = true;
     ++matched;
   }
   return matched;
 }
 
+/**
+ * Make a face of the fresh cells a piece of a facet, or a wall, where the cell at it is gone
+ * without another. @return 1 where it is on the boundary
+ */
+std::size_t RefinableMesh::Place(const FreshFacet& facet)
+{
+  const PendingFace& pending = this->Slot(SortedTriangle(facet.Corners).Points);
+  if (pending.Epoch != this->TableEpoch || pending.Cell == None)
+  {
+    throw Error(ErrorCode::Inconsistent, "a facet was put where no cell has a face");
+  }
+  RefinableCell& cell = this->Cells[pending.Cell];
+  cell.Facets[pending.Face] = facet.Facet;
+  if (!pending.IsMatched)
+  {
+    cell.Neighbors[pending.Face] = None;
+    for (const Id corner : facet.Corners)
+    {
+      this->CellOf[corner] = pending.Cell; // it may be in no fresh cell
+    }
+    return 1;
+  }
+  this->Cells[cell.Neighbors[pending.Face]].Facets[this->MirrorIndex(pending.Cell, pending.Face)] =
+    facet.Facet;
+  return 0;
+}
+
 void RefinableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh)
 {
-  std::size_t size = std::max<std::size_t>(this->Table.size(), 64);
-  while (size < 6 * (old.size() + fresh.size()))
-  {
-    size *= 2;
-  }
-  if (size > this->Table.size())
-  {
-    this->Table.assign(size, { { { None, None, None } }, None, 0, None, 0 });
-    this->TableEpoch = 0;
-  }
-  ++this->TableEpoch;
-  ++this->Changes;
+  this->Simple.Old = old;
+  this->Simple.Fresh = fresh;
+  this->Simple.Models.assign(fresh.size(), old.front());
+  this->Replace(this->Simple);
+}
 
-  const Id region = this->Cells[old.front()].Region;
-  const Id parent = this->Cells[old.front()].Parent;
+void RefinableMesh::Replace(const CellExchange& exchange)
+{
+  this->StartTable(exchange.Old.size() + exchange.Fresh.size());
+  ++this->Changes;
   this->StartMarking();
-  for (const Id cell : old)
+  for (const Id cell : exchange.Old)
   {
     this->Mark(cell);
   }
-  const std::size_t walls = this->EnterWalls(old);
-  for (const Id cell : old)
+  const std::size_t walls = this->EnterWalls(exchange.Old, exchange.Gone);
+  this->FreshContents.clear();
+  for (std::size_t i = 0; i < exchange.Fresh.size(); ++i)
+  {
+    const std::array<Id, 4> none = { { None, None, None, None } };
+    const RefinableCell& model = this->Cells[exchange.Models[i]];
+    this->FreshContents.push_back({ exchange.Fresh[i], none, none, model.Region, model.Parent });
+  }
+  for (const Id cell : exchange.Old)
   {
     this->Remove(cell);
   }
   std::size_t matched = 0;
   this->FreshCells.clear();
-  for (const Tetrahedron& corners : fresh)
+  for (const RefinableCell& content : this->FreshContents)
   {
-    const std::array<Id, 4> none = { { None, None, None, None } };
-    this->FreshCells.push_back(this->NewCell({ corners, none, none, region, parent }));
+    this->FreshCells.push_back(this->NewCell(content));
     matched += this->Connect(this->FreshCells.back());
   }
-  // Each face of a fresh cell is a wall, or one of two that are matched once.
-  if (2 * matched != 4 * fresh.size() + walls)
+  std::size_t onBoundary = 0;
+  for (const FreshFacet& facet : exchange.Facets)
+  {
+    onBoundary += this->Place(facet);
+  }
+  // Faces of fresh cells are walls, or two that are matched once, or on the boundary; and so are
+  // walls that no fresh cell has.
+  if (2 * matched + onBoundary != 4 * exchange.Fresh.size() + walls)
   {
     throw Error(ErrorCode::Inconsistent, "cells were replaced by others with another boundary");
   }

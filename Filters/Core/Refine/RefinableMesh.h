@@ -29,6 +29,15 @@ constexpr Triangle FaceAcross(const Tetrahedron& c, int k)
                 : Triangle{ { c[0], c[1], c[2] } };
 }
 
+/** Where a point may go. */
+enum class PointKind : char
+{
+  Free,    ///< anywhere in the solid
+  InFacet, ///< on its facets, which are smooth there
+  OnRidge, ///< along the ridge that it is on
+  Fixed    ///< nowhere
+};
+
 /**
  * The cells around an edge (U, V): cell k has the corners U, V, Points[k], Points[k + 1]. Around an
  * edge of the boundary the points are one more than the cells, else the last cell ends at the first
@@ -39,9 +48,33 @@ struct RefinableRing
   Id U;
   Id V;
   bool IsClosed;
-  bool IsLocked; ///< whether a face at the edge is a piece of a facet
+  bool IsLocked; ///< whether a face at the edge, between two cells, is a piece of a facet
   std::vector<Id> Points;
   std::vector<Id> Cells;
+  std::array<Id, 2> EndFacets; ///< at the first and the last point, where it is not closed
+
+  bool IsOnFacet() const { return !this->IsClosed || this->IsLocked; }
+};
+
+/** A face that is to be a piece of a facet. */
+struct FreshFacet
+{
+  Triangle Corners;
+  Id Facet;
+};
+
+/** Cells to be, and those that they are put in place of; both fill the same space. */
+struct CellExchange
+{
+  std::vector<Id> Old;
+  std::vector<Tetrahedron> Fresh;
+  std::vector<Id> Models; ///< per fresh cell the old one that it is in the region of
+
+  std::vector<Triangle> Gone;     ///< pieces of facets around the old cells that go, sorted
+  std::vector<FreshFacet> Facets; ///< in place of those
+
+  void Clear();
+  void Add(const Tetrahedron& fresh, Id model);
 };
 
 /**
@@ -52,8 +85,8 @@ class RefinableMesh
 {
 public:
   std::vector<Point> Points;
-  std::vector<char> IsFixed; ///< per point: on a facet, so that it stays where it is
-  std::vector<double> Sizes; ///< per point: how long edges there are to be
+  std::vector<PointKind> Kinds; ///< per point
+  std::vector<double> Sizes;    ///< per point: how long edges there are to be
 
   /** Of all cells, dead ones too: their ids are below this. */
   Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
@@ -69,7 +102,7 @@ public:
   int MirrorIndex(Id cell, int k) const;
 
   /** A point in no cell yet. */
-  Id AddPoint(const Point& place, bool isFixed, double size);
+  Id AddPoint(const Point& place, PointKind kind, double size);
 
   /** A cell of the input, with its neighbors' ids. */
   void AddCell(const RefinableCell& cell);
@@ -85,6 +118,12 @@ public:
    * Faces between the two sets and the rest keep their facets; inner ones have none.
    */
   void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh);
+
+  /** The same of cells of several regions, and where facets get other pieces. */
+  void Replace(const CellExchange& exchange);
+
+  /** Make the face across from corner k, a piece of one facet, one of another, on one side. */
+  void SetFacet(Id cell, int k, Id facet) { this->Cells[cell].Facets[k] = facet; }
 
   /** The cells that the last Replace made. */
   const std::vector<Id>& Fresh() const { return this->FreshCells; }
@@ -114,13 +153,16 @@ private:
     int Face;
     Id Facet;
     std::uint32_t Epoch;
+    bool IsMatched;
   };
 
   PendingFace& Slot(const Triangle& sorted);
-  std::size_t EnterWalls(const std::vector<Id>& cells);
+  void StartTable(std::size_t cells);
+  std::size_t EnterWalls(const std::vector<Id>& cells, const std::vector<Triangle>& gone);
   void Remove(Id cell);
   Id NewCell(const RefinableCell& content);
   std::size_t Connect(Id cell);
+  std::size_t Place(const FreshFacet& facet);
 
   /** The other corners of a cell with the edge (u, v): (u, v, first, second) is positive. */
   Edge OtherCorners(Id cell, Id u, Id v) const;
@@ -129,6 +171,8 @@ private:
   std::vector<Id> Versions;
   std::vector<Id> FreeCells;
   std::vector<Id> FreshCells;
+  std::vector<RefinableCell> FreshContents;
+  CellExchange Simple; ///< of cells of one region
   std::vector<Id> CellOf;
   std::vector<Id> Changed;
   Id Changes = 0;

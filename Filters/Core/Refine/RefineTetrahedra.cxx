@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/RefineTetrahedra.h"
 
+#include "Common/Box.h"
 #include "Common/PointPredicates.h"
 #include "Common/ScaledPoints.h"
+#include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
@@ -10,6 +12,9 @@
 #include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/LocateCells.h"
+#include "Refine/MakeRefinable.h"
+#include "Refine/RefinedSurface.h"
+#include "Refine/RemeshSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +28,14 @@ namespace insideout
 {
 namespace
 {
-/** VTK's face k is across from this corner. */
-constexpr std::array<int, 4> AcrossFrom = { { 2, 0, 1, 3 } };
-
 /** Of cells that are to be: a mesh may need some times as many while it is made. */
 constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
+
+/** To refine without new crossings, with some facets kept; then all are. */
+constexpr int MostAttempts = 4;
 
 /** Whether a face has a cell that sees it from the same side as its neighbour does. */
 bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
@@ -76,39 +81,15 @@ void CheckInput(const TetrahedralMesh& mesh, const SizingParameters& parameters)
   }
 }
 
-/** Faces of the boundary and between regions are its facets, and their points are fixed. */
-RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& regions)
+/** The face of the input that a piece of a facet has on its side, where cells are of a region. */
+Id FaceOnSide(const FacetOfInput& facet, const std::vector<Id>& regions, Id region)
 {
-  RefinableMesh result;
-  for (const Point& point : mesh.Points)
-  {
-    result.AddPoint(point, false, std::numeric_limits<double>::infinity());
-  }
-  Id facets = 0;
-  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
-  {
-    const Id region = regions.empty() ? 0 : regions[c];
-    RefinableCell cell = { mesh.Cells[c], { { None, None, None, None } },
-      { { None, None, None, None } }, region, static_cast<Id>(c) };
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = mesh.Neighbors[c][k];
-      cell.Neighbors[AcrossFrom[k]] = neighbor;
-      if (neighbor == None || (!regions.empty() && regions[neighbor] != region))
-      {
-        cell.Facets[AcrossFrom[k]] = facets++;
-        for (const Id corner : FaceOf(mesh.Cells[c], k))
-        {
-          result.IsFixed[corner] = 1;
-        }
-      }
-    }
-    result.AddCell(cell);
-  }
-  return result;
+  const bool isSecond = !regions.empty() && regions[facet.Faces[0] / 4] != region;
+  return facet.Faces[isSecond ? 1 : 0];
 }
 
-RefinedMesh Compress(const RefinableMesh& mesh, const std::vector<Point>& input)
+RefinedMesh Compress(const RefinableMesh& mesh, const TetrahedralMesh& input,
+  const std::vector<Id>& regions, const std::vector<FacetOfInput>& facets)
 {
   RefinedMesh result;
   std::vector<Id> numbers(mesh.Points.size(), None);
@@ -116,8 +97,16 @@ RefinedMesh Compress(const RefinableMesh& mesh, const std::vector<Point>& input)
   {
     if (!mesh.IsDead(c))
     {
-      result.Cells.push_back(mesh.Cell(c).Corners);
-      result.OriginalCells.push_back(mesh.Cell(c).Parent);
+      const RefinableCell& cell = mesh.Cell(c);
+      result.Cells.push_back(cell.Corners);
+      result.OriginalCells.push_back(cell.Parent);
+      std::array<Id, 4> faces;
+      for (int k = 0; k < 4; ++k)
+      {
+        const Id facet = cell.Facets[CornerAcrossFrom[k]];
+        faces[k] = facet == None ? None : FaceOnSide(facets[facet], regions, cell.Region);
+      }
+      result.OriginalFaces.push_back(faces);
     }
   }
   for (Id p = 0; p < static_cast<Id>(mesh.Points.size()); ++p)
@@ -126,7 +115,8 @@ RefinedMesh Compress(const RefinableMesh& mesh, const std::vector<Point>& input)
     {
       numbers[p] = static_cast<Id>(result.Points.size());
       result.Points.push_back(mesh.Points[p]);
-      const bool isOriginal = p < static_cast<Id>(input.size()) && mesh.Points[p] == input[p];
+      const bool isOriginal =
+        p < static_cast<Id>(input.Points.size()) && mesh.Points[p] == input.Points[p];
       result.OriginalPoints.push_back(isOriginal ? p : None);
       result.CellsOfPoints.push_back(mesh.Cell(mesh.CellAt(p)).Parent);
     }
@@ -152,12 +142,8 @@ Id CountLargeCells(const RefinedMesh& mesh, double maximumVolume)
     }));
 }
 
-RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const SizingParameters& parameters, Monitor& monitor)
+void CheckEstimate(const SizingField& sizes)
 {
-  monitor.Check(Stages::Refining, 0);
-  RefinableMesh refinable = MakeRefinable(mesh, regions);
-  SizingField sizes(refinable, parameters);
   if (const double cells = sizes.EstimatedCells(); !(cells < MostCells))
   {
     std::ostringstream words;
@@ -165,13 +151,125 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
           << " cells, more than can be counted";
     throw Error(ErrorCode::TooLarge, words.str());
   }
+}
+
+/** A surface that is being refined: its facets, and those that are to stay. */
+struct SurfaceOfRun
+{
+  std::vector<FacetOfInput> Facets;
+  std::vector<char> Locked;
+  double Tolerance;
+
+  Id NumberOfLocked() const
+  {
+    return static_cast<Id>(std::count(this->Locked.begin(), this->Locked.end(), 1));
+  }
+};
+
+/** Refine the mesh; its surface is treated as is asked for, but for locked facets. */
+RefinableMesh Run(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
+{
+  monitor.Check(Stages::Refining, 0);
+  RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
+  RefinableSurface surface(
+    refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle);
+  SurfaceBound bound = parameters.Surface == SurfaceTreatment::Remeshed
+    ? SurfaceBound(refinable, run.Facets, run.Tolerance)
+    : SurfaceBound();
+  SizingField sizes(refinable, parameters.Sizes);
+  CheckEstimate(sizes);
   monitor.Check(Stages::Refining, 0.05);
+  if (parameters.Surface != SurfaceTreatment::Kept)
+  {
+    parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles()
+                                                  : sizes.FollowWishes();
+    CheckEstimate(sizes);
+    RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
+    sizes.FollowSurface();
+  }
   ThinPoints(refinable);
   FillWithPoints(
-    refinable, sizes, parameters.MaximumVolume, monitor, { Stages::Refining, 0.1, 0.3 });
-  ImproveCells(refinable, sizes, monitor, { Stages::Refining, 0.3, 0.9 });
+    refinable, sizes, parameters.Sizes.MaximumVolume, monitor, { Stages::Refining, 0.2, 0.4 });
+  ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
+  return refinable;
+}
 
-  RefinedMesh result = Compress(refinable, mesh.Points);
+/** The same with facets locked until no pieces of the surface cross that did not before. */
+RefinableMesh RunUntilNothingCrosses(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
+{
+  for (int attempt = 0;; ++attempt)
+  {
+    RefinableMesh refinable = Run(mesh, regions, run, parameters, monitor);
+    if (parameters.Surface == SurfaceTreatment::Kept ||
+      run.NumberOfLocked() == static_cast<Id>(run.Facets.size()))
+    {
+      return refinable;
+    }
+    const Id before = run.NumberOfLocked();
+    run.Locked.resize(run.Facets.size(), 0);
+    for (const Id facet : CrossingFacets(refinable, monitor, { Stages::Refining, 0.9, 0.9 }))
+    {
+      run.Locked[facet] = 1;
+    }
+    if (run.NumberOfLocked() == before)
+    {
+      return refinable;
+    }
+    if (attempt == MostAttempts)
+    {
+      run.Locked.assign(run.Facets.size(), 1);
+    }
+  }
+}
+
+/** How far the surfaces before and after are apart. */
+void CompareSurfaces(const RefinableMesh& mesh, const SurfaceOfRun& run, Statistics& statistics)
+{
+  std::vector<LabelledTriangle> before;
+  for (const FacetOfInput& facet : run.Facets)
+  {
+    before.push_back({ facet.Corners, facet.Label });
+  }
+  std::vector<LabelledTriangle> after;
+  for (const SurfacePiece& piece : PiecesOf(mesh))
+  {
+    after.push_back({ piece.Places, run.Facets[piece.Facet].Label });
+  }
+  const double enough = run.Tolerance / 4; // what is as near need not be told
+  statistics.emplace_back("SurfaceDistance", LargestDistance(after, before, enough));
+  statistics.emplace_back("InputDistance", LargestDistance(before, after, enough));
+}
+
+Id CountSurfacePoints(const RefinableMesh& mesh, std::size_t before)
+{
+  Id count = 0;
+  for (std::size_t p = before; p < mesh.Points.size(); ++p)
+  {
+    count += mesh.CellAt(static_cast<Id>(p)) != None && mesh.Kinds[p] != PointKind::Free ? 1 : 0;
+  }
+  return count;
+}
+
+RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const RefinementParameters& parameters, Monitor& caller)
+{
+  ForwardMonitor monitor(caller);
+  SurfaceOfRun run = { FacetsOf(mesh, regions, parameters.Labels), {},
+    parameters.SurfaceTolerance };
+  if (!(run.Tolerance > 0))
+  {
+    const Box box = BoundingBox(mesh.Points);
+    run.Tolerance = RefinementParameters::DefaultTolerance * box.Extent(box.LongestAxis());
+  }
+  RefinableMesh refinable = RunUntilNothingCrosses(mesh, regions, run, parameters, monitor);
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    FindNearestFacets(run.Facets, refinable);
+  }
+
+  RefinedMesh result = Compress(refinable, mesh, regions, run.Facets);
   std::vector<Point> barycentres(result.Cells.size());
   for (std::size_t c = 0; c < result.Cells.size(); ++c)
   {
@@ -192,12 +290,34 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
     std::count(result.OriginalPoints.begin(), result.OriginalPoints.end(), None));
   result.Statistics = { { "AddedPoints", static_cast<double>(result.Points.size()) - kept },
     { "RemovedPoints", static_cast<double>(mesh.Points.size()) - kept } };
-  if (parameters.MaximumVolume > 0)
+  if (parameters.Sizes.MaximumVolume > 0)
   {
     result.Statistics.emplace_back(
-      "CellsAboveMaximumVolume", CountLargeCells(result, parameters.MaximumVolume));
+      "CellsAboveMaximumVolume", CountLargeCells(result, parameters.Sizes.MaximumVolume));
+  }
+  if (parameters.Surface != SurfaceTreatment::Kept)
+  {
+    result.Statistics.emplace_back(
+      "SurfacePoints", CountSurfacePoints(refinable, mesh.Points.size()));
+    result.Statistics.emplace_back("KeptFacets", run.NumberOfLocked());
+  }
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    CompareSurfaces(refinable, run, result.Statistics);
   }
   return result;
+}
+
+/** Regions from 0, in the order of their numbers: none is the one beyond the boundary. */
+std::vector<Id> NumberedAnew(std::vector<Id> regions)
+{
+  std::vector<Id> sorted = regions;
+  SortUniquely(sorted);
+  for (Id& region : regions)
+  {
+    region = IndexIn(sorted, region);
+  }
+  return regions;
 }
 
 /** Not 0, which has a meaning of its own, unless the size is. */
@@ -206,7 +326,7 @@ double ScaledSize(double size, int exponent)
   return size > 0 ? std::max(std::ldexp(size, exponent), std::numeric_limits<double>::min()) : 0;
 }
 
-/** The parameters for a mesh that is 2^exponent times as large. */
+/** The lengths for a mesh that is 2^exponent times as large. */
 SizingParameters Scaled(const SizingParameters& parameters, int exponent)
 {
   SizingParameters scaled = parameters;
@@ -229,10 +349,11 @@ SizingParameters Scaled(const SizingParameters& parameters, int exponent)
 }
 } // namespace
 
-RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const SizingParameters& parameters, Monitor& monitor)
+RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& given,
+  const RefinementParameters& parameters, Monitor& monitor)
 {
-  CheckInput(mesh, parameters);
+  CheckInput(mesh, parameters.Sizes);
+  const std::vector<Id> regions = NumberedAnew(given);
   const int exponent = LargestExponent(mesh.Points);
   if (std::abs(exponent) <= LargestOrdinaryExponent)
   {
@@ -240,8 +361,16 @@ RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>&
   }
   TetrahedralMesh scaled = mesh;
   scaled.Points = ScaledPoints(mesh.Points, -exponent);
-  RefinedMesh result = RefineNearUnitSize(scaled, regions, Scaled(parameters, -exponent), monitor);
+  RefinementParameters other = parameters;
+  other.Sizes = Scaled(parameters.Sizes, -exponent);
+  other.SurfaceTolerance = ScaledSize(parameters.SurfaceTolerance, -exponent);
+  RefinedMesh result = RefineNearUnitSize(scaled, regions, other, monitor);
   result.Points = ScaledPoints(result.Points, exponent);
+  for (auto& [name, value] : result.Statistics)
+  {
+    const bool isLength = name == "SurfaceDistance" || name == "InputDistance";
+    value = isLength ? std::ldexp(value, exponent) : value;
+  }
   for (std::size_t p = 0; p < result.Points.size(); ++p)
   {
     if (result.OriginalPoints[p] != None)

@@ -4,12 +4,31 @@
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
 #include "Common/TetrahedralMesh.h"
+#include "Refine/RefinableSurface.h"
 #include "Refine/SizingField.h"
 
 #include <vector>
 
 namespace insideout
 {
+struct RefinementParameters
+{
+  SizingParameters Sizes;
+  SurfaceTreatment Surface = SurfaceTreatment::Kept;
+
+  /** Remeshed: how far the new surface may be from the old one, both ways; 0: DefaultTolerance of
+   * the longest edge of the points' bounding box. */
+  double SurfaceTolerance = 0;
+  static constexpr double DefaultTolerance = 1e-3;
+
+  /** Remeshed: edges stay where the normals differ by more; in degrees. */
+  double FeatureAngle = 30;
+
+  /** Remeshed: per face of each cell, a number; edges between faces of different ones stay. Empty:
+   * all faces have the same. */
+  std::vector<std::array<Id, 4>> Labels;
+};
+
 /** Better cells of the same solid. */
 struct RefinedMesh
 {
@@ -18,22 +37,32 @@ struct RefinedMesh
   std::vector<Id>
     OriginalPoints; ///< per point, the one of the input that it is, None for a new one
 
-  /** Per cell, the one of the input that holds its barycentre; of the same region. */
+  /** Per cell, the one of the input that holds its barycentre, or is near it; of the same region.
+   */
   std::vector<Id> OriginalCells;
 
-  /** Per point, a cell of the input that holds it. */
+  /** Per face of each cell, where it is on the boundary or between regions: 4 * cell + face of the
+   * input's face, on the same side, that it is a piece of, or (Remeshed) nearest to. None else. */
+  std::vector<std::array<Id, 4>> OriginalFaces;
+
+  /** Per point, a cell of the input that holds it, or is near it. */
   std::vector<Id> CellsOfPoints;
 
   insideout::Statistics Statistics;
 };
 
 /**
- * Tetrahedra of the same solid that are better and as large as asked for. Every face of the
- * boundary, and every face between two regions, stays as it is, bit by bit. Delaunay refinement by
- * lengths (FillWithPoints), then the worst cells are improved (ImproveCells). Every cell has a
- * positive volume, exactly; the same result for the same input, always.
+ * Tetrahedra of the same solid that are better and as large as asked for. Faces of the boundary,
+ * and between two regions, stay as they are, bit by bit, or are treated as asked for
+ * (RemeshSurface). Delaunay refinement by lengths (FillWithPoints), then the worst cells are
+ * improved (ImproveCells). Every cell has a positive volume, exactly, and no faces of the boundary
+ * cross; the same result for the same input, always.
  *
- * Statistics: AddedPoints and RemovedPoints, CellsAboveMaximumVolume, where that is given.
+ * Statistics: AddedPoints and RemovedPoints, CellsAboveMaximumVolume, where that is given; of a
+ * surface that is not kept SurfacePoints, how many of the added ones are on it, and KeptFacets, how
+ * many facets stay as they are since they would cross others; and of a remeshed one
+ * SurfaceDistance, how far it is from the input's at most, and InputDistance, how far that is from
+ * it.
  *
  * @param[in] mesh of any solid; its facets do not matter
  * @param[in] regions one per cell; empty: all are one
@@ -42,5 +71,5 @@ struct RefinedMesh
  * counted, Stopped
  */
 RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const SizingParameters& parameters, Monitor& monitor);
+  const RefinementParameters& parameters, Monitor& monitor);
 } // namespace insideout

@@ -4,6 +4,7 @@
 #include "Common/Edge.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
+#include "Refine/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,9 @@ namespace insideout
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+/** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
+constexpr double LeastShare = 1.0 / 8;
 
 double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
 {
@@ -50,12 +54,38 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
     const double wanted = parameters.Lengths.empty() ? Infinite : parameters.Lengths[p];
     this->AtPoints[p] = { Infinite, this->WantedAt(mesh.Points[p], wanted) };
   }
-  this->SetLengthsOfSurface();
-  this->Grow();
-  for (std::size_t p = 0; p < mesh.Points.size(); ++p)
+  this->FollowSurface();
+}
+
+void SizingField::SetSizes()
+{
+  for (std::size_t p = 0; p < this->AtPoints.size(); ++p)
   {
-    mesh.Sizes[p] = this->AtPoints[p].Both();
+    this->Mesh.Sizes[p] = this->AtPoints[p].Both();
   }
+}
+
+void SizingField::FollowSurface()
+{
+  this->SetLengthsOfSurface(false);
+  this->Grow();
+  this->SetSizes();
+}
+
+void SizingField::FollowThinTriangles()
+{
+  this->SetLengthsOfSurface(true);
+  this->Grow();
+  this->SetSizes();
+}
+
+void SizingField::FollowWishes()
+{
+  for (Lengths& there : this->AtPoints)
+  {
+    there.Surface = there.Wanted < Infinite ? Infinite : there.Surface;
+  }
+  this->SetSizes();
 }
 
 double SizingField::WantedAt(const Point& place, double otherwise) const
@@ -64,37 +94,43 @@ double SizingField::WantedAt(const Point& place, double otherwise) const
   return std::min({ this->Most, otherwise, there });
 }
 
-/** At each point of a facet the mean length of the edges of facets there. */
-void SizingField::SetLengthsOfSurface()
+/**
+ * At each point of a facet the mean length of the edges of facets there; or how near the edges
+ * across from it are, but at least a part of the mean.
+ */
+void SizingField::SetLengthsOfSurface(bool least)
 {
   std::vector<int> counts(this->AtPoints.size(), 0);
   std::vector<double> sums(this->AtPoints.size(), 0);
+  std::vector<double> shortest(this->AtPoints.size(), Infinite);
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
     {
       if (this->Mesh.Cell(c).Facets[k] == None)
       {
         continue;
       }
       const Triangle f = FaceAcross(this->Mesh.Cell(c).Corners, k);
+      const std::array<Point, 3> t = CornersOf(this->Mesh.Points, f);
       for (int i = 0; i < 3; ++i)
       {
-        const Edge edge = EdgeBetween(f[i], f[(i + 1) % 3]);
-        for (const Id p : edge)
+        const double length = Distance(t[i], t[(i + 1) % 3]);
+        for (const Id p : { f[i], f[(i + 1) % 3] })
         {
-          sums[p] += Distance(this->Mesh.Points[edge[0]], this->Mesh.Points[edge[1]]);
+          sums[p] += length;
           ++counts[p];
         }
+        const Point& apex = t[(i + 2) % 3];
+        const Point across = NearestPointOf({ { t[i], t[(i + 1) % 3], t[i] } }, apex);
+        shortest[f[(i + 2) % 3]] = std::min(shortest[f[(i + 2) % 3]], Distance(apex, across));
       }
     }
   }
   for (std::size_t p = 0; p < sums.size(); ++p)
   {
-    if (counts[p] > 0)
-    {
-      this->AtPoints[p].Surface = sums[p] / counts[p];
-    }
+    const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;
+    this->AtPoints[p].Surface = least ? std::max(shortest[p], LeastShare * mean) : mean;
   }
 }
 

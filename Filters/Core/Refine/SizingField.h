@@ -29,6 +29,16 @@ public:
   /** Sets the mesh's Sizes; later points get theirs from At. The mesh has to live as long. */
   SizingField(RefinableMesh& mesh, const SizingParameters& parameters);
 
+  /** Set the mesh's Sizes anew for a surface that has changed: as long as its edges are. */
+  void FollowSurface();
+
+  /** Set them for a surface that is to be split: at short edges and thin triangles short. */
+  void FollowThinTriangles();
+
+  /** Set them for a surface that is to be remeshed: what is asked for, whatever the surface has; if
+   * nothing is, as FollowSurface does. */
+  void FollowWishes();
+
   /** At a place in or near a cell. */
   double At(Id cell, const Point& place) const;
 
@@ -49,8 +59,9 @@ private:
   };
   Lengths LengthsAt(Id cell, const Point& place) const;
   double WantedAt(const Point& place, double otherwise) const;
-  void SetLengthsOfSurface();
+  void SetLengthsOfSurface(bool least);
   void Grow();
+  void SetSizes();
 
   RefinableMesh& Mesh;
   const SizingParameters& Parameters;

@@ -2,6 +2,7 @@
 #include "Refine/SmoothPoint.h"
 
 #include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
 #include "Refine/BestPlace.h"
 
 #include <algorithm>
@@ -40,9 +41,144 @@ bool PointSmoothing::MoveTo(Id point, const Point& place)
   return true;
 }
 
+/** The pieces at a point, as they are seen from one side. */
+void PointSmoothing::CollectPieces(Id point)
+{
+  this->Pieces.clear();
+  for (const Id c : this->Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = cell.Neighbors[k];
+      const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
+      if (cell.Corners[k] != point && cell.Facets[k] != None && cell.Region > beyond)
+      {
+        const Triangle face = FaceAcross(cell.Corners, k);
+        this->Pieces.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
+      }
+    }
+  }
+}
+
+/** Of length 1, or 0 where there is none. */
+Point PointSmoothing::NormalOfPieces() const
+{
+  Point sum = { { 0, 0, 0 } };
+  const auto add = [&sum](const std::array<Point, 3>& t)
+  {
+    const Point normal = NormalOf(t[0], t[1], t[2]);
+    sum = { { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] } };
+  };
+  if (this->Surface.Treatment() == SurfaceTreatment::Split)
+  {
+    add(this->Surface.Facet(this->Pieces.front().Facet).Corners);
+  }
+  else
+  {
+    for (const SurfacePiece& piece : this->Pieces)
+    {
+      add(piece.Places);
+    }
+  }
+  const double length = Length(sum);
+  return length > 0 ? Point{ { sum[0] / length, sum[1] / length, sum[2] / length } } : sum;
+}
+
+/** The nearest place in the plane of the facet, or on the input's surface. */
+Point PointSmoothing::PlaceOnSurface(const Point& place) const
+{
+  const Id facet = this->Pieces.front().Facet;
+  if (this->Surface.Treatment() == SurfaceTreatment::Remeshed)
+  {
+    return this->Bound.PlaceOn(place, facet);
+  }
+  const Point normal = this->NormalOfPieces();
+  const double height = Dot(Difference(place, this->Surface.Facet(facet).Corners[0]), normal);
+  return { { place[0] - height * normal[0], place[1] - height * normal[1],
+    place[2] - height * normal[2] } };
+}
+
+bool PointSmoothing::MoveInFacet(Id point, const Point& place)
+{
+  this->Moved = this->Pieces;
+  for (SurfacePiece& piece : this->Moved)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      piece.Places[k] = piece.Corners[k] == point ? place : piece.Places[k];
+    }
+  }
+  const bool isAllowed = this->Surface.Treatment() == SurfaceTreatment::Split
+    ? AreUnfolded(this->Moved, NormalOf(this->Pieces.front()))
+    : this->Bound.Allows(this->Pieces, this->Moved);
+  if (!isAllowed)
+  {
+    return false;
+  }
+  if (!this->MoveTo(point, place))
+  {
+    return false;
+  }
+  this->Bound.Replace();
+  return true;
+}
+
+bool PointSmoothing::SmoothInFacet(Id point)
+{
+  const std::vector<Point>& points = this->Mesh.Points;
+  this->CollectPieces(point);
+  const double before = std::max(0.0,
+    WorstShapeAt(points, this->Walls, points[point], -std::numeric_limits<double>::infinity()));
+  Point place = points[point];
+  const Point normal = this->NormalOfPieces();
+  FindBestPlace(points, this->Walls, place, &normal);
+  place = this->PlaceOnSurface(place);
+  const double wanted = before * LeastGain;
+  return WorstShapeAt(points, this->Walls, place, wanted) > wanted &&
+    this->MoveInFacet(point, place);
+}
+
+bool PointSmoothing::Relax(Id point, double wanted)
+{
+  if (this->Mesh.Kinds[point] != PointKind::InFacet)
+  {
+    return false;
+  }
+  this->Collect(point);
+  this->CollectPieces(point);
+  Point mean = { { 0, 0, 0 } };
+  double weights = 0;
+  for (const SurfacePiece& piece : this->Pieces)
+  {
+    const double area = Length(NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]));
+    weights += area;
+    for (int k = 0; k < 3; ++k)
+    {
+      mean[k] += area * (piece.Places[0][k] + piece.Places[1][k] + piece.Places[2][k]) / 3;
+    }
+  }
+  if (!(weights > 0))
+  {
+    return false;
+  }
+  const Point place =
+    this->PlaceOnSurface({ { mean[0] / weights, mean[1] / weights, mean[2] / weights } });
+  const std::vector<Point>& points = this->Mesh.Points;
+  const double any = -std::numeric_limits<double>::infinity();
+  const double before = WorstShapeAt(points, this->Walls, points[point], any);
+  const double least = std::min(wanted, std::max(before, 0.0) / 2);
+  return WorstShapeAt(points, this->Walls, place, least) > least && this->MoveInFacet(point, place);
+}
+
 bool PointSmoothing::Smooth(Id point)
 {
-  if (this->Mesh.IsFixed[point] != 0)
+  if (this->Mesh.Kinds[point] == PointKind::InFacet)
+  {
+    this->Collect(point);
+    return this->SmoothInFacet(point);
+  }
+  if (this->Mesh.Kinds[point] != PointKind::Free)
   {
     return false;
   }

@@ -27,7 +27,9 @@ RefinedMesh Refined(const TetrahedralMesh& mesh, const std::vector<Id>& regions 
   const SizingParameters& parameters = {})
 {
   Monitor monitor;
-  return RefineTetrahedra(mesh, regions, parameters, monitor);
+  RefinementParameters all;
+  all.Sizes = parameters;
+  return RefineTetrahedra(mesh, regions, all, monitor);
 }
 
 /** The cells of a mesh that are inside, as a mesh of their own. */

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/RefinementLaws.h"
 
+#include "Common/Box.h"
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
+#include "Resolve/FindIntersections.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -95,6 +98,230 @@ void ExpectRefinementLaws(
       EXPECT_EQ(refined.Points[p], mesh.Points[original]);
     }
     EXPECT_TRUE(IsIn(mesh, refined.CellsOfPoints[p], refined.Points[p])) << "point " << p;
+  }
+}
+
+namespace
+{
+/** A face of the boundary or between regions, seen from its cell's outside. */
+struct SurfaceFace
+{
+  Triangle Corners;
+  Id Region;
+  Id Original; ///< of refined ones
+};
+
+/** All faces that have no cell of their region behind them. */
+std::vector<SurfaceFace> SurfaceFaces(const std::vector<Tetrahedron>& cells,
+  const std::vector<Id>& regions, const std::vector<std::array<Id, 4>>* originals)
+{
+  std::map<Triangle, std::vector<std::pair<Id, int>>> uses;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      Triangle sorted = FaceOf(cells[c], k);
+      std::sort(sorted.begin(), sorted.end());
+      uses[sorted].push_back({ static_cast<Id>(c), k });
+    }
+  }
+  std::vector<SurfaceFace> faces;
+  for (const auto& [corners, ofCells] : uses)
+  {
+    EXPECT_LE(ofCells.size(), 2U);
+    const bool isInner =
+      ofCells.size() == 2 && regions[ofCells[0].first] == regions[ofCells[1].first];
+    for (const auto& [c, k] : ofCells)
+    {
+      if (originals)
+      {
+        EXPECT_EQ((*originals)[c][k] == None, isInner) << "face " << k << " of cell " << c;
+      }
+      if (!isInner)
+      {
+        faces.push_back({ FaceOf(cells[c], k), regions[c], originals ? (*originals)[c][k] : None });
+      }
+    }
+  }
+  return faces;
+}
+
+std::vector<Id> RegionsAfter(const std::vector<Id>& before, const RefinedMesh& refined)
+{
+  std::vector<Id> after;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    EXPECT_GT(Orient3D(refined.Points, refined.Cells[c]), 0) << "cell " << c;
+    after.push_back(before[refined.OriginalCells[c]]);
+  }
+  return after;
+}
+
+std::map<Id, double> VolumesOf(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<Id>& regions)
+{
+  std::map<Id, double> volumes;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    const auto [p, q, r, s] = CornersOf(points, cells[c]);
+    volumes[regions[c]] += Determinant(Difference(q, p), Difference(r, p), Difference(s, p)) / 6;
+  }
+  return volumes;
+}
+
+void ExpectNoCrossings(const TetrahedralMesh& mesh, const RefinedMesh& refined)
+{
+  const auto crossings = [](const std::vector<Point>& points, const std::vector<Tetrahedron>& cells)
+  {
+    std::vector<Triangle> boundary;
+    for (const SurfaceFace& face : SurfaceFaces(cells, std::vector<Id>(cells.size(), 0), nullptr))
+    {
+      boundary.push_back(face.Corners);
+    }
+    Monitor monitor;
+    return FindIntersections(points, boundary, monitor).size();
+  };
+  EXPECT_LE(crossings(refined.Points, refined.Cells), crossings(mesh.Points, mesh.Cells));
+}
+
+/** Vertices less edges plus faces of all faces of each region. */
+std::map<Id, int> EulerCharacteristics(const std::vector<SurfaceFace>& faces)
+{
+  std::map<Id, std::set<Id>> vertices;
+  std::map<Id, std::set<std::pair<Id, Id>>> edges;
+  std::map<Id, int> result;
+  for (const SurfaceFace& face : faces)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Id p = face.Corners[i];
+      const Id q = face.Corners[(i + 1) % 3];
+      result[face.Region] += vertices[face.Region].insert(p).second ? 1 : 0;
+      result[face.Region] -= edges[face.Region].insert(std::minmax(p, q)).second ? 1 : 0;
+    }
+    ++result[face.Region];
+  }
+  return result;
+}
+
+/** The least distance of a place from triangles of a region, by many samples of each. */
+double DistanceFrom(const Point& place, const std::vector<SurfaceFace>& faces,
+  const std::vector<Point>& points, Id region)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SurfaceFace& face : faces)
+  {
+    const std::array<Point, 3> t = CornersOf(points, face.Corners);
+    const Point normal = NormalOf(t[0], t[1], t[2]);
+    const double height = Dot(Difference(place, t[0]), normal) / Length(normal);
+    if (face.Region != region || std::abs(height) > least)
+    {
+      continue;
+    }
+    bool isOver = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point along = Difference(t[(k + 1) % 3], t[k]);
+      const Point toPlace = Difference(place, t[k]);
+      isOver = isOver && Dot(Cross(along, toPlace), normal) >= 0;
+      const double part = std::clamp(Dot(toPlace, along) / Dot(along, along), 0.0, 1.0);
+      const Point foot = { { t[k][0] + part * along[0], t[k][1] + part * along[1],
+        t[k][2] + part * along[2] } };
+      least = std::min(least, Distance(place, foot));
+    }
+    least = isOver ? std::min(least, std::abs(height)) : least;
+  }
+  return least;
+}
+
+Point WithinFace(const std::array<Point, 3>& t, double u, double v)
+{
+  Point place;
+  for (int k = 0; k < 3; ++k)
+  {
+    place[k] = t[0][k] + u * (t[1][k] - t[0][k]) + v * (t[2][k] - t[0][k]);
+  }
+  return place;
+}
+} // namespace
+
+void ExpectSplitLaws(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, const RefinedMesh& refined)
+{
+  const std::vector<Id> before = regions.empty() ? std::vector<Id>(mesh.Cells.size(), 0) : regions;
+  const std::vector<Id> after = RegionsAfter(before, refined);
+  const std::vector<SurfaceFace> pieces =
+    SurfaceFaces(refined.Cells, after, &refined.OriginalFaces);
+  const Box box = BoundingBox(mesh.Points);
+  const double rounding = 1e-14 * box.Extent(box.LongestAxis());
+  std::map<Id, double> areas;
+  for (const SurfaceFace& piece : pieces)
+  {
+    ASSERT_NE(piece.Original, None);
+    EXPECT_EQ(before[piece.Original / 4], piece.Region);
+    const auto [a, b, c] =
+      CornersOf(mesh.Points, FaceOf(mesh.Cells[piece.Original / 4], piece.Original % 4));
+    const Point normal = NormalOf(a, b, c);
+    const std::array<Point, 3> t = CornersOf(refined.Points, piece.Corners);
+    EXPECT_GT(Dot(NormalOf(t[0], t[1], t[2]), normal), 0);
+    for (const Point& corner : t)
+    {
+      EXPECT_LE(std::abs(Dot(Difference(corner, a), normal)), rounding * Length(normal));
+    }
+    areas[piece.Original] += Length(NormalOf(t[0], t[1], t[2]));
+  }
+  std::set<Point> there(refined.Points.begin(), refined.Points.end());
+  const std::vector<SurfaceFace> facesBefore = SurfaceFaces(mesh.Cells, before, nullptr);
+  EXPECT_EQ(areas.size(), facesBefore.size());
+  for (const SurfaceFace& face : facesBefore)
+  {
+    for (const Id corner : face.Corners)
+    {
+      EXPECT_EQ(there.count(mesh.Points[corner]), 1U);
+    }
+  }
+  for (const auto& [face, area] : areas)
+  {
+    const auto [a, b, c] = CornersOf(mesh.Points, FaceOf(mesh.Cells[face / 4], face % 4));
+    EXPECT_NEAR(area / Length(NormalOf(a, b, c)), 1, 1e-9) << "face " << face;
+  }
+  const std::map<Id, double> volumes = VolumesOf(refined.Points, refined.Cells, after);
+  for (const auto& [region, volume] : VolumesOf(mesh.Points, mesh.Cells, before))
+  {
+    EXPECT_NEAR(volumes.at(region) / volume, 1, 1e-9);
+  }
+  ExpectNoCrossings(mesh, refined);
+}
+
+void ExpectRemeshingLaws(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const RefinedMesh& refined, double tolerance)
+{
+  const std::vector<Id> before = regions.empty() ? std::vector<Id>(mesh.Cells.size(), 0) : regions;
+  const std::vector<Id> after = RegionsAfter(before, refined);
+  const std::vector<SurfaceFace> old = SurfaceFaces(mesh.Cells, before, nullptr);
+  const std::vector<SurfaceFace> fresh = SurfaceFaces(refined.Cells, after, &refined.OriginalFaces);
+  EXPECT_EQ(EulerCharacteristics(old), EulerCharacteristics(fresh));
+  ExpectNoCrossings(mesh, refined);
+  const auto expectNear =
+    [&](const std::vector<SurfaceFace>& faces, const std::vector<Point>& points,
+      const std::vector<SurfaceFace>& others, const std::vector<Point>& otherPoints)
+  {
+    for (const SurfaceFace& face : faces)
+    {
+      const std::array<Point, 3> t = CornersOf(points, face.Corners);
+      for (const auto& [u, v] : { std::pair(0.0, 0.0), { 1.0, 0.0 }, { 0.0, 1.0 }, { 0.5, 0.5 },
+             { 0.0, 0.5 }, { 0.5, 0.0 }, { 0.25, 0.5 }, { 0.3, 0.3 } })
+      {
+        EXPECT_LE(DistanceFrom(WithinFace(t, u, v), others, otherPoints, face.Region),
+          tolerance * (1 + 1e-9));
+      }
+    }
+  };
+  expectNear(fresh, refined.Points, old, mesh.Points);
+  expectNear(old, mesh.Points, fresh, refined.Points);
+  for (const SurfaceFace& face : fresh)
+  {
+    EXPECT_EQ(before[face.Original / 4], face.Region);
   }
 }
 

@@ -14,6 +14,22 @@ namespace testmeshes
 void ExpectRefinementLaws(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Id>& regions, const insideout::RefinedMesh& refined);
 
+/**
+ * Expect what it promises of a surface that is split: the points that were on it are there; every
+ * face of the boundary or between regions is a piece of the one it says, and these make it up,
+ * within rounding; no two of the boundary cross; regions keep their volumes.
+ */
+void ExpectSplitLaws(const insideout::TetrahedralMesh& mesh,
+  const std::vector<insideout::Id>& regions, const insideout::RefinedMesh& refined);
+
+/**
+ * Expect what it promises of a surface that is remeshed: it is connected as before, crosses
+ * nothing, and samples of each surface are no farther from the other than the tolerance.
+ */
+void ExpectRemeshingLaws(const insideout::TetrahedralMesh& mesh,
+  const std::vector<insideout::Id>& regions, const insideout::RefinedMesh& refined,
+  double tolerance);
+
 /** The sines of the least dihedral angles of cells, ascending. */
 std::vector<double> LeastSines(
   const std::vector<insideout::Point>& points, const std::vector<insideout::Tetrahedron>& cells);

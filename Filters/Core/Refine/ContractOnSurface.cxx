@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/ContractOnSurface.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+template <class Item>
+std::vector<Item> InBoth(const std::vector<Item>& a, const std::vector<Item>& b)
+{
+  std::vector<Item> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+template <class Corners>
+bool Has(const Corners& corners, Id point)
+{
+  return std::find(corners.begin(), corners.end(), point) != corners.end();
+}
+} // namespace
+
+void SurfaceContraction::Look(Id point, Around& around) const
+{
+  around = Around();
+  this->Mesh.Star(point, around.Cells);
+  for (const Id c : around.Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cell.Corners[k] == point)
+      {
+        continue;
+      }
+      around.Points.push_back(cell.Corners[k]);
+      const Triangle face = FaceAcross(cell.Corners, k);
+      const int at = face[0] == point ? 0 : face[1] == point ? 1 : 2;
+      const Edge across = EdgeBetween(face[(at + 1) % 3], face[(at + 2) % 3]);
+      around.Edges.push_back(across);
+      if (cell.Facets[k] != None)
+      {
+        around.FacetEdges.push_back(across);
+        around.FacetPoints.insert(around.FacetPoints.end(), across.begin(), across.end());
+      }
+    }
+  }
+  SortUniquely(around.Points);
+  SortUniquely(around.Edges);
+  SortUniquely(around.FacetPoints);
+  SortUniquely(around.FacetEdges);
+}
+
+/** Given what is around the two. */
+bool SurfaceContraction::KeepsTopology(Id point, Id target)
+{
+  std::vector<Id> linkPoints;
+  std::vector<Edge> linkEdges;
+  std::vector<Id> linkOfFacets;
+  for (const Id c : this->OfPoint.Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    if (!Has(cell.Corners, target))
+    {
+      continue;
+    }
+    std::array<int, 2> others;
+    std::size_t found = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cell.Corners[k] != point && cell.Corners[k] != target)
+      {
+        others[found++] = k;
+        linkPoints.push_back(cell.Corners[k]);
+      }
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      if (cell.Facets[others[i]] != None) // which has both ends, and the other of the two
+      {
+        linkOfFacets.push_back(cell.Corners[others[1 - i]]);
+      }
+    }
+    linkEdges.push_back(EdgeBetween(cell.Corners[others[0]], cell.Corners[others[1]]));
+  }
+  SortUniquely(linkPoints);
+  SortUniquely(linkEdges);
+  SortUniquely(linkOfFacets);
+  return InBoth(this->OfPoint.Points, this->OfTarget.Points) == linkPoints &&
+    InBoth(this->OfPoint.Edges, this->OfTarget.Edges) == linkEdges &&
+    InBoth(this->OfPoint.FacetPoints, this->OfTarget.FacetPoints) == linkOfFacets &&
+    InBoth(this->OfPoint.FacetEdges, this->OfTarget.FacetEdges).empty();
+}
+
+bool SurfaceContraction::KeepsLengths(Id target, double longest) const
+{
+  const std::vector<double>& sizes = this->Mesh.Sizes;
+  return std::all_of(this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(),
+    [&](Id other)
+    {
+      return Distance(this->Mesh.Points[other], this->Mesh.Points[target]) <=
+        longest * 0.5 * (sizes[other] + sizes[target]);
+    });
+}
+
+bool SurfaceContraction::MakeCells(Id point, Id target, double wanted)
+{
+  this->Exchange.Clear();
+  this->Exchange.Old = this->OfPoint.Cells;
+  for (const Id c : this->OfPoint.Cells)
+  {
+    Tetrahedron fresh = this->Mesh.Cell(c).Corners;
+    if (!Has(fresh, target))
+    {
+      std::replace(fresh.begin(), fresh.end(), point, target);
+      if (!(ShapeOf(this->Mesh.Points, fresh) > wanted) || Orient3D(this->Mesh.Points, fresh) <= 0)
+      {
+        return false;
+      }
+      this->Exchange.Add(fresh, c);
+    }
+  }
+  return true;
+}
+
+/** The pieces that go and come, and whether they may. */
+bool SurfaceContraction::MakePieces(Id point, Id target)
+{
+  this->Gone.clear();
+  this->Fresh.clear();
+  for (const Id c : this->OfPoint.Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = cell.Neighbors[k];
+      const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
+      if (cell.Corners[k] == point || cell.Facets[k] == None || cell.Region < beyond)
+      {
+        continue; // or seen from the other side
+      }
+      Triangle face = FaceAcross(cell.Corners, k);
+      this->Gone.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
+      if (!Has(face, target))
+      {
+        std::replace(face.begin(), face.end(), point, target);
+        this->Fresh.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
+      }
+    }
+  }
+  return this->Bound.Allows(this->Gone, this->Fresh);
+}
+
+bool SurfaceContraction::Contract(Id point, Id target, double wanted, double longest)
+{
+  const PointKind kind = this->Mesh.Kinds[point];
+  const bool isRidge = this->Surface.IsRidge(point, target);
+  if ((kind != PointKind::InFacet && !(kind == PointKind::OnRidge && isRidge)) ||
+    this->Surface.IsPinched(target) || this->Surface.IsLocked(point, target))
+  {
+    return false;
+  }
+  this->Look(point, this->OfPoint);
+  this->Look(target, this->OfTarget);
+  if (!std::binary_search(
+        this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target) ||
+    !this->KeepsLengths(target, longest) || !this->KeepsTopology(point, target) ||
+    !this->MakeCells(point, target, wanted) || !this->MakePieces(point, target))
+  {
+    return false;
+  }
+  for (const SurfacePiece& piece : this->Gone)
+  {
+    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
+  }
+  for (const SurfacePiece& piece : this->Fresh)
+  {
+    this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });
+  }
+  if (isRidge)
+  {
+    this->Surface.Contract(point, target);
+  }
+  this->Bound.Replace();
+  this->Mesh.Replace(this->Exchange);
+  return true;
+}
+
+bool SurfaceContraction::Remove(Id point, double wanted, double longest)
+{
+  this->Look(point, this->OfPoint);
+  const std::vector<Id> targets = this->OfPoint.FacetPoints;
+  return std::any_of(targets.begin(), targets.end(),
+    [&](Id target) { return this->Contract(point, target, wanted, longest); });
+}
+} // namespace insideout

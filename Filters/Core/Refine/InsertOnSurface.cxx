@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/InsertOnSurface.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+#include "Refine/QuadraticCells.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+/** A walk in a facet crosses some pieces; one that goes round and round ends. */
+constexpr int MostSteps = 200;
+
+/** Larger cavities would be of places far from what is to be split. */
+constexpr std::size_t LargestCavity = 400;
+
+/** Cells as flat as that (ShapeOf) are of points that rounding put beside one plane. */
+constexpr double LeastShape = 1e-14;
+
+double SquaredDistance(const Point& a, const Point& b)
+{
+  const Point ab = Difference(b, a);
+  return Dot(ab, ab);
+}
+
+/** Whether a place in the plane of a triangle is in its circumcircle. */
+bool IsInCircle(const std::array<Point, 3>& t, const Point& place)
+{
+  const CircleOfTriangle circle = CircumcircleOf(t);
+  return !(SquaredDistance(circle.Center, place) >= circle.SquaredRadius);
+}
+
+/** Whether a place is right of an edge, in the plane of a normal. */
+bool IsBeyond(const Point& from, const Point& to, const Point& place, const Point& normal)
+{
+  return Dot(Cross(Difference(to, from), Difference(place, from)), normal) < 0;
+}
+} // namespace
+
+Triangle SurfaceInsertion::CornersOf(const PieceOfCell& piece) const
+{
+  return FaceAcross(this->Mesh.Cell(piece.Cell).Corners, piece.Face);
+}
+
+void SurfaceInsertion::Start(const Point& place)
+{
+  this->Met = EdgeOfCell();
+  this->Place = place;
+  this->Halved = { None, None };
+  this->Pieces.clear();
+  this->Dropped.clear();
+  this->Cavity.clear();
+  this->Mesh.StartMarking();
+}
+
+void SurfaceInsertion::AddCell(Id cell)
+{
+  if (!this->Mesh.IsMarked(cell))
+  {
+    this->Mesh.Mark(cell);
+    this->Cavity.push_back(cell);
+  }
+}
+
+/** With the cells on both sides. */
+void SurfaceInsertion::AddPiece(const PieceOfCell& piece)
+{
+  const Triangle key = SortedTriangle(this->CornersOf(piece)).Points;
+  if (std::find(this->Dropped.begin(), this->Dropped.end(), key) == this->Dropped.end())
+  {
+    this->Dropped.push_back(key);
+    this->Pieces.push_back(piece);
+    this->AddCell(piece.Cell);
+    if (const Id beyond = this->Mesh.Cell(piece.Cell).Neighbors[piece.Face]; beyond != None)
+    {
+      this->AddCell(beyond);
+    }
+  }
+}
+
+bool SurfaceInsertion::IsDropped(Id cell, int k) const
+{
+  const Triangle key = SortedTriangle(FaceAcross(this->Mesh.Cell(cell).Corners, k)).Points;
+  return std::find(this->Dropped.begin(), this->Dropped.end(), key) != this->Dropped.end();
+}
+
+/** The next piece around an edge of a piece, on the side of its cell. */
+PieceOfCell SurfaceInsertion::Across(PieceOfCell piece, Id u, Id v) const
+{
+  for (;;)
+  {
+    const RefinableCell& here = this->Mesh.Cell(piece.Cell);
+    int other = 0;
+    while (here.Corners[other] == u || here.Corners[other] == v || other == piece.Face)
+    {
+      ++other;
+    }
+    if (here.Facets[other] != None)
+    {
+      return { piece.Cell, other };
+    }
+    piece = { here.Neighbors[other], this->Mesh.MirrorIndex(piece.Cell, other) };
+  }
+}
+
+/** Go to the piece of the same facet that holds a place. */
+bool SurfaceInsertion::WalkTo(PieceOfCell& piece, const Point& place)
+{
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    const Triangle t = this->CornersOf(piece);
+    const std::array<Point, 3> places = insideout::CornersOf(this->Mesh.Points, t);
+    const Point normal = NormalOf(places[0], places[1], places[2]);
+    int crossed = -1;
+    for (int i = 0; i < 3 && crossed < 0; ++i)
+    {
+      const int k = (i + step) % 3;
+      crossed = IsBeyond(places[k], places[(k + 1) % 3], place, normal) ? k : -1;
+    }
+    if (crossed < 0)
+    {
+      return true;
+    }
+    const Edge edge = EdgeBetween(t[crossed], t[(crossed + 1) % 3]);
+    if (this->Surface.IsRidge(edge[0], edge[1]))
+    {
+      this->Met = { edge, piece.Cell };
+      return false;
+    }
+    piece = this->Across(piece, edge[0], edge[1]);
+  }
+  return false;
+}
+
+/** Add the pieces of the same facets whose circumcircle holds the place. */
+void SurfaceInsertion::GrowPieces()
+{
+  for (std::size_t next = 0; next < this->Pieces.size(); ++next)
+  {
+    const PieceOfCell piece = this->Pieces[next];
+    const Triangle t = this->CornersOf(piece);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Edge edge = EdgeBetween(t[i], t[(i + 1) % 3]);
+      if (edge != this->Halved && !this->Surface.IsRidge(edge[0], edge[1]))
+      {
+        const PieceOfCell other = this->Across(piece, edge[0], edge[1]);
+        if (IsInCircle(
+              insideout::CornersOf(this->Mesh.Points, this->CornersOf(other)), this->Place))
+        {
+          this->AddPiece(other);
+        }
+      }
+    }
+  }
+}
+
+/** Add the cells whose circumsphere holds the place, up to facets. */
+bool SurfaceInsertion::GrowCavity()
+{
+  for (std::size_t next = 0; next < this->Cavity.size(); ++next)
+  {
+    const RefinableCell& here = this->Mesh.Cell(this->Cavity[next]);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = here.Neighbors[k];
+      if (here.Facets[k] == None && !this->Mesh.IsMarked(neighbor))
+      {
+        const auto [a, b, c, d] =
+          insideout::CornersOf(this->Mesh.Points, this->Mesh.Cell(neighbor).Corners);
+        const Circumsphere sphere = CircumsphereOf(a, b, c, d);
+        if (!(SquaredDistance(sphere.Center, this->Place) >= sphere.SquaredRadius))
+        {
+          this->AddCell(neighbor);
+        }
+      }
+    }
+  }
+  return this->Cavity.size() <= LargestCavity;
+}
+
+/**
+ * Collect the walls of the cavity, and take out the cells with walls that the place does not see.
+ * @return whether any was taken out
+ */
+bool SurfaceInsertion::CollectWalls()
+{
+  const std::vector<Point>& points = this->Mesh.Points;
+  bool isChanged = false;
+  this->Walls.clear();
+  this->CellsOfWalls.clear();
+  for (const Id cell : this->Cavity)
+  {
+    const RefinableCell& here = this->Mesh.Cell(cell);
+    for (int k = 0; k < 4 && this->Mesh.IsMarked(cell); ++k)
+    {
+      const bool isBehind = here.Neighbors[k] != None && this->Mesh.IsMarked(here.Neighbors[k]);
+      if ((here.Facets[k] == None && isBehind) ||
+        (here.Facets[k] != None && this->IsDropped(cell, k)))
+      {
+        continue;
+      }
+      const Triangle f = FaceAcross(here.Corners, k);
+      if (Orient3D(points[f[0]], points[f[1]], points[f[2]], this->Place) > 0 &&
+        ShapeOf(points[f[0]], points[f[1]], points[f[2]], this->Place) > LeastShape)
+      {
+        this->Walls.push_back(f);
+        this->CellsOfWalls.push_back(cell);
+      }
+      else
+      {
+        this->Mesh.Unmark(cell);
+        isChanged = true;
+      }
+    }
+  }
+  return isChanged;
+}
+
+/** Keep the pieces whose cells are still marked. @return whether those that hold the place are */
+bool SurfaceInsertion::DropPieces()
+{
+  const auto isLost = [this](const PieceOfCell& piece)
+  {
+    const Id beyond = this->Mesh.Cell(piece.Cell).Neighbors[piece.Face];
+    return !this->Mesh.IsMarked(piece.Cell) || (beyond != None && !this->Mesh.IsMarked(beyond));
+  };
+  const auto end = this->Pieces.begin() + static_cast<std::ptrdiff_t>(this->Certain);
+  if (std::any_of(this->Pieces.begin(), end, isLost))
+  {
+    return false;
+  }
+  this->Pieces.erase(std::remove_if(end, this->Pieces.end(), isLost), this->Pieces.end());
+  this->Dropped.clear();
+  for (const PieceOfCell& piece : this->Pieces)
+  {
+    this->Dropped.push_back(SortedTriangle(this->CornersOf(piece)).Points);
+  }
+  return true;
+}
+
+/** Forget the marked cells that those at the certain pieces are no longer connected with. */
+void SurfaceInsertion::KeepConnected()
+{
+  std::vector<Id> reached;
+  const auto reach = [&](Id cell)
+  {
+    if (cell != None && this->Mesh.IsMarked(cell))
+    {
+      this->Mesh.Unmark(cell);
+      reached.push_back(cell);
+    }
+  };
+  for (std::size_t i = 0; i < this->Certain; ++i)
+  {
+    reach(this->Pieces[i].Cell);
+    reach(this->Mesh.Cell(this->Pieces[i].Cell).Neighbors[this->Pieces[i].Face]);
+  }
+  for (std::size_t next = 0; next < reached.size(); ++next)
+  {
+    const RefinableCell& here = this->Mesh.Cell(reached[next]);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (here.Facets[k] == None || this->IsDropped(reached[next], k))
+      {
+        reach(here.Neighbors[k]);
+      }
+    }
+  }
+  this->Cavity = std::move(reached);
+  this->Mesh.StartMarking();
+  for (const Id cell : this->Cavity)
+  {
+    this->Mesh.Mark(cell);
+  }
+}
+
+/** The edges of the pieces that no other of the same facet has, but for the one that is halved. */
+void SurfaceInsertion::CollectRim()
+{
+  this->Rim.clear();
+  for (const PieceOfCell& piece : this->Pieces)
+  {
+    const Triangle t = this->CornersOf(piece);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Edge edge = EdgeBetween(t[i], t[(i + 1) % 3]);
+      const auto isShared = [&](const PieceOfCell& other)
+      {
+        const Triangle o = this->CornersOf(other);
+        return (other.Cell != piece.Cell || other.Face != piece.Face) &&
+          this->FacetOf(other) == this->FacetOf(piece) &&
+          std::find(o.begin(), o.end(), edge[0]) != o.end() &&
+          std::find(o.begin(), o.end(), edge[1]) != o.end();
+      };
+      if (edge != this->Halved && std::none_of(this->Pieces.begin(), this->Pieces.end(), isShared))
+      {
+        this->Rim.push_back({ t[i], t[(i + 1) % 3], piece });
+      }
+    }
+  }
+}
+
+/** Whether walls and rim close the space around the place, with all points that were in it. */
+bool SurfaceInsertion::FitsTogether() const
+{
+  std::vector<Edge> edges;
+  std::vector<Id> corners;
+  for (const Triangle& wall : this->Walls)
+  {
+    corners.insert(corners.end(), wall.begin(), wall.end());
+    for (int i = 0; i < 3; ++i)
+    {
+      edges.push_back(EdgeBetween(wall[i], wall[(i + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  SortUniquely(corners);
+  std::vector<Edge> onBoundary;
+  for (const RimEdge& rim : this->Rim)
+  {
+    const Edge edge = EdgeBetween(rim.From, rim.To);
+    const std::array<Point, 3> t = { { this->Mesh.Points[rim.From], this->Mesh.Points[rim.To],
+      this->Place } };
+    const auto before = insideout::CornersOf(this->Mesh.Points, this->CornersOf(rim.Piece));
+    if (!std::binary_search(edges.begin(), edges.end(), edge) ||
+      !AreUnfolded({ { {}, t, None } }, NormalOf(before[0], before[1], before[2])))
+    {
+      return false;
+    }
+    if (this->Mesh.Cell(rim.Piece.Cell).Neighbors[rim.Piece.Face] == None)
+    {
+      onBoundary.push_back(edge);
+    }
+  }
+  SortUniquely(onBoundary);
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    const auto last = std::find_if(first, edges.end(), [&](const Edge& e) { return e != *first; });
+    const bool isRim = std::binary_search(onBoundary.begin(), onBoundary.end(), *first);
+    if (last - first != 2 && !(last - first == 1 && isRim))
+    {
+      return false;
+    }
+    first = last;
+  }
+  return std::all_of(this->Cavity.begin(), this->Cavity.end(),
+    [&](Id cell)
+    {
+      const Tetrahedron& t = this->Mesh.Cell(cell).Corners;
+      return std::all_of(t.begin(), t.end(),
+        [&](Id corner) { return std::binary_search(corners.begin(), corners.end(), corner); });
+    });
+}
+
+/** Given the certain pieces and cells: the rest, trimmed so that the place sees all walls. */
+bool SurfaceInsertion::Complete()
+{
+  this->Certain = this->Pieces.size();
+  this->GrowPieces();
+  if (!this->GrowCavity())
+  {
+    return false;
+  }
+  while (this->CollectWalls())
+  {
+    if (!this->DropPieces())
+    {
+      return false;
+    }
+    this->KeepConnected();
+    if (!this->DropPieces())
+    {
+      return false;
+    }
+  }
+  this->CollectRim();
+  return this->FitsTogether();
+}
+
+bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
+{
+  const auto [u, v] = edge.Ends;
+  RefinableRing ring;
+  this->Mesh.Ring(u, v, edge.Cell, ring);
+  if (!ring.IsOnFacet() || this->Surface.IsLocked(u, v))
+  {
+    return false;
+  }
+  this->Start(Midpoint(this->Mesh.Points[u], this->Mesh.Points[v]));
+  this->Halved = EdgeBetween(u, v);
+  for (const Id cell : ring.Cells)
+  {
+    this->AddCell(cell);
+    const RefinableCell& here = this->Mesh.Cell(cell);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (here.Facets[k] != None && here.Corners[k] != u && here.Corners[k] != v)
+      {
+        this->AddPiece({ cell, k });
+      }
+    }
+  }
+  return this->Complete();
+}
+
+bool SurfaceInsertion::FindOnFacet(PieceOfCell piece, const Point& place)
+{
+  const std::array<Point, 3>& t = this->Surface.Facet(this->FacetOf(piece)).Corners;
+  const Point normal = NormalOf(t[0], t[1], t[2]);
+  const double height = Dot(Difference(place, t[0]), normal) / Dot(normal, normal);
+  this->Start({ { place[0] - height * normal[0], place[1] - height * normal[1],
+    place[2] - height * normal[2] } });
+  if (!IsFinite(this->Place) || !this->WalkTo(piece, this->Place))
+  {
+    return false;
+  }
+  this->AddPiece(piece);
+  return this->Complete();
+}
+
+EdgeOfCell SurfaceInsertion::Encroached() const
+{
+  for (const RimEdge& rim : this->Rim)
+  {
+    const Point& a = this->Mesh.Points[rim.From];
+    const Point& b = this->Mesh.Points[rim.To];
+    if (this->Surface.IsRidge(rim.From, rim.To) &&
+      Dot(Difference(a, this->Place), Difference(b, this->Place)) < 0)
+    {
+      return { EdgeBetween(rim.From, rim.To), rim.Piece.Cell };
+    }
+  }
+  return EdgeOfCell();
+}
+
+double SurfaceInsertion::SquaredSpacing() const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Triangle& wall : this->Walls)
+  {
+    for (const Id corner : wall)
+    {
+      least = std::min(least, SquaredDistance(this->Mesh.Points[corner], this->Place));
+    }
+  }
+  return least;
+}
+
+Id SurfaceInsertion::Insert(SizingField& sizes)
+{
+  const bool isOnRidge =
+    this->Halved[0] != None && this->Surface.IsRidge(this->Halved[0], this->Halved[1]);
+  const double size = this->SizeThere(sizes);
+  sizes.Append(this->Cavity.front(), this->Place);
+  const Id point =
+    this->Mesh.AddPoint(this->Place, isOnRidge ? PointKind::OnRidge : PointKind::InFacet, size);
+  CellExchange exchange;
+  exchange.Old = this->Cavity;
+  exchange.Gone = this->Dropped;
+  for (std::size_t w = 0; w < this->Walls.size(); ++w)
+  {
+    const Triangle& wall = this->Walls[w];
+    exchange.Add({ { wall[0], wall[1], wall[2], point } }, this->CellsOfWalls[w]);
+  }
+  for (const RimEdge& rim : this->Rim)
+  {
+    exchange.Facets.push_back({ { { rim.From, rim.To, point } }, this->FacetOf(rim.Piece) });
+  }
+  this->Mesh.Replace(exchange);
+  if (isOnRidge)
+  {
+    this->Surface.Split(this->Halved[0], this->Halved[1], point);
+  }
+  return point;
+}
+} // namespace insideout

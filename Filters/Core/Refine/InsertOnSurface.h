@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Refine/RefinableSurface.h"
+#include "Refine/SizingField.h"
+#include "Refine/SurfaceBound.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** A face of a cell that is a piece of a facet. */
+struct PieceOfCell
+{
+  Id Cell;
+  int Face; ///< across from this corner
+};
+
+/** An edge of facets, and a cell at it. */
+struct EdgeOfCell
+{
+  Edge Ends = { None, None };
+  Id Cell = None;
+};
+
+/**
+ * Insertion of a point on facets that may be split: in the pieces of these whose circumcircle holds
+ * it, and in the cells whose circumsphere does, as PointInsertion does it in the solid. So the
+ * pieces of a facet stay a Delaunay triangulation of it. Rounding puts the point beside its facet:
+ * which faces give way is known by the facet, and each new cell has a positive volume, exactly.
+ */
+class SurfaceInsertion
+{
+public:
+  SurfaceInsertion(RefinableMesh& mesh, RefinableSurface& surface)
+    : Mesh(mesh)
+    , Surface(surface)
+  {
+  }
+
+  /** Look for what the middle of an edge of facets would replace. */
+  bool FindOnEdge(const EdgeOfCell& edge);
+
+  /**
+   * Look for what a place in the plane of a piece would replace. Where a ridge is between, this
+   * comes to it (Ridge) and no further.
+   */
+  bool FindOnFacet(PieceOfCell piece, const Point& place);
+
+  /** The ridge that the last search came to; of None if it came to none. */
+  const EdgeOfCell& Ridge() const { return this->Met; }
+
+  /** A ridge around what was found that has the place in its diametral ball; of None if none has.
+   */
+  EdgeOfCell Encroached() const;
+
+  /** The square of how far the nearest corner of the cells to be replaced is. */
+  double SquaredSpacing() const;
+
+  /** How long edges are to be at the place. */
+  double SizeThere(const SizingField& sizes) const
+  {
+    return sizes.At(this->Cavity.front(), this->Place);
+  }
+
+  /** Insert what was found. @return the point */
+  Id Insert(SizingField& sizes);
+
+private:
+  /** An edge around the pieces that are to be replaced, of one of them, in its direction. */
+  struct RimEdge
+  {
+    Id From;
+    Id To;
+    PieceOfCell Piece;
+  };
+
+  void Start(const Point& place);
+  void AddCell(Id cell);
+  void AddPiece(const PieceOfCell& piece);
+  Triangle CornersOf(const PieceOfCell& piece) const;
+  Id FacetOf(const PieceOfCell& piece) const
+  {
+    return this->Mesh.Cell(piece.Cell).Facets[piece.Face];
+  }
+  bool IsDropped(Id cell, int k) const;
+  bool WalkTo(PieceOfCell& piece, const Point& place);
+  PieceOfCell Across(PieceOfCell piece, Id u, Id v) const;
+  void GrowPieces();
+  bool GrowCavity();
+  bool Complete();
+  bool CollectWalls();
+  bool DropPieces();
+  void KeepConnected();
+  void CollectRim();
+  bool FitsTogether() const;
+
+  RefinableMesh& Mesh;
+  RefinableSurface& Surface;
+  EdgeOfCell Met;
+  Point Place;
+  Edge Halved;             ///< the edge in whose middle the place is, if it is
+  std::size_t Certain = 0; ///< of the pieces: those that hold the place
+  std::vector<PieceOfCell> Pieces;
+  std::vector<Triangle> Dropped; ///< these, sorted
+  std::vector<Id> Cavity;
+  std::vector<Triangle> Walls;
+  std::vector<Id> CellsOfWalls;
+  std::vector<RimEdge> Rim;
+};
+} // namespace insideout

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/MakeRefinable.h"
+
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+/** What makes a label: the regions on both sides, and the label that was given. */
+using LabelKey = std::array<Id, 3>;
+} // namespace
+
+std::vector<FacetOfInput> FacetsOf(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<std::array<Id, 4>>& labels)
+{
+  std::vector<FacetOfInput> facets;
+  std::vector<LabelKey> keys;
+  const auto regionOf = [&](Id cell) {
+    return cell == None ? None : regions.empty() ? 0 : regions[cell];
+  };
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = mesh.Neighbors[c][k];
+      if ((neighbor != None && neighbor < c) || regionOf(neighbor) == regionOf(c))
+      {
+        continue;
+      }
+      Id beyond = None;
+      for (int j = 0; j < 4 && neighbor != None; ++j)
+      {
+        beyond = mesh.Neighbors[neighbor][j] == c ? 4 * neighbor + j : beyond;
+      }
+      facets.push_back(
+        { CornersOf(mesh.Points, FaceOf(mesh.Cells[c], k)), { { 4 * c + k, beyond } }, 0 });
+      const auto [low, high] = std::minmax({ regionOf(c), regionOf(neighbor) });
+      keys.push_back({ low, high, labels.empty() ? 0 : labels[c][k] });
+    }
+  }
+  std::vector<LabelKey> sorted = keys;
+  SortUniquely(sorted);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    facets[f].Label = IndexIn(sorted, keys[f]);
+  }
+  return facets;
+}
+
+RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<FacetOfInput>& facets)
+{
+  RefinableMesh result;
+  for (const Point& point : mesh.Points)
+  {
+    result.AddPoint(point, PointKind::Free, std::numeric_limits<double>::infinity());
+  }
+  std::vector<std::array<Id, 4>> facetAt(mesh.Cells.size(), { { None, None, None, None } });
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    for (const Id face : facets[f].Faces)
+    {
+      if (face != None)
+      {
+        facetAt[face / 4][CornerAcrossFrom[face % 4]] = static_cast<Id>(f);
+      }
+    }
+  }
+  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+  {
+    RefinableCell cell = { mesh.Cells[c], { { None, None, None, None } }, facetAt[c],
+      regions.empty() ? 0 : regions[c], static_cast<Id>(c) };
+    for (int k = 0; k < 4; ++k)
+    {
+      cell.Neighbors[CornerAcrossFrom[k]] = mesh.Neighbors[c][k];
+    }
+    result.AddCell(cell);
+  }
+  return result;
+}
+
+} // namespace insideout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/TetrahedralMesh.h"
+#include "Refine/RefinableSurface.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** VTK's face k is across from this corner. */
+constexpr std::array<int, 4> CornerAcrossFrom = { { 2, 0, 1, 3 } };
+
+/**
+ * The faces on the boundary and between regions, in the order of their first cells.
+ *
+ * @param[in] regions one per cell; empty: all are one
+ * @param[in] labels per face of each cell; empty: all are one. A facet's own label tells those and
+ *   the regions on its two sides apart.
+ */
+std::vector<FacetOfInput> FacetsOf(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<std::array<Id, 4>>& labels);
+
+/** The mesh with its facets. */
+RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<FacetOfInput>& facets);
+} // namespace insideout

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/RefinableSurface.h"
+
+#include "Common/Vectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace insideout
+{
+/** A facet at an edge, of the mesh as it is given. */
+struct RefinableSurface::EdgeUse
+{
+  Edge Ends;
+  Id Facet;
+  std::array<Id, 2> Regions; ///< on both sides of it, the second None beyond the boundary
+  Point Normal;              ///< for facets of the same regions on the same side
+
+  bool operator<(const EdgeUse& other) const
+  {
+    return this->Ends != other.Ends ? this->Ends < other.Ends : this->Facet < other.Facet;
+  }
+};
+
+namespace
+{
+constexpr double DegreesOfHalfTurn = 180;
+
+double CosineOf(double degrees)
+{
+  return std::cos(degrees * std::acos(-1.0) / DegreesOfHalfTurn);
+}
+
+/** Whether the angle between two directions is above the one of this cosine. */
+bool DifferByMore(const Point& a, const Point& b, double cosine)
+{
+  return !(Dot(a, b) >= cosine * Length(a) * Length(b));
+}
+} // namespace
+
+RefinableSurface::RefinableSurface(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
+  const std::vector<char>& locked, SurfaceTreatment treatment, double featureAngle)
+  : Mesh(mesh)
+  , Facets(facets)
+  , How(treatment)
+{
+  this->FindPinched();
+  this->FindRidges(locked, featureAngle);
+  this->SetKinds(locked, featureAngle);
+}
+
+void RefinableSurface::FindPinched()
+{
+  std::vector<Id> around(this->Mesh.Points.size(), 0);
+  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  {
+    for (const Id corner : this->Mesh.Cell(c).Corners)
+    {
+      ++around[corner];
+    }
+  }
+  this->Pinched.assign(around.size(), 0);
+  std::vector<Id> star;
+  for (std::size_t p = 0; p < around.size(); ++p)
+  {
+    if (around[p] > 0)
+    {
+      star.clear();
+      this->Mesh.Star(static_cast<Id>(p), star);
+      this->Pinched[p] = star.size() < static_cast<std::size_t>(around[p]) ? 1 : 0;
+    }
+  }
+}
+
+bool RefinableSurface::MustBeRidge(const EdgeUse* first, const EdgeUse* last, double cosine) const
+{
+  return last - first != 2 ||
+    this->Facets[first[0].Facet].Label != this->Facets[first[1].Facet].Label ||
+    first[0].Regions != first[1].Regions || DifferByMore(first[0].Normal, first[1].Normal, cosine);
+}
+
+void RefinableSurface::FindRidges(const std::vector<char>& locked, double featureAngle)
+{
+  std::vector<EdgeUse> uses;
+  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = cell.Neighbors[k];
+      const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
+      // Each facet once, seen from the side of the larger region, which no boundary is.
+      if (cell.Facets[k] != None && cell.Region > beyond)
+      {
+        const Triangle f = FaceAcross(cell.Corners, k);
+        const auto [a, b, d] = CornersOf(this->Mesh.Points, f);
+        for (int i = 0; i < 3; ++i)
+        {
+          uses.push_back({ EdgeBetween(f[i], f[(i + 1) % 3]), cell.Facets[k],
+            { { cell.Region, beyond } }, NormalOf(a, b, d) });
+        }
+      }
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  const double cosine = CosineOf(featureAngle);
+  for (auto first = uses.begin(); first != uses.end();)
+  {
+    const auto last =
+      std::find_if(first, uses.end(), [&](const EdgeUse& use) { return use.Ends != first->Ends; });
+    const auto ofBoundary =
+      std::count_if(first, last, [](const EdgeUse& use) { return use.Regions[1] == None; });
+    const bool isKept = ofBoundary > 2 ||
+      std::any_of(
+        first, last, [&](const EdgeUse& use) { return !locked.empty() && locked[use.Facet] != 0; });
+    if (isKept || this->How != SurfaceTreatment::Remeshed ||
+      this->MustBeRidge(&*first, &*first + (last - first), cosine))
+    {
+      this->Ridges.emplace(first->Ends, isKept);
+    }
+    first = last;
+  }
+}
+
+void RefinableSurface::SetKinds(const std::vector<char>& locked, double featureAngle)
+{
+  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cell.Facets[k] != None)
+      {
+        const bool isFixed = this->How != SurfaceTreatment::Remeshed ||
+          (!locked.empty() && locked[cell.Facets[k]] != 0);
+        for (const Id corner : FaceAcross(cell.Corners, k))
+        {
+          PointKind& kind = this->Mesh.Kinds[corner];
+          kind = isFixed || this->IsPinched(corner) ? PointKind::Fixed
+            : kind == PointKind::Free               ? PointKind::InFacet
+                                                    : kind;
+        }
+      }
+    }
+  }
+  // A ridge goes on where two of its edges meet, not too sharply.
+  std::vector<std::array<Id, 2>> ends(this->Mesh.Points.size(), { { None, None } });
+  for (const auto& [edge, isKept] : this->Ridges)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      PointKind& kind = this->Mesh.Kinds[edge[i]];
+      std::array<Id, 2>& others = ends[edge[i]];
+      kind = kind == PointKind::Fixed || isKept || others[1] != None ? PointKind::Fixed
+                                                                     : PointKind::OnRidge;
+      others[others[0] == None ? 0 : 1] = edge[1 - i];
+    }
+  }
+  const double cosine = CosineOf(featureAngle);
+  const std::vector<Point>& points = this->Mesh.Points;
+  for (std::size_t p = 0; p < ends.size(); ++p)
+  {
+    if (this->Mesh.Kinds[p] == PointKind::OnRidge &&
+      (ends[p][1] == None ||
+        DifferByMore(Difference(points[p], points[ends[p][0]]),
+          Difference(points[ends[p][1]], points[p]), cosine)))
+    {
+      this->Mesh.Kinds[p] = PointKind::Fixed;
+    }
+  }
+}
+
+bool RefinableSurface::IsLocked(Id u, Id v) const
+{
+  const auto found = this->Ridges.find(EdgeBetween(u, v));
+  return this->How == SurfaceTreatment::Kept || (found != this->Ridges.end() && found->second);
+}
+
+void RefinableSurface::Split(Id u, Id v, Id middle)
+{
+  if (this->Ridges.erase(EdgeBetween(u, v)) > 0)
+  {
+    this->Ridges.emplace(EdgeBetween(u, middle), false);
+    this->Ridges.emplace(EdgeBetween(middle, v), false);
+  }
+}
+
+void RefinableSurface::Contract(Id point, Id target)
+{
+  // The other ridge at the point is looked for among its neighbours.
+  std::vector<Id> star;
+  this->Mesh.Star(point, star);
+  Id next = None;
+  for (const Id cell : star)
+  {
+    for (const Id other : this->Mesh.Cell(cell).Corners)
+    {
+      next = other != point && other != target && this->IsRidge(point, other) ? other : next;
+    }
+  }
+  this->Ridges.erase(EdgeBetween(point, target));
+  if (next != None && this->Ridges.erase(EdgeBetween(point, next)) > 0)
+  {
+    this->Ridges.emplace(EdgeBetween(target, next), false);
+  }
+}
+} // namespace insideout

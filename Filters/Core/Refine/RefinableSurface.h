@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Edge.h"
+#include "Refine/RefinableMesh.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace insideout
+{
+/** What becomes of the faces on the boundary and between regions. */
+enum class SurfaceTreatment
+{
+  Kept,    ///< each stays as it is, bit by bit
+  Split,   ///< points may be added on them; the pieces stay in their planes, within rounding
+  Remeshed ///< others take their place, within a distance
+};
+
+/** A face of the input on the boundary or between regions. */
+struct FacetOfInput
+{
+  std::array<Point, 3> Corners;
+  std::array<Id, 2> Faces; ///< of the input, 4 * cell + face; the second None on the boundary
+  Id Label;                ///< facets of one label may stand in for another
+};
+
+/**
+ * The facets of a refinable mesh: which of their edges are ridges, that have to stay where they
+ * are, and what may become of their points (PointKind).
+ */
+class RefinableSurface
+{
+public:
+  /**
+   * Sets the mesh's Kinds. Split: all edges of facets are ridges, and the points between them are
+   * fixed. Remeshed: an edge is a ridge where the normals of its two facets differ by more than an
+   * angle, and where not two of one label and of the same regions meet.
+   *
+   * @param[in] facets by their ids in the mesh
+   * @param[in] locked per facet whether it stays as it is; empty: none does
+   * @param[in] featureAngle in degrees
+   */
+  RefinableSurface(RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
+    const std::vector<char>& locked, SurfaceTreatment treatment, double featureAngle);
+
+  SurfaceTreatment Treatment() const { return this->How; }
+  const FacetOfInput& Facet(Id facet) const { return this->Facets[facet]; }
+
+  /** Whether an edge of facets has to stay where it is. */
+  bool IsRidge(Id u, Id v) const { return this->Ridges.count(EdgeBetween(u, v)) > 0; }
+
+  /** Whether an edge of facets has to stay as it is: where more than two of the boundary meet. */
+  bool IsLocked(Id u, Id v) const;
+
+  /** Whether not all cells around a point can be reached from one of them through faces at it. */
+  bool IsPinched(Id point) const
+  {
+    return point < static_cast<Id>(this->Pinched.size()) && this->Pinched[point] != 0;
+  }
+
+  /** A point was inserted in an edge of facets. */
+  void Split(Id u, Id v, Id middle);
+
+  /** A point on a ridge is to go into the next one; the ridge goes on from there. */
+  void Contract(Id point, Id target);
+
+private:
+  struct EdgeUse;
+  void FindPinched();
+  void FindRidges(const std::vector<char>& locked, double featureAngle);
+  bool MustBeRidge(const EdgeUse* first, const EdgeUse* last, double cosine) const;
+  void SetKinds(const std::vector<char>& locked, double featureAngle);
+
+  RefinableMesh& Mesh;
+  const std::vector<FacetOfInput>& Facets;
+  const SurfaceTreatment How;
+  std::unordered_map<Edge, bool, HashOfEdge> Ridges; ///< with whether they are locked
+  std::vector<char> Pinched;
+};
+} // namespace insideout

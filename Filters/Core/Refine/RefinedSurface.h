@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Refine/RefinableSurface.h"
+#include "Refine/SurfaceBound.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** All pieces of facets, each once, by the points of the mesh. */
+std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh);
+
+/**
+ * The facets that have pieces on the boundary that meet others in more than corners and edges: a
+ * surface that moves, if only by rounding, may touch a part that was next to it.
+ *
+ * @throws Error Stopped
+ */
+std::vector<Id> CrossingFacets(
+  const RefinableMesh& mesh, Monitor& monitor, const ProgressRange& progress);
+
+/** Set the facets of all pieces to the nearest ones of the same label. */
+void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& mesh);
+
+/** How far the first surface's points are from the second, as far as samples tell
+ * (TriangleTree::LargestDistanceOf). */
+double LargestDistance(const std::vector<LabelledTriangle>& from,
+  const std::vector<LabelledTriangle>& to, double enough);
+} // namespace insideout

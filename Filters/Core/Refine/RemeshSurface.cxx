@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/RemeshSurface.h"
+
+#include "Common/LoopProgress.h"
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+#include "Refine/ContractOnSurface.h"
+#include "Refine/InsertOnSurface.h"
+#include "Refine/ReconnectCells.h"
+#include "Refine/SmoothPoint.h"
+#include "Refine/SplitEdge.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <vector>
+
+namespace insideout
+{
+namespace
+{
+/** Of the length that edges are to have: between these an edge and its halves are near it. */
+constexpr double LongestEdge = 4.0 / 3;
+constexpr double ShortestEdge = 4.0 / 5;
+
+/** How long edges may get where others are contracted. */
+constexpr double LongestContracted = 1.6;
+
+/** Of that length: the largest circumcircle of a piece that is split, and how near its centre may
+ * be to other points. A regular triangle has 0.58. */
+constexpr double LargestRadius = 0.75;
+constexpr double LeastSpacing = 0.6;
+
+/** Ridges at least so long are split for pieces that are too large. */
+constexpr double SplittableEdge = 1;
+
+constexpr std::size_t TurnsBetweenReports = 1000;
+
+/** Degrees. Cells with such angles may get worse for the sake of the surface: most are mended. */
+constexpr double AcceptableAngle = 3;
+
+/** Each splits edges in half, so that there are few; against endless ones. */
+constexpr int MostRoundsOfSplits = 60;
+
+/** Of split, contract, turn and move. */
+constexpr int RoundsWhereRemeshed = 5;
+constexpr int RoundsWhereSplit = 2;
+
+/** An edge of facets, one of its cells, and how long it is, of the length that it is to have. */
+struct SurfaceEdge
+{
+  double Ratio;
+  Edge Ends;
+  Id Cell;
+  Id Version; ///< of the cell: where it is another one by then the edge may be gone
+
+  bool operator<(const SurfaceEdge& other) const
+  {
+    return this->Ratio != other.Ratio ? this->Ratio < other.Ratio : this->Ends < other.Ends;
+  }
+};
+
+class SurfaceRemeshing
+{
+public:
+  SurfaceRemeshing(
+    RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound, SizingField& sizes)
+    : Mesh(mesh)
+    , Surface(surface)
+    , Sizes(sizes)
+    , Splitting(mesh, surface, bound)
+    , Insertion(mesh, surface)
+    , Contract(mesh, surface, bound)
+    , Reconnect(mesh, surface, bound)
+    , Smooth(mesh, surface, bound)
+  {
+  }
+
+  /** Points on ridges that are too long, then within facets, as Ruppert (1995) does it. */
+  void FillFacets(Monitor& monitor, const ProgressRange& progress)
+  {
+    this->SplitLongEdges(monitor, progress);
+    std::deque<Candidate> queue;
+    for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+    {
+      this->AddPiecesOf(c, queue);
+    }
+    for (std::size_t turn = 0; !queue.empty(); ++turn)
+    {
+      if (turn % TurnsBetweenReports == 0)
+      {
+        monitor.Check(progress.Stage, progress.End);
+      }
+      const Candidate next = queue.front();
+      queue.pop_front();
+      if (!this->Mesh.IsDead(next.Piece.Cell) &&
+        this->Mesh.Version(next.Piece.Cell) == next.Version)
+      {
+        this->InsertAmid(next, queue);
+      }
+    }
+  }
+
+  void SplitLongEdges(Monitor& monitor, const ProgressRange& progress)
+  {
+    for (int round = 0; round < MostRoundsOfSplits; ++round)
+    {
+      std::vector<SurfaceEdge> edges =
+        this->EdgesWithin(LongestEdge, std::numeric_limits<double>::infinity());
+      std::reverse(edges.begin(), edges.end());
+      std::size_t splits = 0;
+      for (const SurfaceEdge& edge : edges)
+      {
+        const bool isSplit =
+          this->IsThere(edge) && this->MaySplit(edge) && this->SplitEdge({ edge.Ends, edge.Cell });
+        splits += isSplit ? 1 : 0;
+      }
+      monitor.Check(progress.Stage, progress.At(static_cast<double>(round) / MostRoundsOfSplits));
+      if (splits == 0)
+      {
+        return;
+      }
+    }
+  }
+
+  void ContractShortEdges()
+  {
+    for (const SurfaceEdge& edge : this->EdgesWithin(0, ShortestEdge))
+    {
+      if (this->IsThere(edge) &&
+        !this->Contract.Contract(edge.Ends[0], edge.Ends[1], this->Acceptable, LongestContracted))
+      {
+        this->Contract.Contract(edge.Ends[1], edge.Ends[0], this->Acceptable, LongestContracted);
+      }
+    }
+  }
+
+  void TurnDiagonals()
+  {
+    for (const SurfaceEdge& edge : this->EdgesWithin(0, std::numeric_limits<double>::infinity()))
+    {
+      const auto [u, v] = edge.Ends;
+      if (this->IsThere(edge) && !this->Surface.IsRidge(u, v) && this->IsBadDiagonal(edge))
+      {
+        this->Reconnect.RemoveEdgeUnlessWorse(u, v, edge.Cell, this->Acceptable);
+      }
+    }
+  }
+
+  void MovePoints()
+  {
+    for (Id p = 0; p < static_cast<Id>(this->Mesh.Points.size()); ++p)
+    {
+      if (this->Mesh.CellAt(p) != None)
+      {
+        this->Smooth.Relax(p, this->Acceptable);
+      }
+    }
+  }
+
+private:
+  /** A piece to look at, and the version of its cell, by which one knows whether it is there. */
+  struct Candidate
+  {
+    PieceOfCell Piece;
+    Id Version;
+  };
+
+  /** Within facets that are split points come to where circles are large. */
+  bool MaySplit(const SurfaceEdge& edge) const
+  {
+    return this->Surface.Treatment() == SurfaceTreatment::Remeshed ||
+      this->Surface.IsRidge(edge.Ends[0], edge.Ends[1]);
+  }
+
+  bool SplitEdge(const EdgeOfCell& edge)
+  {
+    if (this->Surface.Treatment() == SurfaceTreatment::Split && this->Insertion.FindOnEdge(edge))
+    {
+      this->Insertion.Insert(this->Sizes);
+      return true;
+    }
+    if (this->Splitting.Find(edge.Ends[0], edge.Ends[1], edge.Cell))
+    {
+      this->Splitting.Split(this->Sizes);
+      return true;
+    }
+    return false;
+  }
+
+  void AddPiecesOf(Id cell, std::deque<Candidate>& queue) const
+  {
+    for (int k = 0; k < 4 && !this->Mesh.IsDead(cell); ++k)
+    {
+      if (this->Mesh.Cell(cell).Facets[k] != None)
+      {
+        queue.push_back({ { cell, k }, this->Mesh.Version(cell) });
+      }
+    }
+  }
+
+  void AddFresh(std::deque<Candidate>& queue) const
+  {
+    for (const Id cell : this->Mesh.Fresh())
+    {
+      this->AddPiecesOf(cell, queue);
+    }
+  }
+
+  /** Insert the centre of a piece's circumcircle if that is too large; or the middle of the ridge
+   * that is between, or too near. */
+  void InsertAmid(const Candidate& candidate, std::deque<Candidate>& queue)
+  {
+    const Id cell = candidate.Piece.Cell;
+    const std::array<Point, 3> t =
+      CornersOf(this->Mesh.Points, FaceAcross(this->Mesh.Cell(cell).Corners, candidate.Piece.Face));
+    const CircleOfTriangle circle = CircumcircleOf(t);
+    const double size = this->SizeIn(candidate.Piece);
+    if (!(circle.SquaredRadius > LargestRadius * LargestRadius * size * size))
+    {
+      return;
+    }
+    EdgeOfCell ridge;
+    if (this->Insertion.FindOnFacet(candidate.Piece, circle.Center))
+    {
+      const double there = this->Insertion.SizeThere(this->Sizes);
+      ridge = this->Insertion.Encroached();
+      if (ridge.Cell == None &&
+        this->Insertion.SquaredSpacing() >= LeastSpacing * LeastSpacing * there * there)
+      {
+        this->Insertion.Insert(this->Sizes);
+        this->AddFresh(queue);
+        return;
+      }
+    }
+    else
+    {
+      ridge = this->Insertion.Ridge();
+    }
+    if (ridge.Cell != None && this->RatioOf(ridge.Ends) > SplittableEdge && this->SplitEdge(ridge))
+    {
+      this->AddFresh(queue);
+    }
+  }
+
+  double SizeIn(const PieceOfCell& piece) const
+  {
+    double sum = 0;
+    for (const Id corner : FaceAcross(this->Mesh.Cell(piece.Cell).Corners, piece.Face))
+    {
+      sum += this->Mesh.Sizes[corner] / 3;
+    }
+    return sum;
+  }
+
+  /** The length of an edge over what it is to be. */
+  double RatioOf(const Edge& ends) const
+  {
+    return Distance(this->Mesh.Points[ends[0]], this->Mesh.Points[ends[1]]) /
+      (0.5 * (this->Mesh.Sizes[ends[0]] + this->Mesh.Sizes[ends[1]]));
+  }
+
+  bool IsThere(const SurfaceEdge& edge) const
+  {
+    return !this->Mesh.IsDead(edge.Cell) && this->Mesh.Version(edge.Cell) == edge.Version;
+  }
+
+  /** The edges of facets whose ratio is between two, the shortest first. */
+  std::vector<SurfaceEdge> EdgesWithin(double least, double most) const
+  {
+    std::vector<SurfaceEdge> edges;
+    for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+    {
+      for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
+      {
+        if (this->Mesh.Cell(c).Facets[k] == None)
+        {
+          continue;
+        }
+        const Triangle f = FaceAcross(this->Mesh.Cell(c).Corners, k);
+        for (int i = 0; i < 3; ++i)
+        {
+          const Edge ends = EdgeBetween(f[i], f[(i + 1) % 3]);
+          const double ratio = this->RatioOf(ends);
+          if (ratio > least && ratio < most)
+          {
+            edges.push_back({ ratio, ends, c, this->Mesh.Version(c) });
+          }
+        }
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                  [](const SurfaceEdge& a, const SurfaceEdge& b) { return a.Ends == b.Ends; }),
+      edges.end());
+    return edges;
+  }
+
+  /** Whether the angles across from an edge of the boundary are more than 180 degrees together. */
+  bool IsBadDiagonal(const SurfaceEdge& edge)
+  {
+    this->Mesh.Ring(edge.Ends[0], edge.Ends[1], edge.Cell, this->Ring);
+    if (this->Ring.IsClosed)
+    {
+      return false;
+    }
+    double cotangents = 0;
+    for (const Id across : { this->Ring.Points.front(), this->Ring.Points.back() })
+    {
+      const Point& apex = this->Mesh.Points[across];
+      const Point u = Difference(this->Mesh.Points[edge.Ends[0]], apex);
+      const Point v = Difference(this->Mesh.Points[edge.Ends[1]], apex);
+      cotangents += Dot(u, v) / Length(Cross(u, v));
+    }
+    return cotangents < 0;
+  }
+
+  const double Acceptable = ShapeOfAngle(AcceptableAngle);
+  RefinableMesh& Mesh;
+  RefinableSurface& Surface;
+  SizingField& Sizes;
+  EdgeSplitting Splitting;
+  SurfaceInsertion Insertion;
+  SurfaceContraction Contract;
+  Reconnection Reconnect;
+  PointSmoothing Smooth;
+  RefinableRing Ring;
+};
+} // namespace
+
+void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress)
+{
+  if (surface.Treatment() == SurfaceTreatment::Kept)
+  {
+    return;
+  }
+  SurfaceRemeshing remeshing(mesh, surface, bound, sizes);
+  const bool isRemeshed = surface.Treatment() == SurfaceTreatment::Remeshed;
+  const int rounds = isRemeshed ? RoundsWhereRemeshed : RoundsWhereSplit;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(round) / rounds),
+      progress.At(static_cast<double>(round + 1) / rounds) };
+    if (!isRemeshed)
+    {
+      remeshing.FillFacets(monitor, part);
+    }
+    else
+    {
+      remeshing.SplitLongEdges(monitor, part);
+      remeshing.ContractShortEdges();
+      monitor.Check(part.Stage, part.End);
+    }
+    remeshing.TurnDiagonals();
+    monitor.Check(part.Stage, part.End);
+    remeshing.MovePoints();
+    monitor.Check(part.Stage, part.End);
+  }
+}
+} // namespace insideout

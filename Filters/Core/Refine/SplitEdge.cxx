@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/SplitEdge.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+#include "Refine/QuadraticCells.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** A cell or triangle with a point in the place of another. */
+template <class Corners>
+Corners With(Corners corners, Id point, Id instead)
+{
+  std::replace(corners.begin(), corners.end(), point, instead);
+  return corners;
+}
+} // namespace
+
+bool EdgeSplitting::Find(Id u, Id v, Id cell)
+{
+  this->Mesh.Ring(u, v, cell, this->Ring);
+  if (this->Ring.IsOnFacet() && this->Surface.IsLocked(u, v))
+  {
+    return false;
+  }
+  const std::vector<Point>& points = this->Mesh.Points;
+  this->Middle = Midpoint(points[u], points[v]);
+  return std::all_of(this->Ring.Cells.begin(), this->Ring.Cells.end(),
+    [&](Id c)
+    {
+      const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
+      std::array<Point, 4> first;
+      std::array<Point, 4> second;
+      for (int k = 0; k < 4; ++k)
+      {
+        first[k] = corners[k] == v ? this->Middle : points[corners[k]];
+        second[k] = corners[k] == u ? this->Middle : points[corners[k]];
+      }
+      return Orient3D(first[0], first[1], first[2], first[3]) > 0 &&
+        Orient3D(second[0], second[1], second[2], second[3]) > 0;
+    });
+}
+
+double EdgeSplitting::WorstShapeBefore() const
+{
+  double worst = 1;
+  for (const Id c : this->Ring.Cells)
+  {
+    worst = std::min(worst, ShapeOf(this->Mesh.Points, this->Mesh.Cell(c).Corners));
+  }
+  return worst;
+}
+
+double EdgeSplitting::WorstShapeAfter() const
+{
+  const std::vector<Point>& points = this->Mesh.Points;
+  double worst = 1;
+  for (const Id c : this->Ring.Cells)
+  {
+    const Tetrahedron& t = this->Mesh.Cell(c).Corners;
+    for (const Id end : { this->Ring.U, this->Ring.V })
+    {
+      std::array<Point, 4> places = CornersOf(points, t);
+      places[this->Mesh.CornerIndex(c, end)] = this->Middle;
+      worst = std::min(worst, ShapeOf(places[0], places[1], places[2], places[3]));
+    }
+  }
+  return worst;
+}
+
+Id EdgeSplitting::Split(SizingField& sizes)
+{
+  const auto [u, v] = std::pair(this->Ring.U, this->Ring.V);
+  const PointKind kind = !this->Ring.IsOnFacet() ? PointKind::Free
+    : this->Surface.IsRidge(u, v)                ? PointKind::OnRidge
+                                                 : PointKind::InFacet;
+  const double size = sizes.At(this->Ring.Cells.front(), this->Middle);
+  sizes.Append(this->Ring.Cells.front(), this->Middle);
+  const Id middle = this->Mesh.AddPoint(this->Middle, kind, size);
+  CellExchange exchange;
+  exchange.Old = this->Ring.Cells;
+  for (const Id c : this->Ring.Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    exchange.Add(With(cell.Corners, v, middle), c);
+    exchange.Add(With(cell.Corners, u, middle), c);
+    for (int k = 0; k < 4; ++k)
+    {
+      const Triangle face = FaceAcross(cell.Corners, k);
+      if (cell.Facets[k] != None && cell.Corners[k] != u && cell.Corners[k] != v)
+      {
+        exchange.Gone.push_back(SortedTriangle(face).Points);
+        exchange.Facets.push_back({ With(face, v, middle), cell.Facets[k] });
+        exchange.Facets.push_back({ With(face, u, middle), cell.Facets[k] });
+        this->Bound.Halve(face, With(face, v, middle), With(face, u, middle));
+      }
+    }
+  }
+  this->Mesh.Replace(exchange);
+  this->Surface.Split(u, v, middle);
+  return middle;
+}
+} // namespace insideout

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Refine/RefinableSurface.h"
+#include "Refine/SizingField.h"
+#include "Refine/SurfaceBound.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Puts a point amid an edge, with all cells and pieces of facets around it cut in two. */
+class EdgeSplitting
+{
+public:
+  EdgeSplitting(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
+    : Mesh(mesh)
+    , Surface(surface)
+    , Bound(bound)
+  {
+  }
+
+  /**
+   * Look for the cells around an edge of `cell`.
+   * @return false where it is locked, or where rounding leaves no room between its ends
+   */
+  bool Find(Id u, Id v, Id cell);
+
+  /** The worst shape (ShapeOf) of the cells around the edge, as they are and as they would be. */
+  double WorstShapeBefore() const;
+  double WorstShapeAfter() const;
+
+  /** Split the edge that was found. @return the point */
+  Id Split(SizingField& sizes);
+
+private:
+  RefinableMesh& Mesh;
+  RefinableSurface& Surface;
+  SurfaceBound& Bound;
+  RefinableRing Ring;
+  Point Middle;
+};
+} // namespace insideout

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/BoxTree.h"
+
+#include <limits>
+#include <vector>
+
+namespace insideout
+{
+/** A triangle by its corners' places. Facets of one label may stand in for another. */
+struct LabelledTriangle
+{
+  std::array<Point, 3> Corners;
+  Id Label;
+};
+
+/** The point of a triangle that is nearest to a place; the triangle may be degenerate. */
+Point NearestPointOf(const std::array<Point, 3>& triangle, const Point& place);
+
+/** How far places and triangles are from a surface. */
+class TriangleTree
+{
+public:
+  explicit TriangleTree(std::vector<LabelledTriangle> triangles);
+
+  /** The nearest point of the triangles of a label. */
+  struct Nearest
+  {
+    Id Triangle;
+    Point Place;
+    double Distance;
+  };
+
+  /**
+   * @param[in] hint a triangle of that label near the place, None for any; it only saves time
+   */
+  Nearest NearestTo(const Point& place, Id label, Id hint = None) const;
+
+  /**
+   * The largest distance that a point of a triangle has from the triangles of its label, as far as
+   * samples tell, eight along each edge: it may be more by a small part of `enough`, and where the
+   * triangle is not near one other triangle, but several, by what is between samples.
+   *
+   * @param[in] enough what is below it need not be told more exactly
+   */
+  double LargestDistanceOf(const LabelledTriangle& triangle, double enough) const
+  {
+    return this->RangeOf(triangle, { enough, std::numeric_limits<double>::infinity() }, None, 0)
+      .Least;
+  }
+
+  /** Whether no point of a triangle is farther than that; no where samples cannot tell. */
+  bool IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const
+  {
+    return this->RangeOf(triangle, { distance, distance }, hint, 0).Most <= distance;
+  }
+
+private:
+  /** What need not be told more exactly: what is below the one or above the other. */
+  struct Limits
+  {
+    double Enough;
+    double TooFar;
+  };
+
+  /** Between which the largest distance is. */
+  struct Range
+  {
+    double Least;
+    double Most;
+  };
+  Range RangeOf(
+    const LabelledTriangle& triangle, const Limits& limits, Id hint, int divisions) const;
+
+  std::vector<LabelledTriangle> Triangles;
+  BoxTree Tree;
+};
+} // namespace insideout

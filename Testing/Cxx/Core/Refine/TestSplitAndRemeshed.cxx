@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/RefineTetrahedra.h"
+
+#include "Common/ScaledPoints.h"
+#include "Common/Vectors.h"
+#include "GraphCut/ConnectCells.h"
+#include "Support/RefinementLaws.h"
+#include "Support/TestTetrahedra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace insideout;
+using testmeshes::ExpectRemeshingLaws;
+using testmeshes::ExpectSplitLaws;
+
+namespace
+{
+RefinedMesh Refined(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const RefinementParameters& parameters)
+{
+  Monitor monitor;
+  return RefineTetrahedra(mesh, regions, parameters, monitor);
+}
+
+RefinementParameters Split()
+{
+  RefinementParameters parameters;
+  parameters.Surface = SurfaceTreatment::Split;
+  return parameters;
+}
+
+RefinementParameters Remeshed(double tolerance, double edgeLength)
+{
+  RefinementParameters parameters;
+  parameters.Surface = SurfaceTreatment::Remeshed;
+  parameters.SurfaceTolerance = tolerance;
+  parameters.Sizes.EdgeLength = edgeLength;
+  return parameters;
+}
+
+double StatisticOf(const RefinedMesh& refined, const std::string& name)
+{
+  const auto found = std::find_if(refined.Statistics.begin(), refined.Statistics.end(),
+    [&](const auto& entry) { return entry.first == name; });
+  EXPECT_NE(found, refined.Statistics.end()) << name;
+  return found == refined.Statistics.end() ? -1 : found->second;
+}
+
+/** The cells of a mesh that are inside, as a mesh of their own. */
+TetrahedralMesh Part(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  std::vector<Tetrahedron> cells;
+  for (std::size_t c = 0; c < inside.size(); ++c)
+  {
+    if (inside[c] != 0)
+    {
+      cells.push_back(mesh.Cells[c]);
+    }
+  }
+  return ConnectCells(mesh.Points, cells);
+}
+
+/** Cubes of edge 100, `size` along each axis, with points where the grid had them before noise. */
+TetrahedralMesh EvenGrid(int size)
+{
+  TetrahedralMesh grid = testtetrahedra::Grid(0, size);
+  for (Point& p : grid.Points)
+  {
+    for (double& x : p)
+    {
+      x = 100 * std::round(x / 100); // the grid's points are moved by less than 10
+    }
+  }
+  return ConnectCells(grid.Points, grid.Cells);
+}
+
+/** A ball of radius 1, made of a cube whose points are drawn to spheres. */
+TetrahedralMesh Ball(int size)
+{
+  TetrahedralMesh grid = EvenGrid(size);
+  for (Point& p : grid.Points)
+  {
+    for (double& x : p)
+    {
+      x = x / (50 * size) - 1;
+    }
+    const double most = std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+    const double length = Length(p);
+    for (double& x : p)
+    {
+      x = length > 0 ? x * most / length : 0;
+    }
+  }
+  return ConnectCells(grid.Points, grid.Cells);
+}
+} // namespace
+
+class SplitAndRemeshed : public testing::TestWithParam<unsigned>
+{
+};
+
+TEST_P(SplitAndRemeshed, KeepTheirLawsOnAnySolid)
+{
+  const TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 4);
+  const TetrahedralMesh part = Part(grid, testtetrahedra::RandomInside(grid, GetParam()));
+  ExpectSplitLaws(part, {}, Refined(part, {}, Split()));
+  ExpectRemeshingLaws(part, {}, Refined(part, {}, Remeshed(8, 0)), 8);
+}
+
+TEST_P(SplitAndRemeshed, KeepTheirLawsBetweenRegions)
+{
+  const TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 3);
+  const std::vector<int> labels = testtetrahedra::RandomLabels(grid, GetParam());
+  const std::vector<Id> regions(labels.begin(), labels.end());
+  ExpectSplitLaws(grid, regions, Refined(grid, regions, Split()));
+  ExpectRemeshingLaws(grid, regions, Refined(grid, regions, Remeshed(8, 120)), 8);
+}
+
+TEST_P(SplitAndRemeshed, KeepTheirLawsOnSmoothRegions)
+{
+  // A ball in two halves: the disk between them is an interface that is remeshed as well.
+  const TetrahedralMesh ball = Ball(6);
+  std::vector<Id> regions;
+  for (const Tetrahedron& cell : ball.Cells)
+  {
+    double x = 0;
+    for (const Id corner : cell)
+    {
+      x += ball.Points[corner][GetParam() % 3];
+    }
+    regions.push_back(x > 0 ? 1 : 0);
+  }
+  const double length = 0.1 + 0.1 * (GetParam() % 4);
+  ExpectRemeshingLaws(ball, regions, Refined(ball, regions, Remeshed(0.02, length)), 0.02);
+  ExpectSplitLaws(ball, regions, Refined(ball, regions, Split()));
+}
+
+TEST_P(SplitAndRemeshed, TakeWhatIsSqueezed)
+{
+  for (const double factor : { 1e-3, 1e-9 })
+  {
+    TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 3);
+    testtetrahedra::Squeeze(grid, 1, factor);
+    ExpectSplitLaws(grid, {}, Refined(grid, {}, Split()));
+    ExpectRemeshingLaws(grid, {}, Refined(grid, {}, Remeshed(3, 0)), 3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SplitAndRemeshed, testing::Range(0U, 6U));
+
+TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
+{
+  const TetrahedralMesh ball = Ball(12); // edges of about 0.15
+  for (const double length : { 0.1, 0.25 })
+  {
+    const RefinedMesh refined = Refined(ball, {}, Remeshed(0.02, length));
+    ExpectRemeshingLaws(ball, {}, refined, 0.02);
+    const TetrahedralMesh after = ConnectCells(refined.Points, refined.Cells);
+    int good = 0;
+    int all = 0;
+    for (std::size_t c = 0; c < after.Cells.size(); ++c)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const Triangle f = FaceOf(after.Cells[c], k);
+        for (int i = 0; i < 3 && after.Neighbors[c][k] == None; ++i)
+        {
+          const double ratio = Distance(after.Points[f[i]], after.Points[f[(i + 1) % 3]]) / length;
+          good += ratio > 1 / 1.4 && ratio < 1.4 ? 1 : 0;
+          ++all;
+        }
+      }
+    }
+    EXPECT_GT(good, 0.9 * all) << length;
+    EXPECT_LE(StatisticOf(refined, "SurfaceDistance"), 0.02);
+    EXPECT_LE(StatisticOf(refined, "InputDistance"), 0.02);
+    EXPECT_EQ(StatisticOf(refined, "KeptFacets"), 0);
+  }
+}
+
+TEST(RemeshedSurface, KeepsTheEdgesOfACubeAndThoseBetweenLabels)
+{
+  const TetrahedralMesh cube = EvenGrid(5);
+  RefinementParameters parameters = Remeshed(40, 70);
+  parameters.Labels.assign(cube.Cells.size(), { { 0, 0, 0, 0 } });
+  for (std::size_t c = 0; c < cube.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto [a, b, d] = CornersOf(cube.Points, FaceOf(cube.Cells[c], k));
+      parameters.Labels[c][k] = a[0] + b[0] + d[0] < 3 * 200 ? 0 : 1;
+    }
+  }
+  const RefinedMesh refined = Refined(cube, {}, parameters);
+  double volume = 0;
+  for (const Tetrahedron& cell : refined.Cells)
+  {
+    const auto [p, q, r, s] = CornersOf(refined.Points, cell);
+    volume += Determinant(Difference(q, p), Difference(r, p), Difference(s, p)) / 6;
+  }
+  EXPECT_NEAR(volume / 1.25e8, 1, 1e-12); // all corners and edges are there
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (const Id original = refined.OriginalFaces[c][k]; original != None)
+      {
+        const auto [a, b, d] = CornersOf(refined.Points, FaceOf(refined.Cells[c], k));
+        const bool isLow = std::max({ a[0], b[0], d[0] }) <= 200;
+        EXPECT_TRUE(isLow || std::min({ a[0], b[0], d[0] }) >= 200);
+        EXPECT_EQ(parameters.Labels[original / 4][original % 4], isLow ? 0 : 1);
+      }
+    }
+  }
+}
+
+TEST(SplitSurface, HasNoLongEdgesWhereShortOnesAreAskedFor)
+{
+  const TetrahedralMesh cube = EvenGrid(1);
+  RefinementParameters parameters = Split();
+  parameters.Sizes.EdgeLength = 20;
+  const RefinedMesh refined = Refined(cube, {}, parameters);
+  ExpectSplitLaws(cube, {}, refined);
+  double longest = 0;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto [a, b, d] = CornersOf(refined.Points, FaceOf(refined.Cells[c], k));
+      if (refined.OriginalFaces[c][k] != None)
+      {
+        longest = std::max({ longest, Distance(a, b), Distance(b, d), Distance(d, a) });
+      }
+    }
+  }
+  EXPECT_LT(longest, 1.4 * 20);
+  EXPECT_GT(StatisticOf(refined, "SurfacePoints"), 6 * 20);
+}
+
+TEST(SplitSurface, MakesNeedlesOfASurfaceGoodCells)
+{
+  // Boxes of 1 : 1 : 12, whose sides are two long triangles each.
+  TetrahedralMesh bar = EvenGrid(2);
+  testtetrahedra::Squeeze(bar, 0, 12);
+  const RefinedMesh kept = Refined(bar, {}, {});
+  const RefinedMesh split = Refined(bar, {}, Split());
+  ExpectSplitLaws(bar, {}, split);
+  EXPECT_LT(testmeshes::LeastSines(kept.Points, kept.Cells).front(), 0.2);
+  EXPECT_GT(testmeshes::LeastSines(split.Points, split.Cells).front(), 0.2);
+}
+
+TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)
+{
+  const TetrahedralMesh grid = testtetrahedra::Grid(5, 4);
+  for (const RefinementParameters& parameters : { Split(), Remeshed(10, 90) })
+  {
+    const RefinedMesh first = Refined(grid, {}, parameters);
+    const RefinedMesh second = Refined(grid, {}, parameters);
+    EXPECT_EQ(first.Points, second.Points);
+    EXPECT_EQ(first.Cells, second.Cells);
+    EXPECT_EQ(first.OriginalFaces, second.OriginalFaces);
+    TetrahedralMesh large = grid;
+    large.Points = ScaledPoints(grid.Points, 300);
+    RefinementParameters scaled = parameters;
+    scaled.SurfaceTolerance = std::ldexp(parameters.SurfaceTolerance, 300);
+    scaled.Sizes.EdgeLength = std::ldexp(parameters.Sizes.EdgeLength, 300);
+    EXPECT_EQ(Refined(large, {}, scaled).Cells.size(), first.Cells.size());
+  }
+}
