@@ -53,8 +53,7 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      if (input->GetNumberOfLines() > 0 &&
-        input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+      if (vtkInsideOutAreLines(input))
       {
         vtkInsideOutMonitor monitor(this, { Stages::Validating, Stages::Resolving });
         const auto lines = vtkInsideOutResolveLines(

@@ -12,7 +12,7 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
 {
   const auto add = [&warnings](const std::vector<std::string>& more)
   { warnings.insert(warnings.end(), more.begin(), more.end()); };
-  if (input->GetNumberOfLines() > 0 && input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  if (vtkInsideOutAreLines(input))
   {
     const vtkInsideOutCurve curve =
       vtkInsideOutReadCurve(input, options.Orientation, options.NonParticipating);

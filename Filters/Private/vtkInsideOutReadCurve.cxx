@@ -245,6 +245,11 @@ std::string NotFlat(const Plane& plane)
 }
 } // namespace
 
+bool vtkInsideOutAreLines(vtkPolyData* input)
+{
+  return input->GetNumberOfLines() > 0 && !HasPolygons(input);
+}
+
 int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens)
 {
   if (asked != 0 && asked != 2 && asked != 3)
@@ -257,7 +262,7 @@ int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens)
   }
   if (!HasPolygons(input))
   {
-    return input->GetNumberOfLines() > 0 ? 2 : 3;
+    return vtkInsideOutAreLines(input) ? 2 : 3;
   }
   if (thickens)
   {

@@ -30,6 +30,9 @@ struct vtkInsideOutCurve
   std::vector<std::string> Warnings = {}; ///< what was passed over or turned, one line each
 };
 
+/** Whether an input is lines without polygons. */
+bool vtkInsideOutAreLines(vtkPolyData* input);
+
 /**
  * How many dimensions an input has: 2 for lines without polygons, and for polygons in one plane
  * exactly or but for rounding in double precision, unless they get a thickness; else 3.

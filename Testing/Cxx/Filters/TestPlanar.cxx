@@ -7,6 +7,7 @@
 #include "vtkProbeWindingNumber.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
+#include "vtkSurfaceDefects.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCell.h>
@@ -363,6 +364,44 @@ TEST(QueriesInAPlane, GiveTheWindingNumberOfLines)
     EXPECT_EQ(probe->IsInside(p), wanted[p] > 0.5);
     EXPECT_EQ(implicit->FunctionValue(places->GetPoint(p)), 0.5 - wanted[p]);
   }
+}
+
+TEST(vtkSurfaceDefectsInAPlane, MarksOpenEndsCrossingsTJunctionsAndDuplicates)
+{
+  // A cross, a line that ends within another, the same line twice, one without length.
+  const Data input = MakeData({ { 0, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 2, 0, 0 }, { 5, 0, 0 },
+                                { 7, 0, 0 }, { 6, 0, 0 }, { 6, 3, 0 } },
+    { { 0, 1 }, { 2, 3 }, { 4, 5 }, { 6, 7 }, { 0, 1 }, { 5, 5 } });
+  vtkNew<vtkSurfaceDefects> defects;
+  defects->SetInputData(input);
+  defects->Update();
+  vtkCellData* cells = defects->GetOutput()->GetCellData();
+  const auto expect = [&](const char* array, const std::vector<int>& wanted)
+  {
+    for (std::size_t c = 0; c < wanted.size(); ++c)
+    {
+      EXPECT_EQ(cells->GetArray(array)->GetTuple1(static_cast<vtkIdType>(c)), wanted[c])
+        << array << " of cell " << c;
+    }
+  };
+  expect("ComponentId", { 0, 1, 2, 3, 0, -1 });
+  expect("SelfIntersections", { 1, 1, 1, 0, 1, 0 });
+  expect("Duplicate", { 0, 0, 0, 0, 1, 0 });
+  expect("Degenerate", { 0, 0, 0, 0, 0, 1 });
+  vtkPolyData* points = defects->GetLines();
+  std::array<int, 3> count{ { 0, 0, 0 } };
+  for (vtkIdType p = 0; p < points->GetNumberOfVerts(); ++p)
+  {
+    const int type = static_cast<int>(points->GetCellData()->GetArray("DefectType")->GetTuple1(p));
+    ++count[type - vtkSurfaceDefects::OPEN_END];
+    if (type == vtkSurfaceDefects::CROSSING)
+    {
+      EXPECT_EQ(points->GetPoint(p)[0], 1);
+      EXPECT_EQ(points->GetPoint(p)[1], 1);
+      EXPECT_EQ(points->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(p), -1);
+    }
+  }
+  EXPECT_EQ(count, (std::array<int, 3>{ { 8, 1, 1 } }));
 }
 
 TEST(StagesInAPlane, RefuseToTriangulateWhatCrosses)
