@@ -12,6 +12,7 @@
 #include <vtkDataArray.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -116,6 +117,49 @@ std::vector<Point> PointsInUse(vtkPolyData* input, const std::vector<Point>& poi
     }
   }
   return used;
+}
+
+/** Points of a few polygons, evenly spread. */
+std::vector<Point> SomePoints(vtkPolyData* input)
+{
+  constexpr vtkIdType few = 64;
+  vtkCellArray* polygons = input->GetPolys();
+  const vtkIdType count = polygons->GetNumberOfCells();
+  std::vector<Point> points;
+  for (vtkIdType cell = 0; cell < count; cell += std::max<vtkIdType>(count / few, 1))
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    polygons->GetCellAtId(cell, size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      Point p = { { 0, 0, 0 } };
+      if (ids[k] >= 0 && ids[k] < input->GetNumberOfPoints())
+      {
+        input->GetPoint(ids[k], p.data());
+        points.push_back(p);
+      }
+    }
+  }
+  return points;
+}
+
+/** Whether points are farther from any plane than rounding explains; most surfaces' few are. */
+bool AreSurelyNotFlat(const std::vector<Point>& points)
+{
+  constexpr double surely = 16; // the plane of few points is not quite that of all
+  if (!std::all_of(points.begin(), points.end(), insideout::IsFinite))
+  {
+    return true;
+  }
+  try
+  {
+    return insideout::FindPlane(points).Distance > surely * insideout::RoundingOfDoubles;
+  }
+  catch (const Error&)
+  {
+    return false; // on a line
+  }
 }
 
 /** Twice the area of an outline, negative for one that runs clockwise. */
@@ -264,7 +308,7 @@ int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens)
   {
     return vtkInsideOutAreLines(input) ? 2 : 3;
   }
-  if (thickens)
+  if (thickens || AreSurelyNotFlat(SomePoints(input)))
   {
     return 3;
   }
