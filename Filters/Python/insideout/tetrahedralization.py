@@ -112,7 +112,7 @@ class Tetrahedralization(Result):
         is NaN at the other's cells, or -1, or 0 where it has no sign; FacetIds, of four components, becomes FacetIds_0
         to _3, for few formats have four.
         """
-        return self.solid.to_meshio() if self.is_planar() else mesh_of_solid(self.solid, self.boundary)
+        return self.solid.to_meshio() if isinstance(self.solid, Triangles) else mesh_of_solid(self.solid, self.boundary)
 
 
 @describe_options
