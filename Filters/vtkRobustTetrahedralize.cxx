@@ -234,7 +234,6 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
     ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
     : outputs.MakeBoundary(hull, boundary);
   monitor.Check(Stages::Extracting, 0.3);
-  surfaces.Counts.emplace_back("BoundaryFaces", boundary.size());
   surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
 
   const std::vector<OutlierPiece> outliers =
@@ -253,6 +252,7 @@ struct Solid
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   std::vector<MassProperties> Masses; ///< of the regions
+  MassProperties Mass;
   Statistics Counts;
 };
 
@@ -273,8 +273,7 @@ Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
   solid.Masses = MeasureRegions(hull.Mesh, regions);
   solid.Counts.emplace_back("InsideCells", std::count(inside.begin(), inside.end(), 1));
   solid.Counts.emplace_back("Regions", regions.Count);
-  AppendMass(
-    regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside), solid.Counts);
+  solid.Mass = regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside);
   return solid;
 }
 } // namespace
@@ -392,12 +391,19 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
           vtkInsideOutRefinementParameters(this), this->QuadraticCells, monitor);
         solid.Grid = refinement.Grid;
         surfaces.Boundary = refinement.Boundary;
+        if (this->Surface == REMESHED)
+        {
+          solid.Masses = refinement.Masses;
+          solid.Mass = refinement.Mass;
+        }
       }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
       statistics.insert(
         statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
       statistics.insert(statistics.end(), solid.Counts.begin(), solid.Counts.end());
+      AppendMass(solid.Mass, statistics);
+      statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
       statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
       statistics.insert(
         statistics.end(), refinement.Statistics.begin(), refinement.Statistics.end());

@@ -54,7 +54,9 @@
  * y).
  *
  * With Refine the solid's cells are others of the same solid: see vtkRefineTetrahedra, which says
- * what becomes of its arrays, too. InsideCells then counts the cells before.
+ * what becomes of its arrays, too. InsideCells then counts the cells before. Where Surface is not
+ * KEPT output 1 is the boundary of those cells, its point data interpolated in the triangles
+ * before.
  *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.

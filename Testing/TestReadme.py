@@ -113,15 +113,22 @@ class TestReadme(unittest.TestCase):
         )
 
     def test_every_link_leads_somewhere(self):
-        for page in (ROOT / "README.md", ROOT / "Examples/README.md", ROOT / "Testing/README.md"):
+        pages = [ROOT / name / "README.md" for name in (".", "Testing", "Testing/Benchmark")]
+        for page in (*pages, *(ROOT / "Examples").rglob("README.md")):
             for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
                 self.assertTrue((page.parent / link).exists(), f"{page}: {link}")
 
     def test_every_example_is_listed(self):
-        text = (ROOT / "Examples/README.md").read_text(encoding="utf-8")
-        for file in (ROOT / "Examples").rglob("*"):
+        """On the page of its folder, which the page of all links, or else on that itself."""
+        examples = ROOT / "Examples"
+        for file in examples.rglob("*"):
             if file.suffix in (".py", ".sh", ".cxx"):
-                self.assertIn(str(file.relative_to(ROOT / "Examples")), text)
+                of_folder = file.parent / "README.md"
+                page = of_folder if of_folder.exists() else examples / "README.md"
+                self.assertIn(str(file.relative_to(page.parent)), page.read_text(encoding="utf-8"))
+                if page.parent != examples:
+                    link = str(page.relative_to(examples))
+                    self.assertIn(f"]({link})", (examples / "README.md").read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -20,9 +20,9 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libgl2ps-dev"
 
 # Real meshes, a display for pictures, the checks of style and types, programs that read the files for
-# solvers, and a second compiler with its sanitizers, their symbolizer and its OpenMP.
+# solvers, what the examples calculate with, and a second compiler with its sanitizers, their symbolizer and its OpenMP.
 packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy
-  python3-meshio python3-h5py gmsh python3-gmsh calculix-ccx
+  python3-meshio python3-h5py python3-scipy python3-matplotlib gmsh python3-gmsh calculix-ccx
   clang-14 libclang-rt-14-dev libomp-14-dev llvm-14"
 
 missing=

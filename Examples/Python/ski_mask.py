@@ -8,8 +8,8 @@ nearly enclosed, and becomes part of the solid. A cell array that says which fac
 leaves the body as it is, and the mesh still has a face on each of the mask.
 """
 
-import os
 import sys
+from pathlib import Path
 
 import insideout
 import numpy as np
@@ -92,24 +92,18 @@ def scene() -> vtkPolyData:
 
 
 def draw(results: dict, file: str) -> None:
-    """The scene and the solids, cut open, seen at the head."""
-    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
-    import picture
+    """The scene and the solids, cut open, seen at the head from above."""
+    sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+    import drawing
 
-    view = picture.View(surface_of([(4.2, -0.75, -0.65), (6.2, 0.75, 0.65)], []))  # of the head, from above
-    sheet = picture.actor(mask(), picture.CROSSING)
-    sheet.GetProperty().SetOpacity(0.45)
-    title = picture.words("A snake with a ski mask", 0.95, size=30, bold=True)
-    panels = [[picture.actor(snake(), picture.SOUND), sheet, title]]
+    parts = [drawing.actor(snake()), drawing.actor(mask(), drawing.RED, opacity=0.45)]
+    panels = [drawing.Panel("A snake with a ski mask", "", parts)]
     for name, result in results.items():
-        panels.append([
-            picture.actor(
-                picture.behind(result.solid, view.slice_plane()), picture.SOLID, edge_colour=(0.12, 0.25, 0.36)
-            ),
-            picture.words(name, 0.95, size=30, bold=True),
-            picture.words(f"{result.statistics['InsideCells']:,} tetrahedra, cut open", 0.085),
-        ])
-    picture.render(panels, view, file)
+        solid = drawing.cut_open(result.solid, (0, 0, 0), (0, 0, 1))
+        words = f"{result.statistics['InsideCells']:,} tetrahedra, cut open"
+        panels.append(drawing.Panel(name, words, [drawing.actor(solid, drawing.BLUE, edges=True)]))
+    head = ((4.2, 6.2), (-0.75, 0.75), (-0.65, 0.65))
+    drawing.save(panels, file, seen_from=(0.25, -0.35, 1), up=(0, 1, 0), bounds=head)
 
 
 def main(picture_file=None) -> None:

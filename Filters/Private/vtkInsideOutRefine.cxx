@@ -2,13 +2,15 @@
 #include "vtkInsideOutRefine.h"
 
 #include "Common/Error.h"
-#include "Common/SortUniquely.h"
+#include "Common/Stages.h"
 #include "Common/Vectors.h"
+#include "Quality/QualityOfMesh.h"
 #include "Refine/QuadraticCells.h"
 #include "Refine/RefineTetrahedra.h"
 #include "vtkInsideOutArrays.h"
 #include "vtkInsideOutAttributes.h"
 #include "vtkInsideOutReadGrid.h"
+#include "vtkInsideOutRefineBoundary.h"
 
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
@@ -128,110 +130,6 @@ void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const c
   }
 }
 
-/** The faces of a mesh that have no cell behind them, 4 * cell + face: as a boundary has them. */
-std::vector<Id> FacesOnBoundary(const TetrahedralMesh& mesh)
-{
-  std::vector<Id> faces;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[c][k] == None)
-      {
-        faces.push_back(4 * c + k);
-      }
-    }
-  }
-  return faces;
-}
-
-/** The tag of each face on the boundary. */
-std::vector<std::array<Id, 4>> LabelsOf(const TetrahedralMesh& mesh, vtkPolyData* boundary)
-{
-  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
-  std::vector<std::array<Id, 4>> labels(mesh.Cells.size(), { { 0, 0, 0, 0 } });
-  const std::vector<Id> faces = FacesOnBoundary(mesh);
-  for (std::size_t i = 0; i < faces.size() && tags; ++i)
-  {
-    labels[faces[i] / 4][faces[i] % 4] =
-      static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
-  }
-  return labels;
-}
-
-/** The weights of a triangle's corners at a place in it or near it: none is negative. */
-std::array<double, 4> WeightsAt(const std::array<Point, 3>& t, const Point& place)
-{
-  std::array<double, 4> weights = { { 0, 0, 0, 0 } };
-  const Point normal = NormalOf(t[0], t[1], t[2]);
-  double sum = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    weights[k] = std::max(0.0, Dot(NormalOf(place, t[(k + 1) % 3], t[(k + 2) % 3]), normal));
-    sum += weights[k];
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    weights[k] = sum > 0 ? weights[k] / sum : 1.0 / 3;
-  }
-  return weights;
-}
-
-/** The boundary of a refined mesh, with the data of the one before. */
-vtkSmartPointer<vtkPolyData> MakeBoundary(const TetrahedralMesh& mesh, const RefinedMesh& refined,
-  vtkPolyData* before, std::vector<std::string>& warnings)
-{
-  const std::vector<Id> faces = FacesOnBoundary(mesh);
-  std::vector<Id> numbers(refined.Points.size(), None);
-  std::vector<Point> points;
-  std::vector<vtkInsideOutAttributes::Mixture> mixtures;
-  std::vector<Triangle> triangles;
-  std::vector<Id> sources;
-  vtkNew<vtkIdList> given;
-  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      if (refined.OriginalFaces[c][k] == None)
-      {
-        continue;
-      }
-      sources.push_back(IndexIn(faces, refined.OriginalFaces[c][k]));
-      before->GetCellPoints(sources.back(), given);
-      std::array<Point, 3> corners;
-      for (int i = 0; i < 3; ++i)
-      {
-        before->GetPoint(given->GetId(i), corners[i].data());
-      }
-      triangles.push_back(FaceOf(refined.Cells[c], k));
-      for (Id& corner : triangles.back())
-      {
-        if (numbers[corner] == None)
-        {
-          numbers[corner] = static_cast<Id>(points.size());
-          const Point& place = refined.Points[corner];
-          points.push_back(place);
-          const auto at = std::find(corners.begin(), corners.end(), place) - corners.begin();
-          const auto id = [&](std::ptrdiff_t i) { return static_cast<Id>(given->GetId(i)); };
-          mixtures.push_back(at < 3
-              ? vtkInsideOutAttributes::Mixture{ { { id(at), 0, 0, 0 } }, { { 1, 0, 0, 0 } },
-                  false }
-              : vtkInsideOutAttributes::Mixture{
-                  { { id(0), id(1), id(2), 0 } }, WeightsAt(corners, place), true });
-        }
-        corner = numbers[corner];
-      }
-    }
-  }
-  auto boundary = vtkSmartPointer<vtkPolyData>::New();
-  boundary->SetPoints(vtkInsideOutMakePoints(points));
-  boundary->SetPolys(vtkInsideOutMakeCells(triangles));
-  vtkInsideOutAttributes::MixPointData(before, mixtures, {}, boundary->GetPointData(), warnings);
-  vtkInsideOutAttributes::CopyCellData(before, sources, boundary->GetCellData(), warnings);
-  boundary->GetFieldData()->ShallowCopy(before->GetFieldData());
-  return boundary;
-}
-
 /** The weights of a cell's corners at a place in it: none is negative, however thin the cell. */
 std::array<double, 4> WeightsAt(
   const std::vector<Point>& points, const Tetrahedron& cell, const Point& place)
@@ -298,6 +196,56 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
         << maximumVolume << ": faces that stay as they are may allow no smaller ones";
   return words.str();
 }
+/** Of a solid that is no longer quite the same. */
+void MeasureMasses(
+  const RefinedMesh& refined, const std::vector<Id>& regions, vtkInsideOutRefinement& result)
+{
+  TetrahedralMesh mesh;
+  mesh.Points = refined.Points;
+  mesh.Cells = refined.Cells;
+  SolidRegions after;
+  for (const Id cell : refined.OriginalCells)
+  {
+    after.OfCell.push_back(regions.empty() ? 0 : regions[cell]);
+    after.Count = std::max(after.Count, after.OfCell.back() + 1);
+  }
+  result.Masses = MeasureRegions(mesh, after);
+  result.Mass = MeasureMass(mesh, std::vector<unsigned char>(mesh.Cells.size(), 1));
+}
+
+double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
+{
+  for (const auto& [name, value] : refined.Statistics)
+  {
+    if (name == wanted)
+    {
+      return value;
+    }
+  }
+  return 0;
+}
+
+void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameters,
+  std::vector<std::string>& warnings)
+{
+  if (const double large = StatisticOf(refined, "CellsAboveMaximumVolume"); large > 0)
+  {
+    warnings.push_back(TooLargeCells(large, refined.Cells.size(), parameters.Sizes.MaximumVolume));
+  }
+  if (const double kept = StatisticOf(refined, "KeptFacets"); kept > 0)
+  {
+    warnings.push_back(std::to_string(static_cast<Id>(kept)) +
+      " triangles of the surface stay as they are: pieces of them would cross others");
+  }
+  const double distance = StatisticOf(refined, "InputDistance");
+  if (const double tolerance = StatisticOf(refined, "SurfaceTolerance"); distance > tolerance)
+  {
+    std::ostringstream words;
+    words << "a part of the surface is " << distance << " away from the remeshed one, farther than "
+          << tolerance;
+    warnings.push_back(words.str());
+  }
+}
 } // namespace
 
 vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
@@ -310,7 +258,7 @@ vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData
   RefinementParameters parameters = given;
   if (boundary && parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    parameters.Labels = LabelsOf(mesh, boundary);
+    parameters.Labels = vtkInsideOutLabelsOf(mesh, boundary);
   }
   const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
   QuadraticCells secondOrder;
@@ -331,19 +279,19 @@ vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData
   result.Boundary = boundary;
   if (boundary && parameters.Surface != SurfaceTreatment::Kept)
   {
-    result.Boundary = MakeBoundary(mesh, refined, boundary, result.Warnings);
+    result.Boundary = vtkInsideOutRefineBoundary(mesh, refined, boundary, result.Warnings);
   }
 
-  result.Statistics = refined.Statistics;
-  result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
-  for (const auto& [name, value] : refined.Statistics)
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    if (name == "CellsAboveMaximumVolume" && value > 0)
-    {
-      result.Warnings.push_back(
-        TooLargeCells(value, refined.Cells.size(), parameters.Sizes.MaximumVolume));
-    }
+    MeasureMasses(refined, regions, result);
   }
+  result.Statistics = refined.Statistics;
+  const ProgressRange end = { Stages::Refining, 1, 1 };
+  AppendQuality(QualityOfMesh(mesh.Points, mesh.Cells, monitor, end), result.Statistics, "Before");
+  AppendQuality(QualityOfMesh(refined.Points, refined.Cells, monitor, end), result.Statistics);
+  result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
+  WarnAbout(refined, parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
   return result;
 }

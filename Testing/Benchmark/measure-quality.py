@@ -17,17 +17,15 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
 import statistics
 import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
 
-from meshers import Outcome, meshers, outcome_of, write_inputs
+from meshers import Outcome, mesh_as_it_comes, meshers, outcome_of, write_inputs
 from solids import boundary_of, points_and_cells, read_grid, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -91,11 +89,8 @@ def _line(name: str, mesher: str, outcome: Outcome) -> str:
 
 def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
     row = Row(Path(surface).name)
-    command = [sys.executable, "-m", "insideout", os.path.abspath(surface), "solid.vtu", "--hull", "hull.vtu"]
-    command += ["--report", "report.json", "--quiet", "--timeout", f"{options.limit:g}"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    if done.returncode != 0:
-        row.trouble = done.stderr.strip().splitlines()[-1]
+    row.trouble = mesh_as_it_comes(surface, folder, options.limit)
+    if row.trouble:
         return row
     seconds = json.loads((folder / "report.json").read_text())["statistics"]["SecondsCDT"]
     hull = read_grid(str(folder / "hull.vtu"))

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The programs that measure-quality.py compares: what each is given, how it is run, what it says.
+"""The programs that measure-quality.py and table.py compare: what each is given, how it is run, what it says.
 
 Each runs in a process of its own with a limit of memory and of processor time, which does not run on while other processes
-have the processors. As a program this is two of them:
+have the processors. As a program this is three of them:
 
     meshers.py netgen BOUNDARY.stl MESH.vol          mesh a surface by Netgen's Python module
+    meshers.py delaunay SURFACE.vtp MESH.vtu         vtkDelaunay3D's cells whose centres vtkSelectEnclosedPoints has inside
     meshers.py refine SOLID.vtu MESH.vtu NAME=VALUE...  improve a solid by vtkRefineTetrahedra with these properties
 """
 
@@ -13,6 +14,7 @@ from __future__ import annotations
 import contextlib
 import io
 import math
+import os
 import re
 import resource
 import shutil
@@ -28,6 +30,10 @@ from typing import Callable, Mapping, Optional
 import insideout
 import numpy as np
 from solids import Boundary, points_and_cells, read_grid, volume_of
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkFiltersCore import vtkCellCenters, vtkDelaunay3D, vtkThreshold
+from vtkmodules.vtkFiltersModeling import vtkSelectEnclosedPoints
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 MOST_BYTES = 4 << 30
 LEAST_VOLUME, MOST_VOLUME = 0.95, 1.05  # of the solid's: a mesh with less or more lacks a part or fills a cavity
@@ -48,6 +54,16 @@ class Outcome:
 
 
 @dataclass
+class Answer:
+    """A mesh of tetrahedra, or why there is none."""
+
+    points: Optional[np.ndarray] = None
+    cells: Optional[np.ndarray] = None
+    seconds: Optional[float] = None
+    trouble: str = ""
+
+
+@dataclass
 class Mesher:
     """A program, or one with certain options."""
 
@@ -63,18 +79,28 @@ class Mesher:
     """By what it prints."""
 
     def run(self, folder: Path, volume: float, limit: float) -> Outcome:
-        """Mesh a solid of this volume, whose files are in the folder."""
+        """Mesh a solid of this volume, whose files are in the folder, and say how good the cells are."""
+        answer = self.answer(folder, limit)
+        if answer.points is None:
+            return Outcome(None, None, answer.trouble)
+        part = volume_of(answer.points, answer.cells) / volume
+        if not LEAST_VOLUME <= part <= MOST_VOLUME:
+            return Outcome(None, None, f"{100 * part:.3g} % of the volume")
+        return outcome_of(answer.points, answer.cells, answer.seconds)
+
+    def answer(self, folder: Path, limit: float) -> Answer:
+        """Mesh what the folder's files have, and leave there what was there before."""
         before = set(folder.iterdir())
         try:
-            return self._run(folder, volume, limit)
+            return self._answer(folder, limit)
         finally:
             for path in set(folder.iterdir()) - before:
                 path.unlink()
 
-    def _run(self, folder: Path, volume: float, limit: float) -> Outcome:
+    def _answer(self, folder: Path, limit: float) -> Answer:
         mesh = folder / self.mesh
         command = self.command(folder)
-        over = Outcome(None, None, f"over {limit:g} s")
+        over = Answer(trouble=f"over {limit:g} s")
         try:
             done = subprocess.run(
                 command,
@@ -91,12 +117,19 @@ class Mesher:
         if done.returncode == -signal.SIGXCPU:
             return over
         if done.returncode != 0 or not mesh.exists():
-            return Outcome(None, None, _trouble(done.returncode, done.stdout))
-        points, cells = _read(mesh)
-        part = volume_of(points, cells) / volume
-        if not LEAST_VOLUME <= part <= MOST_VOLUME:
-            return Outcome(None, None, f"{100 * part:.3g} % of the volume")
-        return outcome_of(points, cells, self.seconds(done.stdout))
+            return Answer(trouble=_trouble(done.returncode, done.stdout))
+        return Answer(*_read(mesh), self.seconds(done.stdout))
+
+
+def mesh_as_it_comes(surface: str, folder: Path, limit: float) -> str:
+    """By our command line, to solid.vtu, hull.vtu and report.json in the folder. Gives what went wrong, or nothing."""
+    # A process begins with the peak memory of the one that starts it: a shell's is small.
+    command = ["sh", "-c", '"$@"; exit $?', "sh"]
+    command += [sys.executable, "-m", "insideout", os.path.abspath(surface), "solid.vtu", "--hull", "hull.vtu"]
+    command += ["--report", "report.json", "--quiet", "--timeout", f"{limit:g}"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    said = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
+    return "" if done.returncode == 0 else said[-1].removeprefix("insideout: ").removeprefix(f"{os.path.abspath(surface)}: ")
 
 
 def outcome_of(points: np.ndarray, cells: np.ndarray, seconds: float) -> Outcome:
@@ -155,18 +188,23 @@ def _write_gmsh(boundary: Boundary, folder: Path) -> None:
 def meshers(settings: list[str]) -> list[Mesher]:
     """All of them, those to compare with first."""
     return [
-        *(_tetgen(options) for options in TETGENS),
+        *(tetgen(options) for options in TETGENS),
         *(_gmsh(name, algorithm) for name, algorithm in GMSHES.items()),
         _netgen(),
         _refinement(settings),
     ]
 
 
+def meshers_of_any_surface() -> list[Mesher]:
+    """Those that may be given a surface as it comes."""
+    return [tetgen("p"), _gmsh("gmsh", "del3d"), _netgen(), _delaunay()]
+
+
 TETGENS = ("pq1.2/18O9Y", "pq1.2/18O9", "pq1.2O9")  # the last asks for no angle: with one 1.5 seldom ends
 GMSHES = {"gmsh Delaunay": "del3d", "gmsh HXT": "hxt"}
 
 
-def _tetgen(options: str) -> Mesher:
+def tetgen(options: str) -> Mesher:
     def command(folder: Path) -> list[str]:
         # Each run has files of its own: TetGen names its mesh after what it reads.
         shutil.copyfile(folder / "boundary.poly", folder / f"{_word(options)}.poly")
@@ -202,6 +240,11 @@ def _netgen() -> Mesher:
         "netgen.vol",
         _told_seconds,
     )
+
+
+def _delaunay() -> Mesher:
+    command = [PYTHON, __file__, "delaunay", "surface.vtp", "delaunay.vtu"]
+    return Mesher("vtkDelaunay3D", None, lambda: True, lambda _: command, "delaunay.vtu", _told_seconds)
 
 
 def _refinement(settings: list[str]) -> Mesher:
@@ -258,6 +301,30 @@ def _mesh_by_netgen(surface: str, mesh: str) -> None:
     print(f"\nSECONDS {seconds}", flush=True)
 
 
+def _mesh_by_delaunay(surface: str, mesh: str) -> None:
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(surface)
+    reader.Update()
+    began = time.process_time()
+    delaunay, centres, enclosed = vtkDelaunay3D(), vtkCellCenters(), vtkSelectEnclosedPoints()
+    delaunay.SetInputConnection(reader.GetOutputPort())
+    centres.SetInputConnection(delaunay.GetOutputPort())
+    enclosed.SetInputConnection(centres.GetOutputPort())
+    enclosed.SetSurfaceConnection(reader.GetOutputPort())
+    enclosed.Update()
+    inside = enclosed.GetOutput().GetPointData().GetArray("SelectedPoints")
+    delaunay.GetOutput().GetCellData().AddArray(inside)
+    threshold = vtkThreshold()
+    threshold.SetInputData(delaunay.GetOutput())
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "SelectedPoints")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(0.5)
+    threshold.Update()
+    seconds = time.process_time() - began
+    insideout.write(threshold.GetOutput(), mesh)
+    print(f"\nSECONDS {seconds}", flush=True)
+
+
 def _refine(solid: str, mesh: str, *settings: str) -> None:
     refinement = insideout.vtkRefineTetrahedra()
     refinement.SetInputData(read_grid(solid))
@@ -272,4 +339,4 @@ def _refine(solid: str, mesh: str, *settings: str) -> None:
 
 
 if __name__ == "__main__":
-    {"netgen": _mesh_by_netgen, "refine": _refine}[sys.argv[1]](*sys.argv[2:])
+    {"netgen": _mesh_by_netgen, "delaunay": _mesh_by_delaunay, "refine": _refine}[sys.argv[1]](*sys.argv[2:])

@@ -124,7 +124,8 @@ class Success(CommandLine):
                         **{"thicken": 0, "thicken_all": False},
                         **{"constrain_facets": False, "constrain_manifold": False},
                         **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
-                        **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "quadratic": False},
+                        **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "surface_treatment": "kept"},
+                        **{"surface_tolerance": 0, "feature_angle": 30, "quadratic": False},
                     },
                 )
                 self.assertEqual(found["tetrahedralizer"], "exact flips and cuts")

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import insideout
 from insideout import arguments
-from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Scale, Switch
+from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Scale, Switch, flag_of
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -211,7 +211,7 @@ class ThreeWays(unittest.TestCase):
                 key = argument.strip("`")
                 self.assertEqual(OPTIONS[key].vtk_property.removesuffix("Data"), name)
                 self.assertIn(key, inspect.signature(insideout.tetrahedralize).parameters)
-                self.assertEqual(option.strip("`").split()[0], "--" + key.replace("_", "-"))
+                self.assertEqual(option.strip("`").split()[0], flag_of(key))
                 self.assertIn(f" {option.strip('`')} {OPTIONS[key].help()}".replace("%%", "%")[:60], usage)
         self.assertEqual(others, {})
 
@@ -348,7 +348,7 @@ class CommandLine(unittest.TestCase):
     def test_it_has_each_option(self):
         for name, option in OPTIONS.items():
             value = example(option)
-            given = ["--" + name.replace("_", "-"), *([] if value is True else [str(value)])]
+            given = [flag_of(name), *([] if value is True else [str(value)])]
             with self.subTest(name):
                 self.assertEqual(self.parse(*given), Options(**{name: value}))
         self.assertEqual(self.parse("--constrained-array", "Some"), Options(constrain_facets="Some"))

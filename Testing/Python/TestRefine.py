@@ -17,6 +17,7 @@ from insideout.data import make_surface
 from insideout.options import OPTIONS, REFINING_OPTIONS
 from insideout.stages import REFINE, TETRAHEDRALIZE, UNNAMED
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkImageData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 
@@ -37,6 +38,101 @@ def faces_on_boundary(solid) -> set:
     faces, numbers = surfaces.faces_of(solid)
     once = np.bincount(numbers)[numbers] == 1
     return {frozenset(map(tuple, solid.points[face].tolist())) for face in faces[once]}
+
+
+def sphere(resolution: int):
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.SetRadius(1)
+    source.Update()
+    return source.GetOutput()
+
+
+class Surface(unittest.TestCase):
+    """What becomes of the boundary: beside the tetrahedra, the surface of its own and what is known of its triangles."""
+
+    @staticmethod
+    def tagged_boxes():
+        surface = surfaces.two_boxes()
+        places = np.array([surface.GetCell(k).GetBounds()[0] for k in range(surface.GetNumberOfCells())])
+        surfaces.add_array(surface.GetCellData(), "Side", (places > 0.4).astype(np.int64))
+        surfaces.add_array(surface.GetPointData(), "Height", surfaces.points_of(surface)[:, 2].copy())
+        return surface
+
+    def check(self, made, before) -> None:
+        boundary = made.boundary
+        self.assertTrue(surfaces.is_watertight(boundary))
+        of_solid = faces_on_boundary(made.solid)
+        self.assertEqual({frozenset(map(tuple, boundary.points[face].tolist())) for face in boundary.triangles}, of_solid)
+        self.assertGreater(len(boundary.triangles), len(before.boundary.triangles))
+        self.assertEqual(set(boundary.cell_arrays), set(before.boundary.cell_arrays))
+        # Linear data stay linear, for the triangles are flat.
+        np.testing.assert_allclose(boundary.point_arrays["Height"], boundary.points[:, 2], atol=1e-12)
+        new = boundary.point_arrays["vtkOriginalPointIds"] < 0
+        self.assertGreater(new.sum(), made.statistics["SurfacePoints"] / 2)
+        # A piece is of the input's triangle in whose plane it lies, and has its tag.
+        given = surfaces.triangles_of(self.tagged)
+        corners = surfaces.points_of(self.tagged)[given[boundary.cell_arrays["vtkOriginalCellIds"]]]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        places = boundary.points[boundary.triangles] - corners[:, :1]
+        np.testing.assert_allclose(np.einsum("tpk,tk->tp", places, normals), 0, atol=1e-12)
+        sides = surfaces.cell_array(self.tagged, "Side")[boundary.cell_arrays["vtkOriginalCellIds"]]
+        np.testing.assert_array_equal(boundary.cell_arrays["Side"], sides)
+        self.assertEqual(sorted(made.tags), ["0", "1"])
+        for name, of_tag in made.tags.items():
+            np.testing.assert_array_equal(of_tag, np.flatnonzero(sides == int(name)))
+        self.assertAlmostEqual(float(sum(surfaces.exact_volumes(made.solid))), 15 / 8, delta=1e-12)
+        self.assertEqual(made.statistics["BoundaryFaces"], len(boundary.triangles))
+
+    def test_what_is_told_of_a_remeshed_solid_is_that_of_its_cells(self):
+        made = insideout.tetrahedralize(
+            sphere(24), edge_length=0.5, surface_treatment="remeshed", surface_tolerance=0.1
+        )
+        volume = float(sum(surfaces.exact_volumes(made.solid)))
+        self.assertAlmostEqual(made.statistics["Volume"], volume, delta=1e-12)
+        self.assertAlmostEqual(made.regions[0].volume, volume, delta=1e-12)
+        self.assertNotAlmostEqual(made.statistics["EnclosedVolume"], volume, delta=1e-3)
+        for figure in ("SurfaceDistance", "InputDistance"):
+            self.assertGreater(made.statistics[figure], 0.01)
+            self.assertLessEqual(made.statistics[figure], 0.1)
+        self.assertGreater(made.statistics["DihedralAngle1Percent"], made.statistics["BeforeDihedralAngle1Percent"])
+        quality = insideout.check_solid(made.solid).statistics
+        for figure in ("MinDihedralAngle", "CellsUnder10Degrees", "SurfaceEdgesUnder10Degrees"):
+            self.assertEqual(made.statistics[figure], quality[figure])
+
+    def test_pieces_and_triangles_in_their_place_know_the_input(self):
+        self.tagged = self.tagged_boxes()
+        before = insideout.tetrahedralize(self.tagged, tag_array="Side")
+        for treatment, length in (("split", 0.2), ("remeshed", 0.15)):
+            with self.subTest(treatment):
+                made = insideout.tetrahedralize(
+                    self.tagged, tag_array="Side", edge_length=length, surface_treatment=treatment
+                )
+                self.assertEqual(made.warnings, before.warnings)
+                self.check(made, before)
+                self.assertEqual(made.statistics["KeptFacets"], 0)
+                if treatment == "remeshed":
+                    self.assertLessEqual(made.statistics["SurfaceDistance"], 1e-12)
+                    self.assertLessEqual(made.statistics["InputDistance"], 1e-12)
+
+    def test_facets_of_cells_are_those_of_the_pieces(self):
+        solid = insideout.tetrahedralize(surfaces.two_boxes()).solid
+        given = surfaces.two_boxes()
+        split = insideout.refine(solid, edge_length=0.2, surface_treatment="split").solid
+        faces, numbers = surfaces.faces_of(split)
+        once = np.bincount(numbers)[numbers] == 1
+        facets = split.cell_arrays["FacetIds"].ravel()
+        np.testing.assert_array_equal(facets >= 0, once)
+        corners = surfaces.points_of(given)[surfaces.triangles_of(given)[facets[once]]]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        places = split.points[faces[once]] - corners[:, :1]
+        np.testing.assert_allclose(np.einsum("tpk,tk->tp", places, normals), 0, atol=1e-12)
+
+    def test_what_puts_triangles_together_takes_a_surface_that_is_kept(self):
+        for option, name in (("merge_coplanar_pieces", "MergeCoplanarPieces"), ("split_seams", "SplitSeams")):
+            with self.assertRaisesRegex(insideout.Error, f"{name} takes a surface that is kept"):
+                insideout.tetrahedralize(surfaces.two_boxes(), refine=True, surface_treatment="split", **{option: True})
 
 
 class Function(unittest.TestCase):

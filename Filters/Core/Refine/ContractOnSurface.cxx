@@ -29,7 +29,11 @@ bool Has(const Corners& corners, Id point)
 
 void SurfaceContraction::Look(Id point, Around& around) const
 {
-  around = Around();
+  around.Cells.clear();
+  around.Points.clear();
+  around.Edges.clear();
+  around.FacetPoints.clear();
+  around.FacetEdges.clear();
   this->Mesh.Star(point, around.Cells);
   for (const Id c : around.Cells)
   {
@@ -167,12 +171,19 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
   {
     return false;
   }
+  // What costs least comes first: most contractions are refused.
+  this->OfPoint.Cells.clear();
+  this->Mesh.Star(point, this->OfPoint.Cells);
+  if (!this->MakeCells(point, target, wanted))
+  {
+    return false;
+  }
   this->Look(point, this->OfPoint);
   this->Look(target, this->OfTarget);
   if (!std::binary_search(
         this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target) ||
     !this->KeepsLengths(target, longest) || !this->KeepsTopology(point, target) ||
-    !this->MakeCells(point, target, wanted) || !this->MakePieces(point, target))
+    !this->MakePieces(point, target))
   {
     return false;
   }

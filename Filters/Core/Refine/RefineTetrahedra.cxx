@@ -238,6 +238,7 @@ void CompareSurfaces(const RefinableMesh& mesh, const SurfaceOfRun& run, Statist
     after.push_back({ piece.Places, run.Facets[piece.Facet].Label });
   }
   const double enough = run.Tolerance / 4; // what is as near need not be told
+  statistics.emplace_back("SurfaceTolerance", run.Tolerance);
   statistics.emplace_back("SurfaceDistance", LargestDistance(after, before, enough));
   statistics.emplace_back("InputDistance", LargestDistance(before, after, enough));
 }
@@ -368,7 +369,8 @@ RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>&
   result.Points = ScaledPoints(result.Points, exponent);
   for (auto& [name, value] : result.Statistics)
   {
-    const bool isLength = name == "SurfaceDistance" || name == "InputDistance";
+    const bool isLength =
+      name == "SurfaceDistance" || name == "InputDistance" || name == "SurfaceTolerance";
     value = isLength ? std::ldexp(value, exponent) : value;
   }
   for (std::size_t p = 0; p < result.Points.size(); ++p)

@@ -4,6 +4,7 @@
 #include "Common/LoopProgress.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
+#include "Refine/ContractEdge.h"
 #include "Refine/ContractOnSurface.h"
 #include "Refine/InsertOnSurface.h"
 #include "Refine/ReconnectCells.h"
@@ -28,7 +29,7 @@ constexpr double LongestContracted = 1.6;
 
 /** Of that length: the largest circumcircle of a piece that is split, and how near its centre may
  * be to other points. A regular triangle has 0.58. */
-constexpr double LargestRadius = 0.75;
+constexpr double LargestRadius = 0.7;
 constexpr double LeastSpacing = 0.6;
 
 /** Ridges at least so long are split for pieces that are too large. */
@@ -71,6 +72,7 @@ public:
     , Splitting(mesh, surface, bound)
     , Insertion(mesh, surface)
     , Contract(mesh, surface, bound)
+    , InSolid(mesh)
     , Reconnect(mesh, surface, bound)
     , Smooth(mesh, surface, bound)
   {
@@ -127,10 +129,9 @@ public:
   {
     for (const SurfaceEdge& edge : this->EdgesWithin(0, ShortestEdge))
     {
-      if (this->IsThere(edge) &&
-        !this->Contract.Contract(edge.Ends[0], edge.Ends[1], this->Acceptable, LongestContracted))
+      if (this->IsThere(edge) && !this->ContractInto(edge.Ends[0], edge.Ends[1]))
       {
-        this->Contract.Contract(edge.Ends[1], edge.Ends[0], this->Acceptable, LongestContracted);
+        this->ContractInto(edge.Ends[1], edge.Ends[0]);
       }
     }
   }
@@ -159,6 +160,13 @@ public:
   }
 
 private:
+  bool ContractInto(Id point, Id target)
+  {
+    const double before = std::max(this->InSolid.WorstAround(point), 0.0);
+    return this->Contract.Contract(
+      point, target, std::min(this->Acceptable, before / 2), LongestContracted);
+  }
+
   /** A piece to look at, and the version of its cell, by which one knows whether it is there. */
   struct Candidate
   {
@@ -322,6 +330,7 @@ private:
   EdgeSplitting Splitting;
   SurfaceInsertion Insertion;
   SurfaceContraction Contract;
+  Contraction InSolid;
   Reconnection Reconnect;
   PointSmoothing Smooth;
   RefinableRing Ring;

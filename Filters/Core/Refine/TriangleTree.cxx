@@ -98,7 +98,7 @@ TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id h
     {
       const Point there = NearestPointOf(this->Triangles[t].Corners, place);
       const double distance = Distance(there, place);
-      if (distance < best.Distance || (distance == best.Distance && t < best.Triangle))
+      if (distance < best.Distance)
       {
         best = { t, there, distance };
       }
@@ -109,7 +109,7 @@ TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id h
     look(hint);
   }
   this->Tree.VisitWhere([&](const Box& box)
-    { return SquaredDistance(box, place) <= best.Distance * best.Distance; },
+    { return SquaredDistance(box, place) < best.Distance * best.Distance; },
     look);
   return best;
 }

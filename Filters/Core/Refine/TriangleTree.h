@@ -32,9 +32,8 @@ public:
     double Distance;
   };
 
-  /**
-   * @param[in] hint a triangle of that label near the place, None for any; it only saves time
-   */
+  /** @param[in] hint a triangle of that label near the place, None for any: of several that are as
+   *   near it is taken, and time is saved */
   Nearest NearestTo(const Point& place, Id label, Id hint = None) const;
 
   /**

@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields
 from typing import NoReturn, Optional, Sequence, get_args
 
 from .files import GZIP, READABLE_SOLIDS, READABLE_SURFACES, STANDARD_INPUT, WRITABLE_SURFACES, ending, identity
-from .options import OPTIONS
+from .options import OPTIONS, flag_of
 from .places import QUERIES
 from .version import __version__
 from .writing import WRITABLE_GRIDS, MshVersion
@@ -196,8 +196,7 @@ def _parser() -> argparse.ArgumentParser:
     files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
     how = parser.add_argument_group("how")
     for name, option in OPTIONS.items():
-        flag = "--" + name.replace("_", "-")
-        how.add_argument(flag, help=option.help(), default=argparse.SUPPRESS, **option.argument())
+        how.add_argument(flag_of(name), dest=name, help=option.help(), default=argparse.SUPPRESS, **option.argument())
     how.add_argument(
         *("--constrained-array",),
         dest="constrain_facets",

@@ -21,6 +21,7 @@ Orientation = Literal["automatic", "as-given", "reverse", "outward"]
 Engine = Literal["automatic", "exact", "tetgen"]
 DataTerm = Literal["uniform", "volume-weighted"]
 Dimension = Literal["automatic", "2", "3", 2, 3]
+SurfaceTreatment = Literal["kept", "split", "remeshed"]
 QuadratureOrder = Literal[1, 2, 3, 4, 5]
 Seeds = Union[DataSetOfPoints, str, Iterable[Tuple[Tuple[float, float, float], bool]]]
 Filter = TypeVar("Filter")
@@ -35,6 +36,7 @@ class Option:
     words: str  # what it means, on the command line too
     more_words: str = ""  # what else it can be in Python
     default: Any = None  # what leaves a filter its own default
+    flag: str = ""  # on the command line, where it is not called as in Python
 
     def checked(self, algorithm: Any, name: str, value: Any) -> Any:
         """What a filter's property gets. Raises `Error` for what VTK would clamp without a word."""
@@ -58,15 +60,20 @@ class Option:
 @dataclass(frozen=True)
 class Number(Option):
     least: float = 0
+    most: Optional[float] = None
 
     def checked(self, algorithm: Any, name: str, value: Any) -> float:
-        return at_least(self.least, name, value)
+        number = at_least(self.least, name, value)
+        if self.most is not None and number > self.most:
+            raise Error(f"{name} is {number:g}; it must be at most {self.most:g}")
+        return number
 
     def used_by(self, algorithm: Any, value: Any) -> float:
         return getattr(algorithm, "Get" + self.vtk_property)()
 
     def help(self) -> str:
-        return f"{self.words}; at least {self.least:g}, default {self.used_by(vtkRobustTetrahedralize(), None):g}"
+        limits = f"at least {self.least:g}" if self.most is None else f"{self.least:g} to {self.most:g}"
+        return f"{self.words}; {limits}, default {self.used_by(vtkRobustTetrahedralize(), None):g}"
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "NUMBER", "type": float}
@@ -280,7 +287,7 @@ class Options:
     refine: bool = _is(
         Switch(
             "Refine",
-            "better tetrahedra of the same solid, whose boundary stays as it is; the four options below imply it",
+            "better tetrahedra of the same solid; the seven options below imply it",
         )
     )
     edge_length: Optional[float] = _is(
@@ -291,6 +298,22 @@ class Options:
     )
     maximum_volume: Optional[float] = _is(
         Number("MaximumVolume", "how large tetrahedra are to be at most, in the surface's units; 0 is any size")
+    )
+    surface_treatment: SurfaceTreatment = _is(
+        Choice(
+            "Surface",
+            "what becomes of the triangles of the boundary of tetrahedra that are refined: kept bit by bit, split into pieces, "
+            "or remeshed within a tolerance",
+            default="kept",
+            flag="--surface",
+            choices=get_args(SurfaceTreatment),
+        )
+    )
+    surface_tolerance: Optional[float] = _is(
+        Number("SurfaceTolerance", "how far a remeshed boundary may be from the old one; 0 is a thousandth of the size")
+    )
+    feature_angle: Optional[float] = _is(
+        Number("FeatureAngle", "of a remeshed boundary: edges stay where normals differ by more, in degrees", most=180)
     )
     quadratic: bool = _is(Switch("QuadraticCells", "tetrahedra of ten points, of which six are amid the straight edges"))
     seeds: Optional[Seeds] = _is(
@@ -325,7 +348,9 @@ class Options:
         return algorithm
 
 
-REFINING_OPTIONS = ("edge_length", "grading", "maximum_volume", "quadratic")
+REFINING_OPTIONS = (
+    *("edge_length", "grading", "maximum_volume", "surface_treatment", "surface_tolerance", "feature_angle", "quadratic"),
+)
 """What `refine` has too."""
 
 OPTIONS: dict[str, Option] = {one.name: one.metadata["option"] for one in fields(Options)}
@@ -339,7 +364,12 @@ def in_words_of_python(texts: Iterable[str]) -> list[str]:
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
     """Texts that name Python's options, with those of the command line."""
-    return _renamed(texts, {name: "--" + name.replace("_", "-") for name in OPTIONS if name not in ("scale", "seeds")})
+    return _renamed(texts, {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds")})
+
+
+def flag_of(name: str) -> str:
+    """What an option is called on the command line."""
+    return OPTIONS[name].flag or "--" + name.replace("_", "-")
 
 
 def _renamed(texts: Iterable[str], names: Mapping[str, str]) -> list[str]:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkUnstructuredGrid
 
 from .data import DataSetOfPoints, Tetrahedra, as_type
-from .options import REFINING_OPTIONS, Options, describe_options, in_words_of_python
+from .options import REFINING_OPTIONS, Options, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Error, Progress, run, statistics_of
 from .results import Result, counted
 from .serializing import vtk_array
@@ -50,12 +50,15 @@ def refine(
     edge_length: Optional[float] = None,
     grading: Optional[float] = None,
     maximum_volume: Optional[float] = None,
+    surface_treatment: SurfaceTreatment = "kept",
+    surface_tolerance: Optional[float] = None,
+    feature_angle: Optional[float] = None,
     quadratic: bool = False,
     sizes: Optional[Sizes] = None,
     background: Optional[DataSetOfPoints] = None,
     progress: Optional[Progress] = None,
 ) -> Refinement:
-    """Better tetrahedra of the same solid. Each triangle of its boundary, and between regions, stays as it is.
+    """Better tetrahedra of the same solid. Each triangle of its boundary, and between regions, stays as it is by default.
 
     solid       whatever `check_solid` takes, of first order; an array of integers RegionId per cell tells regions apart
     sizes       how long edges are to be at each point of the solid; or the name of its point array that says so

@@ -76,7 +76,16 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
     if "RefinedCells" not in statistics:
         return []
     cells, added, removed = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "RemovedPoints"))
-    return [f"  refined to {cells} tetrahedra: {added} points added, {removed} removed"]
+    angles = (f"{statistics[prefix + 'DihedralAngle1Percent']:.3g}" for prefix in ("Before", ""))
+    lines = [f"  refined to {cells} tetrahedra: {added} points added, {removed} removed"]
+    lines.append(f"  one of a hundred dihedral angles is below {' degrees before, '.join(angles)} after")
+    sharp, thin = (_count(statistics[name + "Under10Degrees"]) for name in ("SurfaceEdges", "Cells"))
+    if thin != "0":
+        lines.append(f"  {thin} tetrahedra have an angle below 10 degrees; {sharp} edges of the boundary are as sharp")
+    if "SurfaceDistance" in statistics:
+        apart = max(statistics["SurfaceDistance"], statistics["InputDistance"])
+        lines.append(f"  the boundary is within {apart:.3g} of the surface before, which is {statistics['SurfaceTolerance']:.3g} at most")
+    return lines
 
 
 def _scaled(statistics: Mapping[str, float]) -> list[str]:

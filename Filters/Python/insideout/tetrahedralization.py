@@ -14,9 +14,8 @@ from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .data import AnySurface, Polylines, Tetrahedra, Triangles, TriangleSurface, as_surface, as_type
 from .exporting import mesh_of_solid
-from .options import DataTerm, Dimension, Engine, Options, Orientation, QuadratureOrder, Seeds, describe_options, in_words_of_python
+from .options import DataTerm, Dimension, Engine, Options, Orientation, QuadratureOrder, Seeds, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
-from .refinement import refined
 from .results import Result, counted
 from .stages import TETRAHEDRALIZE
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize
@@ -67,10 +66,12 @@ class Tetrahedralization(Result):
     @property
     def regions(self) -> list[Region]:
         """The parts of the solid that faces connect, by their `RegionId`."""
-        fields = self.hull.GetFieldData()
         if self.is_planar():
+            fields = self.hull.GetFieldData()
             areas, centers = (vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Area", "CenterOfMass"))
             return [Region(area, (x, y, z), (0.0,) * 6) for area, (x, y, z) in zip(areas, centers)]
+        # What a remeshed boundary encloses is told by the solid; one that is empty has no regions.
+        fields = (self.solid if self.solid.GetFieldData().HasArray("RegionVolume") else self.hull).GetFieldData()
         volumes, centers, inertias = (
             vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")
         )
@@ -143,6 +144,9 @@ def tetrahedralize(
     edge_length: Optional[float] = None,
     grading: Optional[float] = None,
     maximum_volume: Optional[float] = None,
+    surface_treatment: SurfaceTreatment = "kept",
+    surface_tolerance: Optional[float] = None,
+    feature_angle: Optional[float] = None,
     quadratic: bool = False,
     seeds: Optional[Seeds] = None,
     progress: Optional[Progress] = None,
@@ -160,15 +164,16 @@ def tetrahedralize(
     """
     options = Options.among(locals())
     tetrahedralizer = options.set_on(vtkRobustTetrahedralize())
-    # The hull comes out too: its cells inside are refined here.
+    # The hull comes out too: of the solid alone, which is refined, a second run is made of what is there.
     tetrahedralizer.RefineOff()
     shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if options.refines() else 1
-    polygons, warnings = as_surface(surface, options.scale)
+    polygons, before = as_surface(surface, options.scale)
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
-    warnings = warnings + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
+    warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
 
-    hull = tetrahedralizer.GetOutput()
+    hull = vtkUnstructuredGrid()
+    hull.ShallowCopy(tetrahedralizer.GetOutput())
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
     add_statistic("Scale", options.factor(), hull)
@@ -179,9 +184,11 @@ def tetrahedralize(
         raise Error("the input lies in a plane, where refine cannot make better cells: it refines tetrahedra")
     cells, faces = (Triangles, Polylines) if is_planar else (Tetrahedra, TriangleSurface)
     if options.refines() and solid.GetNumberOfCells() > 0:
-        solid, texts = refined(solid, options, part_of(progress, shares, 1))
+        tetrahedralizer.ExtractInsideOn()
+        tetrahedralizer.RefineOn()
+        warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, shares, 1)))
+        solid = tetrahedralizer.GetOutput()
         statistics.update(statistics_of(solid))
-        warnings = warnings + texts
     return Tetrahedralization(
         solid=as_type(cells, solid),
         boundary=as_type(faces, tetrahedralizer.GetBoundary()),

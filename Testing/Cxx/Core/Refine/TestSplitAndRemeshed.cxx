@@ -156,8 +156,8 @@ TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
   const TetrahedralMesh ball = Ball(12); // edges of about 0.15
   for (const double length : { 0.1, 0.25 })
   {
-    const RefinedMesh refined = Refined(ball, {}, Remeshed(0.02, length));
-    ExpectRemeshingLaws(ball, {}, refined, 0.02);
+    const RefinedMesh refined = Refined(ball, {}, Remeshed(0.05, length));
+    ExpectRemeshingLaws(ball, {}, refined, 0.05);
     const TetrahedralMesh after = ConnectCells(refined.Points, refined.Cells);
     int good = 0;
     int all = 0;
@@ -175,8 +175,8 @@ TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
       }
     }
     EXPECT_GT(good, 0.9 * all) << length;
-    EXPECT_LE(StatisticOf(refined, "SurfaceDistance"), 0.02);
-    EXPECT_LE(StatisticOf(refined, "InputDistance"), 0.02);
+    EXPECT_LE(StatisticOf(refined, "SurfaceDistance"), 0.05);
+    EXPECT_LE(StatisticOf(refined, "InputDistance"), 0.05);
     EXPECT_EQ(StatisticOf(refined, "KeptFacets"), 0);
   }
 }
@@ -248,8 +248,11 @@ TEST(SplitSurface, MakesNeedlesOfASurfaceGoodCells)
   const RefinedMesh kept = Refined(bar, {}, {});
   const RefinedMesh split = Refined(bar, {}, Split());
   ExpectSplitLaws(bar, {}, split);
-  EXPECT_LT(testmeshes::LeastSines(kept.Points, kept.Cells).front(), 0.2);
-  EXPECT_GT(testmeshes::LeastSines(split.Points, split.Cells).front(), 0.2);
+  // The bar's own edges between its long triangles are as sharp as 5 degrees in their plane.
+  const std::vector<double> before = testmeshes::LeastSines(kept.Points, kept.Cells);
+  const std::vector<double> after = testmeshes::LeastSines(split.Points, split.Cells);
+  EXPECT_GT(after.front(), 1.2 * before.front());
+  EXPECT_GT(after[after.size() / 20], 1.5 * before[before.size() / 20]);
 }
 
 TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutRefineBoundary.h"
+
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
+#include "Refine/TriangleTree.h"
+#include "vtkInsideOutArrays.h"
+#include "vtkInsideOutAttributes.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+using namespace insideout;
+
+namespace
+{
+/** The faces of a mesh that have no cell behind them, 4 * cell + face: as a boundary has them. */
+std::vector<Id> FacesOnBoundary(const TetrahedralMesh& mesh)
+{
+  std::vector<Id> faces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] == None)
+      {
+        faces.push_back(4 * c + k);
+      }
+    }
+  }
+  return faces;
+}
+
+/** The weights of a triangle's corners at a place in it or near it: none is negative. */
+std::array<double, 4> WeightsAt(const std::array<Point, 3>& t, const Point& place)
+{
+  std::array<double, 4> weights = { { 0, 0, 0, 0 } };
+  const Point normal = NormalOf(t[0], t[1], t[2]);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = std::max(0.0, Dot(NormalOf(place, t[(k + 1) % 3], t[(k + 2) % 3]), normal));
+    sum += weights[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = sum > 0 ? weights[k] / sum : 1.0 / 3;
+  }
+  return weights;
+}
+
+std::array<Id, 3> CornersOfCell(vtkPolyData* surface, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  surface->GetCellPoints(cell, corners);
+  return { { static_cast<Id>(corners->GetId(0)), static_cast<Id>(corners->GetId(1)),
+    static_cast<Id>(corners->GetId(2)) } };
+}
+
+/** Mixes the point data of a surface's triangles for places on it or near it. */
+class SurfaceMixer
+{
+public:
+  explicit SurfaceMixer(vtkPolyData* surface)
+    : Surface(surface)
+    , Tree(TrianglesOf(surface))
+  {
+  }
+
+  /** @param[in] hint a triangle near the place */
+  vtkInsideOutAttributes::Mixture At(const Point& place, Id hint) const
+  {
+    const Id triangle = this->Tree.NearestTo(place, 0, hint).Triangle;
+    const Triangle ids = CornersOfCell(this->Surface, triangle);
+    const std::array<Point, 3> corners = PlacesOf(this->Surface, triangle);
+    const auto at = std::find(corners.begin(), corners.end(), place) - corners.begin();
+    return at < 3
+      ? vtkInsideOutAttributes::Mixture{ { { ids[at], 0, 0, 0 } }, { { 1, 0, 0, 0 } }, false }
+      : vtkInsideOutAttributes::Mixture{ { { ids[0], ids[1], ids[2], 0 } },
+          WeightsAt(corners, place), true };
+  }
+
+private:
+  static std::array<Point, 3> PlacesOf(vtkPolyData* surface, Id triangle)
+  {
+    std::array<Point, 3> places;
+    const Triangle ids = CornersOfCell(surface, triangle);
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(ids[i], places[i].data());
+    }
+    return places;
+  }
+
+  static std::vector<LabelledTriangle> TrianglesOf(vtkPolyData* surface)
+  {
+    std::vector<LabelledTriangle> triangles;
+    for (Id t = 0; t < static_cast<Id>(surface->GetNumberOfCells()); ++t)
+    {
+      triangles.push_back({ PlacesOf(surface, t), 0 });
+    }
+    return triangles;
+  }
+
+  vtkPolyData* Surface;
+  TriangleTree Tree;
+};
+} // namespace
+
+std::vector<std::array<Id, 4>> vtkInsideOutLabelsOf(
+  const TetrahedralMesh& mesh, vtkPolyData* boundary)
+{
+  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
+  std::vector<std::array<Id, 4>> labels(mesh.Cells.size(), { { 0, 0, 0, 0 } });
+  const std::vector<Id> faces = FacesOnBoundary(mesh);
+  for (std::size_t i = 0; i < faces.size() && tags; ++i)
+  {
+    labels[faces[i] / 4][faces[i] % 4] =
+      static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
+  }
+  return labels;
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutRefineBoundary(const TetrahedralMesh& mesh,
+  const RefinedMesh& refined, vtkPolyData* before, std::vector<std::string>& warnings)
+{
+  const std::vector<Id> faces = FacesOnBoundary(mesh);
+  const SurfaceMixer mixer(before);
+  std::vector<Id> numbers(refined.Points.size(), None);
+  std::vector<Point> points;
+  std::vector<vtkInsideOutAttributes::Mixture> mixtures;
+  std::vector<Triangle> triangles;
+  std::vector<Id> sources;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (refined.OriginalFaces[c][k] == None)
+      {
+        continue;
+      }
+      sources.push_back(IndexIn(faces, refined.OriginalFaces[c][k]));
+      triangles.push_back(FaceOf(refined.Cells[c], k));
+      for (Id& corner : triangles.back())
+      {
+        if (numbers[corner] == None)
+        {
+          numbers[corner] = static_cast<Id>(points.size());
+          points.push_back(refined.Points[corner]);
+          mixtures.push_back(mixer.At(points.back(), sources.back()));
+        }
+        corner = numbers[corner];
+      }
+    }
+  }
+  auto boundary = vtkSmartPointer<vtkPolyData>::New();
+  boundary->SetPoints(vtkInsideOutMakePoints(points));
+  boundary->SetPolys(vtkInsideOutMakeCells(triangles));
+  vtkInsideOutAttributes::MixPointData(before, mixtures, {}, boundary->GetPointData(), warnings);
+  vtkInsideOutAttributes::CopyCellData(before, sources, boundary->GetCellData(), warnings);
+  boundary->GetFieldData()->ShallowCopy(before->GetFieldData());
+  return boundary;
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * The boundary of a refined grid, as a surface with the data of the one before.
+ */
+#pragma once
+
+#include "Refine/RefineTetrahedra.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+/**
+ * The tags of the faces of cells that are on the boundary.
+ *
+ * @param[in] boundary a triangle for each of these faces, in their order, and its tag in the cell
+ *   array BoundaryTag
+ */
+std::vector<std::array<insideout::Id, 4>> vtkInsideOutLabelsOf(
+  const insideout::TetrahedralMesh& mesh, vtkPolyData* boundary);
+
+/**
+ * The boundary of a refined mesh. Each triangle has the cell data of the one that it is a piece of,
+ * or nearest to; point data are interpolated in the nearest triangle.
+ *
+ * @param[in] mesh before
+ * @param[in] before its boundary, as above
+ */
+vtkSmartPointer<vtkPolyData> vtkInsideOutRefineBoundary(const insideout::TetrahedralMesh& mesh,
+  const insideout::RefinedMesh& refined, vtkPolyData* before, std::vector<std::string>& warnings);

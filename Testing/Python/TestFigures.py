@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scripts in Examples/Figures: what they say of the models is so, and they write their pictures."""
+
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+TESTING = Path(__file__).resolve().parent.parent
+FIGURES = TESTING.parent / "Examples" / "Figures"
+
+
+class TestFigures(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_figure(self, name: str, *arguments: str) -> str:
+        done = subprocess.run(
+            [sys.executable, FIGURES / name, *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, done.stdout)
+        for picture in (argument for argument in arguments if argument.endswith(".png")):
+            self.assertGreater((self.folder / picture).stat().st_size, 10000, picture)
+        return done.stdout
+
+    def test_the_sheets_of_a_stirrer_are_outliers(self):
+        said = self.run_figure("outliers.py", "outliers.png")
+        found = re.search(r"stirrer.stl: (\d+) of (\d+) facets are outliers, (\d+) segmented as outside", said)
+        outliers, facets, segmented = map(int, found.groups())
+        self.assertGreater(outliers, 0.1 * facets)
+        self.assertLess(outliers, facets)
+        self.assertEqual(outliers, segmented)
+
+    def test_what_is_torn_apart_holds_its_volume_until_w_falls_below_a_half(self):
+        said = self.run_figure("torn_apart.py", "torn.png", "plot.png", "6")
+        rows = re.findall(r"(\d+) degrees: (\d+) pairs cross, volume (\S+) %, energy (\S+)", said)
+        self.assertEqual([row[0] for row in rows], ["0", "36", "72", "108", "144", "180"])
+        self.assertLess(abs(float(rows[1][2])), 5)
+        self.assertGreater(float(rows[1][3]), float(rows[0][3]))
+        for row in rows[3:]:  # behind 75 degrees
+            self.assertLess(float(row[2]), -95)
+
+    def test_a_sheet_of_a_surface_of_ones_own(self):
+        said = self.run_figure("contact_sheets.py", "sheets", str(TESTING / "Data" / "two-boxes.off"))
+        self.assertIn("sheet-1.png", said)
+        self.assertGreater((self.folder / "sheets" / "sheet-1.png").stat().st_size, 10000)
+
+
+if __name__ == "__main__":
+    unittest.main()
