@@ -8,8 +8,10 @@
 #include "Output/MergePieces.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRefine.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
@@ -113,6 +115,7 @@ vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
 void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimension: " << this->Dimension << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "DataTerm: " << this->DataTerm << "\n";
@@ -282,6 +285,45 @@ int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(requ
   return 1;
 }
 
+void vtkRobustTetrahedralize::MakeTriangles(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkInsideOutMonitor monitor(this,
+    { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
+      Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting });
+  if (this->Refine)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the input lies in a plane, where Refine cannot make better cells: it refines tetrahedra");
+  }
+  const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
+  const vtkInsideOutTags tags =
+    vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
+  vtkInsideOutPlanarOptions options;
+  options.Hull.Chain = vtkInsideOutChainParameters(this);
+  options.Hull.Orientation = vtkInsideOutOrientation(this);
+  options.Segment = vtkInsideOutSegmentMeshParameters(this);
+  options.ConstrainedArray = this->ConstrainedFacetsArrayName;
+  options.ExtractInside = this->ExtractInside;
+  const vtkInsideOutCurve curve =
+    vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
+  const vtkInsideOutTriangles triangles =
+    vtkInsideOutMakeTriangles(curve, seeds, tags, options, monitor);
+  vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(triangles.Grid);
+  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(triangles.Boundary);
+  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(triangles.Outliers);
+  if (this->Dimension == DIMENSION_AUTOMATIC)
+  {
+    vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(curve) });
+  }
+  vtkInsideOutWarn(this, triangles.Warnings);
+  if (this->Thicken > 0)
+  {
+    vtkWarningMacro(<< "Thicken does nothing in two dimensions");
+  }
+}
+
 void vtkRobustTetrahedralize::CheckRefinement()
 {
   if (!this->Refine)
@@ -308,6 +350,11 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
+      if (vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2)
+      {
+        this->MakeTriangles(inputVector, outputVector);
+        return;
+      }
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
       this->CheckRefinement();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
