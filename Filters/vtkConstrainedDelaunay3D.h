@@ -24,8 +24,11 @@
  * HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and
  * LostCellIds (vtkIdType): the input cells of facets that are lost, empty where none is.
  *
- * Errors, with an empty output: facets that cross, all facets in one plane, points not finite or
- * ids out of range.
+ * Of polygons in one plane, or of lines, it makes triangles of the convex hull, with a warning: the
+ * edges and lines are edges of triangles, and both cell arrays have three components.
+ *
+ * Errors, with an empty output: facets that cross, points not finite or ids out of range, lines
+ * that are not in one plane.
  *
  * @sa vtkResolveSelfIntersections vtkGeneralizedWindingNumber
  *

@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
 #include "Private/vtkInsideOutRun.h"
@@ -70,12 +71,25 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
+      const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+      if (vtkInsideOutDimensionOf(input, 0, this->Thicken > 0) == 2)
+      {
+        vtkInsideOutMonitor monitor(this,
+          { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
+            Stages::WindingNumbers });
+        const auto hull = vtkInsideOutMakePlanarHull(
+          vtkInsideOutReadCurve(input, parameters.Orientation, this->NonParticipatingArrayName),
+          { parameters.Chain, parameters.Orientation }, monitor);
+        output->ShallowCopy(hull.Output);
+        vtkInsideOutWarn(this, hull.Warnings);
+        return;
+      }
       vtkInsideOutMonitor monitor(this,
         { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers });
       const vtkInsideOutSurface surface =
         vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
-      const HullMesh hull = MeshHull(surface.Soup, vtkInsideOutHullMeshParameters(this), monitor);
+      const HullMesh hull = MeshHull(surface.Soup, parameters, monitor);
       vtkInsideOutMakeOutputs outputs(surface);
       output->ShallowCopy(outputs.MakeGrid(hull));
       vtkInsideOutAddStatistics(hull.Statistics, output);

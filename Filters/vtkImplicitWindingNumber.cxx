@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkImplicitWindingNumber);
 class vtkImplicitWindingNumber::Internal
 {
 public:
-  std::unique_ptr<const SurfaceWindingNumber> WindingNumber; ///< null without a usable surface
+  std::unique_ptr<const vtkInsideOutWindingNumber> WindingNumber; ///< null without a usable surface
   std::atomic<vtkMTimeType> BuildTime{ 0 };
   ForkableMutex Mutex;
 };
@@ -70,7 +70,7 @@ void vtkImplicitWindingNumber::Build()
   {
     Monitor silent;
     std::vector<std::string> warnings;
-    this->Built->WindingNumber = vtkInsideOutMakeWindingNumber(
+    this->Built->WindingNumber = std::make_unique<const vtkInsideOutWindingNumber>(
       this->Input, vtkInsideOutReadSurfaceOptions(this), silent, warnings);
     for (const std::string& warning : warnings)
     {

@@ -17,6 +17,10 @@
  * surface, or where it cannot be used, which is an error that names the culprit, the function is
  * 1/2: everything is outside. Where x is not finite it is NaN.
  *
+ * Of lines without polygons, which have to lie in one plane, it is the winding number of the curve
+ * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
+ * plane's normal is positive. Places above or below the plane have that of the place under them.
+ *
  * @sa vtkProbeWindingNumber vtkImplicitPolyDataDistance
  *
  */

@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkProbeWindingNumber);
 class vtkProbeWindingNumber::Internal
 {
 public:
-  std::unique_ptr<const SurfaceWindingNumber> WindingNumber;
+  std::unique_ptr<const vtkInsideOutWindingNumber> WindingNumber;
 };
 
 vtkProbeWindingNumber::vtkProbeWindingNumber()
@@ -178,13 +178,19 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutWarnOfThreads(this);
-      vtkInsideOutMonitor monitor(
-        this, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
+      std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
+        Stages::WindingNumbers };
+      if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+      {
+        // A curve is resolved, and its hull triangulated, before it is known which way it runs.
+        stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
+      }
+      vtkInsideOutMonitor monitor(this, stages);
       const bool atPoints = this->Association == POINTS;
       const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
       std::vector<std::string> warnings;
-      this->Last->WindingNumber =
-        vtkInsideOutMakeWindingNumber(surface, ReadOptions(this), monitor, warnings);
+      this->Last->WindingNumber = std::make_unique<const vtkInsideOutWindingNumber>(
+        surface, ReadOptions(this), monitor, warnings);
       const auto w = vtkInsideOutMakeArray<vtkDoubleArray>("w", size);
       const auto inside = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inside", size);
       std::vector<Point> places;

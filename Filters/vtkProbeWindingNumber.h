@@ -21,6 +21,10 @@
  * of the input that is not finite has w = NaN and is not inside. A point of the surface that is not
  * finite, or a cell with a point out of range, is an error that names it.
  *
+ * Of lines without polygons, which have to lie in one plane, it is the winding number of the curve
+ * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
+ * plane's normal is positive. Places above or below the plane have that of the place under them.
+ *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
  *
  */

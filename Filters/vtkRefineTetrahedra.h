@@ -30,6 +30,10 @@
  * others), of a remeshed one SurfaceTolerance and, found by samples, SurfaceDistance (how far it is
  * from the input's) and InputDistance (how far that is from it).
  *
+ * They have the quality of the cells, too, as vtkSolidQuality names it, from MinDihedralAngle to
+ * SurfaceEdgesUnder5Degrees, and that of the input's by the same names with Before in front. The
+ * last two count where the surface itself forces sharp cells.
+ *
  * Where cells stay larger than MaximumVolume, or triangles as they are though they were to be split
  * or remeshed, a warning says how many. Errors, which name the
  * culprit, leave the output empty.

@@ -16,9 +16,10 @@
  * Statistics_NAME, a double each; LeftOutCellIds, the input cells of facets that still cross others
  * after the last round of rounding and are left out (a warning says so; hardly any model has one).
  *
- * Lines and vertices are ignored with a warning, degenerate polygons are left out and counted. A
- * point that is not finite or a cell with a point out of range is an error that names it; the
- * output is then empty.
+ * Lines without any polygons, which have to lie in one plane, become polylines that meet in shared
+ * points only, with the same arrays. Otherwise lines and vertices are ignored with a warning,
+ * degenerate polygons are left out and counted. A point that is not finite or a cell with a point
+ * out of range is an error that names it; the output is then empty.
  *
  * @sa vtkConstrainedDelaunay3D
  *

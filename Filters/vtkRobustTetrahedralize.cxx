@@ -8,8 +8,10 @@
 #include "Output/MergePieces.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRefine.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
@@ -113,6 +115,7 @@ vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
 void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimension: " << this->Dimension << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "DataTerm: " << this->DataTerm << "\n";
@@ -231,7 +234,6 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
     ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
     : outputs.MakeBoundary(hull, boundary);
   monitor.Check(Stages::Extracting, 0.3);
-  surfaces.Counts.emplace_back("BoundaryFaces", boundary.size());
   surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
 
   const std::vector<OutlierPiece> outliers =
@@ -250,6 +252,7 @@ struct Solid
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   std::vector<MassProperties> Masses; ///< of the regions
+  MassProperties Mass;
   Statistics Counts;
 };
 
@@ -270,8 +273,7 @@ Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
   solid.Masses = MeasureRegions(hull.Mesh, regions);
   solid.Counts.emplace_back("InsideCells", std::count(inside.begin(), inside.end(), 1));
   solid.Counts.emplace_back("Regions", regions.Count);
-  AppendMass(
-    regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside), solid.Counts);
+  solid.Mass = regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside);
   return solid;
 }
 } // namespace
@@ -281,6 +283,45 @@ int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(requ
 {
   vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
+}
+
+void vtkRobustTetrahedralize::MakeTriangles(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkInsideOutMonitor monitor(this,
+    { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
+      Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting });
+  if (this->Refine)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the input lies in a plane, where Refine cannot make better cells: it refines tetrahedra");
+  }
+  const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
+  const vtkInsideOutTags tags =
+    vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
+  vtkInsideOutPlanarOptions options;
+  options.Hull.Chain = vtkInsideOutChainParameters(this);
+  options.Hull.Orientation = vtkInsideOutOrientation(this);
+  options.Segment = vtkInsideOutSegmentMeshParameters(this);
+  options.ConstrainedArray = this->ConstrainedFacetsArrayName;
+  options.ExtractInside = this->ExtractInside;
+  const vtkInsideOutCurve curve =
+    vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
+  const vtkInsideOutTriangles triangles =
+    vtkInsideOutMakeTriangles(curve, seeds, tags, options, monitor);
+  vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(triangles.Grid);
+  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(triangles.Boundary);
+  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(triangles.Outliers);
+  if (this->Dimension == DIMENSION_AUTOMATIC)
+  {
+    vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(curve) });
+  }
+  vtkInsideOutWarn(this, triangles.Warnings);
+  if (this->Thicken > 0)
+  {
+    vtkWarningMacro(<< "Thicken does nothing in two dimensions");
+  }
 }
 
 void vtkRobustTetrahedralize::CheckRefinement()
@@ -309,6 +350,11 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
+      if (vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2)
+      {
+        this->MakeTriangles(inputVector, outputVector);
+        return;
+      }
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
       this->CheckRefinement();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
@@ -345,12 +391,19 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
           vtkInsideOutRefinementParameters(this), this->QuadraticCells, monitor);
         solid.Grid = refinement.Grid;
         surfaces.Boundary = refinement.Boundary;
+        if (this->Surface == REMESHED)
+        {
+          solid.Masses = refinement.Masses;
+          solid.Mass = refinement.Mass;
+        }
       }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
       statistics.insert(
         statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
       statistics.insert(statistics.end(), solid.Counts.begin(), solid.Counts.end());
+      AppendMass(solid.Mass, statistics);
+      statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
       statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
       statistics.insert(
         statistics.end(), refinement.Statistics.begin(), refinement.Statistics.end());

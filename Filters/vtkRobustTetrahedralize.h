@@ -34,6 +34,13 @@
  * the last, and called hole (hole_2 where the input has such a name). Slabs, and the rims around
  * them, have the tag of the sheet's facet that they belong to (see Thicken).
  *
+ * In two dimensions (Dimension) it takes lines and polylines, closed or open, whose direction
+ * counts, or polygons in one plane, whose edges all count; their interiors may overlap. It gives
+ * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
+ * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
+ * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there; Refine is an error.
+ *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
  *
@@ -108,6 +115,25 @@ public:
    */
   vtkSetClampMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
+  ///@}
+
+  /** How many dimensions the input has. */
+  enum DimensionType
+  {
+    DIMENSION_AUTOMATIC = 0, ///< what the input tells
+    DIMENSION_2 = 2,         ///< it lies in a plane
+    DIMENSION_3 = 3          ///< it is a surface in space
+  };
+
+  ///@{
+  /**
+   * How many dimensions the input has. 2: lines or polygons in a plane, to become triangles. 3: a
+   * surface, to become tetrahedra. DIMENSION_AUTOMATIC (0): 2 for lines without polygons and for
+   * polygons in one plane exactly, or but for rounding in double precision, which a warning says,
+   * unless Thicken makes slabs of them; else 3. Default DIMENSION_AUTOMATIC, range 0, 2 and 3.
+   */
+  vtkSetClampMacro(Dimension, int, DIMENSION_AUTOMATIC, DIMENSION_3);
+  vtkGetMacro(Dimension, int);
   ///@}
 
   /** How much a cell's own winding number counts against the others'. */
@@ -438,6 +464,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  int Dimension = DIMENSION_AUTOMATIC;
   double Gamma;
   double Sigma;
   int DataTerm;
@@ -468,6 +495,7 @@ protected:
   bool QuadraticCells = false;
 
 private:
+  void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void CheckRefinement();
 
   struct HullOfInput;

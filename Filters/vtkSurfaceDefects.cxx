@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMarkCurve.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
 #include "Private/vtkInsideOutRun.h"
@@ -229,6 +230,18 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
+      if (vtkInsideOutAreLines(input))
+      {
+        vtkInsideOutMonitor monitor(
+          this, { Stages::Validating, Stages::FindingIntersections, Stages::Resolving });
+        const vtkInsideOutMarkedCurve marked =
+          vtkInsideOutMarkCurve(vtkInsideOutReadCurve(input, vtkInsideOutOrientation(this), ""),
+            this->MergeTolerance, monitor);
+        vtkPolyData::GetData(outputVector, 0)->ShallowCopy(marked.Curve);
+        vtkPolyData::GetData(outputVector, 1)->ShallowCopy(marked.Points);
+        vtkInsideOutWarn(this, marked.Warnings);
+        return;
+      }
       vtkInsideOutMonitor monitor(this,
         { Stages::Validating, Stages::Orienting, Stages::FindingIntersections,
           Stages::TracingIntersections });

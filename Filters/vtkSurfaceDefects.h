@@ -39,6 +39,11 @@
  * (points nearer than NearDistance, a millionth of the size, to another). Those of orientation are
  * explained at vtkGeneralizedWindingNumber.
  *
+ * Of lines without polygons, which have to lie in one plane, the same is shown in two dimensions:
+ * ComponentId, SelfIntersections, Degenerate and Duplicate per line, and output 1 has vertices with
+ * DefectType, DefectName and DefectColor where lines end, cross, or have a point of others within.
+ * Statistics: OpenEnds, IntersectingPairs, Crossings, TJunctions, DuplicateSegments and the like.
+ *
  * A point that is not finite or a cell with a point out of range is an error that names it; the
  * outputs are then empty.
  *
@@ -61,10 +66,13 @@ public:
   /** The values of DefectType. */
   enum DefectTypes
   {
-    OPEN_BOUNDARY = 0,     ///< edges of exactly one facet
-    NON_MANIFOLD_EDGE = 1, ///< edges of more than two facets
-    INCONSISTENT_EDGE = 2, ///< edges along which exactly two facets run the same way
-    INTERSECTION_CURVE = 3 ///< where facets cross or touch; the boundary of overlaps in a plane
+    OPEN_BOUNDARY = 0,      ///< edges of exactly one facet
+    NON_MANIFOLD_EDGE = 1,  ///< edges of more than two facets
+    INCONSISTENT_EDGE = 2,  ///< edges along which exactly two facets run the same way
+    INTERSECTION_CURVE = 3, ///< where facets cross or touch; the boundary of overlaps in a plane
+    OPEN_END = 4,           ///< of lines: more of them begin than end there, or the other way round
+    CROSSING = 5,           ///< of lines: they cross
+    T_JUNCTION = 6 ///< of lines: a point lies within another line, or lines overlap from there on
   };
 
   /** The lines (output 1). */

@@ -334,6 +334,13 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakePolygons(const insideout::PolygonSu
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->SetPoints(vtkInsideOutMakePoints(surface.Points));
   output->SetPolys(polygons);
+  if (!surface.LineCorners.empty())
+  {
+    vtkNew<vtkCellArray> lines;
+    lines->SetData(vtkInsideOutMakeArray<vtkIdTypeArray>(nullptr, surface.LineOffsets),
+      vtkInsideOutMakeArray<vtkIdTypeArray>(nullptr, surface.LineCorners));
+    output->SetLines(lines);
+  }
   for (const insideout::Attribute& attribute : surface.PointAttributes)
   {
     vtkInsideOutAddAttribute(attribute, output->GetPointData());

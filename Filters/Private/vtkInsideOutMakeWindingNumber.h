@@ -5,8 +5,12 @@
  */
 #pragma once
 
+#include "Common/Stages.h"
+#include "Planar/CurveWindingNumber.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "vtkInsideOutOptions.h"
+
+#include <memory>
 
 class vtkPolyData;
 
@@ -29,12 +33,27 @@ vtkInsideOutSurfaceOptions vtkInsideOutReadSurfaceOptions(Class* object)
   return options;
 }
 
-/**
- * The winding number of what counts in a surface, which is neither resolved nor meshed.
- *
- * @param[in,out] warnings gains what was passed over or looks wrong
- * @throws insideout::Error that names the cell or point at fault
- */
-std::unique_ptr<const insideout::SurfaceWindingNumber> vtkInsideOutMakeWindingNumber(
-  vtkPolyData* input, const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
-  std::vector<std::string>& warnings);
+/** The winding number of a surface; or, of lines without polygons, that of the curve in their
+ * plane, at the places above and below it too. */
+class vtkInsideOutWindingNumber
+{
+public:
+  /**
+   * Of what counts in a surface, which is neither resolved nor meshed.
+   *
+   * @param[in,out] warnings gains what was passed over or looks wrong
+   * @throws insideout::Error that names the cell or point at fault
+   */
+  vtkInsideOutWindingNumber(vtkPolyData* input, const vtkInsideOutSurfaceOptions& options,
+    insideout::Monitor& monitor, std::vector<std::string>& warnings);
+
+  /** As of SurfaceWindingNumber. */
+  double At(const insideout::Point& p) const;
+  std::vector<double> At(const std::vector<insideout::Point>& points, insideout::Monitor& monitor,
+    const insideout::ProgressRange& progress = { insideout::Stages::WindingNumbers, 0, 1 }) const;
+  insideout::Point Gradient(const insideout::Point& p) const;
+
+private:
+  std::unique_ptr<const insideout::SurfaceWindingNumber> Surface; ///< one of the two
+  std::unique_ptr<const insideout::CurveWindingNumber> Curve;
+};

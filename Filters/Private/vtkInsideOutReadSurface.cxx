@@ -118,18 +118,9 @@ void ReadTriangles(vtkInsideOutSurface& surface)
   }
 }
 
-/** A cell array of one number per cell; nullptr where there is none of this name. */
-vtkDataArray* FindCellArray(vtkPolyData* input, const char* name)
-{
-  vtkDataArray* array = input->GetCellData()->GetArray(name);
-  const bool fits = array && array->GetNumberOfComponents() == 1 &&
-    array->GetNumberOfTuples() == input->GetNumberOfCells();
-  return fits ? array : nullptr;
-}
-
 void ReadMultiplicity(vtkInsideOutSurface& surface)
 {
-  vtkDataArray* multiplicity = FindCellArray(surface.Input, "FacetMultiplicity");
+  vtkDataArray* multiplicity = vtkInsideOutFindCellArray(surface.Input, "FacetMultiplicity");
   if (!multiplicity || multiplicity->GetDataType() == VTK_DOUBLE ||
     multiplicity->GetDataType() == VTK_FLOAT)
   {
@@ -153,7 +144,7 @@ void ReadParticipation(const std::string& name, vtkInsideOutSurface& surface)
   {
     return;
   }
-  vtkDataArray* array = FindCellArray(surface.Input, name.c_str());
+  vtkDataArray* array = vtkInsideOutFindCellArray(surface.Input, name.c_str());
   if (!array)
   {
     throw Error(ErrorCode::InvalidParameter,
@@ -165,6 +156,14 @@ void ReadParticipation(const std::string& name, vtkInsideOutSurface& surface)
   }
 }
 } // namespace
+
+vtkDataArray* vtkInsideOutFindCellArray(vtkPolyData* input, const char* name)
+{
+  vtkDataArray* array = input->GetCellData()->GetArray(name);
+  const bool fits = array && array->GetNumberOfComponents() == 1 &&
+    array->GetNumberOfTuples() == input->GetNumberOfCells();
+  return fits ? array : nullptr;
+}
 
 vtkIdType vtkInsideOutSurface::CellOfFacet(
   const insideout::FacetComplex& surface, Id facet, int side) const
@@ -202,7 +201,7 @@ std::vector<unsigned char> vtkInsideOutReadChosenFacets(const vtkInsideOutSurfac
   {
     return chosen;
   }
-  vtkDataArray* array = FindCellArray(surface.Input, name.c_str());
+  vtkDataArray* array = vtkInsideOutFindCellArray(surface.Input, name.c_str());
   if (!array)
   {
     throw Error(ErrorCode::InvalidParameter,

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkPolyData;
 
 /** The triangles of a surface, and where they came from. */
@@ -42,6 +43,9 @@ struct vtkInsideOutSurface
  */
 vtkInsideOutSurface vtkInsideOutReadSurface(
   vtkPolyData* input, const std::string& nonParticipating = std::string());
+
+/** A cell array of one number per cell; nullptr where there is none of this name. */
+vtkDataArray* vtkInsideOutFindCellArray(vtkPolyData* input, const char* name);
 
 /**
  * For each facet 1 where it is a piece of an input cell whose value in a cell array is not 0, else

@@ -2,7 +2,9 @@
 #include "vtkInsideOutRefine.h"
 
 #include "Common/Error.h"
+#include "Common/Stages.h"
 #include "Common/Vectors.h"
+#include "Quality/QualityOfMesh.h"
 #include "Refine/QuadraticCells.h"
 #include "Refine/RefineTetrahedra.h"
 #include "vtkInsideOutArrays.h"
@@ -194,6 +196,23 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
         << maximumVolume << ": faces that stay as they are may allow no smaller ones";
   return words.str();
 }
+/** Of a solid that is no longer quite the same. */
+void MeasureMasses(
+  const RefinedMesh& refined, const std::vector<Id>& regions, vtkInsideOutRefinement& result)
+{
+  TetrahedralMesh mesh;
+  mesh.Points = refined.Points;
+  mesh.Cells = refined.Cells;
+  SolidRegions after;
+  for (const Id cell : refined.OriginalCells)
+  {
+    after.OfCell.push_back(regions.empty() ? 0 : regions[cell]);
+    after.Count = std::max(after.Count, after.OfCell.back() + 1);
+  }
+  result.Masses = MeasureRegions(mesh, after);
+  result.Mass = MeasureMass(mesh, std::vector<unsigned char>(mesh.Cells.size(), 1));
+}
+
 double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
 {
   for (const auto& [name, value] : refined.Statistics)
@@ -263,7 +282,14 @@ vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData
     result.Boundary = vtkInsideOutRefineBoundary(mesh, refined, boundary, result.Warnings);
   }
 
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    MeasureMasses(refined, regions, result);
+  }
   result.Statistics = refined.Statistics;
+  const ProgressRange end = { Stages::Refining, 1, 1 };
+  AppendQuality(QualityOfMesh(mesh.Points, mesh.Cells, monitor, end), result.Statistics, "Before");
+  AppendQuality(QualityOfMesh(refined.Points, refined.Cells, monitor, end), result.Statistics);
   result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
   WarnAbout(refined, parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());

@@ -7,6 +7,7 @@
 
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
+#include "Output/MassProperties.h"
 #include "Refine/RefineTetrahedra.h"
 
 #include <vtkSmartPointer.h>
@@ -21,7 +22,9 @@ class vtkUnstructuredGrid;
 struct vtkInsideOutRefinement
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
-  vtkSmartPointer<vtkPolyData> Boundary; ///< where one is given
+  vtkSmartPointer<vtkPolyData> Boundary;         ///< where one is given
+  std::vector<insideout::MassProperties> Masses; ///< of the regions, where the surface is remeshed
+  insideout::MassProperties Mass;                ///< of all, there
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };

@@ -198,8 +198,11 @@ vtkInsideOutTags AutomaticTags(
 vtkInsideOutTags vtkInsideOutReadTags(
   vtkPolyData* surface, const std::string& name, const vtkInsideOutBlocks& blocks)
 {
-  const vtkIdType first = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  Cells cells(surface->GetNumberOfCells() - first);
+  const bool arePolygons = surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+  const vtkIdType lines = surface->GetNumberOfVerts(); // what is flat may be lines alone
+  const vtkIdType polygons = lines + surface->GetNumberOfLines();
+  const vtkIdType first = arePolygons ? polygons : lines;
+  Cells cells((arePolygons ? surface->GetNumberOfCells() : polygons) - first);
   std::iota(cells.begin(), cells.end(), first);
   return name.empty() ? AutomaticTags(surface, blocks, cells) : TagsOf(surface, name, cells);
 }

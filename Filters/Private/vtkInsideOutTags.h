@@ -15,15 +15,16 @@ class vtkPolyData;
 /** Tags are numbers from 0, which have names. */
 struct vtkInsideOutTags
 {
-  std::vector<int> OfCell; ///< one per cell of the surface, -1 where it is no polygon
+  std::vector<int> OfCell; ///< one per cell of the surface, -1 where it does not count
   std::vector<std::string> Names;
 };
 
 /**
- * The tags that a cell array of integers or strings gives to the polygons of a surface. Integers
- * are numbered in their order, and called by the field array of strings that goes with the array
- * (GroupNames with GroupIds, BoundaryTagNames with BoundaryTag) or else as they are written;
- * strings are numbered in the order of their first cells. What has one name has one tag.
+ * The tags that a cell array of integers or strings gives to the polygons of a surface, or to its
+ * lines where it has no polygons. Integers are numbered in their order, and called by the field
+ * array of strings that goes with the array (GroupNames with GroupIds, BoundaryTagNames with
+ * BoundaryTag) or else as they are written; strings are numbered in the order of their first cells.
+ * What has one name has one tag.
  *
  * Where no array is named it is the first that tells cells apart, of the tags of a boundary that
  * this house made (BoundaryTag), groups (GroupIds), materials (MaterialIds), the solids of VTK's

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How good tetrahedra are, ours and those that TetGen, gmsh and Netgen make of the boundary of our solid.
 
-    measure-quality.py [SURFACE...] [--table TABLE.md] [--inputs FOLDER] [--limit SECONDS] [--set NAME=VALUE]...
+    measure-quality.py [SURFACE...] [--table TABLE.md] [--inputs FOLDER] [--limit SECONDS] [--set NAME=VALUE]... [--only WORDS]
 
 Without a surface it takes 30 dirty and 10 clean ones of Debian's packages libcgal-demo and openfoam-examples.
 Each surface is meshed by the command line as it comes, without refinement. Every other mesher gets the boundary of
 that solid, watertight and without crossings, with a point in each cavity: vtkRefineTetrahedra gets the solid itself.
 Each runs in a process of its own, with a limit of processor time (120 s) and memory, with its defaults for sizes; its
 seconds are its own, without files. --set sets a property of vtkRefineTetrahedra, to bring our number of cells near another's:
-`--set EdgeLength=0.1`. --table writes all figures as Markdown, --inputs keeps what the meshers were given.
+`--set EdgeLength=0.1`. --only runs those meshers whose names match a regular expression. --table writes all figures as Markdown, --inputs keeps what the meshers were given.
 
 Prints lines as Measure.h does: of the 1 % quantiles of dihedral angles where both made a mesh, and of the seconds.
 """
@@ -25,7 +25,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
 
-from meshers import Outcome, mesh_as_it_comes, meshers, outcome_of, write_inputs
+from meshers import Mesher, Outcome, mesh_as_it_comes, meshers, outcome_of, write_inputs
 from solids import boundary_of, points_and_cells, read_grid, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -41,11 +41,15 @@ CLEAN = (
     *("rotor.off", "turbine.off", "flange.stl"),
 )
 
-OURS, PEER = "ours, refined", "TetGen -pq1.2/18O9Y"
-"""Both keep every triangle of the boundary: our 1 % angle is to be at least the other's."""
+PAIRS = {
+    "": ("ours, kept", "TetGen -pq1.2/18O9Y"),
+    "split/": ("ours, split", "TetGen -pq1.2O9"),
+    "remeshed/": ("ours, remeshed", "Netgen"),
+}
+"""Those that do the same to the triangles of the boundary, as far as they can: our 1 % angle is to be at least the other's."""
 
 MOST_SECONDS = 1.5
-"""Times what TetGen takes, in the median."""
+"""Times what the other takes, in the median."""
 
 COLUMNS = ("surface", "mesher", "cells", "least angle", "1 %", "largest", "radius-edge 99 %", "largest", "seconds", "")
 FIGURES = ("MinDihedralAngle", "DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio")
@@ -87,6 +91,10 @@ def _line(name: str, mesher: str, outcome: Outcome) -> str:
     return _cells(name, mesher, f"{outcome.figures['Cells']:,}", *figures, f"{outcome.seconds:.2f}", outcome.trouble)
 
 
+def chosen(options: argparse.Namespace) -> list[Mesher]:
+    return [mesher for mesher in meshers(options.set) if re.search(options.only, mesher.name)]
+
+
 def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
     row = Row(Path(surface).name)
     row.trouble = mesh_as_it_comes(surface, folder, options.limit)
@@ -102,7 +110,7 @@ def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
     row.triangles, row.cavities = len(boundary.triangles), len(boundary.cavities)
     row.sharp = ours.figures["SurfaceEdgesUnder10Degrees"]
     volume = volume_of(points, cells[inside])
-    for mesher in meshers(options.set):
+    for mesher in chosen(options):
         if mesher.exists():
             outcome = row.outcomes[mesher.name] = mesher.run(folder, volume, options.limit)
             if mesher.package is None and outcome.seconds is not None:
@@ -111,16 +119,27 @@ def measure(surface: str, folder: Path, options: argparse.Namespace) -> Row:
 
 
 def ratio_lines(row: Row) -> list[str]:
-    own, other = row.one_percent(OURS), row.one_percent(PEER)
-    return [f"ratio quality/{row.name} {own / other:.3f} at least 1.0"] if own is not None and other else []
+    lines = []
+    for prefix, (ours, peer) in PAIRS.items():
+        own, other = row.one_percent(ours), row.one_percent(peer)
+        if own is not None and other:
+            lines.append(f"ratio quality/{prefix}{row.name} {own / other:.3f} at least 1.0")
+    return lines
 
 
 def median_lines(rows: list[Row]) -> list[str]:
-    """Of the seconds of all surfaces that both meshed."""
-    both = [row.outcomes for row in rows if OURS in row.outcomes and PEER in row.outcomes]
-    pairs = [(outcomes[OURS].seconds, outcomes[PEER].seconds) for outcomes in both]
-    ratios = [own / other for own, other in pairs if own is not None and other]
-    return [f"ratio quality/seconds {statistics.median(ratios):.3f} at most {MOST_SECONDS}"] if ratios else []
+    """Of the angles and of the seconds of all surfaces that both meshed."""
+    lines = []
+    for prefix, (ours, peer) in PAIRS.items():
+        both = [(row.outcomes[ours], row.outcomes[peer]) for row in rows if row.one_percent(ours) and row.one_percent(peer)]
+        if both:
+            angles = (row[0].figures["DihedralAngle1Percent"] / row[1].figures["DihedralAngle1Percent"] for row in both)
+            lines.append(f"ratio quality/{prefix}median {statistics.median(angles):.3f} at least 1.0")
+        pairs = [(own.seconds, other.seconds) for own, other in both]
+        ratios = [own / other for own, other in pairs if own is not None and other]
+        if ratios:
+            lines.append(f"ratio quality/{prefix}seconds {statistics.median(ratios):.3f} at most {MOST_SECONDS}")
+    return lines
 
 
 def overview(rows: list[Row]) -> list[str]:
@@ -148,7 +167,7 @@ def write_table(rows: list[Row], path: str) -> None:
 
 def main(options: argparse.Namespace) -> None:
     rows = []
-    for mesher in meshers(options.set):
+    for mesher in chosen(options):
         if not mesher.exists():
             where = f"of the Debian package {mesher.package}" if mesher.package else "which this build has not"
             print(f"missing: {mesher.name}, {where}")
@@ -174,5 +193,6 @@ if __name__ == "__main__":
     parser.add_argument("--table", metavar="TABLE.md")
     parser.add_argument("--inputs", metavar="FOLDER")
     parser.add_argument("--limit", type=float, default=120, metavar="SECONDS")
+    parser.add_argument("--only", default="", metavar="WORDS")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
     main(parser.parse_args())

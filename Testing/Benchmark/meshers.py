@@ -191,7 +191,7 @@ def meshers(settings: list[str]) -> list[Mesher]:
         *(tetgen(options) for options in TETGENS),
         *(_gmsh(name, algorithm) for name, algorithm in GMSHES.items()),
         _netgen(),
-        _refinement(settings),
+        *(_refinement(treatment, settings) for treatment in TREATMENTS),
     ]
 
 
@@ -247,15 +247,13 @@ def _delaunay() -> Mesher:
     return Mesher("vtkDelaunay3D", None, lambda: True, lambda _: command, "delaunay.vtu", _told_seconds)
 
 
-def _refinement(settings: list[str]) -> Mesher:
-    return Mesher(
-        "ours, refined",
-        None,
-        lambda: True,
-        lambda _: [PYTHON, __file__, "refine", "solid.vtu", "refined.vtu", *settings],
-        "refined.vtu",
-        _told_seconds,
-    )
+TREATMENTS = ("kept", "split", "remeshed")  # of the surface
+
+
+def _refinement(treatment: str, settings: list[str]) -> Mesher:
+    mesh = f"{treatment}.vtu"
+    command = [PYTHON, __file__, "refine", "solid.vtu", mesh, f"Surface={treatment.upper()}", *settings]
+    return Mesher(f"ours, {treatment}", None, lambda: True, lambda _: command, mesh, _told_seconds)
 
 
 def _word(options: str) -> str:
@@ -330,7 +328,8 @@ def _refine(solid: str, mesh: str, *settings: str) -> None:
     refinement.SetInputData(read_grid(solid))
     for setting in settings:
         name, value = setting.split("=", 1)
-        getattr(refinement, "Set" + name)(float(value))
+        constant = getattr(insideout.vtkRefineTetrahedra, value, None)
+        getattr(refinement, "Set" + name)(float(value) if constant is None else constant)
     began = time.perf_counter()
     insideout.pipeline.run(refinement)
     seconds = time.perf_counter() - began

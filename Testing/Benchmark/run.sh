@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy"
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy BenchmarkPlanar"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -78,6 +78,7 @@ for surface; do
     */Beast.*|Beast.*) "$bin/BenchmarkWhole" "$surface" ;;
   esac
 done
+"$bin/BenchmarkPlanar"
 "$bin/BenchmarkBusy" "$figures/surfaces/pig.off"
 "$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*

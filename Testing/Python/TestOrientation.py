@@ -126,7 +126,7 @@ class Lost(unittest.TestCase):
     def judge(self, path):
         """Whether the surface was warned of, as it must be; None where it cannot be meshed."""
         try:
-            result = insideout.tetrahedralize(path)
+            result = insideout.tetrahedralize(path, dimension=3)
         except insideout.Error:
             return None  # no surface, or in one plane
         if result.solid.GetNumberOfCells() == 0:

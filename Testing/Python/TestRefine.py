@@ -17,6 +17,7 @@ from insideout.data import make_surface
 from insideout.options import OPTIONS, REFINING_OPTIONS
 from insideout.stages import REFINE, TETRAHEDRALIZE, UNNAMED
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkImageData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 
@@ -37,6 +38,15 @@ def faces_on_boundary(solid) -> set:
     faces, numbers = surfaces.faces_of(solid)
     once = np.bincount(numbers)[numbers] == 1
     return {frozenset(map(tuple, solid.points[face].tolist())) for face in faces[once]}
+
+
+def sphere(resolution: int):
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.SetRadius(1)
+    source.Update()
+    return source.GetOutput()
 
 
 class Surface(unittest.TestCase):
@@ -73,6 +83,23 @@ class Surface(unittest.TestCase):
         for name, of_tag in made.tags.items():
             np.testing.assert_array_equal(of_tag, np.flatnonzero(sides == int(name)))
         self.assertAlmostEqual(float(sum(surfaces.exact_volumes(made.solid))), 15 / 8, delta=1e-12)
+        self.assertEqual(made.statistics["BoundaryFaces"], len(boundary.triangles))
+
+    def test_what_is_told_of_a_remeshed_solid_is_that_of_its_cells(self):
+        made = insideout.tetrahedralize(
+            sphere(24), edge_length=0.5, surface_treatment="remeshed", surface_tolerance=0.1
+        )
+        volume = float(sum(surfaces.exact_volumes(made.solid)))
+        self.assertAlmostEqual(made.statistics["Volume"], volume, delta=1e-12)
+        self.assertAlmostEqual(made.regions[0].volume, volume, delta=1e-12)
+        self.assertNotAlmostEqual(made.statistics["EnclosedVolume"], volume, delta=1e-3)
+        for figure in ("SurfaceDistance", "InputDistance"):
+            self.assertGreater(made.statistics[figure], 0.01)
+            self.assertLessEqual(made.statistics[figure], 0.1)
+        self.assertGreater(made.statistics["DihedralAngle1Percent"], made.statistics["BeforeDihedralAngle1Percent"])
+        quality = insideout.check_solid(made.solid).statistics
+        for figure in ("MinDihedralAngle", "CellsUnder10Degrees", "SurfaceEdgesUnder10Degrees"):
+            self.assertEqual(made.statistics[figure], quality[figure])
 
     def test_pieces_and_triangles_in_their_place_know_the_input(self):
         self.tagged = self.tagged_boxes()

@@ -14,6 +14,7 @@ constexpr const char* FindingIntersections = "finding self-intersections"; ///< 
 constexpr const char* Resolving = "resolving self-intersections";     ///< ResolveSelfIntersections
 constexpr const char* TracingIntersections = "tracing intersections"; ///< TraceIntersections
 constexpr const char* Tetrahedralizing = "tetrahedralizing";          ///< ConstrainedDelaunay
+constexpr const char* Triangulating = "triangulating";                ///< TriangulateHull
 constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
 constexpr const char* Segmenting = "segmenting";       ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting";       ///< whatever is in the room Output

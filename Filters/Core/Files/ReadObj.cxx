@@ -4,8 +4,11 @@
 #include "Files/TextScanner.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <unordered_map>
 
 // The format: Wavefront, Advanced Visualizer Manual, appendix B1 (object files).
@@ -127,6 +130,15 @@ struct PassedOver
   std::string First; ///< line and word of the first
 };
 
+/** A statement `l`, of which only a file without faces makes use. */
+struct LineStatement
+{
+  std::int64_t Line;
+  std::string Corners;
+  std::int32_t Group;
+  std::int32_t Material;
+};
+
 class ObjReader
 {
 public:
@@ -144,6 +156,7 @@ public:
       this->ReadStatement(this->Scanner.Word());
       this->Scanner.SkipLine();
     }
+    this->ReadLines();
     this->CheckForwardPoints();
     this->TCoords.Judge(this->File, this->Surface.Warnings);
     this->Normals.Judge(this->File, this->Surface.Warnings);
@@ -205,10 +218,62 @@ private:
     {
       return;
     }
+    if (word == "l" && this->Surface.Corners.empty())
+    {
+      this->Lines.push_back({ this->Line, this->Scanner.RestOfLine(), this->Groups.Current(),
+        this->Materials.Current() });
+      return;
+    }
     PassedOver& passed = word == "l" || word == "p" ? this->LinesAndPoints : this->Unknown;
     if (passed.Count++ == 0)
     {
       passed.First = "line " + std::to_string(this->Line) + ": " + Quoted(word);
+    }
+  }
+
+  /** Where there are no faces the lines are what the file means: `1 2 3` or `1/1 2/2`. */
+  void ReadLines()
+  {
+    if (!this->Surface.Corners.empty() && !this->Lines.empty())
+    {
+      this->LinesAndPoints.Count += this->Lines.size();
+      this->LinesAndPoints.First =
+        "line " + std::to_string(this->Lines.front().Line) + ": " + Quoted("l");
+      this->Lines.clear();
+    }
+    for (const LineStatement& line : this->Lines)
+    {
+      this->ReadLine(line);
+    }
+  }
+
+  void ReadLine(const LineStatement& line)
+  {
+    std::istringstream words(line.Corners);
+    words.imbue(std::locale::classic());
+    std::size_t count = 0;
+    for (std::string word; words >> word; ++count)
+    {
+      const std::string number = word.substr(0, word.find('/'));
+      std::int64_t given = 0;
+      const auto [end, error] =
+        std::from_chars(number.data(), number.data() + number.size(), given);
+      const auto points = static_cast<std::int64_t>(this->Surface.Points.size());
+      const std::int64_t index = given > 0 ? given - 1 : points + given;
+      if (error != std::errc() || end != number.data() + number.size() || given == 0 || index < 0 ||
+        index >= points)
+      {
+        throw Error(ErrorCode::FileMalformed,
+          this->File.Name + ", line " + std::to_string(line.Line) + ": line refers to point " +
+            Quoted(word) + " of " + std::to_string(points));
+      }
+      this->Surface.LineCorners.push_back(static_cast<Id>(index));
+    }
+    if (count > 0)
+    {
+      this->Surface.LineOffsets.push_back(static_cast<Id>(this->Surface.LineCorners.size()));
+      this->GroupIds.push_back(line.Group);
+      this->MaterialIds.push_back(line.Material);
     }
   }
 
@@ -424,9 +489,12 @@ private:
       return;
     }
     std::vector<bool> used(this->Surface.Points.size(), false);
-    for (const Id corner : this->Surface.Corners)
+    for (const std::vector<Id>* corners : { &this->Surface.Corners, &this->Surface.LineCorners })
     {
-      used[static_cast<std::size_t>(corner)] = true;
+      for (const Id corner : *corners)
+      {
+        used[static_cast<std::size_t>(corner)] = true;
+      }
     }
     std::vector<double> numbers;
     numbers.reserve(3 * used.size());
@@ -484,6 +552,7 @@ private:
   std::vector<std::int32_t> GroupIds;
   std::vector<std::int32_t> MaterialIds;
   std::uint64_t Dropped = 0;
+  std::vector<LineStatement> Lines; ///< before the first face
   PassedOver LinesAndPoints;
   PassedOver Unknown;
 };

@@ -37,6 +37,8 @@ struct PolygonSurface
   std::vector<Attribute> PointAttributes;
   std::vector<Attribute> PolygonAttributes;
   std::vector<AttributeNames> Names;
+  std::vector<Id> LineOffsets = { 0 }; ///< of polylines, where there are no polygons
+  std::vector<Id> LineCorners;
   std::vector<std::string> Warnings; ///< what was in the file and was passed over, one line each
 };
 
@@ -53,8 +55,9 @@ struct PolygonSurface
  * Points keep the file's order. Where an OBJ file gives one point several texture coordinates or
  * normals, a copy of the point per combination follows behind the last. STL points are the corners
  * of the facets, three each. Polygons keep the file's order too; those with fewer than 3 corners
- * are passed over with a warning, and so are lines, points, unknown statements and elements of
- * other names. PLY's strips of triangles (`tristrips`) are taken apart where there are no faces.
+ * are passed over with a warning, and so are lines (but for those of an OBJ file without faces,
+ * whose PolygonAttributes are then theirs), points, unknown statements and elements of other names.
+ * PLY's strips of triangles (`tristrips`) are taken apart where there are no faces.
  *
  * PointAttributes and PolygonAttributes:
  * - `Normals` (3 floats or doubles) and `TCoords` (2) of points, and PLY's `Normals` of polygons;

@@ -43,31 +43,41 @@ const char* NameOf(bool inside)
 SeededCells FindSeededCells(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
   const std::vector<Seed>& seeds)
 {
+  const BoxTree tree = MakeTree(points, seeds.empty() ? std::vector<Tetrahedron>() : cells);
+  return FindSeededCells(seeds, static_cast<Id>(cells.size()),
+    [&](const Point& place)
+    {
+      Id found = None;
+      tree.Visit({ place, place },
+        [&](Id cell)
+        {
+          if ((found == None || cell < found) && Contains(points, cells[cell], place))
+          {
+            found = cell;
+          }
+        });
+      return found;
+    });
+}
+
+SeededCells FindSeededCells(
+  const std::vector<Seed>& seeds, Id numberOfCells, const std::function<Id(const Point&)>& find)
+{
   SeededCells result;
   if (seeds.empty())
   {
     return result;
   }
-  result.Demands.assign(cells.size(), 0);
-  result.Seeds.assign(cells.size(), None);
-  const BoxTree tree = MakeTree(points, cells);
+  result.Demands.assign(numberOfCells, 0);
+  result.Seeds.assign(numberOfCells, None);
   for (std::size_t s = 0; s < seeds.size(); ++s)
   {
-    const Point& place = seeds[s].Position;
     const std::string name = "seed " + std::to_string(s);
-    if (!IsFinite(place))
+    if (!IsFinite(seeds[s].Position))
     {
       throw Error(ErrorCode::PointNotFinite, name + " is not finite");
     }
-    Id found = None;
-    tree.Visit({ place, place },
-      [&](Id cell)
-      {
-        if ((found == None || cell < found) && Contains(points, cells[cell], place))
-        {
-          found = cell;
-        }
-      });
+    const Id found = find(seeds[s].Position);
     if (found == None)
     {
       if (seeds[s].Inside)

@@ -3,6 +3,7 @@
 
 #include "Common/TetrahedralMesh.h"
 
+#include <functional>
 #include <string>
 
 namespace insideout
@@ -33,4 +34,12 @@ struct SeededCells
  */
 SeededCells FindSeededCells(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
   const std::vector<Seed>& seeds);
+
+/**
+ * The same in cells of any kind.
+ *
+ * @param[in] find the cell that contains a place, of several the lowest; None for none
+ */
+SeededCells FindSeededCells(
+  const std::vector<Seed>& seeds, Id numberOfCells, const std::function<Id(const Point&)>& find);
 } // namespace insideout

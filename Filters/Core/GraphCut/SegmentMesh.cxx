@@ -3,7 +3,6 @@
 
 #include "Common/Stages.h"
 #include "GraphCut/InteriorFaces.h"
-#include "GraphCut/ManifoldConstraint.h"
 
 #include <algorithm>
 
@@ -39,19 +38,35 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   const SegmentMeshParameters& parameters, Monitor& monitor)
 {
   monitor.Check(Stages::Segmenting, 0);
-  MeshSegmentation result;
   SeededCells seeded = FindSeededCells(mesh.Points, mesh.Cells, seeds);
+  CellGraph graph = { w, InteriorFaces(mesh),
+    parameters.Cut.DataTerm == DataTerm::VolumeWeighted ? CellVolumes(mesh)
+                                                        : std::vector<double>() };
+  return SegmentCells(
+    std::move(graph), std::move(seeded), pieces, parameters,
+    [&](GreedyLabels& labels, Monitor& watch, double begin, double end)
+    {
+      ManifoldConstraint manifold(mesh.Points.size(), mesh.Cells, mesh.Neighbors);
+      return manifold.Satisfy(labels, watch, begin, end);
+    },
+    monitor);
+}
+
+MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
+  const std::vector<FacetPiece>& pieces, const SegmentMeshParameters& parameters,
+  const MakeManifold& makeManifold, Monitor& monitor)
+{
+  MeshSegmentation result;
   result.Warnings = std::move(seeded.Warnings);
-  const CellGraph graph = { w, InteriorFaces(mesh),
-    parameters.Cut.DataTerm == DataTerm::VolumeWeighted ? CellVolumes(mesh) : std::vector<double>(),
-    std::move(seeded.Demands) };
+  graph.Demands = std::move(seeded.Demands);
+  const bool hasSeeds = !graph.Demands.empty();
   const CutEnergy energy(graph, parameters.Cut);
   monitor.Check(Stages::Segmenting, BeforeCut);
   const std::vector<unsigned char> cut = MinimumCut(energy);
   monitor.Check(Stages::Segmenting, BeforeFacets);
 
   GreedyLabels labels(energy, cut);
-  FacetConstraint facets(pieces, mesh.NumberOfCells());
+  FacetConstraint facets(pieces, energy.NumberOfCells());
   FacetConstraint::Outcome kept;
   if (parameters.ConstrainFacets)
   {
@@ -60,8 +75,7 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   ManifoldConstraint::Outcome filled;
   if (parameters.ConstrainManifold)
   {
-    ManifoldConstraint manifold(mesh.Points.size(), mesh.Cells, mesh.Neighbors);
-    filled = manifold.Satisfy(labels, monitor, BeforeManifold, 1);
+    filled = makeManifold(labels, monitor, BeforeManifold, 1);
   }
   result.Inside = labels.Labels();
 
@@ -77,8 +91,7 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   {
     result.Warnings.push_back(std::to_string(filled.LeftPoints) +
       " points of the boundary could not be made manifold: " +
-      (seeds.empty() ? "the hull is not manifold there"
-                     : "seeds that are to be outside forbid it"));
+      (!hasSeeds ? "the hull is not manifold there" : "seeds that are to be outside forbid it"));
   }
   result.Statistics = { { "Energy", energy.Of(result.Inside) }, { "EnergyOfCut", energy.Of(cut) },
     { "ForcedFacets", kept.Forced }, { "ForcedCells", labels.NumberOfForced() },

@@ -4,7 +4,10 @@
 #include "Common/Statistics.h"
 #include "GraphCut/FacetConstraint.h"
 #include "GraphCut/GraphCutSegmentation.h"
+#include "GraphCut/ManifoldConstraint.h"
 #include "GraphCut/Seeds.h"
+
+#include <functional>
 
 namespace insideout
 {
@@ -40,4 +43,18 @@ struct MeshSegmentation
 MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<double>& w,
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, Monitor& monitor);
+
+/** Makes the boundary of labels a manifold, and reports from one fraction to another. */
+using MakeManifold = std::function<ManifoldConstraint::Outcome(
+  GreedyLabels& labels, Monitor& monitor, double begin, double end)>;
+
+/**
+ * The same on cells of any kind.
+ *
+ * @param[in] graph without demands, which are those of the seeds
+ * @param[in] makeManifold only for ConstrainManifold
+ */
+MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
+  const std::vector<FacetPiece>& pieces, const SegmentMeshParameters& parameters,
+  const MakeManifold& makeManifold, Monitor& monitor);
 } // namespace insideout

@@ -2,23 +2,96 @@
 #include "WindingNumber/PolylineWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/Numbers.h"
 #include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "WindingNumber/Pi.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace insideout
 {
 namespace
 {
 constexpr std::size_t LeafSize = 8;
+
+/** Where w is asked for: a double in each direction. */
+struct RoundPlace
+{
+  PlanarPoint Rounded;
+
+  PlanarPoint Low() const { return this->Rounded; }
+  PlanarPoint High() const { return this->Rounded; }
+  bool IsAtOrAbove(const PlanarPoint& a) const { return a[1] >= this->Rounded[1]; }
+  int Side(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    return Orient2D(a, b, this->Rounded);
+  }
+  bool IsInBox(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const PlanarPoint& p = this->Rounded;
+    return std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
+      std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
+  }
+};
+
+/** The mean of three points, exactly: everything is asked of three times it. */
+struct MeanPlace
+{
+  explicit MeanPlace(const std::array<PlanarPoint, 3>& points)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      this->Rounded[k] = points[0][k] / 3 + points[1][k] / 3 + points[2][k] / 3;
+      for (const PlanarPoint& p : points)
+      {
+        this->Size = std::max(this->Size, std::abs(p[k]));
+      }
+      this->Sum[k] = DyadicNumber(points[0][k]) + points[1][k] + points[2][k];
+    }
+  }
+
+  /** Bounds of it: far enough apart for the roundings of three numbers. */
+  PlanarPoint Low() const { return this->Moved(-1); }
+  PlanarPoint High() const { return this->Moved(1); }
+  PlanarPoint Moved(double sign) const
+  {
+    const double few = 8 * std::numeric_limits<double>::epsilon();
+    const double least = std::numeric_limits<double>::min();
+    return { this->Rounded[0] + sign * (few * this->Size + least),
+      this->Rounded[1] + sign * (few * this->Size + least) };
+  }
+  bool IsAtOrAbove(const PlanarPoint& a) const { return this->Compare(a, 1) >= 0; }
+  int Side(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const auto beyond = [&](int k) { return this->Sum[k] - DyadicNumber(a[k]) * 3; };
+    const auto along = [&](int k) { return DyadicNumber(b[k]) - a[k]; };
+    return CGAL::sign(along(0) * beyond(1) - along(1) * beyond(0));
+  }
+  bool IsInBox(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    return this->Compare(a, 0) * this->Compare(b, 0) <= 0 &&
+      this->Compare(a, 1) * this->Compare(b, 1) <= 0;
+  }
+
+  /** The sign of a coordinate of a point less that of the mean. */
+  int Compare(const PlanarPoint& a, int k) const
+  {
+    return CGAL::sign(DyadicNumber(a[k]) * 3 - this->Sum[k]);
+  }
+
+  PlanarPoint Rounded;
+  std::array<DyadicNumber, 2> Sum;
+  double Size = 0; ///< the largest coordinate of the three points
+};
 } // namespace
 
-PolylineWindingNumber::PolylineWindingNumber(
-  std::vector<PlanarPoint> points, const std::vector<CountedSegment>& segments)
+PolylineWindingNumber::PolylineWindingNumber(std::vector<PlanarPoint> points,
+  const std::vector<CountedSegment>& segments, const PlanarMetric& metric)
   : Points(std::move(points))
+  , Metric(metric)
 {
   for (const CountedSegment& segment : segments)
   {
@@ -28,6 +101,12 @@ PolylineWindingNumber::PolylineWindingNumber(
     }
   }
   this->LooseEnds = this->LooseEndsOf(0, this->Segments.size());
+  std::vector<CountedPlace> ends;
+  for (const LooseEnd& end : this->LooseEnds)
+  {
+    ends.push_back({ this->Points[end.Point], static_cast<double>(end.Count) });
+  }
+  this->Arguments = ArgumentSum(std::move(ends), metric);
   if (!this->Segments.empty())
   {
     this->Build(0, this->Segments.size());
@@ -105,38 +184,40 @@ void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
 /** Of the direction from p to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal. */
 double PolylineWindingNumber::Argument(Id point, const PlanarPoint& p) const
 {
-  // Adding 0 makes -0 positive.
-  return std::atan2(this->Points[point][1] - p[1] + 0.0, this->Points[point][0] - p[0] + 0.0) /
-    (2 * Pi);
+  const PlanarPoint& a = this->Points[point];
+  const PlanarPoint direction = this->Metric.Map({ a[0] - p[0], a[1] - p[1] });
+  return std::atan2(direction[1] + 0.0, direction[0] + 0.0) / (2 * Pi); // adding 0: no -0
 }
 
 /** The crossings of segments that all pass to the left of p follow from their loose ends. */
-double PolylineWindingNumber::WhollyLeft(const Node& node, const PlanarPoint& p) const
+template <typename Place>
+double PolylineWindingNumber::WhollyLeft(const Node& node, const Place& place) const
 {
   std::int64_t sum = 0;
   for (const LooseEnd& end : node.LooseEnds)
   {
-    sum -= this->Points[end.Point][1] >= p[1] ? end.Count : 0;
+    sum -= place.IsAtOrAbove(this->Points[end.Point]) ? end.Count : 0;
   }
   return static_cast<double>(sum);
 }
 
 /** What the segment adds to the differences of arguments; where p lies on it, these cancel. */
-double PolylineWindingNumber::Crossing(const CountedSegment& segment, const PlanarPoint& p) const
+template <typename Place>
+double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Place& place) const
 {
   const PlanarPoint& a = this->Points[segment.From];
   const PlanarPoint& b = this->Points[segment.To];
-  const bool fromAbove = a[1] >= p[1];
-  const bool toAbove = b[1] >= p[1];
-  const bool inBox = std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
-    std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
+  const bool fromAbove = place.IsAtOrAbove(a);
+  const bool toAbove = place.IsAtOrAbove(b);
+  const bool inBox = place.IsInBox(a, b);
   if (fromAbove == toAbove && !inBox)
   {
     return 0;
   }
-  const int side = Orient2D(a, b, p);
+  const int side = place.Side(a, b);
   if (side == 0 && inBox)
   {
+    const PlanarPoint& p = place.Rounded;
     return -segment.Count * (this->Argument(segment.To, p) - this->Argument(segment.From, p));
   }
   if (fromAbove && !toAbove && side > 0)
@@ -146,13 +227,12 @@ double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Plan
   return !fromAbove && toAbove && side < 0 ? -segment.Count : 0;
 }
 
-double PolylineWindingNumber::At(const PlanarPoint& p) const
+template <typename Place>
+double PolylineWindingNumber::AtPlace(const Place& place) const
 {
-  double w = 0;
-  for (const LooseEnd& end : this->LooseEnds)
-  {
-    w += static_cast<double>(end.Count) * this->Argument(end.Point, p);
-  }
+  const PlanarPoint low = place.Low();
+  const PlanarPoint high = place.High();
+  double w = this->Arguments.At(place.Rounded);
   std::vector<std::size_t> stack;
   if (!this->Nodes.empty())
   {
@@ -163,19 +243,19 @@ double PolylineWindingNumber::At(const PlanarPoint& p) const
     const std::size_t index = stack.back();
     stack.pop_back();
     const Node& node = this->Nodes[index];
-    if (node.Low[0] > p[0] || node.Low[1] > p[1] || node.High[1] < p[1])
+    if (node.Low[0] > high[0] || node.Low[1] > high[1] || node.High[1] < low[1])
     {
       continue;
     }
-    if (node.High[0] < p[0] && node.LooseEnds.size() < 2 * (node.End - node.Begin))
+    if (node.High[0] < low[0] && node.LooseEnds.size() < 2 * (node.End - node.Begin))
     {
-      w += this->WhollyLeft(node, p);
+      w += this->WhollyLeft(node, place);
     }
     else if (node.Right == 0)
     {
       for (std::size_t s = node.Begin; s < node.End; ++s)
       {
-        w += this->Crossing(this->Segments[s], p);
+        w += this->Crossing(this->Segments[s], place);
       }
     }
     else
@@ -185,6 +265,17 @@ double PolylineWindingNumber::At(const PlanarPoint& p) const
     }
   }
   return w;
+}
+
+double PolylineWindingNumber::At(const PlanarPoint& p) const
+{
+  return this->AtPlace(RoundPlace{ p });
+}
+
+double PolylineWindingNumber::AtMean(
+  const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const
+{
+  return this->AtPlace(MeanPlace(std::array<PlanarPoint, 3>{ { a, b, c } }));
 }
 
 std::vector<double> PolylineWindingNumber::At(

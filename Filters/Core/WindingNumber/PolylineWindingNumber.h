@@ -2,15 +2,15 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Common/PlanarPoint.h"
 #include "Common/Types.h"
+#include "WindingNumber/ArgumentSum.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace insideout
 {
-using PlanarPoint = std::array<double, 2>;
-
 /** A line from one point to another, and how often it counts that way. */
 struct CountedSegment
 {
@@ -27,19 +27,25 @@ struct CountedSegment
  * crosses the ray to the left of the point, a whole turn. Summed over the segments the differences
  * leave one argument per loose end, so that a closed polyline needs none: its winding number is a
  * count of crossings, decided by exact predicates and found in a tree whose nodes know their own
- * loose ends.
+ * loose ends. The arguments of many loose ends are summed in a tree, too (ArgumentSum.h).
  *
  * On a segment w is the mean of both sides, in a closed polygon's corner the angle over 2 pi.
  */
 class PolylineWindingNumber
 {
 public:
-  /** @param[in] points finite, also their differences */
-  PolylineWindingNumber(
-    std::vector<PlanarPoint> points, const std::vector<CountedSegment>& segments);
+  /**
+   * @param[in] points finite, also their differences
+   * @param[in] metric which angles are those of
+   */
+  PolylineWindingNumber(std::vector<PlanarPoint> points,
+    const std::vector<CountedSegment>& segments, const PlanarMetric& metric = PlanarMetric());
 
   /** At one finite point. Safe to call from several threads. */
   double At(const PlanarPoint& p) const;
+
+  /** At the mean of three finite points, the exact one, which may be no double. Slower. */
+  double AtMean(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const;
 
   /**
    * One value per point, on as many threads as that is worth.
@@ -70,12 +76,18 @@ private:
   void Build(std::size_t begin, std::size_t end);
   std::vector<LooseEnd> LooseEndsOf(std::size_t begin, std::size_t end) const;
   double Argument(Id point, const PlanarPoint& p) const;
-  double WhollyLeft(const Node& node, const PlanarPoint& p) const;
-  double Crossing(const CountedSegment& segment, const PlanarPoint& p) const;
+  template <typename Place>
+  double WhollyLeft(const Node& node, const Place& place) const;
+  template <typename Place>
+  double Crossing(const CountedSegment& segment, const Place& place) const;
+  template <typename Place>
+  double AtPlace(const Place& place) const;
 
   std::vector<PlanarPoint> Points;
+  PlanarMetric Metric;
   std::vector<CountedSegment> Segments;
   std::vector<LooseEnd> LooseEnds;
+  ArgumentSum Arguments; ///< of the loose ends
   std::vector<Node> Nodes;
 };
 } // namespace insideout

@@ -84,7 +84,7 @@ import vtkmodules.vtkIOCore  # noqa: F401
 
 from . import vtkFiltersInsideOut as _classes
 from .checking import Check, Finding, check
-from .data import Tetrahedra, TriangleSurface
+from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
 from .drawing import draw, draw_quality
 from .pipeline import Error
 from .quality import SolidCheck, check_solid
@@ -103,6 +103,7 @@ __all__ = [
     "Check",
     "Error",
     "Finding",
+    "Polylines",
     "Refinement",
     "Region",
     "Resolution",
@@ -110,6 +111,7 @@ __all__ = [
     "Tetrahedra",
     "Tetrahedralization",
     "TriangleSurface",
+    "Triangles",
     "__version__",
     "check",
     "check_solid",

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from .data import AnySurface, as_surface
 from .defects import DEFECTS, Defect
 from .options import Options, Orientation, describe_options, in_words_of_python
-from .pipeline import Progress, add_statistic, run, statistics_of
+from .pipeline import Error, Progress, add_statistic, run, statistics_of
 from .results import Result
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkSurfaceDefects
@@ -81,6 +81,8 @@ def check(
     options = Options.among(locals())
     marker = options.set_on(vtkSurfaceDefects())
     polygons, warnings = as_surface(surface, options.scale)
+    if polygons.GetNumberOfLines() > 0 and polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0:
+        raise Error("the surface has no polygons, only lines, whose defects the class vtkSurfaceDefects marks")
     marker.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(marker, progress))
     add_statistic("Scale", options.factor(), marker.GetOutput())
@@ -100,7 +102,7 @@ def check(
 
 def find(statistics: Mapping[str, float]) -> list[Finding]:
     """What is wrong by the counts of vtkSurfaceDefects, with what matters first."""
-    planar = Finding("the surface lies in one plane", True, "it bounds no volume: there is nothing to mesh")
+    planar = Finding("the surface lies in one plane", True, "it bounds no volume: it becomes triangles in two dimensions")
     return [*([planar] if statistics["Planar"] else []), *find_among(DEFECTS, statistics)]
 
 

@@ -12,6 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_QUADRATIC_TETRA,
+    VTK_TRIANGLE,
     vtkCellArray,
     vtkCompositeDataSet,
     vtkDataObject,
@@ -185,6 +186,51 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     def _is_quadratic(self) -> bool:
         return self.GetNumberOfCells() > 0 and self.GetCellType(0) == VTK_QUADRATIC_TETRA
+
+
+class Triangles(_Views, vtkUnstructuredGrid):
+    """A vtkUnstructuredGrid of triangles in a plane. Its arrays are views: they show VTK's memory and cost nothing."""
+
+    @property
+    def cells(self) -> NDArray[np.int64]:
+        """The three points of each triangle, all in one direction."""
+        return corners_of(self.GetCells(), 3)
+
+    @property
+    def w(self) -> NDArray[np.float64]:
+        """The winding number of each triangle."""
+        return self.cell_arrays["w"]
+
+    @property
+    def inside(self) -> NDArray[np.bool_]:
+        """Whether each triangle is inside."""
+        return self.cell_arrays["Inside"].astype(bool)
+
+    def to_meshio(self) -> Any:
+        """The same as a meshio.Mesh, with all arrays."""
+        return mesh_of(self, self.kind(), self.cells)
+
+    def kind(self) -> str:
+        """What meshio calls the type of its cells."""
+        return "triangle"
+
+
+class Polylines(_Views, vtkPolyData):
+    """A vtkPolyData of polylines. Its arrays are views: they show VTK's memory and cost nothing."""
+
+    @property
+    def lines(self) -> list[NDArray[np.int64]]:
+        """The points of each polyline, one behind the other; a closed one has its first again at its end."""
+        lines = self.GetLines()
+        if lines.GetNumberOfCells() == 0:
+            return []
+        offsets = vtk_to_numpy(lines.GetOffsetsArray())
+        return np.split(vtk_to_numpy(lines.GetConnectivityArray()), offsets[1:-1])
+
+
+def is_flat(grid: vtkUnstructuredGrid) -> bool:
+    """Whether its cells are triangles."""
+    return bool(grid.GetNumberOfCells() > 0 and grid.GetCellType(0) == VTK_TRIANGLE)
 
 
 def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:

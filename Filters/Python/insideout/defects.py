@@ -60,3 +60,14 @@ DEFECTS = (
     Defect("LeftOutFacets", "facet that could not be resolved", "facets that could not be resolved"),
     Defect("LostFacets", "facet that the mesh does not follow", "facets that the mesh does not follow"),
 )
+
+# In two dimensions.
+PLANAR_DEFECTS = (
+    Defect("OpenEnds", "open end", "open ends"),
+    Defect("IntersectingPairs", "intersecting pair", "intersecting pairs"),
+    Defect("TurnedSegments", "segment that runs the wrong way", "segments that run the wrong way"),
+    Defect("DuplicateSegments", "duplicate segment", "duplicate segments"),
+    Defect("CancelledSegments", "segment cancelled by its opposite", "segments cancelled by their opposites"),
+    Defect("DegenerateSegments", "degenerate segment", "degenerate segments"),
+    Defect("LeftOutSegments", "segment that could not be resolved", "segments that could not be resolved"),
+)

@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 from .checking import check
-from .data import AnySurface
+from .data import AnySurface, as_surface, is_flat
 from .files import Path, check_output, input_ending
 from .options import Orientation, describe_options
 from .panels import PICTURES, draw_panels
@@ -42,7 +42,8 @@ def draw(
     It is seen from the side that shows most: of the four sides, or from above if it is very flat, the one
     whose outline is largest, and of two opposite ones that with more points before the middle. The counts
     are those of the run that made the hull, and stand in the file's description, too; give the options it
-    had for the marks to agree with them.
+    had for the marks to agree with them. In two dimensions it is the curve, w in all triangles, and those inside,
+    seen straight from above.
 
     Draws in a process of its own, without a window; where there is no display it takes xvfb-run's.
     Raises `Error` with one line that names what is wrong.
@@ -50,6 +51,9 @@ def draw(
     picture = os.fspath(picture)
     check_output(picture, PICTURES)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
+    if is_flat(hull):
+        _write_panels(picture, curve=as_surface(surface, scale)[0], hull=hull, up=up)
+        return
     checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
     _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up)
 

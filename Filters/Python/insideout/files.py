@@ -21,13 +21,14 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkIOXMLParser import vtkXMLDataParser
 
+from .curves import CURVE, read_curve
 from .interruption import cleaning_up
 from .pipeline import Error, Messages, Progress, run, write_data
 from .vtkFiltersInsideOut import vtkSurfaceReader, vtkSurfaceWriter
 
 Path = Union[str, os.PathLike]
 
-READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp")
+READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp", CURVE)
 READABLE_SOLIDS = (".vtu",)
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj", ".off")
 GRID = ".vtu"
@@ -51,6 +52,8 @@ HARMLESS_WHEN_READING = ("No Points element available", "Error reading Informati
 
 def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
     """The surface in a .ply, .obj, .off, .stl or .vtp file, or one of these with .gz behind it, and what was passed over.
+
+    A .csv file is a curve in a plane (see `read_curve`).
 
     Coordinates keep all the digits that the file gives. A file whose name says something else than its content
     is read by its content, with a warning. Raises `Error` that names the file.
@@ -100,6 +103,12 @@ def read_solid(path: Path, progress: Optional[Progress] = None) -> tuple[vtkUnst
 def _read(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
     if _holds_xml(path):
         return _read_xml(path, progress)
+    if input_ending(path) == CURVE:
+        with _decompressed(path) as plain:
+            try:
+                return read_curve(plain), []
+            except Error as error:
+                raise Error(str(error).replace(plain, path)) from None
     reader = vtkSurfaceReader()
     reader.SetFileName(path)
     try:
@@ -183,9 +192,11 @@ def temporary_folder() -> Iterator[str]:
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> None:
-    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats). Raises `Error` that names the file."""
+    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats), lines as .vtp. Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
+    if ending(path) != ".vtp" and surface.GetNumberOfLines() > 0 and surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise Error(f"{path}: the boundary is lines, which only .vtp files hold here")
     if ending(path) == ".vtp":
         write_data(surface, path)
         return

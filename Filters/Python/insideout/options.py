@@ -20,6 +20,7 @@ from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
 Engine = Literal["automatic", "exact", "tetgen"]
 DataTerm = Literal["uniform", "volume-weighted"]
+Dimension = Literal["automatic", "2", "3", 2, 3]
 SurfaceTreatment = Literal["kept", "split", "remeshed"]
 QuadratureOrder = Literal[1, 2, 3, 4, 5]
 Seeds = Union[DataSetOfPoints, str, Iterable[Tuple[Tuple[float, float, float], bool]]]
@@ -91,6 +92,13 @@ class Choice(Option):
 
     def argument(self) -> dict[str, Any]:
         return {"choices": self.choices}
+
+
+class Dimensions(Choice):
+    """A number, too."""
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> int:
+        return super().checked(algorithm, name, str(value))
 
 
 @dataclass(frozen=True)
@@ -179,6 +187,16 @@ class Options:
 
     scale: Optional[float] = _is(
         Scale("", "multiply the surface's coordinates by this: 0.001 makes metres of millimetres; other lengths are in the new unit")
+    )
+    dimension: Dimension = _is(
+        Dimensions(
+            "Dimension",
+            'how many dimensions the input has: "2", lines or polygons in a plane, which become triangles; "3", a surface; '
+            '"automatic" is 2 for lines without polygons and for polygons in one plane, with a warning',
+            default="automatic",
+            choices=("automatic", "2", "3"),
+            prefix="DIMENSION_",
+        )
     )
     gamma: Optional[float] = _is(
         Number("Gamma", "weight of a smooth boundary against the winding number; 0 takes every cell with w above 1/2")

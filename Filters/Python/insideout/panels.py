@@ -25,6 +25,7 @@ def draw_panels(
     surface: Optional[vtkPolyData] = None,
     lines: Optional[vtkPolyData] = None,
     hull: Optional[vtkUnstructuredGrid] = None,
+    curve: Optional[vtkPolyData] = None,
     quality: Optional[vtkUnstructuredGrid] = None,
     up: Optional[str] = None,
     timeout: Optional[float] = None,
@@ -33,6 +34,7 @@ def draw_panels(
     the dihedral angles of a solid.
 
     surface, lines  as `check` marks and draws them: both or none
+    curve           in a plane, of whose hull the hull's triangles are
     quality         as `check_solid` measures it
     up              "x", "y" or "z"
     timeout         seconds
@@ -41,7 +43,7 @@ def draw_panels(
     """
     command = [*display_command(), sys.executable, "-m", "insideout.picture"]
     with temporary_folder() as folder:
-        names = ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu", "quality.vtu")
+        names = ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu", "quality.vtu", "curve.vtp")
         picture, *files = (os.path.join(folder, name) for name in names)
         command.append(picture)
         if surface is not None and lines is not None:
@@ -51,6 +53,9 @@ def draw_panels(
         if hull is not None:
             write_grid(hull, files[2])
             command += ["--hull", files[2]]
+        if curve is not None:
+            write_surface(curve, files[4])
+            command += ["--curve", files[4]]
         if quality is not None:
             figures = vtkUnstructuredGrid()
             figures.SetFieldData(quality.GetFieldData())

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
-    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--up z] [--quality FIGURES.vtu]
+    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--curve CURVE.vtp]
+        [--up z] [--quality FIGURES.vtu]
 
 Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
 slice of the winding number w through the hull, and the tetrahedra inside, cut open. Without one of the
 two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
-of dihedral angles that `check_solid` puts into the field data of a solid.
+of dihedral angles that `check_solid` puts into the field data of a solid. With a curve the hull is triangles in a plane:
+the curve, w in all of them, and those inside.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
-from typing import Any, Mapping, Optional, Tuple
+from typing import Any, Mapping, Optional, Tuple, Union
 
 import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401
@@ -44,13 +46,13 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from .data import corners_of, make_cells
-from .defects import DEFECTS
+from .defects import DEFECTS, PLANAR_DEFECTS
 from .files import HARMLESS_WHEN_READING
 from .pipeline import Error, run, statistics_of
 from .quality import quality_rows, solid_verdict
 from .serializing import vtk_array
 from .tetrahedralization import inside_cells
-from .view import HEIGHT, PANEL_WIDTH, View
+from .view import HEIGHT, PANEL_WIDTH, View, ViewFromAbove
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 
 Colour = Tuple[float, float, float]
@@ -211,7 +213,8 @@ MOST_LINES = 4
 
 def counts(statistics: Mapping[str, float]) -> list[Tuple[str, Colour]]:
     """What was wrong, in the words of the command's summary, and in which colour: what is drawn, then what else fits."""
-    found = [defect for defect in DEFECTS if statistics.get(defect.statistic, 0) > 0]
+    kinds = PLANAR_DEFECTS if statistics.get("Dimension", 3) == 2 else DEFECTS
+    found = [defect for defect in kinds if statistics.get(defect.statistic, 0) > 0]
     found.sort(key=lambda defect: defect.statistic not in DRAWN)
     lines = [(defect.counted(statistics[defect.statistic]), DRAWN.get(defect.statistic, INK)) for defect in found]
     return lines[:MOST_LINES] or [("nothing wrong", INK)]
@@ -251,6 +254,23 @@ def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     count = f"{solid.GetNumberOfCells():,} tetrahedra"
     title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]
+
+
+def flat_panels(curve: vtkPolyData, hull: vtkUnstructuredGrid) -> list[list[vtkProp]]:
+    """The same three of a curve in a plane."""
+    statistics = statistics_of(hull)
+    given = actor(triangles_of(curve), SOUND, edge_colour=INK) if curve.GetNumberOfPolys() else line_actor(curve, INK, 3)
+    lines = [words(text, 0.105 - 0.03 * k, colour) for k, (text, colour) in enumerate(counts(statistics))]
+    solid = inside_cells(hull)
+    return [
+        [given, words("The curve and its defects", 0.95, size=30, bold=True), *lines],
+        [slice_actor(surface_of(hull)), words("Winding number w", 0.95, size=30, bold=True), colour_bar()],
+        [
+            actor(surface_of(solid), SOLID, edge_colour=(0.12, 0.25, 0.36)),
+            words("The triangles inside", 0.95, size=30, bold=True),
+            words(f"{solid.GetNumberOfCells():,} triangles", 0.085),
+        ],
+    ]
 
 
 SHARP_BINS = 2  # of the histogram: up to 10 degrees
@@ -299,7 +319,7 @@ def texts_of(figures: vtkUnstructuredGrid) -> list[str]:
     return [solid_verdict(statistics), *(f"{what}: {how_much}" for what, how_much in quality_rows(statistics))]
 
 
-def render(panels: list[list[vtkProp]], view: Optional[View], file: str, description: str) -> None:
+def render(panels: list[list[vtkProp]], view: Union[View, ViewFromAbove, None], file: str, description: str) -> None:
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
@@ -333,13 +353,24 @@ def read(reader: Any, file: str) -> Any:
     return reader.GetOutput()
 
 
-def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
-    """The boundary of the tetrahedra inside, or of all where none is."""
+def surface_of(grid: vtkUnstructuredGrid) -> vtkPolyData:
+    """Cells in a plane as polygons."""
     faces = vtkGeometryFilter()
-    solid = inside_cells(hull)
-    faces.SetInputData(solid if solid.GetNumberOfCells() else hull)
+    faces.SetInputData(grid)
     faces.Update()
     return faces.GetOutput()
+
+
+def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
+    """The boundary of the tetrahedra inside, or of all where none is."""
+    solid = inside_cells(hull)
+    return surface_of(solid if solid.GetNumberOfCells() else hull)
+
+
+def draw_flat(picture: str, curve_file: str, hull_file: str, up: Optional[str]) -> None:
+    curve, hull = read(vtkXMLPolyDataReader(), curve_file), read(vtkXMLUnstructuredGridReader(), hull_file)
+    description = "; ".join(text for text, _ in counts(statistics_of(hull)))
+    render(flat_panels(curve, hull), ViewFromAbove(surface_of(hull), up), picture, description)
 
 
 def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], up: Optional[str], quality: Optional[str]) -> None:
@@ -370,10 +401,14 @@ if __name__ == "__main__":
     parser.add_argument("picture")
     parser.add_argument("--surface", nargs=2)
     parser.add_argument("--hull")
+    parser.add_argument("--curve")
     parser.add_argument("--up", choices="xyz")
     parser.add_argument("--quality")
     options = parser.parse_args()
     try:
-        main(options.picture, options.surface, options.hull, options.up, options.quality)
+        if options.curve:
+            draw_flat(options.picture, options.curve, options.hull, options.up)
+        else:
+            main(options.picture, options.surface, options.hull, options.up, options.quality)
     except Error as error:
         sys.exit(str(error))

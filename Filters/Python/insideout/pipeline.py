@@ -37,9 +37,9 @@ MEASURED = (
     *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
     *("OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
-    "AverageMeanRatio",
+    *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area"),
 )
-"""What the names of statistics begin with that do not count."""
+"""What the names of statistics begin with that do not count; those of tetrahedra before they are refined have a Before."""
 
 
 class Error(RuntimeError):
@@ -150,7 +150,7 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
         array = field_data.GetArray(index)
         if name.startswith(STATISTICS_PREFIX) and array is not None and array.GetNumberOfValues() == 1:
             name, value = name[len(STATISTICS_PREFIX) :], array.GetTuple1(0)
-            statistics[name] = value if name.startswith(MEASURED) else int(value)
+            statistics[name] = value if name.removeprefix("Before").startswith(MEASURED) else int(value)
     return statistics
 
 

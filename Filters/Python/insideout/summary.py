@@ -7,7 +7,7 @@ from typing import Iterable, Mapping, Optional, Sequence
 
 from . import stages
 from .checking import Finding
-from .defects import DEFECTS
+from .defects import DEFECTS, PLANAR_DEFECTS
 from .quality import quality_rows, solid_verdict
 from .verdict import verdict, volumes_of_shells, what_it_bounds
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
@@ -53,7 +53,8 @@ TIMES = (
 
 def defects(statistics: Mapping[str, float]) -> list[str]:
     """What was wrong with the surface, one line each; none when nothing was."""
-    counts = ((defect, statistics.get(defect.statistic, 0)) for defect in DEFECTS)
+    kinds = PLANAR_DEFECTS if statistics.get("Dimension", 3) == 2 else DEFECTS
+    counts = ((defect, statistics.get(defect.statistic, 0)) for defect in kinds)
     return [defect.counted(count) for defect, count in counts if count > 0]
 
 
@@ -75,7 +76,16 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
     if "RefinedCells" not in statistics:
         return []
     cells, added, removed = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "RemovedPoints"))
-    return [f"  refined to {cells} tetrahedra: {added} points added, {removed} removed"]
+    angles = (f"{statistics[prefix + 'DihedralAngle1Percent']:.3g}" for prefix in ("Before", ""))
+    lines = [f"  refined to {cells} tetrahedra: {added} points added, {removed} removed"]
+    lines.append(f"  one of a hundred dihedral angles is below {' degrees before, '.join(angles)} after")
+    sharp, thin = (_count(statistics[name + "Under10Degrees"]) for name in ("SurfaceEdges", "Cells"))
+    if thin != "0":
+        lines.append(f"  {thin} tetrahedra have an angle below 10 degrees; {sharp} edges of the boundary are as sharp")
+    if "SurfaceDistance" in statistics:
+        apart = max(statistics["SurfaceDistance"], statistics["InputDistance"])
+        lines.append(f"  the boundary is within {apart:.3g} of the surface before, which is {statistics['SurfaceTolerance']:.3g} at most")
+    return lines
 
 
 def _scaled(statistics: Mapping[str, float]) -> list[str]:
@@ -101,6 +111,8 @@ def _first(words: Iterable[str]) -> str:
 
 def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float], tags: Mapping[str, int]) -> list[str]:
     """The lines that the command ends with: volumes are those of the regions, tags are told with how many triangles have each."""
+    if statistics.get("Dimension", 3) == 2:
+        return _planar_summary(name, statistics, volumes, tags)
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
     merged = f" ({count['MergedPoints']} merged with others in their place)" if statistics["MergedPoints"] else ""
     components = "1 component" if statistics["Components"] == 1 else f"{count['Components']} components"
@@ -126,9 +138,30 @@ def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float]
     ]
 
 
+def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[float], tags: Mapping[str, int]) -> list[str]:
+    """The same in two dimensions."""
+    count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
+    center = ", ".join(f"{statistics['CenterOfMass' + axis]:.6g}" for axis in "XYZ")
+    return [
+        f"Curve {name}: {verdict(statistics)}",
+        f"  {count['InputPoints']} points, {count['InputSegments']} segments in {count['Components']} components",
+        *_scaled(statistics),
+        *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
+        "Solid",
+        f"  {count['InsideCells']} triangles inside, of {count['HullCells']} in the convex hull",
+        *([f"  area {statistics['Area']:.6g}, center of mass ({center})"] if statistics["Area"] else []),
+        *([f"  {len(areas):,} regions, of area {_first(f'{area:.6g}' for area in areas)}"] if len(areas) > 1 else []),
+        f"  {count['OutlierSegments']} outlier segments",
+        *_tags(tags),
+        f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
+        f"Time {statistics['SecondsTotal']:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+        *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
+    ]
+
+
 def seams(statistics: Mapping[str, float]) -> list[str]:
     """That the boundary does not tell points apart which are copies for textures' seams."""
-    copies = int(statistics["SeamPoints"])
+    copies = int(statistics.get("SeamPoints", 0))
     merged = f"{copies:,} points, copies of others with other texture coordinates or normals, were merged with these"
     return [f"{merged}; --split-seams keeps them all"] if copies > 0 else []
 

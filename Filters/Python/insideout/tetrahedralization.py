@@ -12,9 +12,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
-from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
+from .data import AnySurface, Polylines, Tetrahedra, Triangles, TriangleSurface, as_surface, as_type
 from .exporting import mesh_of_solid
-from .options import DataTerm, Engine, Options, Orientation, QuadratureOrder, Seeds, SurfaceTreatment, describe_options, in_words_of_python
+from .options import DataTerm, Dimension, Engine, Options, Orientation, QuadratureOrder, Seeds, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
 from .stages import TETRAHEDRALIZE
@@ -26,6 +26,7 @@ class Region:
     """A part of a solid, with density 1 and in the surface's units. See the array `RegionId` for which cells it has."""
 
     volume: float
+    """In two dimensions its area; the inertia is 0 then."""
     center_of_mass: Tuple[float, float, float]
     inertia: Tuple[float, float, float, float, float, float]
     """xx, yy, zz, xy, yz and xz about its own center of mass: xx is the integral of y^2 + z^2, xy that of -x y."""
@@ -33,16 +34,19 @@ class Region:
 
 @dataclass(frozen=True, repr=False)
 class Tetrahedralization(Result):
-    """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays."""
+    """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays.
 
-    solid: Tetrahedra
+    In two dimensions solid and hull are `Triangles`, boundary and outliers `Polylines`.
+    """
+
+    solid: Union[Tetrahedra, Triangles]
     """The tetrahedra inside, with `w` and `RegionId` per cell, refined where that was asked for. Empty, with a warning, when
     nothing is inside."""
-    boundary: TriangleSurface
+    boundary: Union[TriangleSurface, Polylines]
     """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle."""
-    outliers: TriangleSurface
+    outliers: Union[TriangleSurface, Polylines]
     """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
-    hull: Tetrahedra
+    hull: Union[Tetrahedra, Triangles]
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
     statistics: dict[str, float]
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
@@ -55,10 +59,19 @@ class Tetrahedralization(Result):
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
 
+    def is_planar(self) -> bool:
+        """Whether it has two dimensions."""
+        return isinstance(self.hull, Triangles)
+
     @property
     def regions(self) -> list[Region]:
         """The parts of the solid that faces connect, by their `RegionId`."""
-        fields = self.hull.GetFieldData()
+        if self.is_planar():
+            fields = self.hull.GetFieldData()
+            areas, centers = (vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Area", "CenterOfMass"))
+            return [Region(area, (x, y, z), (0.0,) * 6) for area, (x, y, z) in zip(areas, centers)]
+        # What a remeshed boundary encloses is told by the solid; one that is empty has no regions.
+        fields = (self.solid if self.solid.GetFieldData().HasArray("RegionVolume") else self.hull).GetFieldData()
         volumes, centers, inertias = (
             vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")
         )
@@ -78,11 +91,11 @@ class Tetrahedralization(Result):
     def figures(self) -> list[tuple[str, str]]:
         least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
         return [
-            ("tetrahedra inside", counted(int(self.statistics["InsideCells"]))),
+            ("triangles inside" if self.is_planar() else "tetrahedra inside", counted(int(self.statistics["InsideCells"]))),
             *([("refined to", counted(int(self.statistics["RefinedCells"])))] if "RefinedCells" in self.statistics else []),
             ("in the convex hull", counted(self.hull.GetNumberOfCells())),
             ("regions", counted(len(self.regions))),
-            ("boundary triangles", counted(self.boundary.GetNumberOfCells())),
+            ("boundary lines" if self.is_planar() else "boundary triangles", counted(self.boundary.GetNumberOfCells())),
             ("outliers", counted(self.outliers.GetNumberOfCells())),
             ("winding numbers", f"{least:.6g} to {most:.6g}"),
             *(("", warning) for warning in self.warnings),
@@ -100,7 +113,7 @@ class Tetrahedralization(Result):
         is NaN at the other's cells, or -1, or 0 where it has no sign; FacetIds, of four components, becomes FacetIds_0
         to _3, for few formats have four.
         """
-        return mesh_of_solid(self.solid, self.boundary)
+        return self.solid.to_meshio() if isinstance(self.solid, Triangles) else mesh_of_solid(self.solid, self.boundary)
 
 
 @describe_options
@@ -108,6 +121,7 @@ def tetrahedralize(
     surface: AnySurface,
     *,
     scale: Optional[float] = None,
+    dimension: Dimension = "automatic",
     gamma: Optional[float] = None,
     sigma: Optional[float] = None,
     orientation: Orientation = "automatic",
@@ -137,7 +151,7 @@ def tetrahedralize(
     seeds: Optional[Seeds] = None,
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
-    """Tetrahedra of the solid that a surface most likely means.
+    """Tetrahedra of the solid that a surface most likely means; or, of lines or polygons in a plane, triangles.
 
     surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done; what it
@@ -165,6 +179,10 @@ def tetrahedralize(
     add_statistic("Scale", options.factor(), hull)
     solid = inside_cells(hull)
     statistics = statistics_of(hull)
+    is_planar = statistics.get("Dimension") == 2
+    if is_planar and options.refines():
+        raise Error("the input lies in a plane, where refine cannot make better cells: it refines tetrahedra")
+    cells, faces = (Triangles, Polylines) if is_planar else (Tetrahedra, TriangleSurface)
     if options.refines() and solid.GetNumberOfCells() > 0:
         tetrahedralizer.ExtractInsideOn()
         tetrahedralizer.RefineOn()
@@ -172,10 +190,10 @@ def tetrahedralize(
         solid = tetrahedralizer.GetOutput()
         statistics.update(statistics_of(solid))
     return Tetrahedralization(
-        solid=as_type(Tetrahedra, solid),
-        boundary=as_type(TriangleSurface, tetrahedralizer.GetBoundary()),
-        outliers=as_type(TriangleSurface, tetrahedralizer.GetOutliers()),
-        hull=as_type(Tetrahedra, hull),
+        solid=as_type(cells, solid),
+        boundary=as_type(faces, tetrahedralizer.GetBoundary()),
+        outliers=as_type(faces, tetrahedralizer.GetOutliers()),
+        hull=as_type(cells, hull),
         statistics=statistics,
         left_out_cells=cells_of(hull, "LeftOutCellIds"),
         turned_cells=cells_of(hull, "TurnedCellIds"),

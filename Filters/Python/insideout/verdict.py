@@ -8,6 +8,9 @@ from typing import Mapping, Sequence
 
 def verdict(statistics: Mapping[str, float]) -> str:
     """In one sentence, by the statistics of vtkSurfaceDefects or of a filter that finds winding numbers."""
+    if statistics.get("Dimension", 3) == 2:
+        area = statistics["Area"]
+        return f"bounds an area of {area:.6g} in a plane" if area > 0 else "bounds no area in its plane"
     solids = statistics["ClosedShells"] + statistics["HoledShells"]
     sheets = counted(statistics["SheetShells"], "sheet")
     if statistics.get("Planar", 0):

@@ -15,11 +15,13 @@ from .data import corners_of
 
 PANEL_WIDTH, HEIGHT = 800, 900
 WIDTH_USED, HEIGHT_USED = 0.92, 0.77  # of a panel; the rest is for words
+FLAT_HEIGHT_USED = 0.7
 
 PLACES, SQUARES = 20000, 48  # of an outline: places on the surface, seen through so many squares each way
 EVEN_STEPS = (0.7548776662466927, 0.5698402909980532)  # multiples of these, modulo 1, fill a square evenly
 VERY_FLAT = 1 / 3  # of its lesser width
 MUCH_LONGER = 1.1
+STEEP = 0.9  # an axis whose part along a plane's normal is larger is no way up in it
 
 
 def places_on(points: NDArray[np.float64], corners: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -96,4 +98,35 @@ class View:
         camera.SetViewUp(*self.up)
         width, height = self.size
         camera.SetParallelScale(0.5 * max(width * HEIGHT / PANEL_WIDTH / WIDTH_USED, height / HEIGHT_USED))
+        renderer.ResetCameraClippingRange()
+
+
+class ViewFromAbove:
+    """Where triangles in a plane are seen from: straight, so that they run counter-clockwise.
+
+    Up is what it is told, or else y, or z in a plane without y; in any case as near as the plane allows.
+    """
+
+    def __init__(self, triangles: vtkPolyData, up: Optional[str] = None):
+        points = vtk_to_numpy(triangles.GetPoints().GetData()).astype(float)
+        a, b, c = (points[corner] for corner in corners_of(triangles.GetPolys(), 3).T)
+        normal = np.cross(b - a, c - a).sum(axis=0)
+        self.eye = normal / np.linalg.norm(normal)
+        upward = "xyz".index(up) if up else 1
+        upward = upward if abs(self.eye[upward]) < STEEP else 2 if upward != 2 else 1
+        self.up = np.eye(3)[upward] - self.eye[upward] * self.eye
+        self.up /= np.linalg.norm(self.up)
+        places = points @ np.transpose([np.cross(self.up, self.eye), self.up, self.eye])
+        low, high = places.min(axis=0), places.max(axis=0)
+        self.size = high - low
+        self.centre = (low + high) / 2 @ [np.cross(self.up, self.eye), self.up, self.eye]
+
+    def apply(self, renderer: vtkRenderer) -> None:
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(*self.centre)
+        camera.SetPosition(*(self.centre + 2 * float(np.linalg.norm(self.size)) * self.eye))
+        camera.SetViewUp(*self.up)
+        width, height = self.size[:2]
+        camera.SetParallelScale(0.5 * max(width * HEIGHT / PANEL_WIDTH / WIDTH_USED, height / FLAT_HEIGHT_USED))
         renderer.ResetCameraClippingRange()

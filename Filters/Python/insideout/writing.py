@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
-from .data import Tetrahedra, as_type
+from .data import Tetrahedra, Triangles, as_type, is_flat
 from .exporting import import_meshio, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
 from .pipeline import Error, one_of, write_bytes
@@ -48,6 +48,8 @@ def write(
     .vtp, .ply, .stl, .obj, .off
                        a surface; of a result the solid's watertight boundary
 
+    Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
+
     An earlier file stays as it was until the new one is on the disk. Raises `Error` that names the file.
     """
     if isinstance(data, Tetrahedralization):
@@ -78,7 +80,7 @@ def write_solid(
         writer.SetMshVersion(versions.index(one_of(versions, "msh_version", msh_version)))
         run_writer(writer, path)
     elif ending(path) == XDMF:
-        _write_xdmf(as_type(Tetrahedra, grid), path)
+        _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
     else:
         write_grid(grid, path)
 
@@ -99,7 +101,7 @@ def _wide(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
     return {name: values.astype(widened[values.dtype.kind]) for name, values in scalars_and_vectors(arrays).items()}
 
 
-def _write_xdmf(grid: Tetrahedra, path: str) -> None:
+def _write_xdmf(grid: Union[Tetrahedra, Triangles], path: str) -> None:
     """All in one file, as text: meshio puts numbers into a second one otherwise."""
     kind, nodes = grid.kind(), grid.cells
     cell_data = {name: [values] for name, values in _wide(grid.cell_arrays).items()}

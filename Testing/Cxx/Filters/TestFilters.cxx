@@ -141,9 +141,11 @@ private:
 
 /** Expect one error that holds `words` and three empty outputs; then that the filter still works.
  */
-void ExpectError(vtkPolyData* surface, const std::string& words)
+void ExpectError(vtkPolyData* surface, const std::string& words,
+  int dimension = vtkRobustTetrahedralize::DIMENSION_AUTOMATIC)
 {
   vtkNew<vtkRobustTetrahedralize> filter;
+  filter->SetDimension(dimension);
   Listener errors(filter, vtkCommand::ErrorEvent);
   filter->SetInputData(surface);
   filter->Update();
@@ -218,7 +220,8 @@ TEST(vtkRobustTetrahedralize, SaysThatThereAreNoPolygons)
   const vtkIdType corners[2] = { 0, 1 };
   surface->SetLines(vtkNew<vtkCellArray>());
   surface->GetLines()->InsertNextCell(2, corners);
-  ExpectError(surface, "only lines or vertices");
+  ExpectError(surface, "all points lie on one line");
+  ExpectError(surface, "only lines or vertices", vtkRobustTetrahedralize::DIMENSION_3);
 }
 
 TEST(vtkRobustTetrahedralize, SaysThatAllIsDegenerateOrFlat)
@@ -237,7 +240,7 @@ TEST(vtkRobustTetrahedralize, SaysThatAllIsDegenerateOrFlat)
   surface->GetPoints()->SetPoint(1, 1, 0, 1);
   const vtkIdType other[3] = { 1, 3, 2 };
   surface->GetPolys()->InsertNextCell(3, other);
-  ExpectError(surface, "plane");
+  ExpectError(surface, "plane", vtkRobustTetrahedralize::DIMENSION_3);
 }
 
 TEST(vtkRobustTetrahedralize, CanBeStoppedInEveryStageAndRunAgain)

@@ -20,6 +20,7 @@
 
 using namespace insideout;
 using testmeshes::ExpectRefinementLaws;
+using testtetrahedra::Part;
 
 namespace
 {
@@ -32,29 +33,15 @@ RefinedMesh Refined(const TetrahedralMesh& mesh, const std::vector<Id>& regions 
   return RefineTetrahedra(mesh, regions, all, monitor);
 }
 
-/** The cells of a mesh that are inside, as a mesh of their own. */
-TetrahedralMesh Part(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
-{
-  std::vector<Tetrahedron> cells;
-  for (std::size_t c = 0; c < inside.size(); ++c)
-  {
-    if (inside[c] != 0)
-    {
-      cells.push_back(mesh.Cells[c]);
-    }
-  }
-  return ConnectCells(mesh.Points, cells);
-}
-
 /** A cube of edge 1 of so many cubes along each axis, each of six tetrahedra. */
 TetrahedralMesh Cube(int size)
 {
-  TetrahedralMesh grid = testtetrahedra::Grid(0, size);
+  TetrahedralMesh grid = testtetrahedra::EvenGrid(size);
   for (Point& p : grid.Points)
   {
     for (double& x : p)
     {
-      x = std::round(x / 100) / size; // the grid's points are moved by less than 10
+      x = x / 100 / size;
     }
   }
   return ConnectCells(grid.Points, grid.Cells);

@@ -18,6 +18,8 @@
 using namespace insideout;
 using testmeshes::ExpectRemeshingLaws;
 using testmeshes::ExpectSplitLaws;
+using testtetrahedra::EvenGrid;
+using testtetrahedra::Part;
 
 namespace
 {
@@ -50,34 +52,6 @@ double StatisticOf(const RefinedMesh& refined, const std::string& name)
     [&](const auto& entry) { return entry.first == name; });
   EXPECT_NE(found, refined.Statistics.end()) << name;
   return found == refined.Statistics.end() ? -1 : found->second;
-}
-
-/** The cells of a mesh that are inside, as a mesh of their own. */
-TetrahedralMesh Part(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
-{
-  std::vector<Tetrahedron> cells;
-  for (std::size_t c = 0; c < inside.size(); ++c)
-  {
-    if (inside[c] != 0)
-    {
-      cells.push_back(mesh.Cells[c]);
-    }
-  }
-  return ConnectCells(mesh.Points, cells);
-}
-
-/** Cubes of edge 100, `size` along each axis, with points where the grid had them before noise. */
-TetrahedralMesh EvenGrid(int size)
-{
-  TetrahedralMesh grid = testtetrahedra::Grid(0, size);
-  for (Point& p : grid.Points)
-  {
-    for (double& x : p)
-    {
-      x = 100 * std::round(x / 100); // the grid's points are moved by less than 10
-    }
-  }
-  return ConnectCells(grid.Points, grid.Cells);
 }
 
 /** A ball of radius 1, made of a cube whose points are drawn to spheres. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/TestTetrahedra.h"
 
+#include "GraphCut/ConnectCells.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -170,6 +172,32 @@ TetrahedralMesh Grid(unsigned seed, int size)
   }
   Connect(mesh);
   return mesh;
+}
+
+TetrahedralMesh EvenGrid(int size)
+{
+  TetrahedralMesh grid = Grid(0, size);
+  for (Point& p : grid.Points)
+  {
+    for (double& x : p)
+    {
+      x = 100 * std::round(x / 100); // the grid's points are moved by less than 10
+    }
+  }
+  return ConnectCells(grid.Points, grid.Cells);
+}
+
+TetrahedralMesh Part(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
+{
+  std::vector<Tetrahedron> cells;
+  for (std::size_t c = 0; c < inside.size(); ++c)
+  {
+    if (inside[c] != 0)
+    {
+      cells.push_back(mesh.Cells[c]);
+    }
+  }
+  return ConnectCells(mesh.Points, cells);
 }
 
 bool AllPositive(const TetrahedralMesh& mesh)

@@ -16,6 +16,12 @@ using namespace insideout;
  */
 TetrahedralMesh Grid(unsigned seed, int size);
 
+/** The same without noise: every point a multiple of 100. */
+TetrahedralMesh EvenGrid(int size);
+
+/** The cells of a mesh that are inside, as a mesh of their own. */
+TetrahedralMesh Part(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
+
 /** Whether every cell has a positive volume, exactly. */
 bool AllPositive(const TetrahedralMesh& mesh);
 

@@ -72,6 +72,45 @@ TEST(PolylineWindingNumber, EqualsTheSumOfAnglesOnAndOffThePolylines)
   }
 }
 
+TEST(PolylineWindingNumber, EqualsTheSumOfAnglesOfThousandsOfOpenEnds)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Polylines many;
+  for (int i = 0; i < 2000; ++i)
+  {
+    // Here and there clusters, of which some are tiny.
+    const double size = std::pow(10.0, -(i % 12));
+    const double x = std::floor(4 * uniform(random)) / 4;
+    const double y = std::floor(4 * uniform(random)) / 4;
+    many.Points.push_back({ x + size * uniform(random), y + size * uniform(random) });
+    many.Points.push_back({ x + size * uniform(random), y + size * uniform(random) });
+    many.Segments.push_back({ 2 * i, 2 * i + 1, 1 + i % 3 });
+  }
+  const PolylineWindingNumber w(many.Points, many.Segments);
+  for (int i = 0; i < 400; ++i)
+  {
+    const PlanarPoint& near = many.Points[random() % many.Points.size()];
+    const double distance = std::pow(10.0, -(i % 10));
+    const PlanarPoint p = { near[0] + distance * (uniform(random) - 0.5),
+      near[1] + distance * (uniform(random) - 0.5) };
+    EXPECT_NEAR(w.At(p), SumInQuads(many.Points, many.Segments, p), 1e-11);
+  }
+}
+
+TEST(PolylineWindingNumber, IsAskedAtTheExactMeanOfThreePoints)
+{
+  // A segment passes between the mean and what it is rounded to, for it is rounded to a corner.
+  const double up = std::nextafter(1.0, 2.0);
+  const std::vector<PlanarPoint> points = { { 0, 0 }, { 1, 1 }, { up, up }, { 1, up }, { 3, 0.5 },
+    { 3, 3 }, { 0, 3 } };
+  const PolylineWindingNumber w(
+    points, { { 0, 1, 1 }, { 1, 4, 1 }, { 4, 5, 1 }, { 5, 6, 1 }, { 6, 0, 1 } });
+  EXPECT_EQ(w.AtMean(points[1], points[2], points[3]), 1);
+  EXPECT_EQ(w.AtMean({ 0, 0 }, { 1, 1 }, { 1, std::nextafter(1.0, 0.0) }), 0);
+  EXPECT_EQ(w.AtMean({ 0, 0 }, { 1, 1 }, { 1, up }), 1);
+}
+
 TEST(PolylineWindingNumber, IsAWholeNumberOffClosedPolylines)
 {
   std::mt19937 random(1);

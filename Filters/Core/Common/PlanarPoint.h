@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace insideout
+{
+/** A place in a plane, by two coordinates. */
+using PlanarPoint = std::array<double, 2>;
+
+/**
+ * How long and how far apart in angle things are whose two coordinates are not along perpendicular
+ * axes: the map of coordinates (x, y) to perpendicular ones of unit length, (XX x + XY y, YY y),
+ * with XX and YY above 0. Lines of equal y stay such lines, and keep their direction.
+ */
+struct PlanarMetric
+{
+  double XX = 1;
+  double XY = 0;
+  double YY = 1;
+
+  PlanarPoint Map(const PlanarPoint& p) const
+  {
+    return { this->XX * p[0] + this->XY * p[1], this->YY * p[1] };
+  }
+  double Distance(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const PlanarPoint difference = this->Map({ b[0] - a[0], b[1] - a[1] });
+    return std::hypot(difference[0], difference[1]);
+  }
+  bool IsPerpendicular() const { return this->XX == 1 && this->XY == 0 && this->YY == 1; }
+};
+
+/** The area of a triangle, positive where a, b, c run counter-clockwise. */
+inline double AreaOf(
+  const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, const PlanarMetric& metric)
+{
+  return 0.5 * metric.XX * metric.YY *
+    ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+}
+} // namespace insideout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Planar/CountSegments.h"
+
+namespace insideout
+{
+/** What is wrong at a point of a curve. */
+enum class CurveDefect : unsigned char
+{
+  OpenEnd,  ///< more segments begin than end there, or the other way round
+  Crossing, ///< segments cross within both
+  TJunction ///< a point lies within a segment, or segments overlap from there on
+};
+
+/** A place where something is wrong. */
+struct CurveDefectPoint
+{
+  PlanarPoint Place;
+  Id InputPoint; ///< None for a new one
+  CurveDefect Type;
+};
+
+/** What is wrong with an input segment. */
+struct SegmentDefects
+{
+  Id Component = None; ///< of segments joined through points, by first segment; None: degenerate
+  Id SelfIntersections = 0; ///< segments that it meets beyond shared ends
+  bool Degenerate = false;
+  bool Duplicate = false; ///< an earlier segment has the same two points
+};
+
+struct CurveDefects
+{
+  std::vector<SegmentDefects> Segments; ///< one per segment of the soup
+  std::vector<CurveDefectPoint> Points; ///< by type
+  CurveCounts Counts;
+  std::size_t IntersectingPairs = 0;
+};
+
+/**
+ * What is wrong with a curve in a plane, which nothing is changed in.
+ *
+ * @throws Error what CountSegments and ResolveSegments throw
+ */
+CurveDefects FindCurveDefects(const SegmentSoup& soup, const Plane& plane,
+  const CountedChainParameters& parameters, Monitor& monitor);
+} // namespace insideout

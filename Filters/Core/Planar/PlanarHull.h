@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Orient/OrientFacets.h"
+#include "Planar/CountSegments.h"
+#include "Planar/FindPlane.h"
+#include "Planar/PlanarCurve.h"
+
+namespace insideout
+{
+struct PlanarHullParameters
+{
+  CountedChainParameters Chain;
+  insideout::Orientation Orientation = insideout::Orientation::Automatic;
+};
+
+/** The convex hull of a curve in triangles, and the curve's winding number in each. */
+struct PlanarHull
+{
+  insideout::Plane Plane;
+  SegmentComplex Curve; ///< resolved; segments turned over as the orientation asked for
+  PlanarMesh Mesh;
+  std::vector<double> W; ///< one per cell
+  CurveCounts Counts;
+  std::vector<Id> MergedInto;         ///< as CountedCurve's
+  std::vector<Id> DegenerateSegments; ///< as CountedCurve's
+  std::vector<Id> TurnedSegments;     ///< of the soup: turned over; ascending
+  insideout::Statistics Statistics;
+  std::vector<std::string> Warnings;
+};
+
+/**
+ * Stages validate to w in a row, in a plane: count the segments, cut them where they meet,
+ * triangulate the convex hull, turn segments the way that is meant, and find the winding numbers.
+ *
+ * @throws Error whatever the stages throw
+ */
+PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
+  const PlanarHullParameters& parameters, Monitor& monitor);
+} // namespace insideout

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Planar/SegmentTriangles.h"
+
+#include "Common/BoxTree.h"
+#include "Common/PointPredicates.h"
+#include "Common/Stages.h"
+#include "Planar/PlanarManifold.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+Point Flat(const PlanarPoint& p)
+{
+  return { { p[0], p[1], 0 } };
+}
+
+/** Whether the point lies in the cell or on its boundary. */
+bool Contains(const std::vector<PlanarPoint>& points, const Triangle& cell, const PlanarPoint& p)
+{
+  return Orient2D(points[cell[0]], points[cell[1]], p) >= 0 &&
+    Orient2D(points[cell[1]], points[cell[2]], p) >= 0 &&
+    Orient2D(points[cell[2]], points[cell[0]], p) >= 0;
+}
+
+SeededCells FindSeededTriangles(const std::vector<PlanarPoint>& points, const PlanarMesh& mesh,
+  const Plane& plane, const std::vector<Seed>& seeds)
+{
+  std::vector<Box> boxes;
+  for (std::size_t c = 0; !seeds.empty() && c < mesh.Cells.size(); ++c)
+  {
+    Box box = Box::Empty();
+    for (const Id p : mesh.Cells[c])
+    {
+      box.Add(Flat(points[p]));
+    }
+    boxes.push_back(box);
+  }
+  const BoxTree tree(std::move(boxes));
+  return FindSeededCells(seeds, mesh.NumberOfCells(),
+    [&](const Point& seed)
+    {
+      const PlanarPoint place = plane.Project(plane.Foot(seed));
+      Id found = None;
+      tree.Visit({ Flat(place), Flat(place) },
+        [&](Id cell)
+        {
+          if ((found == None || cell < found) && Contains(points, mesh.Cells[cell], place))
+          {
+            found = cell;
+          }
+        });
+      return found;
+    });
+}
+
+std::vector<double> CellAreas(
+  const std::vector<PlanarPoint>& points, const PlanarMesh& mesh, const PlanarMetric& metric)
+{
+  std::vector<double> areas;
+  areas.reserve(mesh.Cells.size());
+  for (const Triangle& cell : mesh.Cells)
+  {
+    areas.push_back(std::abs(AreaOf(points[cell[0]], points[cell[1]], points[cell[2]], metric)));
+  }
+  return areas;
+}
+} // namespace
+
+std::vector<InteriorFace> InteriorEdges(
+  const std::vector<PlanarPoint>& points, const PlanarMesh& mesh, const PlanarMetric& metric)
+{
+  std::vector<InteriorFace> edges;
+  edges.reserve(mesh.Cells.size() + mesh.Cells.size() / 2);
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (mesh.Neighbors[cell][k] > cell)
+      {
+        const Segment edge = EdgeOf(mesh.Cells[cell], k);
+        edges.push_back(
+          { cell, mesh.Neighbors[cell][k], metric.Distance(points[edge[0]], points[edge[1]]) });
+      }
+    }
+  }
+  return edges;
+}
+
+std::vector<FacetPiece> PiecesOfSegments(
+  const PlanarMesh& mesh, const std::vector<unsigned char>& chosen)
+{
+  std::vector<FacetPiece> pieces;
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id segment = mesh.Segments[cell][k];
+      const Id beyond = mesh.Neighbors[cell][k];
+      if (segment != None && (beyond == None || beyond > cell) &&
+        (chosen.empty() || chosen[segment]))
+      {
+        pieces.push_back({ cell, beyond, segment });
+      }
+    }
+  }
+  return pieces;
+}
+
+MeshSegmentation SegmentTriangles(const SegmentComplex& curve, const PlanarMesh& mesh,
+  const Plane& plane, const std::vector<double>& w, const std::vector<FacetPiece>& pieces,
+  const std::vector<Seed>& seeds, const SegmentMeshParameters& parameters, Monitor& monitor)
+{
+  monitor.Check(Stages::Segmenting, 0);
+  SeededCells seeded = FindSeededTriangles(curve.Points, mesh, plane, seeds);
+  CellGraph graph = { w, InteriorEdges(curve.Points, mesh, plane.Metric),
+    parameters.Cut.DataTerm == DataTerm::VolumeWeighted
+      ? CellAreas(curve.Points, mesh, plane.Metric)
+      : std::vector<double>() };
+  return SegmentCells(
+    std::move(graph), std::move(seeded), pieces, parameters,
+    [&](GreedyLabels& labels, Monitor& watch, double begin, double end)
+    {
+      PlanarManifold manifold(curve.Points.size(), mesh);
+      return manifold.Satisfy(labels, watch, begin, end);
+    },
+    monitor);
+}
+} // namespace insideout

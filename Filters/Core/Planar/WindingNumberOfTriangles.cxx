@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Planar/WindingNumberOfTriangles.h"
+
+#include "Common/ChunkedLoop.h"
+#include "Common/LoopProgress.h"
+#include "Common/PointPredicates.h"
+#include "Common/Stages.h"
+#include "Planar/CountSegments.h"
+#include "WindingNumber/PolylineWindingNumber.h"
+#include "WindingNumber/SpatialOrder.h"
+
+namespace insideout
+{
+namespace
+{
+/** From cell to cell, breadth first from the hull. */
+std::vector<double> Walk(const SegmentComplex& curve, const PlanarMesh& mesh, Monitor& monitor)
+{
+  std::vector<double> w(mesh.Cells.size(), 0);
+  std::vector<char> isReached(mesh.Cells.size(), 0);
+  std::vector<Id> reached;
+  reached.reserve(mesh.Cells.size());
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (mesh.Neighbors[cell][k] == None && !isReached[cell])
+      {
+        isReached[cell] = 1;
+        w[cell] = MultiplicityOnEntering(curve, mesh, cell, k);
+        reached.push_back(cell);
+      }
+    }
+  }
+  const LoopProgress progress(monitor, { Stages::WindingNumbers, 0, 1 }, mesh.Cells.size());
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    progress.Check(i);
+    const Id cell = reached[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id next = mesh.Neighbors[cell][k];
+      if (next != None && !isReached[next])
+      {
+        isReached[next] = 1;
+        w[next] = w[cell] - MultiplicityOnEntering(curve, mesh, cell, k);
+        reached.push_back(next);
+      }
+    }
+  }
+  return w;
+}
+
+double AtBarycentre(const PolylineWindingNumber& w, const std::array<PlanarPoint, 3>& corners)
+{
+  PlanarPoint middle;
+  for (int k = 0; k < 2; ++k)
+  {
+    middle[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3; // coordinates are below 1
+  }
+  bool isWithin = true;
+  for (int k = 0; k < 3; ++k)
+  {
+    isWithin = isWithin && Orient2D(corners[k], corners[(k + 1) % 3], middle) > 0;
+  }
+  return isWithin ? w.At(middle) : w.AtMean(corners[0], corners[1], corners[2]);
+}
+
+std::vector<double> Evaluate(
+  const SegmentComplex& curve, const PlanarMesh& mesh, const PlanarMetric& metric, Monitor& monitor)
+{
+  std::vector<CountedSegment> segments;
+  segments.reserve(curve.Segments.size());
+  for (Id s = 0; s < curve.NumberOfSegments(); ++s)
+  {
+    segments.push_back({ curve.Segments[s][0], curve.Segments[s][1], curve.Multiplicity[s] });
+  }
+  const PolylineWindingNumber number(curve.Points, segments, metric);
+  std::vector<double> w(mesh.Cells.size());
+  // Neighbours one after the other ask for what the cache still has.
+  std::vector<Point> places;
+  places.reserve(mesh.Cells.size());
+  for (const Triangle& cell : mesh.Cells)
+  {
+    const PlanarPoint& corner = curve.Points[cell[0]];
+    places.push_back({ { corner[0], corner[1], 0 } });
+  }
+  const std::vector<Id> order = SpatialOrder(places);
+  const double nanosecondsPerCell = 10000;
+  ChunkedLoop(mesh.NumberOfCells(), nanosecondsPerCell, monitor, { Stages::WindingNumbers, 0, 1 },
+    [&](Id i)
+    {
+      const Id cell = order[i];
+      const Triangle& corners = mesh.Cells[cell];
+      w[cell] = AtBarycentre(number,
+        { { curve.Points[corners[0]], curve.Points[corners[1]], curve.Points[corners[2]] } });
+    });
+  return w;
+}
+} // namespace
+
+std::vector<double> WindingNumberOfTriangles(
+  const SegmentComplex& curve, const PlanarMesh& mesh, const PlanarMetric& metric, Monitor& monitor)
+{
+  const bool canWalk =
+    NumberOfOpenEnds(curve) == 0 && curve.NumberOfConstraints == curve.NumberOfSegments();
+  std::vector<double> w =
+    canWalk ? Walk(curve, mesh, monitor) : Evaluate(curve, mesh, metric, monitor);
+  monitor.Check(Stages::WindingNumbers, 1);
+  return w;
+}
+} // namespace insideout

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindingNumber/ArgumentSum.h"
+
+#include "WindingNumber/Pi.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace insideout
+{
+namespace
+{
+/** Places of a leaf: their arctangents cost about what a series does. */
+constexpr std::size_t LeafSize = 8;
+
+/** How many terms a series needs where it is at least so many radii away: then what is cut off is
+ * below 2^-53 for each place. */
+struct Precision
+{
+  double Radii;
+  int Terms;
+};
+constexpr std::array<Precision, 3> Precisions = { { { 100, 8 }, { 10, 16 }, { 3, 32 } } };
+constexpr std::size_t MostTerms = 32;
+
+/** Nearer than that squares underflow. */
+constexpr double LeastDistance = 1e-140;
+} // namespace
+
+ArgumentSum::ArgumentSum(std::vector<CountedPlace> places, const PlanarMetric& metric)
+  : Places(std::move(places))
+  , Metric(metric)
+{
+  if (!this->Places.empty())
+  {
+    this->Build(0, this->Places.size());
+  }
+}
+
+ArgumentSum::Complex ArgumentSum::Direction(const PlanarPoint& to, const PlanarPoint& from) const
+{
+  const PlanarPoint mapped = this->Metric.Map({ to[0] - from[0], to[1] - from[1] });
+  return { mapped[0] + 0.0, mapped[1] + 0.0 }; // adding 0: no -0
+}
+
+void ArgumentSum::Build(std::size_t begin, std::size_t end)
+{
+  const std::size_t index = this->Nodes.size();
+  PlanarPoint low = this->Places[begin].Place;
+  PlanarPoint high = low;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      low[k] = std::min(low[k], this->Places[i].Place[k]);
+      high[k] = std::max(high[k], this->Places[i].Place[k]);
+    }
+  }
+  Node node = { { low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2 }, 0, 0, begin, end, 0,
+    this->Moments.size() };
+  this->Moments.resize(this->Moments.size() + MostTerms);
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Complex offset = this->Direction(this->Places[i].Place, node.Center);
+    node.Radius = std::max(node.Radius, std::abs(offset));
+    node.Count += this->Places[i].Count;
+    Complex power = this->Places[i].Count;
+    for (std::size_t k = 0; k < MostTerms; ++k)
+    {
+      power *= -offset;
+      this->Moments[node.Moments + k] -= power / static_cast<double>(k + 1);
+    }
+  }
+  this->Nodes.push_back(node);
+  if (end - begin > LeafSize)
+  {
+    const int axis = high[0] - low[0] > high[1] - low[1] ? 0 : 1;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto first = this->Places.begin();
+    std::nth_element(first + static_cast<std::ptrdiff_t>(begin),
+      first + static_cast<std::ptrdiff_t>(middle), first + static_cast<std::ptrdiff_t>(end),
+      [axis](const CountedPlace& a, const CountedPlace& b)
+      { return a.Place[axis] < b.Place[axis]; });
+    this->Build(begin, middle);
+    this->Build(middle, end);
+  }
+  this->Nodes[index].Next = this->Nodes.size();
+}
+
+/** Of a node whose center is in a direction. */
+double ArgumentSum::FarField(const Node& node, const Complex& center, int terms) const
+{
+  const Complex inverse = std::conj(center) / std::norm(center);
+  const Complex* moments = &this->Moments[node.Moments];
+  double re = 0; // Horner's rule, by hand: products of std::complex look for infinities
+  double im = 0;
+  for (int k = terms; k-- > 0;)
+  {
+    const double x = re + moments[k].real();
+    const double y = im + moments[k].imag();
+    re = x * inverse.real() - y * inverse.imag();
+    im = x * inverse.imag() + y * inverse.real();
+  }
+  return node.Count * std::atan2(center.imag(), center.real()) + im;
+}
+
+double ArgumentSum::At(const PlanarPoint& p) const
+{
+  double sum = 0;
+  for (std::size_t n = 0; n < this->Nodes.size();)
+  {
+    const Node& node = this->Nodes[n];
+    const Complex center = this->Direction(node.Center, p);
+    const double distance = std::sqrt(std::norm(center));
+    const bool isAwayFromJump = center.real() > 0 || std::abs(center.imag()) > node.Radius;
+    const auto precision = std::find_if(Precisions.begin(), Precisions.end(),
+      [&](const Precision& one)
+      { return distance > std::max(one.Radii * node.Radius, LeastDistance); });
+    if (isAwayFromJump && precision != Precisions.end())
+    {
+      sum += this->FarField(node, center, precision->Terms);
+      n = node.Next;
+      continue;
+    }
+    if (node.Next == n + 1) // a leaf
+    {
+      for (std::size_t i = node.Begin; i < node.End; ++i)
+      {
+        const Complex direction = this->Direction(this->Places[i].Place, p);
+        sum += this->Places[i].Count * std::atan2(direction.imag(), direction.real());
+      }
+    }
+    ++n;
+  }
+  return sum / (2 * Pi);
+}
+} // namespace insideout

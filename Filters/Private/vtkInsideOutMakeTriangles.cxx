@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutMakeTriangles.h"
+
+#include "vtkInsideOutArrays.h"
+#include "vtkInsideOutAttributes.h"
+#include "vtkInsideOutMakeOutputs.h"
+#include "vtkInsideOutReadSurface.h"
+
+#include "Common/Stages.h"
+#include "Planar/PlanarOutputs.h"
+#include "Planar/ResolveSegments.h"
+#include "Planar/SegmentMeetings.h"
+#include "Planar/SegmentTriangles.h"
+#include "Planar/TriangulateHull.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkShortArray.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <tuple>
+
+using insideout::Id;
+using insideout::None;
+using insideout::OutlierReason;
+using insideout::PlanarHull;
+using insideout::Point;
+using insideout::PointOrigin;
+using insideout::Segment;
+using insideout::Stages::Extracting;
+
+namespace
+{
+/** Makes data sets that carry the input's point and cell data. */
+class Maker
+{
+public:
+  Maker(const vtkInsideOutCurve& curve, const PlanarHull& hull)
+    : Curve(curve)
+    , Hull(hull)
+  {
+    for (std::size_t p = 0; p < hull.Curve.Points.size(); ++p)
+    {
+      const PointOrigin& origin = hull.Curve.Origins[p];
+      this->Points.push_back(origin.IsInput() ? curve.Soup.Points[origin.Points[0]]
+                                              : hull.Plane.Lift(hull.Curve.Points[p]));
+    }
+    this->Origins = hull.Curve.Origins;
+    for (const Id segment : hull.TurnedSegments)
+    {
+      this->TurnedCells.push_back(curve.CellOfSegment[segment]);
+    }
+    this->TurnedCells.insert(
+      this->TurnedCells.end(), curve.TurnedCells.begin(), curve.TurnedCells.end());
+    std::sort(this->TurnedCells.begin(), this->TurnedCells.end());
+    this->TurnedCells.erase(
+      std::unique(this->TurnedCells.begin(), this->TurnedCells.end()), this->TurnedCells.end());
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid();
+  vtkSmartPointer<vtkPolyData> MakeResolved();
+  vtkSmartPointer<vtkPolyData> MakeBoundary(const std::vector<unsigned char>& inside);
+  vtkSmartPointer<vtkPolyData> MakeOutliers(const std::vector<insideout::OutlierSegment>& outliers);
+  void AddLeftOutCells(vtkDataSet* output) const;
+
+  std::vector<std::string> Warnings;
+
+private:
+  vtkIdType CellOf(Id segment, int side) const
+  {
+    return this->Curve.CellOfSegment[SourceOfSegment(this->Hull.Curve, segment, side)];
+  }
+  bool IsTurned(vtkIdType cell) const
+  {
+    return std::binary_search(this->TurnedCells.begin(), this->TurnedCells.end(), cell);
+  }
+  vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Segment>& segments,
+    const std::vector<std::vector<Id>>& lines, const std::vector<vtkIdType>& cells,
+    std::initializer_list<const char*> added);
+
+  const vtkInsideOutCurve& Curve;
+  const PlanarHull& Hull;
+  std::vector<Point> Points; ///< of the mesh, in space; then ends of degenerate segments
+  std::vector<PointOrigin> Origins;
+  std::vector<vtkIdType> TurnedCells;
+};
+
+vtkSmartPointer<vtkUnstructuredGrid> Maker::MakeGrid()
+{
+  const insideout::PlanarMesh& mesh = this->Hull.Mesh;
+  const auto facetIds = vtkInsideOutMakeArray<vtkIdTypeArray>("FacetIds", mesh.NumberOfCells(), 3);
+  const auto multiplicity =
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", mesh.NumberOfCells(), 3);
+  for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id segment = mesh.Segments[cell][k];
+      facetIds->SetTypedComponent(
+        cell, k, segment == None ? -1 : this->CellOf(segment, mesh.SegmentSides[cell][k]));
+      multiplicity->SetTypedComponent(
+        cell, k, static_cast<short>(MultiplicityOnEntering(this->Hull.Curve, mesh, cell, k)));
+    }
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(vtkInsideOutMakePoints(this->Points));
+  grid->SetCells(VTK_TRIANGLE, vtkInsideOutMakeCells(mesh.Cells));
+  grid->GetCellData()->AddArray(facetIds);
+  grid->GetCellData()->AddArray(multiplicity);
+  if (!this->Hull.W.empty())
+  {
+    grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", this->Hull.W));
+  }
+  vtkInsideOutAttributes::PassPointData(
+    this->Curve.Input, this->Origins, grid->GetPointData(), this->Warnings);
+  grid->GetFieldData()->AddArray(
+    vtkInsideOutMakeArray<vtkIdTypeArray>("TurnedCellIds", this->TurnedCells));
+  return grid;
+}
+
+/** Lines of segments, each with the data of an input cell, with the points that they use. */
+vtkSmartPointer<vtkPolyData> Maker::MakeLines(const std::vector<Segment>& segments,
+  const std::vector<std::vector<Id>>& lines, const std::vector<vtkIdType>& cells,
+  std::initializer_list<const char*> added)
+{
+  std::vector<Id> index(this->Points.size(), None);
+  for (const Segment& segment : segments)
+  {
+    index[segment[0]] = index[segment[1]] = 0;
+  }
+  std::vector<Point> points;
+  std::vector<PointOrigin> origins;
+  for (std::size_t p = 0; p < index.size(); ++p)
+  {
+    if (index[p] != None)
+    {
+      index[p] = static_cast<Id>(points.size());
+      points.push_back(this->Points[p]);
+      origins.push_back(this->Origins[p]);
+    }
+  }
+  vtkInsideOutRequireMemory(static_cast<vtkIdType>(8 * segments.size() * sizeof(vtkIdType)));
+  vtkNew<vtkCellArray> polylines;
+  for (const std::vector<Id>& line : lines)
+  {
+    polylines->InsertNextCell(static_cast<int>(line.size()) + 1);
+    polylines->InsertCellPoint(index[segments[line.front()][0]]);
+    for (const Id s : line)
+    {
+      polylines->InsertCellPoint(index[segments[s][1]]);
+    }
+  }
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->SetPoints(vtkInsideOutMakePoints(points));
+  output->SetLines(polylines);
+  vtkInsideOutAttributes::PassPointData(
+    this->Curve.Input, origins, output->GetPointData(), this->Warnings);
+  vtkInsideOutAttributes::PassCellData(
+    this->Curve.Input, cells, added, output->GetCellData(), this->Warnings);
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> Maker::MakeResolved()
+{
+  const insideout::SegmentComplex& curve = this->Hull.Curve;
+  using Key = std::pair<vtkIdType, short>;
+  std::vector<Segment> segments;
+  std::vector<Key> keys;
+  std::map<Key, Id> numbers;
+  std::vector<Id> numberOf;
+  for (Id s = 0; s < curve.NumberOfConstraints; ++s)
+  {
+    segments.push_back(curve.Segments[s]);
+    keys.emplace_back(this->CellOf(s, +1), curve.Multiplicity[s]);
+    numberOf.push_back(numbers.emplace(keys.back(), static_cast<Id>(numbers.size())).first->second);
+  }
+  const std::vector<std::vector<Id>> lines = insideout::JoinAlong(segments, numberOf);
+  std::vector<vtkIdType> cells;
+  std::vector<short> multiplicity;
+  for (const std::vector<Id>& line : lines)
+  {
+    cells.push_back(keys[line.front()].first);
+    multiplicity.push_back(keys[line.front()].second);
+  }
+  auto output = this->MakeLines(segments, lines, cells, {});
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", multiplicity));
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> Maker::MakeBoundary(const std::vector<unsigned char>& inside)
+{
+  std::vector<Segment> segments;
+  std::vector<Id> keys;
+  for (const insideout::BoundaryEdge& edge : BoundaryEdges(this->Hull.Mesh, inside))
+  {
+    segments.push_back(edge.Ends);
+    keys.push_back(edge.Segment == None
+        ? None
+        : static_cast<Id>(this->CellOf(edge.Segment, edge.IsAlong ? 1 : -1)));
+  }
+  const std::vector<std::vector<Id>> lines = insideout::JoinAlong(segments, keys);
+  std::vector<vtkIdType> cells;
+  std::vector<unsigned char> turned;
+  for (const std::vector<Id>& line : lines)
+  {
+    cells.push_back(keys[line.front()]);
+    turned.push_back(this->IsTurned(cells.back()));
+  }
+  auto output = this->MakeLines(segments, lines, cells, { "Turned", "BoundaryTag" });
+  output->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", turned));
+  return output;
+}
+
+vtkSmartPointer<vtkPolyData> Maker::MakeOutliers(
+  const std::vector<insideout::OutlierSegment>& outliers)
+{
+  using Key = std::tuple<vtkIdType, short, OutlierReason>;
+  std::vector<Segment> segments;
+  std::vector<Key> keys;
+  for (const insideout::OutlierSegment& outlier : outliers)
+  {
+    segments.push_back(this->Hull.Curve.Segments[outlier.Segment]);
+    keys.emplace_back(this->CellOf(outlier.Segment, +1),
+      this->Hull.Curve.Multiplicity[outlier.Segment], outlier.Reason);
+  }
+  for (const Id s : this->Hull.DegenerateSegments)
+  {
+    const Id first = static_cast<Id>(this->Points.size());
+    for (const Id p : this->Curve.Soup.Segments[s])
+    {
+      this->Points.push_back(this->Curve.Soup.Points[p]);
+      this->Origins.push_back(PointOrigin::Input(p));
+    }
+    segments.push_back({ { first, first + 1 } });
+    keys.emplace_back(this->Curve.CellOfSegment[s], 0, OutlierReason::Degenerate);
+  }
+  std::map<Key, Id> numbers;
+  std::vector<Id> numberOf;
+  for (const Key& key : keys)
+  {
+    numberOf.push_back(numbers.emplace(key, static_cast<Id>(numbers.size())).first->second);
+  }
+  const std::vector<std::vector<Id>> lines = insideout::JoinAlong(segments, numberOf);
+  std::vector<vtkIdType> cells;
+  std::vector<short> multiplicity;
+  std::vector<unsigned char> reasons;
+  for (const std::vector<Id>& line : lines)
+  {
+    const auto& [cell, count, reason] = keys[line.front()];
+    cells.push_back(cell);
+    multiplicity.push_back(count);
+    reasons.push_back(static_cast<unsigned char>(reason));
+  }
+  const auto& names = insideout::OutlierReasonNames;
+  auto output = this->MakeLines(segments, lines, cells, { "OutlierReason" });
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkShortArray>("FacetMultiplicity", multiplicity));
+  output->GetCellData()->AddArray(
+    vtkInsideOutMakeArray<vtkUnsignedCharArray>("OutlierReason", reasons));
+  output->GetFieldData()->AddArray(
+    vtkInsideOutMakeStrings("OutlierReasonNames", { names.begin(), names.end() }));
+  return output;
+}
+
+void Maker::AddLeftOutCells(vtkDataSet* output) const
+{
+  const insideout::SegmentComplex& curve = this->Hull.Curve;
+  std::vector<vtkIdType> cells;
+  for (Id i = curve.SourceOffsets[curve.NumberOfConstraints];
+       i < static_cast<Id>(curve.Sources.size()); ++i)
+  {
+    cells.push_back(this->Curve.CellOfSegment[curve.Sources[i].Segment]);
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  output->GetFieldData()->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("LeftOutCellIds", cells));
+}
+
+/** For each segment 1 where it is a piece of a cell whose value in an array is not 0. */
+std::vector<unsigned char> ChosenSegments(
+  const vtkInsideOutCurve& curve, const PlanarHull& hull, const std::string& name)
+{
+  std::vector<unsigned char> chosen;
+  if (name.empty())
+  {
+    return chosen;
+  }
+  vtkDataArray* array = vtkInsideOutFindCellArray(curve.Input, name.c_str());
+  if (!array)
+  {
+    throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+      "the surface has no cell array " + name +
+        " of one value per cell, which is to choose facets");
+  }
+  chosen.assign(hull.Curve.Segments.size(), 0);
+  for (Id s = 0; s < hull.Curve.NumberOfSegments(); ++s)
+  {
+    for (Id i = hull.Curve.SourceOffsets[s]; i < hull.Curve.SourceOffsets[s + 1]; ++i)
+    {
+      const vtkIdType cell = curve.CellOfSegment[hull.Curve.Sources[i].Segment];
+      chosen[s] = chosen[s] || array->GetComponent(cell, 0) != 0;
+    }
+  }
+  return chosen;
+}
+
+/** What the regions weigh, as field arrays and, all together, as figures. */
+void AddAreas(const std::vector<insideout::AreaProperties>& regions, vtkDataSet* output,
+  insideout::Statistics& statistics)
+{
+  const auto count = static_cast<vtkIdType>(regions.size());
+  const auto areas = vtkInsideOutMakeArray<vtkDoubleArray>("RegionArea", count);
+  const auto centers = vtkInsideOutMakeArray<vtkDoubleArray>("RegionCenterOfMass", count, 3);
+  insideout::AreaProperties all;
+  for (vtkIdType region = 0; region < count; ++region)
+  {
+    areas->SetTypedComponent(region, 0, regions[region].Area);
+    centers->SetTypedTuple(region, regions[region].Center.data());
+    all.Area += regions[region].Area;
+    for (int k = 0; k < 3; ++k)
+    {
+      all.Center[k] += regions[region].Area * regions[region].Center[k];
+    }
+  }
+  output->GetFieldData()->AddArray(areas);
+  output->GetFieldData()->AddArray(centers);
+  statistics.emplace_back("Regions", regions.size());
+  statistics.emplace_back("Area", all.Area);
+  for (int k = 0; k < 3; ++k)
+  {
+    statistics.emplace_back(
+      std::string("CenterOfMass") + "XYZ"[k], all.Area > 0 ? all.Center[k] / all.Area : 0);
+  }
+}
+
+std::string NothingInside(const PlanarHull& hull)
+{
+  const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
+  char range[80];
+  std::snprintf(range, sizeof(range), "from %.3g to %.3g", *least, *most);
+  return std::string("no triangle is inside: the winding number w goes ") + range +
+    ". The lines enclose too little, or run clockwise: Orientation turns them over";
+}
+} // namespace
+
+namespace
+{
+PlanarHull MakeHull(const vtkInsideOutCurve& curve, insideout::PlanarHullParameters parameters,
+  insideout::Monitor& monitor)
+{
+  if (curve.ArePolygons)
+  {
+    parameters.Orientation = insideout::Orientation::AsGiven; // they were turned when read
+  }
+  return MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor);
+}
+
+/** An output of a stage with what is told of all. */
+template <typename Data>
+vtkInsideOutPlanarStage<Data> Finish(vtkSmartPointer<Data> output, const Maker& maker,
+  insideout::Statistics statistics, const vtkInsideOutCurve& curve, const PlanarHull& hull)
+{
+  statistics.insert(statistics.begin(), { "Dimension", 2 });
+  vtkInsideOutAddStatistics(statistics, output);
+  maker.AddLeftOutCells(output);
+  vtkInsideOutPlanarStage<Data> stage{ std::move(output), { vtkInsideOutTwoDimensions(curve) } };
+  for (const auto& warnings : { curve.Warnings, hull.Warnings, maker.Warnings })
+  {
+    stage.Warnings.insert(stage.Warnings.end(), warnings.begin(), warnings.end());
+  }
+  return stage;
+}
+} // namespace
+
+std::string vtkInsideOutTwoDimensions(const vtkInsideOutCurve& curve)
+{
+  return std::string(curve.ArePolygons ? "the polygons lie in one plane" : "the input is lines") +
+    ": two dimensions, triangles instead of tetrahedra";
+}
+
+vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutMakePlanarHull(
+  const vtkInsideOutCurve& curve, const insideout::PlanarHullParameters& parameters,
+  insideout::Monitor& monitor)
+{
+  const PlanarHull hull = MakeHull(curve, parameters, monitor);
+  Maker maker(curve, hull);
+  auto grid = maker.MakeGrid();
+  return Finish(grid, maker, hull.Statistics, curve, hull);
+}
+
+vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutTriangulate(const vtkInsideOutCurve& curve,
+  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor)
+{
+  PlanarHull hull;
+  hull.Plane = curve.Plane;
+  hull.Curve = CountSegments(curve.Soup, curve.Plane, parameters, monitor).Curve;
+  const insideout::SegmentMeetings meetings = FindSegmentMeetings(hull.Curve.Points,
+    hull.Curve.Segments, {}, monitor, { insideout::Stages::FindingIntersections, 0, 1 });
+  if (!meetings.Empty())
+  {
+    const Id segment =
+      meetings.Crossings.empty() ? meetings.Touches.front().Segment : meetings.Crossings.front()[0];
+    throw insideout::Error(insideout::ErrorCode::SelfIntersecting,
+      "cell " + std::to_string(curve.CellOfSegment[SourceOfSegment(hull.Curve, segment, +1)]) +
+        " meets others, the first of " + std::to_string(meetings.Pairs) +
+        " pairs of segments: run vtkResolveSelfIntersections before");
+  }
+  insideout::Stopwatch stopwatch;
+  hull.Mesh = TriangulateHull(hull.Curve, curve.Plane.Metric, monitor);
+  Maker maker(curve, hull);
+  auto grid = maker.MakeGrid();
+  return Finish(grid, maker,
+    { { "HullPoints", hull.Curve.Points.size() }, { "HullCells", hull.Mesh.NumberOfCells() },
+      { "SecondsCDT", stopwatch.Lap() } },
+    curve, hull);
+}
+
+vtkInsideOutPlanarStage<vtkPolyData> vtkInsideOutResolveLines(const vtkInsideOutCurve& curve,
+  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor)
+{
+  PlanarHull hull;
+  hull.Plane = curve.Plane;
+  const insideout::CountedCurve counted =
+    CountSegments(curve.Soup, curve.Plane, parameters, monitor);
+  insideout::ResolvedCurve resolved = ResolveSegments(counted.Curve, monitor);
+  hull.Curve = std::move(resolved.Curve);
+  insideout::Statistics statistics;
+  AddCounts(counted.Counts, statistics);
+  statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
+  statistics.emplace_back("ResolvedSegments", hull.Curve.NumberOfConstraints);
+  statistics.emplace_back(
+    "LeftOutSegments", hull.Curve.NumberOfSegments() - hull.Curve.NumberOfConstraints);
+  Maker maker(curve, hull);
+  auto lines = maker.MakeResolved();
+  return Finish(lines, maker, statistics, curve, hull);
+}
+
+vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
+  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
+  const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
+{
+  const PlanarHull hull = MakeHull(curve, options.Hull, monitor);
+  insideout::Stopwatch stopwatch;
+  const insideout::MeshSegmentation segmentation =
+    SegmentTriangles(hull.Curve, hull.Mesh, hull.Plane, hull.W,
+      PiecesOfSegments(hull.Mesh, ChosenSegments(curve, hull, options.ConstrainedArray)), seeds,
+      options.Segment, monitor);
+  insideout::Statistics statistics = { { "Dimension", 2 } };
+  statistics.insert(statistics.end(), hull.Statistics.begin(), hull.Statistics.end());
+  statistics.emplace_back("SecondsCut", stopwatch.Lap());
+  statistics.insert(
+    statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
+
+  monitor.Check(Extracting, 0);
+  Maker maker(curve, hull);
+  vtkInsideOutTriangles made;
+  made.Grid = maker.MakeGrid();
+  vtkInsideOutAddInside(segmentation.Inside, made.Grid);
+  const insideout::SolidRegions regions =
+    FindRegions(hull.Mesh, segmentation.Inside, monitor, { Extracting, 0.1, 0.2 });
+  vtkInsideOutAddRegions(regions, made.Grid);
+  if (options.ExtractInside)
+  {
+    made.Grid = vtkInsideOutExtractInside(made.Grid, monitor, { Extracting, 0.2, 0.6 });
+  }
+  made.Boundary = maker.MakeBoundary(segmentation.Inside);
+  vtkInsideOutAddTags(tags, made.Boundary);
+  monitor.Check(Extracting, 0.8);
+  const auto outliers = OutlierSegments(hull.Curve, hull.Mesh, segmentation.Inside);
+  made.Outliers = maker.MakeOutliers(outliers);
+  monitor.Check(Extracting, 1);
+
+  statistics.emplace_back(
+    "InsideCells", std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1));
+  statistics.emplace_back("OutlierSegments", outliers.size() + hull.DegenerateSegments.size());
+  AddAreas(MeasureRegions(hull.Curve, hull.Mesh, hull.Plane, regions), made.Grid, statistics);
+  statistics.emplace_back("PeakMemory", insideout::PeakMemory());
+  vtkInsideOutAddStatistics(statistics, made.Grid);
+  maker.AddLeftOutCells(made.Grid);
+  for (const auto& warnings :
+    { curve.Warnings, hull.Warnings, segmentation.Warnings, maker.Warnings })
+  {
+    made.Warnings.insert(made.Warnings.end(), warnings.begin(), warnings.end());
+  }
+  if (regions.Count == 0)
+  {
+    made.Warnings.push_back(NothingInside(hull));
+  }
+  return made;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Reads what lies in a plane of a vtkPolyData: its lines, or the edges of its polygons, as segments
+ * for the stages.
+ */
+#pragma once
+
+#include "Orient/OrientFacets.h"
+#include "Planar/FindPlane.h"
+#include "Planar/PlanarCurve.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+/** The segments of a curve, and where they came from. */
+struct vtkInsideOutCurve
+{
+  vtkSmartPointer<vtkPolyData> Input;
+  insideout::Plane Plane;                 ///< for polygons seen from where most face
+  insideout::SegmentSoup Soup;            ///< points have the input's ids
+  std::vector<vtkIdType> CellOfSegment;   ///< the input cell that each segment is a part of
+  std::vector<vtkIdType> TurnedCells;     ///< polygons that face the other way; ascending
+  bool ArePolygons = false;               ///< or else lines
+  std::vector<std::string> Warnings = {}; ///< what was passed over or turned, one line each
+};
+
+/** Whether an input is lines without polygons. */
+bool vtkInsideOutAreLines(vtkPolyData* input);
+
+/**
+ * How many dimensions an input has: 2 for lines without polygons, and for polygons in one plane
+ * exactly or but for rounding in double precision, unless they get a thickness; else 3.
+ *
+ * @param[in] asked 2 or 3 for what somebody asked for, 0 to look
+ * @param[in] thickens whether polygons become slabs
+ * @throws insideout::Error when something else is asked for
+ */
+int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens);
+
+/**
+ * The segments of the lines, polylines too, by the cell array FacetMultiplicity as often as it
+ * says; or, where there are polygons or strips, of their edges, which all count: those of two
+ * polygons side by side cancel, and shape the mesh only. Polygons are turned so that all face one
+ * way, unless the orientation says otherwise.
+ *
+ * @param[in] nonParticipating a cell array of one number per cell, which is not 0 for cells that do
+ * not count in w; none where the name is empty
+ * @throws insideout::Error that names the cell, point or array at fault, or how far points are from
+ * a plane
+ */
+vtkInsideOutCurve vtkInsideOutReadCurve(
+  vtkPolyData* input, insideout::Orientation orientation, const std::string& nonParticipating);

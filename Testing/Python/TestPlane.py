@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two dimensions in Python and on the command line: curves and flat meshes become triangles."""
+
+import json
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import insideout
+import numpy as np
+import surfaces
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+SQUARE = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)]
+SECOND = [(1, 1, 0), (3, 1, 0), (3, 3, 0), (1, 3, 0)]
+OBJ = "\n".join([*(f"v {x} {y} {z}" for x, y, z in SQUARE + SECOND), "g first", "l 1 2 3 4 1", "g second", "l 5/1 6 7 8 -4", ""])
+CSV = "\n".join(["x,y,path", *(f"{x},{y},a" for x, y, _ in [*SQUARE, SQUARE[0]]), *(f"{x},{y},b" for x, y, _ in [*SECOND, SECOND[0]]), ""])
+
+
+def two_squares() -> vtkPolyData:
+    """Two closed polylines, whose squares have a unit square in common."""
+    curve = surfaces.polydata(SQUARE + SECOND, [])
+    curve.SetLines(surfaces.polydata([], [(0, 1, 2, 3, 0), (4, 5, 6, 7, 4)]).GetPolys())
+    return curve
+
+
+def area_of(points, triangles) -> float:
+    a, b, c = (np.asarray(points)[np.asarray(triangles)[:, k]] for k in range(3))
+    return float(np.cross(b - a, c - a)[:, 2].sum() / 2)
+
+
+def grid_in(path):
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+class Function(unittest.TestCase):
+    def test_lines_become_triangles_with_views(self):
+        result = insideout.tetrahedralize(two_squares())
+        self.assertEqual(len(result.warnings), 1)
+        self.assertIn("two dimensions", result.warnings[0])
+        self.assertIsInstance(result.solid, insideout.Triangles)
+        self.assertAlmostEqual(area_of(result.solid.points, result.solid.cells), 7)
+        self.assertEqual(set(result.hull.w), {0, 1, 2})
+        self.assertEqual(result.solid.cell_arrays["FacetIds"].shape[1], 3)
+        self.assertEqual([round(region.volume, 12) for region in result.regions], [7])
+        self.assertEqual(result.statistics["Area"], 7)
+        self.assertEqual(result.statistics["Dimension"], 2)
+        lines = result.boundary.lines
+        self.assertEqual(len(lines), 2)
+        turned = sum(
+            (np.cross(result.boundary.points[line[:-1]], result.boundary.points[line[1:]])[:, 2]).sum() / 2 for line in lines
+        )
+        self.assertAlmostEqual(turned, 7)  # the inside is on the left
+        self.assertEqual(insideout.tetrahedralize(two_squares(), dimension=2).warnings, [])
+        copy = pickle.loads(pickle.dumps(result))
+        self.assertEqual(copy.solid.cells.tobytes(), result.solid.cells.tobytes())
+        self.assertIn("triangles inside", repr(result))
+
+    def test_a_flat_mesh_gives_its_triangles(self):
+        triangles = [(0, 1, 2), (0, 2, 3)]
+        result = insideout.tetrahedralize((SQUARE, triangles))
+        self.assertEqual({frozenset(cell) for cell in result.solid.cells.tolist()}, {frozenset(cell) for cell in triangles})
+        with self.assertRaisesRegex(insideout.Error, "plane"):
+            insideout.tetrahedralize((SQUARE, triangles), dimension="3")
+
+    def test_what_cannot_be_done_is_said(self):
+        for options, words in (({"refine": True}, "refine"), ({"dimension": 4}, "dimension is '4'")):
+            with self.assertRaisesRegex(insideout.Error, words):
+                insideout.tetrahedralize(two_squares(), **options)
+        with self.assertRaisesRegex(insideout.Error, "does not lie in a plane"):
+            insideout.tetrahedralize(surfaces.box(), dimension=2)
+        result = insideout.tetrahedralize(two_squares())
+        with tempfile.TemporaryDirectory() as folder:
+            for name, words in (("a.stl", "lines"), ("a.msh", "tetrahedra")):
+                with self.assertRaisesRegex(insideout.Error, words):
+                    insideout.write(result, os.path.join(folder, name))
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_a_picture_says_what_was_wrong(self):
+        result = insideout.tetrahedralize(two_squares())
+        with tempfile.TemporaryDirectory() as folder:
+            picture = os.path.join(folder, "picture.png")
+            insideout.draw(two_squares(), result.hull, picture)
+            with open(picture, "rb") as file:
+                content = file.read()
+        self.assertTrue(content.startswith(b"\x89PNG"))
+        self.assertIn(b"2 intersecting pairs", content)
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name, content=None):
+        path = os.path.join(self.folder, name)
+        if content is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(content)
+        return path
+
+    def run_on(self, source, *options):
+        command = [sys.executable, "-m", "insideout", source, self.path("out.vtu"), *options]
+        return subprocess.run(command, capture_output=True, text=True, check=False)
+
+    def test_each_kind_of_file(self):
+        insideout.write(two_squares(), self.path("curve.vtp"))
+        for source in (self.path("curve.vtp"), self.path("curve.obj", OBJ), self.path("curve.csv", CSV)):
+            with self.subTest(source):
+                report = self.path("report.json")
+                done = self.run_on(source, "--boundary", self.path("boundary.vtp"), "--report", report)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("bounds an area of 7 in a plane", done.stdout)
+                self.assertEqual(grid_in(self.path("out.vtu")).GetCellData().GetArray("FacetIds").GetNumberOfComponents(), 3)
+                with open(report, encoding="utf-8") as file:
+                    self.assertEqual(json.load(file)["statistics"]["Area"], 7)
+                reader = vtkXMLPolyDataReader()
+                reader.SetFileName(self.path("boundary.vtp"))
+                reader.Update()
+                self.assertEqual(reader.GetOutput().GetNumberOfLines(), 2)
+
+    def test_groups_of_an_obj_file_tag_the_boundary(self):
+        result = insideout.tetrahedralize(self.path("curve.obj", OBJ))
+        self.assertEqual({name: len(lines) for name, lines in result.tags.items()}, {"first": 1, "second": 1})
+
+    def test_lines_beside_faces_are_passed_over(self):
+        faces = OBJ + "f 1 2 3 4\n"
+        result = insideout.tetrahedralize(self.path("both.obj", faces))
+        self.assertEqual(result.statistics["Area"], 4)
+        self.assertTrue(any("2 lines and points were passed over" in warning for warning in result.warnings))
+
+    def test_bad_tables_and_lines_are_named(self):
+        for name, content, words in (
+            ("a.csv", "x,y\n0,0\n1,one\n", "line 3"),
+            ("b.csv", "a,b\n0,0\n", "there must be x and y"),
+            ("c.csv", "0,0\n1\n", "line 2"),
+            ("d.csv", "0,0\n1,1\n2,2\n", "one line"),
+            ("e.obj", "v 0 0 0\nv 1 0 0\nl 1 3\n", "line 3: line refers to point '3' of 2"),
+            ("f.obj", "v 0 0 0\nv 1 0 0\nl 1 x\n", "line 3"),
+        ):
+            with self.subTest(name):
+                done = self.run_on(self.path(name, content))
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(words, done.stderr)
+
+    def test_a_table_without_names_is_one_line_and_may_have_heights(self):
+        square = "\n".join(f"{x},{y},5" for x, y, _ in [*SQUARE, SQUARE[0]])
+        result = insideout.tetrahedralize(self.path("square.csv", square))
+        self.assertEqual(set(result.solid.points[:, 2]), {5})
+        self.assertEqual(result.statistics["Area"], 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
