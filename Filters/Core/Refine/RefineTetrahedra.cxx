@@ -21,6 +21,7 @@
 #include <cstdlib>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -166,33 +167,56 @@ struct SurfaceOfRun
   }
 };
 
-/** Refine the mesh; its surface is treated as is asked for, but for locked facets. */
-RefinableMesh Run(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  const SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
+/** Lock the facets whose pieces cross others. @return whether any was not locked before */
+bool LockCrossing(const RefinableMesh& mesh, SurfaceOfRun& run, Monitor& monitor, double progress)
+{
+  const Id before = run.NumberOfLocked();
+  run.Locked.resize(run.Facets.size(), 0);
+  for (const Id facet : CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress }))
+  {
+    run.Locked[facet] = 1;
+  }
+  return run.NumberOfLocked() > before;
+}
+
+/**
+ * Refine the mesh; its surface is treated as is asked for, but for locked facets.
+ * @return none where pieces of others cross, which are locked then
+ */
+std::optional<RefinableMesh> Run(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
 {
   monitor.Check(Stages::Refining, 0);
   RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
+  const std::vector<char> locked = run.Locked;
   RefinableSurface surface(
-    refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle);
+    refinable, run.Facets, locked, parameters.Surface, parameters.FeatureAngle);
   SurfaceBound bound = parameters.Surface == SurfaceTreatment::Remeshed
     ? SurfaceBound(refinable, run.Facets, run.Tolerance)
     : SurfaceBound();
   SizingField sizes(refinable, parameters.Sizes);
   CheckEstimate(sizes);
   monitor.Check(Stages::Refining, 0.05);
-  if (parameters.Surface != SurfaceTreatment::Kept)
+  const bool mayCross = parameters.Surface != SurfaceTreatment::Kept;
+  if (mayCross)
   {
     parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles()
                                                   : sizes.FollowWishes();
     CheckEstimate(sizes);
     RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
+    if (LockCrossing(refinable, run, monitor, 0.2))
+    {
+      return std::nullopt;
+    }
     sizes.FollowSurface();
   }
   ThinPoints(refinable);
   FillWithPoints(
     refinable, sizes, parameters.Sizes.MaximumVolume, monitor, { Stages::Refining, 0.2, 0.4 });
   ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
-  return refinable;
+  return mayCross && LockCrossing(refinable, run, monitor, 0.9)
+    ? std::nullopt
+    : std::optional<RefinableMesh>(std::move(refinable));
 }
 
 /** The same with facets locked until no pieces of the surface cross that did not before. */
@@ -201,25 +225,13 @@ RefinableMesh RunUntilNothingCrosses(const TetrahedralMesh& mesh, const std::vec
 {
   for (int attempt = 0;; ++attempt)
   {
-    RefinableMesh refinable = Run(mesh, regions, run, parameters, monitor);
-    if (parameters.Surface == SurfaceTreatment::Kept ||
-      run.NumberOfLocked() == static_cast<Id>(run.Facets.size()))
-    {
-      return refinable;
-    }
-    const Id before = run.NumberOfLocked();
-    run.Locked.resize(run.Facets.size(), 0);
-    for (const Id facet : CrossingFacets(refinable, monitor, { Stages::Refining, 0.9, 0.9 }))
-    {
-      run.Locked[facet] = 1;
-    }
-    if (run.NumberOfLocked() == before)
-    {
-      return refinable;
-    }
     if (attempt == MostAttempts)
     {
-      run.Locked.assign(run.Facets.size(), 1);
+      run.Locked.assign(run.Facets.size(), 1); // pieces of these are as they were
+    }
+    if (std::optional<RefinableMesh> refinable = Run(mesh, regions, run, parameters, monitor))
+    {
+      return *std::move(refinable);
     }
   }
 }
