@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/RefineTetrahedra.h"
 
-#include "Common/Box.h"
+#include "Common/BoxTree.h"
 #include "Common/PointPredicates.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
@@ -36,7 +36,7 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 constexpr int LargestOrdinaryExponent = 60;
 
 /** To refine without new crossings, with some facets kept; then all are. */
-constexpr int MostAttempts = 4;
+constexpr int MostAttempts = 10;
 
 /** Whether a face has a cell that sees it from the same side as its neighbour does. */
 bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
@@ -160,6 +160,7 @@ struct SurfaceOfRun
   std::vector<FacetOfInput> Facets;
   std::vector<char> Locked;
   double Tolerance;
+  double Reach; ///< how far pieces may be from their facets
 
   Id NumberOfLocked() const
   {
@@ -167,14 +168,35 @@ struct SurfaceOfRun
   }
 };
 
-/** Lock the facets whose pieces cross others. @return whether any was not locked before */
+/**
+ * Lock the facets whose pieces cross others, and those as near to them as a surface may move.
+ * @return whether any was not locked before
+ */
 bool LockCrossing(const RefinableMesh& mesh, SurfaceOfRun& run, Monitor& monitor, double progress)
 {
+  const std::vector<Id> crossing =
+    CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress });
+  if (crossing.empty())
+  {
+    return false;
+  }
   const Id before = run.NumberOfLocked();
   run.Locked.resize(run.Facets.size(), 0);
-  for (const Id facet : CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress }))
+  std::vector<Box> boxes;
+  for (const FacetOfInput& facet : run.Facets)
   {
-    run.Locked[facet] = 1;
+    boxes.push_back(BoundingBox({ facet.Corners.begin(), facet.Corners.end() }));
+  }
+  const BoxTree tree(boxes);
+  for (const Id facet : crossing)
+  {
+    Box around = boxes[facet];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      around.Low[axis] -= run.Reach;
+      around.High[axis] += run.Reach;
+    }
+    tree.Visit(around, [&](Id near) { run.Locked[near] = 1; });
   }
   return run.NumberOfLocked() > before;
 }
@@ -272,13 +294,14 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   const RefinementParameters& parameters, Monitor& caller)
 {
   ForwardMonitor monitor(caller);
-  SurfaceOfRun run = { FacetsOf(mesh, regions, parameters.Labels), {},
-    parameters.SurfaceTolerance };
+  SurfaceOfRun run = { FacetsOf(mesh, regions, parameters.Labels), {}, parameters.SurfaceTolerance,
+    0 };
   if (!(run.Tolerance > 0))
   {
     const Box box = BoundingBox(mesh.Points);
     run.Tolerance = RefinementParameters::DefaultTolerance * box.Extent(box.LongestAxis());
   }
+  run.Reach = parameters.Surface == SurfaceTreatment::Remeshed ? run.Tolerance : 0;
   RefinableMesh refinable = RunUntilNothingCrosses(mesh, regions, run, parameters, monitor);
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
