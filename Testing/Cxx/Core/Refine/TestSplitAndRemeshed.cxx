@@ -284,7 +284,7 @@ TEST(SplitSurface, MakesNeedlesOfASurfaceGoodCells)
 
 TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)
 {
-  const TetrahedralMesh grid = testtetrahedra::Grid(5, 4);
+  const TetrahedralMesh grid = testtetrahedra::Grid(5, 3);
   for (const RefinementParameters& parameters : { Split(), Remeshed(10, 90) })
   {
     const RefinedMesh first = Refined(grid, {}, parameters);

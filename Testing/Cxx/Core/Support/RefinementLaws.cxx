@@ -309,8 +309,7 @@ void ExpectRemeshingLaws(const TetrahedralMesh& mesh, const std::vector<Id>& reg
     for (const SurfaceFace& face : faces)
     {
       const std::array<Point, 3> t = CornersOf(points, face.Corners);
-      for (const auto& [u, v] : { std::pair(0.0, 0.0), { 1.0, 0.0 }, { 0.0, 1.0 }, { 0.5, 0.5 },
-             { 0.0, 0.5 }, { 0.5, 0.0 }, { 0.25, 0.5 }, { 0.3, 0.3 } })
+      for (const auto& [u, v] : { std::pair(0.0, 0.0), { 0.0, 0.5 }, { 0.5, 0.5 }, { 0.3, 0.3 } })
       {
         EXPECT_LE(DistanceFrom(WithinFace(t, u, v), others, otherPoints, face.Region),
           tolerance * (1 + 1e-9));
