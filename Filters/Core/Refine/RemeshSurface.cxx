@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace insideout
@@ -57,7 +58,8 @@ struct SurfaceEdge
 
   bool operator<(const SurfaceEdge& other) const
   {
-    return this->Ratio != other.Ratio ? this->Ratio < other.Ratio : this->Ends < other.Ends;
+    return std::tie(this->Ratio, this->Ends, this->Cell) <
+      std::tie(other.Ratio, other.Ends, other.Cell);
   }
 };
 

@@ -328,13 +328,20 @@ TEST(RefineTetrahedra, TakesATinyDetailOfALargeSolid)
 TEST(RefineTetrahedra, StopsAtEveryReport)
 {
   const testthreads::Allowed one(1); // with more, chance has it how often the caller reports
-  const TetrahedralMesh grid = testtetrahedra::Grid(2, 5);
-  CountingMonitor all(std::numeric_limits<int>::max());
-  RefineTetrahedra(grid, {}, {}, all);
-  ASSERT_GT(all.Reports, 5);
-  for (int allowed = 0; allowed < all.Reports; ++allowed)
+  for (const SurfaceTreatment treatment :
+    { SurfaceTreatment::Kept, SurfaceTreatment::Split, SurfaceTreatment::Remeshed })
   {
-    CountingMonitor some(allowed);
-    EXPECT_THROW(RefineTetrahedra(grid, {}, {}, some), Error) << allowed;
+    const TetrahedralMesh grid =
+      testtetrahedra::Grid(2, treatment == SurfaceTreatment::Kept ? 5 : 2);
+    RefinementParameters parameters;
+    parameters.Surface = treatment;
+    CountingMonitor all(std::numeric_limits<int>::max());
+    RefineTetrahedra(grid, {}, parameters, all);
+    ASSERT_GT(all.Reports, 5);
+    for (int allowed = 0; allowed < all.Reports; ++allowed)
+    {
+      CountingMonitor some(allowed);
+      EXPECT_THROW(RefineTetrahedra(grid, {}, parameters, some), Error) << allowed;
+    }
   }
 }
