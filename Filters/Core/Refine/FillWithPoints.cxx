@@ -24,8 +24,20 @@ namespace
 constexpr double LargestRadius = 0.8;
 constexpr double LeastSpacing = 0.7;
 
+/**
+ * Of the shortest edge of a cell: radii may be this large (Shewchuk 1998). Beside short edges of a
+ * surface cells are small then, also where lengths that are means of short and long edges are not.
+ */
+constexpr double LargestRadiusEdgeRatio = 2;
+
 /** Points nearer to another than this part of the length are taken out. */
 constexpr double CrowdedSpacing = 0.5;
+
+double ShortestEdgeOf(const std::array<Point, 4>& c)
+{
+  return std::min({ Distance(c[0], c[1]), Distance(c[0], c[2]), Distance(c[0], c[3]),
+    Distance(c[1], c[2]), Distance(c[1], c[3]), Distance(c[2], c[3]) });
+}
 
 double NearestNeighbor(const RefinableMesh& mesh, Id point, std::vector<Id>& star)
 {
@@ -108,13 +120,17 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     }
     const std::array<Point, 4> c = CornersOf(mesh.Points, mesh.Cell(cell).Corners);
     const Circumsphere sphere = CircumsphereOf(c[0], c[1], c[2], c[3]);
-    if (!IsTooLarge(mesh, sizes, cell, sphere, maximumVolume) ||
+    const double shortest = ShortestEdgeOf(c);
+    const double largest = LargestRadiusEdgeRatio * shortest;
+    const bool isThin = sphere.SquaredRadius > largest * largest;
+    if ((!isThin && !IsTooLarge(mesh, sizes, cell, sphere, maximumVolume)) ||
       !insertion.Find(cell, sphere.Center))
     {
       continue;
     }
     const double size = sizes.At(insertion.Holder(), sphere.Center);
-    if (insertion.SquaredSpacing() < LeastSpacing * LeastSpacing * size * size)
+    const double spacing = std::min(LeastSpacing * size, isThin ? shortest : size);
+    if (insertion.SquaredSpacing() < spacing * spacing)
     {
       continue;
     }

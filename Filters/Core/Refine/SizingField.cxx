@@ -18,7 +18,7 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 /** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
-constexpr double LeastShare = 1.0 / 8;
+constexpr double LeastShare = 1.0 / 4;
 
 double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
 {

@@ -11,6 +11,13 @@ namespace insideout
 {
 namespace
 {
+/**
+ * An edge is not split where another of a piece is so many times as long. Below 3/2: in a low
+ * piece, halving a short edge of 2/3 of the long one makes the other short edge 2/3 of it, and so
+ * on.
+ */
+constexpr double MostTimesLonger = 1.4;
+
 /** A cell or triangle with a point in the place of another. */
 template <class Corners>
 Corners With(Corners corners, Id point, Id instead)
@@ -20,10 +27,37 @@ Corners With(Corners corners, Id point, Id instead)
 }
 } // namespace
 
+/**
+ * Halves of a piece are half as high above a longer edge: where that cannot be split, and the
+ * others always were, pieces would become ever lower.
+ */
+bool EdgeSplitting::IsBesideLonger() const
+{
+  const std::vector<Point>& points = this->Mesh.Points;
+  const double most = MostTimesLonger * Distance(points[this->Ring.U], points[this->Ring.V]);
+  for (const Id c : this->Ring.Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (cell.Facets[k] != None && cell.Corners[k] != this->Ring.U &&
+        cell.Corners[k] != this->Ring.V)
+      {
+        const auto [p, q, r] = CornersOf(points, FaceAcross(cell.Corners, k));
+        if (std::max({ Distance(p, q), Distance(q, r), Distance(r, p) }) > most)
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 bool EdgeSplitting::Find(Id u, Id v, Id cell)
 {
   this->Mesh.Ring(u, v, cell, this->Ring);
-  if (this->Ring.IsOnFacet() && this->Surface.IsLocked(u, v))
+  if (this->Ring.IsOnFacet() && (this->Surface.IsLocked(u, v) || this->IsBesideLonger()))
   {
     return false;
   }

@@ -22,7 +22,8 @@ public:
 
   /**
    * Look for the cells around an edge of `cell`.
-   * @return false where it is locked, or where rounding leaves no room between its ends
+   * @return false where it is locked, where a piece at it has a much longer edge, or where rounding
+   * leaves no room between its ends
    */
   bool Find(Id u, Id v, Id cell);
 
@@ -30,6 +31,8 @@ public:
   Id Split(SizingField& sizes);
 
 private:
+  bool IsBesideLonger() const;
+
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SurfaceBound& Bound;

@@ -302,3 +302,39 @@ TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)
     EXPECT_EQ(Refined(large, {}, scaled).Cells.size(), first.Cells.size());
   }
 }
+
+TEST(RemeshedSurface, HasNoFlatTrianglesBesideAnEdgeThatStays)
+{
+  // Four of the six cells of a cube, so that four facets meet in its diagonal: that stays as it is.
+  // Its neighbours may not be halved again and again in its stead.
+  const TetrahedralMesh grid = EvenGrid(1);
+  std::vector<unsigned char> isTaken(grid.Cells.size(), 0);
+  isTaken[0] = 1;
+  for (std::size_t c = 1; c < grid.Cells.size(); ++c)
+  {
+    const Tetrahedron& first = grid.Cells[0];
+    const auto shared = std::count_if(grid.Cells[c].begin(), grid.Cells[c].end(),
+      [&](Id corner) { return std::find(first.begin(), first.end(), corner) != first.end(); });
+    isTaken[c] = shared == 2 ? 1 : 0;
+  }
+  ASSERT_EQ(std::count(isTaken.begin(), isTaken.end(), 1), 4);
+  const TetrahedralMesh four = Part(grid, isTaken);
+  const RefinedMesh refined = Refined(four, {}, Remeshed(1, 10));
+  ExpectRemeshingLaws(four, {}, refined, 1);
+  EXPECT_GT(refined.Cells.size(), 100U);
+  const TetrahedralMesh after = ConnectCells(refined.Points, refined.Cells);
+  double lowest = 1;
+  for (Id c = 0; c < after.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (after.Neighbors[c][k] == None)
+      {
+        const auto [p, q, r] = CornersOf(after.Points, FaceOf(after.Cells[c], k));
+        const double longest = std::max({ Distance(p, q), Distance(q, r), Distance(r, p) });
+        lowest = std::min(lowest, Length(NormalOf(p, q, r)) / (longest * longest));
+      }
+    }
+  }
+  EXPECT_GT(lowest, 0.01);
+}
