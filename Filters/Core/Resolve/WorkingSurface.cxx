@@ -11,7 +11,6 @@
 #include "Resolve/Interpolation.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -43,10 +42,7 @@ void Append(FacetComplex& surface, const Triangle& corners, const Meaning& meani
 {
   surface.Facets.push_back(corners);
   surface.Multiplicity.push_back(CheckedMultiplicity(meaning));
-  // Several pieces of one triangle may lie on each other; it is named once.
-  std::unique_copy(meaning.Sources.begin(), meaning.Sources.end(),
-    std::back_inserter(surface.Sources),
-    [](const FacetSource& a, const FacetSource& b) { return a.Triangle == b.Triangle; });
+  surface.Sources.insert(surface.Sources.end(), meaning.Sources.begin(), meaning.Sources.end());
   surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
 }
 } // namespace

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+
+#include <string>
+
+namespace insideout
+{
+/** A body as it was given: a surface, and the numbers that its points and triangles go by. */
+struct Body
+{
+  std::string Name; ///< for messages
+  TriangleSoup Soup;
+  std::vector<Id> PointIds;    ///< one per point; bodies may share numbers of points
+  std::vector<Id> TriangleIds; ///< one per triangle, ascending; no two bodies share one
+};
+
+/** A surface by itself, its points numbered from `firstPoint` on and its triangles alike. */
+Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriangle);
+
+/**
+ * The bodies of one surface. Points and triangles keep their numbers.
+ *
+ * @param[in] bodyOfTriangle one per triangle: the index of its body in `names`
+ * @throws Error InvalidParameter where a body is out of range; PointOutOfRange
+ */
+std::vector<Body> SplitBodies(const TriangleSoup& soup, const std::vector<Id>& bodyOfTriangle,
+  const std::vector<std::string>& names);
+} // namespace insideout

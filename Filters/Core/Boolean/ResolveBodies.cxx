@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boolean/ResolveBodies.h"
+
+#include "Common/Buckets.h"
+#include "Common/SortedTriangle.h"
+#include "Common/Stages.h"
+#include "Resolve/ResolveSelfIntersections.h"
+#include "Validate/MergePoints.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+namespace insideout
+{
+namespace
+{
+/** Passes on what is reported of one of several parts of a stage. */
+class PartMonitor : public Monitor
+{
+public:
+  PartMonitor(Monitor& whole, std::size_t part, std::size_t parts)
+    : Whole(whole)
+    , Part(static_cast<double>(part))
+    , Parts(static_cast<double>(parts))
+  {
+  }
+
+  bool Continue(const char* stage, double fraction) override
+  {
+    return this->Whole.Continue(stage, (this->Part + fraction) / this->Parts);
+  }
+
+private:
+  Monitor& Whole;
+  const double Part;
+  const double Parts;
+};
+
+/** Do something with a body; of what it throws the message names the body. */
+template <typename Work>
+void InTheNameOf(const Body& body, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    if (error.Code == ErrorCode::Stopped)
+    {
+      throw;
+    }
+    throw Error(error.Code, "body " + body.Name + ": " + error.what());
+  }
+}
+
+/** @throws Error TooLarge */
+void SetMultiplicity(const std::vector<int>& multiplicity, FacetComplex& surface)
+{
+  for (const int count : multiplicity)
+  {
+    if (std::abs(count) > std::numeric_limits<std::int16_t>::max())
+    {
+      throw Error(ErrorCode::TooLarge,
+        "bodies have a facet in common that counts " + std::to_string(count) +
+          " times; at most 32767 can be counted");
+    }
+    surface.Multiplicity.push_back(static_cast<std::int16_t>(count));
+  }
+}
+
+/** @param[in] places per source its facet, and whether that is turned over */
+void SetSources(const std::vector<FacetSource>& places, FacetComplex& surface)
+{
+  const Buckets<FacetSource> sources(surface.Facets.size(),
+    [&](auto visit)
+    {
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        visit(static_cast<std::size_t>(places[i].Triangle),
+          FacetSource{ static_cast<Id>(i), places[i].Reversed });
+      }
+    });
+  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
+  {
+    surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
+    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
+  }
+}
+
+class BodyResolver
+{
+public:
+  BodyResolver(std::vector<Body> bodies, const BodyParameters& parameters, Monitor& monitor)
+    : Given(std::move(bodies))
+    , Parameters(parameters)
+    , Watch(monitor)
+    , Chains(this->Given.size())
+  {
+    this->Result.Bodies.resize(this->Given.size());
+  }
+
+  ResolvedBodies Resolve();
+
+private:
+  void MergeGivenPoints();
+  void CountFacetsOfBodies();
+  void OrientBodies();
+  struct ChainPoints
+  {
+    std::vector<Point> Points;
+    std::vector<PointOrigin> Origins; ///< by the bodies' numbers
+    std::vector<Id> First;            ///< of each chain
+    std::vector<Id> Merged;
+  };
+  ChainPoints PointsOfChains() const;
+  FacetComplex Together();
+  void TakeResolved(FacetComplex resolved);
+  Id BodyOf(Id chainFacet) const;
+  void Warn(const Body& body, const std::vector<std::string>& warnings);
+
+  std::vector<Body> Given;
+  const BodyParameters& Parameters;
+  Monitor& Watch;
+
+  std::vector<FacetComplex> Chains; ///< one per body, by the body's own points and triangles
+  std::vector<Id> FirstFacet;       ///< of each chain, if the facets of all are numbered in a row
+  ResolvedBodies Result;
+};
+
+void BodyResolver::Warn(const Body& body, const std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warnings)
+  {
+    this->Result.Warnings.push_back("body " + body.Name + ": " + warning);
+  }
+}
+
+/** Points of all bodies that are within the tolerance of each other get one place. */
+void BodyResolver::MergeGivenPoints()
+{
+  std::vector<Point> points;
+  std::vector<Id> ids;
+  for (const Body& body : this->Given)
+  {
+    points.insert(points.end(), body.Soup.Points.begin(), body.Soup.Points.end());
+    ids.insert(ids.end(), body.PointIds.begin(), body.PointIds.end());
+  }
+  const std::vector<Id> merged = MergePoints(points, this->Parameters.Chain.MergeTolerance);
+  Id numberOfIds = 0;
+  for (const Id id : ids)
+  {
+    numberOfIds = std::max(numberOfIds, id + 1);
+  }
+  std::vector<Id>& mergedInto = this->Result.MergedInto;
+  mergedInto.resize(static_cast<std::size_t>(numberOfIds));
+  std::iota(mergedInto.begin(), mergedInto.end(), 0);
+  std::size_t i = 0;
+  for (Body& body : this->Given)
+  {
+    for (Point& p : body.Soup.Points)
+    {
+      p = points[merged[i]];
+      mergedInto[ids[i]] = ids[merged[i]];
+      ++i;
+    }
+  }
+}
+
+void BodyResolver::CountFacetsOfBodies()
+{
+  CountedChainParameters parameters = this->Parameters.Chain;
+  parameters.MergeTolerance = 0; // it has been seen to
+  bool isAnyThere = false;
+  for (std::size_t b = 0; b < this->Given.size(); ++b)
+  {
+    const Body& body = this->Given[b];
+    PartMonitor monitor(this->Watch, b, this->Given.size());
+    CountedChain chain;
+    InTheNameOf(body,
+      [&]()
+      {
+        try
+        {
+          chain = CountFacets(body.Soup, parameters, monitor);
+        }
+        catch (const Error& error)
+        {
+          if (error.Code != ErrorCode::EmptySurface && error.Code != ErrorCode::AllDegenerate)
+          {
+            throw;
+          }
+          chain.Warnings = { std::string(error.what()) + ": the body is empty" };
+        }
+      });
+    isAnyThere |= !chain.Surface.Facets.empty();
+    for (const Id t : chain.DegenerateTriangles)
+    {
+      this->Result.DegenerateTriangles.push_back(body.TriangleIds[t]);
+    }
+    this->Warn(body, chain.Warnings);
+    this->Result.Bodies[b].Counts = chain.Counts;
+    this->Chains[b] = std::move(chain.Surface);
+  }
+  if (!isAnyThere)
+  {
+    throw Error(ErrorCode::EmptySurface, "none of the bodies has a polygon with an area");
+  }
+}
+
+void BodyResolver::OrientBodies()
+{
+  for (std::size_t b = 0; b < this->Given.size(); ++b)
+  {
+    const Body& body = this->Given[b];
+    FacetComplex& chain = this->Chains[b];
+    if (chain.Facets.empty())
+    {
+      continue;
+    }
+    PartMonitor monitor(this->Watch, b, this->Given.size());
+    FacetTurns& turns = this->Result.Bodies[b].Turns;
+    InTheNameOf(body,
+      [&]()
+      {
+        turns = OrientFacets(chain, this->Parameters.Orientation, monitor);
+        for (const Id t : TrianglesOfFacets(chain, turns.Turned))
+        {
+          this->Result.TurnedTriangles.push_back(body.TriangleIds[t]);
+        }
+        for (const Id t : TrianglesOfFacets(chain, turns.IsSheet))
+        {
+          this->Result.SheetTriangles.push_back(body.TriangleIds[t]);
+        }
+        ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
+      });
+    this->Warn(body, turns.Warnings);
+  }
+}
+
+/** The points of all chains, and for each the lowest with its coordinates. */
+BodyResolver::ChainPoints BodyResolver::PointsOfChains() const
+{
+  ChainPoints all;
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
+  {
+    const FacetComplex& chain = this->Chains[b];
+    all.First.push_back(static_cast<Id>(all.Points.size()));
+    all.Points.insert(all.Points.end(), chain.Points.begin(), chain.Points.end());
+    for (PointOrigin origin : chain.Origins)
+    {
+      for (Id& p : origin.Points)
+      {
+        p = this->Result.MergedInto[this->Given[b].PointIds[p]];
+      }
+      all.Origins.push_back(origin);
+    }
+  }
+  all.Merged = MergePoints(all.Points, 0);
+  return all;
+}
+
+/** The chains as one complex, the sources of which are the chains' facets, numbered in a row. */
+FacetComplex BodyResolver::Together()
+{
+  FacetComplex together;
+  const ChainPoints points = this->PointsOfChains();
+  std::vector<Id> index(points.Points.size(), None);
+  std::vector<char> isShared; // per point of the complex: by several bodies
+  for (std::size_t p = 0; p < index.size(); ++p)
+  {
+    const Id lowest = points.Merged[p];
+    if (lowest == static_cast<Id>(p))
+    {
+      index[p] = static_cast<Id>(together.Points.size());
+      together.Points.push_back(points.Points[p]);
+      together.Origins.push_back(points.Origins[p]);
+      isShared.push_back(0);
+    }
+    else
+    {
+      index[p] = index[lowest];
+      isShared[index[p]] = 1;
+    }
+  }
+
+  std::unordered_map<Triangle, FacetSource, HashOfTriangle> known; // of shared points
+  std::vector<FacetSource> places; // per facet of the chains where it is, and whether turned
+  std::vector<int> multiplicity;
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
+  {
+    this->FirstFacet.push_back(static_cast<Id>(places.size()));
+    for (Id f = 0; f < this->Chains[b].NumberOfFacets(); ++f)
+    {
+      Triangle corners = this->Chains[b].Facets[f];
+      for (Id& p : corners)
+      {
+        p = index[points.First[b] + p];
+      }
+      FacetSource place = { together.NumberOfFacets(), false };
+      if (isShared[corners[0]] && isShared[corners[1]] && isShared[corners[2]])
+      {
+        const SortedTriangle sorted(corners);
+        const auto [found, isNew] =
+          known.insert({ sorted.Points, { place.Triangle, sorted.Turned } });
+        place = { found->second.Triangle, found->second.Reversed != sorted.Turned };
+      }
+      if (place.Triangle == together.NumberOfFacets())
+      {
+        together.Facets.push_back(corners);
+        multiplicity.push_back(0);
+      }
+      const int count = this->Chains[b].Multiplicity[f];
+      multiplicity[place.Triangle] += place.Reversed ? -count : count;
+      places.push_back(place);
+    }
+  }
+  SetMultiplicity(multiplicity, together);
+  SetSources(places, together);
+  together.NumberOfConstraints = together.NumberOfFacets();
+  return together;
+}
+
+/** Takes the resolved complex, and says of it in bodies and their triangles what it says in facets
+ * of the chains. */
+void BodyResolver::TakeResolved(FacetComplex resolved)
+{
+  std::vector<FacetSource> sources;
+  std::vector<Id> offsets = { 0 };
+  std::vector<BodyCount>& counts = this->Result.Counts;
+  for (Id f = 0; f < resolved.NumberOfFacets(); ++f)
+  {
+    const std::size_t firstSource = sources.size();
+    const std::size_t firstCount = counts.size();
+    for (Id s = resolved.SourceOffsets[f]; s < resolved.SourceOffsets[f + 1]; ++s)
+    {
+      const auto [facet, reversed] = resolved.Sources[s];
+      const Id body = this->BodyOf(facet);
+      const FacetComplex& chain = this->Chains[body];
+      const Id own = facet - this->FirstFacet[body];
+      const int count = reversed ? -chain.Multiplicity[own] : chain.Multiplicity[own];
+      if (counts.size() == firstCount || counts.back().Body != body)
+      {
+        counts.push_back({ body, 0 });
+      }
+      counts.back().Count += count;
+      for (Id i = chain.SourceOffsets[own]; i < chain.SourceOffsets[own + 1]; ++i)
+      {
+        sources.push_back({ this->Given[body].TriangleIds[chain.Sources[i].Triangle],
+          chain.Sources[i].Reversed != reversed });
+      }
+    }
+    counts.erase(std::remove_if(counts.begin() + firstCount, counts.end(),
+                   [](const BodyCount& count) { return count.Count == 0; }),
+      counts.end());
+    this->Result.CountOffsets.push_back(static_cast<Id>(counts.size()));
+    std::stable_sort(sources.begin() + firstSource, sources.end(),
+      [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
+    offsets.push_back(static_cast<Id>(sources.size()));
+  }
+  resolved.Sources = std::move(sources);
+  resolved.SourceOffsets = std::move(offsets);
+  this->Result.Surface = std::move(resolved);
+}
+
+Id BodyResolver::BodyOf(Id chainFacet) const
+{
+  // Of bodies that begin alike all but the last are empty.
+  const auto next = std::upper_bound(this->FirstFacet.begin(), this->FirstFacet.end(), chainFacet);
+  return static_cast<Id>(next - this->FirstFacet.begin()) - 1;
+}
+
+ResolvedBodies BodyResolver::Resolve()
+{
+  this->MergeGivenPoints();
+  this->CountFacetsOfBodies();
+  this->OrientBodies();
+  std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
+  std::sort(this->Result.TurnedTriangles.begin(), this->Result.TurnedTriangles.end());
+  std::sort(this->Result.SheetTriangles.begin(), this->Result.SheetTriangles.end());
+  Resolution resolution = ResolveSelfIntersections(this->Together(), this->Watch);
+  this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
+  this->TakeResolved(std::move(resolution.Surface));
+  return std::move(this->Result);
+}
+} // namespace
+
+std::vector<char> FindClosedBodies(
+  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges)
+{
+  std::vector<char> isClosed(bodies.Bodies.size(), 1);
+  std::vector<int> sums(bodies.Bodies.size(), 0);
+  const auto forCounts = [&](const FacetEdge* first, const FacetEdge* last, const auto& visit)
+  {
+    for (const FacetEdge* edge = first; edge != last; ++edge)
+    {
+      for (Id i = bodies.CountOffsets[edge->Facet]; i < bodies.CountOffsets[edge->Facet + 1]; ++i)
+      {
+        visit(bodies.Counts[i].Body, edge->Direction * bodies.Counts[i].Count);
+      }
+    }
+  };
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      forCounts(first, last, [&](Id body, int count) { sums[body] += count; });
+      forCounts(first, last,
+        [&](Id body, int)
+        {
+          isClosed[body] &= sums[body] == 0;
+          sums[body] = 0;
+        });
+    });
+  return isClosed;
+}
+
+FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body)
+{
+  FacetComplex complex = bodies.Surface;
+  for (Id f = 0; f < complex.NumberOfFacets(); ++f)
+  {
+    complex.Multiplicity[f] = static_cast<std::int16_t>(CountFor(bodies, f, body));
+  }
+  return complex;
+}
+
+ResolvedBodies ResolveBodies(
+  std::vector<Body> bodies, const BodyParameters& parameters, Monitor& monitor)
+{
+  return BodyResolver(std::move(bodies), parameters, monitor).Resolve();
+}
+} // namespace insideout

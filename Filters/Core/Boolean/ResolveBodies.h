@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Boolean/Body.h"
+#include "Orient/OrientFacets.h"
+#include "Orient/ThickenFacets.h"
+#include "Validate/CountedChain.h"
+#include "Validate/FacetEdges.h"
+
+namespace insideout
+{
+struct BodyParameters
+{
+  CountedChainParameters Chain; ///< points of different bodies are merged alike
+  insideout::Orientation Orientation = insideout::Orientation::Automatic;
+  ThickenParameters Thicken;
+};
+
+/** How often a facet counts for one body. */
+struct BodyCount
+{
+  Id Body;
+  int Count; ///< along the facet's orientation: w of the body rises by it from front to back
+};
+
+/** What validation and orientation made of one body, before it met the others. */
+struct CountedBody
+{
+  SurfaceCounts Counts; ///< all 0 of a body without facets, which is empty
+  FacetTurns Turns;     ///< by facets of the body's own chain
+};
+
+/** Bodies resolved together. Points and triangles go by the bodies' numbers. */
+struct ResolvedBodies
+{
+  /**
+   * Resolved. A facet's sources are those of all bodies; its multiplicity is the sum over the
+   * bodies, and 0 where they cancel.
+   */
+  FacetComplex Surface;
+
+  /** The counts of facet f are Counts[CountOffsets[f]] to Counts[CountOffsets[f + 1]]: one for each
+   * body that it counts for, by body; none is 0. */
+  std::vector<Id> CountOffsets = { 0 };
+  std::vector<BodyCount> Counts;
+
+  std::vector<CountedBody> Bodies;
+  std::vector<Id> MergedInto;          ///< per point the one that it became, or itself
+  std::vector<Id> DegenerateTriangles; ///< left out; ascending
+  std::vector<Id> TurnedTriangles;     ///< turned over; ascending
+  std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
+  Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
+  std::vector<std::string> Warnings;
+
+  Id NumberOfBodies() const { return static_cast<Id>(this->Bodies.size()); }
+};
+
+/** By how much w of a body rises from before a facet, where its normal points, to behind it. */
+inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
+{
+  for (Id i = bodies.CountOffsets[facet]; i < bodies.CountOffsets[facet + 1]; ++i)
+  {
+    if (bodies.Counts[i].Body == body)
+    {
+      return bodies.Counts[i].Count;
+    }
+  }
+  return 0;
+}
+
+/**
+ * Per body whether it has no boundary: on every edge its counts cancel.
+ *
+ * @param[in] edges those of Surface.Facets
+ */
+std::vector<char> FindClosedBodies(
+  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
+
+/** The facets with what they count for one body: w of the body is that of this complex. */
+FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);
+
+/**
+ * Count and orient bodies, each as if it were alone (CountFacets, OrientFacets, ThickenFacets), so
+ * that nothing of one cancels or turns anything of another; then resolve them together, as one
+ * complex. Pieces of several bodies that coincide are one facet, with a count for each.
+ *
+ * A body without facets is empty, with a warning.
+ *
+ * @throws Error EmptySurface where no body has a facet, and whatever the stages throw, with the
+ *   body's name before it; Stopped
+ */
+ResolvedBodies ResolveBodies(
+  std::vector<Body> bodies, const BodyParameters& parameters, Monitor& monitor);
+} // namespace insideout
