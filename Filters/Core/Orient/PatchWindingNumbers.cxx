@@ -1,62 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Orient/PatchWindingNumbers.h"
 
-#include "Common/FacetComplex.h"
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
-#include "WindingNumber/ExactWindingNumber.h"
+#include "WindingNumber/ClosedChainTree.h"
+
+#include <cmath>
+#include <numeric>
 
 namespace insideout
 {
-namespace
+PatchPlaces::PatchPlaces(const FacetComplex& surface, const SurfacePatches& patches)
+  : Points(ScaledPoints(surface.Points, -LargestExponent(surface.Points)))
+  , Largest(static_cast<std::size_t>(patches.Count), None)
 {
-/** For each patch its facet of the largest area, of several the lowest. */
-std::vector<Id> LargestFacets(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  const SurfacePatches& patches)
-{
-  std::vector<Id> largest(static_cast<std::size_t>(patches.Count), None);
-  std::vector<double> areas(largest.size(), 0);
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  std::vector<double> areas(this->Largest.size(), 0);
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
-    const std::array<Point, 3> corners = CornersOf(points, facets[f]);
+    const std::array<Point, 3> corners = CornersOf(this->Points, surface.Facets[f]);
     const double area = Length(NormalOf(corners[0], corners[1], corners[2]));
     const Id patch = patches.Patch[f];
-    if (largest[patch] == None || area > areas[patch])
+    if (this->Largest[patch] == None || area > areas[patch])
     {
-      largest[patch] = static_cast<Id>(f);
+      this->Largest[patch] = f;
       areas[patch] = area;
     }
   }
-  return largest;
-}
-} // namespace
-
-std::vector<PatchSides> WindingNumbersBesidePatches(const FacetComplex& surface,
-  const SurfacePatches& patches, Monitor& monitor, const ProgressRange& progress)
-{
-  const std::vector<Point> points = ScaledPoints(surface.Points, -LargestExponent(surface.Points));
-  const std::vector<Id> largest = LargestFacets(points, surface.Facets, patches);
   // A cell of which two corners are one has its barycentre in the facet, exactly.
-  std::vector<Tetrahedron> middles;
-  for (const Id f : largest)
+  for (const Id f : this->Largest)
   {
     const Triangle& facet = surface.Facets[f];
-    middles.push_back({ { facet[0], facet[1], facet[2], facet[2] } });
+    this->Middles.push_back({ { facet[0], facet[1], facet[2], facet[2] } });
   }
-  std::vector<CountedTriangle> triangles = CountedFacets(surface);
-  const std::vector<CountedEdge> boundary =
-    CountedBoundary(triangles, static_cast<Id>(points.size()));
-  const double middle = (progress.Begin + progress.End) / 2;
-  const ExactWindingNumber windingNumber(
-    points, std::move(triangles), boundary, monitor, { progress.Stage, progress.Begin, middle });
-  const std::vector<double> means =
-    windingNumber.Evaluate({ points, middles }, monitor, { progress.Stage, middle, progress.End });
+}
+
+std::vector<PatchSides> PatchPlaces::WindingNumbers(const std::vector<CountedTriangle>& chain,
+  const std::vector<int>& counts, Monitor& monitor, const ProgressRange& progress) const
+{
+  const Sites sites = { this->Points, this->Middles };
+  std::vector<Point> wanted;
+  for (std::size_t patch = 0; patch < this->Middles.size(); ++patch)
+  {
+    wanted.push_back(sites.Rounded(patch).High);
+  }
+  const double middle = progress.At(0.5);
+  const ClosedChainTree tree(
+    this->Points, chain, wanted, monitor, { progress.Stage, progress.Begin, middle });
+  std::vector<Id> order(this->Middles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> means(this->Middles.size());
+  tree.Evaluate(sites, order, means, monitor, { progress.Stage, middle, progress.End });
 
   std::vector<PatchSides> sides;
   for (std::size_t patch = 0; patch < means.size(); ++patch)
   {
-    const double half = surface.Multiplicity[largest[patch]] / 2.0;
-    sides.push_back({ means[patch] - half, means[patch] + half });
+    const double half = counts[patch] / 2.0;
+    const int front = static_cast<int>(std::lround(means[patch] - half));
+    sides.push_back({ front, front + counts[patch] });
   }
   return sides;
 }

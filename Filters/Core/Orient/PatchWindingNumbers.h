@@ -1,31 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
 #include "Orient/SurfacePatches.h"
+#include "WindingNumber/CountedBoundary.h"
 
 namespace insideout
 {
-/** Winding numbers just beside a patch, at a facet of it: before it is where its normals point. */
+/** Winding numbers just beside a patch, at one facet of it: before it is where its normal points.
+ */
 struct PatchSides
 {
-  double Front;
-  double Back;
+  int Front;
+  int Back;
 };
 
 /**
- * The winding number just beside both sides of each patch, without any mesh: one exact query in the
- * middle of the patch's largest facet gives the mean of both sides, and how often the facet counts
- * their difference. On a closed surface these are whole numbers, the same all along the patch; on
- * an open one they are those at that facet. From them follows what any set operation keeps (Zhou,
- * Grinspun, Zorin and Jacobson 2016).
- *
- * @param[in] surface resolved: its facets meet in shared points and edges only
- * @param[in] patches of the surface
- * @return one per patch
- * @throws Error (Stopped)
+ * The winding numbers of closed chains just beside patches, without any mesh: one exact query in
+ * the middle of a patch's largest facet gives the mean of both sides, and how often the facet
+ * counts their difference. They are the same all along the patch. From them follows what any set
+ * operation keeps (Zhou, Grinspun, Zorin and Jacobson 2016).
  */
-std::vector<PatchSides> WindingNumbersBesidePatches(const FacetComplex& surface,
-  const SurfacePatches& patches, Monitor& monitor, const ProgressRange& progress);
+class PatchPlaces
+{
+public:
+  /** @param[in] surface resolved: its facets meet in shared points and edges only */
+  PatchPlaces(const FacetComplex& surface, const SurfacePatches& patches);
+
+  /** The facet of a patch that its sides are those of: the largest, of several the lowest. */
+  Id FacetOf(Id patch) const { return this->Largest[patch]; }
+
+  /**
+   * The winding numbers of a chain of the surface's facets beside all patches.
+   *
+   * @param[in] chain of which the boundary is empty
+   * @param[in] counts one per patch: how often FacetOf it counts in the chain
+   * @return one per patch
+   * @throws Error (Stopped)
+   */
+  std::vector<PatchSides> WindingNumbers(const std::vector<CountedTriangle>& chain,
+    const std::vector<int>& counts, Monitor& monitor, const ProgressRange& progress) const;
+
+private:
+  std::vector<Point> Points; ///< of the surface, scaled
+  std::vector<Id> Largest;
+  std::vector<Tetrahedron> Middles;
+};
 } // namespace insideout

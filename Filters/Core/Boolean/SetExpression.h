@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace insideout
+{
+/** What is made of several bodies. */
+enum class SetOperation
+{
+  Union,              ///< what is in one of them at least
+  Intersection,       ///< what is in all of them
+  Difference,         ///< what is in the first and in no other
+  SymmetricDifference ///< what is in an odd number of them
+};
+
+/**
+ * An expression of sets, such as `A - (B | C) ^ D`: which places it holds, by which bodies a place
+ * is in.
+ *
+ * Operators are `|` or `+` (union), `&` (intersection), `-` (difference) and `^` (symmetric
+ * difference), with the precedence that they have in Python and C++: `+` and `-` first, then `&`,
+ * then `^`, then `|`; of equal ones the left first. Parentheses go before all. A body is called by
+ * its name, in quotes ('left lung' or "left lung") where that is more than letters, digits and
+ * underscores, or begins with a digit; by its number, #1 for the first; or by a letter, A for the
+ * first of 26, where no body has that name.
+ */
+class SetExpression
+{
+public:
+  /**
+   * @param[in] names of the bodies
+   * @throws Error InvalidParameter that names the column, counted from 1, of what is wrong
+   */
+  SetExpression(const std::string& text, const std::vector<std::string>& names);
+
+  /** The same operation for so many bodies. */
+  SetExpression(SetOperation operation, Id numberOfBodies);
+
+  /** The bodies that it names, ascending. What it holds depends on no other. */
+  const std::vector<Id>& Bodies() const { return this->Named; }
+
+  /** @param[in] isIn one per body of Bodies(): not 0 where the place is in it */
+  bool Holds(const std::vector<char>& isIn) const;
+
+private:
+  friend class SetExpressionParser;
+  void NumberBodies();
+
+  /** A body to look at, or what to make of the last two results. */
+  struct Step
+  {
+    Id Body; ///< which of Named; None for an operation
+    SetOperation Operation;
+  };
+  std::vector<Step> Steps; ///< in reverse Polish notation
+  std::vector<Id> Named;
+};
+} // namespace insideout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Boolean/ResolveBodies.h"
+#include "Boolean/SetExpression.h"
+#include "Output/BoundaryTriangles.h"
+
+#include <optional>
+
+namespace insideout
+{
+/**
+ * The surface of what a set expression makes of closed bodies, without any tetrahedra. A place is
+ * in a body where w of the body is 1 or more. The winding numbers of all bodies on both sides of
+ * each patch say where the expression begins or ends to hold: the facets there are the surface
+ * (Zhou, Grinspun, Zorin and Jacobson 2016, sections 4 and 5).
+ *
+ * It is watertight, and no two of its triangles meet but in shared points and edges.
+ *
+ * @param[in] bodies one for each of expression.Bodies()
+ * @return triangles by points of bodies.Surface, in the order of its facets; nothing where a body
+ * is not closed, or a facet was left out in resolving: its winding number then takes a mesh
+ * @throws Error (Stopped)
+ */
+std::optional<std::vector<BoundaryTriangle>> SurfaceOfExpression(
+  const ResolvedBodies& bodies, const SetExpression& expression, Monitor& monitor);
+} // namespace insideout

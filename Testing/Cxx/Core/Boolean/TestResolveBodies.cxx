@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boolean/ResolveBodies.h"
+
+#include "Support/TestMeshes.h"
+#include "WindingNumber/SurfaceWindingNumber.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+using namespace insideout;
+using namespace testmeshes;
+
+TriangleSoup Cube(double low, double high)
+{
+  return Box({ low, low, low }, { high, high, high });
+}
+
+std::vector<Body> BodiesOf(const std::vector<TriangleSoup>& soups)
+{
+  std::vector<Body> bodies;
+  Id points = 0;
+  Id triangles = 0;
+  for (const TriangleSoup& soup : soups)
+  {
+    bodies.push_back(
+      MakeBody(std::string(1, static_cast<char>('A' + bodies.size())), soup, points, triangles));
+    points += static_cast<Id>(soup.Points.size());
+    triangles += static_cast<Id>(soup.Triangles.size());
+  }
+  return bodies;
+}
+
+ResolvedBodies Resolved(const std::vector<TriangleSoup>& soups, const BodyParameters& given = {})
+{
+  Monitor monitor;
+  return ResolveBodies(BodiesOf(soups), given, monitor);
+}
+
+TEST(ResolveBodies, CountsWhatCoincidesForEachBody)
+{
+  // B stands on A: two triangles of each are one face, and face opposite ways.
+  const ResolvedBodies bodies =
+    Resolved({ Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 0, 0, 1 }, { 1, 1, 2 }) });
+  Id common = 0;
+  for (Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
+  {
+    EXPECT_EQ(bodies.Surface.Multiplicity[f], CountFor(bodies, f, 0) + CountFor(bodies, f, 1));
+    if (bodies.CountOffsets[f + 1] - bodies.CountOffsets[f] == 2)
+    {
+      ++common;
+      EXPECT_EQ(CountFor(bodies, f, 0), -CountFor(bodies, f, 1));
+      EXPECT_EQ(bodies.Surface.SourceOffsets[f + 1] - bodies.Surface.SourceOffsets[f], 2);
+    }
+  }
+  EXPECT_GE(common, 2);
+}
+
+TEST(ResolveBodies, LetsDuplicatesCancelWithinABodyOnly)
+{
+  const TriangleSoup cube = Cube(0, 1);
+  const ResolvedBodies bodies = Resolved({ cube, cube, Join(cube, cube) });
+  ASSERT_EQ(bodies.Surface.NumberOfFacets(), 12);
+  for (Id f = 0; f < 12; ++f)
+  {
+    for (Id body = 0; body < 3; ++body)
+    {
+      EXPECT_EQ(CountFor(bodies, f, body), 1);
+    }
+    EXPECT_EQ(bodies.Surface.SourceOffsets[f + 1] - bodies.Surface.SourceOffsets[f], 4);
+  }
+  EXPECT_EQ(bodies.Bodies[0].Counts.DuplicateFacets, 0);
+  EXPECT_EQ(bodies.Bodies[2].Counts.DuplicateFacets, 12);
+}
+
+TEST(ResolveBodies, OrientsEachBodyByItself)
+{
+  // The inner cube faces inward: alone it is a body that is inside out, and no cavity of the other.
+  const ResolvedBodies bodies = Resolved({ Cube(0, 4), Reversed(Cube(1, 2)) });
+  EXPECT_EQ(bodies.Bodies[0].Turns.TurnedFacets, 0);
+  EXPECT_EQ(bodies.Bodies[1].Turns.TurnedFacets, 12);
+  ASSERT_EQ(bodies.TurnedTriangles.size(), 12u);
+  EXPECT_EQ(bodies.TurnedTriangles.front(), 12);
+  ASSERT_EQ(bodies.Warnings.size(), 1u);
+  EXPECT_EQ(bodies.Warnings.front().substr(0, 8), "body B: ");
+}
+
+/** w of each body is that of the body alone, wherever bodies cross, touch and coincide. */
+TEST(ResolveBodies, ChangesNoBodysWindingNumber)
+{
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    const std::vector<TriangleSoup> soups = { GridSoup(seed, 12, 3), GridSoup(seed + 100, 12, 3),
+      Box({ 0, 0, 0 }, { 2, 2, 1 }), RandomSoup(seed, 6) };
+    BodyParameters parameters;
+    parameters.Orientation = Orientation::AsGiven;
+    const ResolvedBodies bodies = Resolved(soups, parameters);
+    ASSERT_EQ(bodies.Surface.NumberOfConstraints, bodies.Surface.NumberOfFacets());
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-0.5, 3);
+    Monitor monitor;
+    for (Id b = 0; b < 4; ++b)
+    {
+      const CountedChain alone = CountFacets(soups[b], {}, monitor);
+      const SurfaceWindingNumber expected(alone.Surface, {}, monitor);
+      const SurfaceWindingNumber w(ComplexOfBody(bodies, b), {}, monitor);
+      for (int i = 0; i < 20; ++i)
+      {
+        const Point p = { place(random), place(random), place(random) };
+        EXPECT_NEAR(w.At(p), expected.At(p), 1e-9) << seed << " body " << b;
+      }
+    }
+  }
+}
+
+TEST(ResolveBodies, KnowsWhichBodiesAreClosed)
+{
+  TriangleSoup open = Cube(0, 1);
+  open.Triangles.pop_back();
+  const ResolvedBodies bodies = Resolved({ Cube(0.5, 2), open, Cube(0, 1) });
+  EXPECT_EQ(FindClosedBodies(bodies, SortedFacetEdges(bodies.Surface.Facets)),
+    (std::vector<char>{ 1, 0, 1 }));
+}
+
+TEST(ResolveBodies, OfOneSurfaceAreThoseOfSeveral)
+{
+  const std::vector<TriangleSoup> soups = { Cube(0, 2), Cube(1, 3), Cube(2, 4) };
+  const TriangleSoup all = Join(Join(soups[0], soups[1]), soups[2]);
+  std::vector<Id> bodyOfTriangle(36, 0);
+  std::fill(bodyOfTriangle.begin() + 12, bodyOfTriangle.begin() + 24, 1);
+  std::fill(bodyOfTriangle.begin() + 24, bodyOfTriangle.end(), 2);
+  Monitor monitor;
+  const ResolvedBodies one =
+    ResolveBodies(SplitBodies(all, bodyOfTriangle, { "A", "B", "C" }), {}, monitor);
+  const ResolvedBodies several = Resolved(soups);
+  EXPECT_EQ(one.Surface.Facets, several.Surface.Facets);
+  EXPECT_EQ(one.CountOffsets, several.CountOffsets);
+  EXPECT_THROW(SplitBodies(all, std::vector<Id>(36, 3), { "A", "B", "C" }), Error);
+  EXPECT_THROW(SplitBodies(all, { 0 }, { "A" }), Error);
+}
+
+/** Points that bodies share go by one number, whichever body comes first. */
+TEST(ResolveBodies, NumbersMergedPointsAlike)
+{
+  const TriangleSoup both = Merged(Join(Cube(0, 1), Box({ 1, 0, 0 }, { 2, 1, 1 })));
+  std::vector<Id> bodyOfTriangle(24, 1);
+  std::fill(bodyOfTriangle.begin() + 12, bodyOfTriangle.end(), 0);
+  Monitor monitor;
+  const ResolvedBodies bodies =
+    ResolveBodies(SplitBodies(both, bodyOfTriangle, { "right", "left" }), {}, monitor);
+  for (std::size_t p = 0; p < bodies.Surface.Points.size(); ++p)
+  {
+    const PointOrigin& origin = bodies.Surface.Origins[p];
+    if (origin.IsInput())
+    {
+      EXPECT_EQ(bodies.MergedInto[origin.Points[0]], origin.Points[0]);
+      EXPECT_EQ(both.Points[origin.Points[0]], bodies.Surface.Points[p]);
+    }
+  }
+}
+
+TEST(ResolveBodies, CloseGapsThatAreBelowTheTolerance)
+{
+  BodyParameters parameters;
+  parameters.Chain.MergeTolerance = 0.01;
+  const TriangleSoup left = Cube(0, 1);
+  EXPECT_EQ(
+    Resolved({ left, Box({ 1.005, 0, 0 }, { 2, 1, 1 }) }, parameters).Surface.NumberOfFacets(), 22);
+  EXPECT_EQ(
+    Resolved({ left, Box({ 1.02, 0, 0 }, { 2, 1, 1 }) }, parameters).Surface.NumberOfFacets(), 24);
+}
+
+TEST(ResolveBodies, TakeABodyWithoutFacetsForEmpty)
+{
+  const ResolvedBodies bodies = Resolved({ {}, Cube(0, 1), { { { 0, 0, 0 } }, { { 0, 0, 0 } } } });
+  EXPECT_EQ(bodies.Surface.NumberOfFacets(), 12);
+  EXPECT_EQ(CountFor(bodies, 3, 1), 1);
+  EXPECT_EQ(bodies.Warnings.size(), 2u);
+  EXPECT_THROW(Resolved({ {}, {} }), Error);
+}
+
+TEST(ResolveBodies, NameTheBodyThatIsWrong)
+{
+  TriangleSoup wrong = Cube(0, 1);
+  wrong.Triangles[3][1] = 88;
+  try
+  {
+    Resolved({ Cube(0, 1), wrong });
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::PointOutOfRange);
+    EXPECT_STREQ(error.what(), "body B: triangle 3 refers to point 88 of 8");
+  }
+}
+} // namespace
