@@ -6,10 +6,12 @@
  */
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkInformation;
 
 /** Call when an input's extent is requested: VTK has not taken it to blocks yet. */
@@ -33,3 +35,8 @@ struct vtkInsideOutBlocks
 
 /** Those of an algorithm's first input; none where it is not composite. */
 vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm);
+
+/** Visit the blocks of a composite data set that have no blocks of their own, as (data, name); what
+ * is not composite is the only one, and has no name. */
+void vtkInsideOutVisitBlocks(
+  vtkDataObject* data, const std::function<void(vtkDataObject*, const std::string&)>& visit);
