@@ -607,6 +607,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         if (this->Surface == REMESHED)
         {
           solid.Masses = refinement.Masses;
+          solid.Masses.resize(segmented.Regions.Regions.Count);
           solid.Mass = refinement.Mass;
         }
       }
