@@ -74,6 +74,7 @@ def outer_boundary(boundary: TriangleSurface) -> TriangleSurface:
         return boundary
     outer = vtkPolyData()
     outer.DeepCopy(boundary)
+    outer.BuildCells()  # what DeleteCell takes
     for triangle in np.flatnonzero(regions[:, 1] >= 0).tolist():
         outer.DeleteCell(triangle)
     outer.RemoveDeletedCells()
