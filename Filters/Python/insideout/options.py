@@ -166,23 +166,17 @@ class Scale(Option):
 
 
 class Names(Option):
-    """A list of names, which the filter takes one by one."""
+    """A list of names, or these as one text, parted by commas."""
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> list[str]:
-        if isinstance(value, str) or not all(isinstance(one, str) for one in value):
+    def checked(self, algorithm: Any, name: str, value: Any) -> str:
+        if isinstance(value, str):
+            return value
+        if not all(isinstance(one, str) for one in value):
             raise Error(f"{name} is {value!r}; it must be a list of names")
-        return list(value)
-
-    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
-        algorithm.ClearPriority()
-        for one in self.checked(algorithm, name, value):
-            algorithm.AddPriority(one)
-
-    def used_by(self, algorithm: Any, value: Any) -> list[str]:
-        return [algorithm.GetPriority(k) for k in range(algorithm.GetNumberOfPriorities())]
+        return ",".join(re.sub(r"([\\\\,])", r"\\\1", one) for one in value)
 
     def argument(self) -> dict[str, Any]:
-        return {"metavar": "NAME,NAME...", "type": lambda text: text.split(",")}
+        return {"metavar": "NAME,NAME..."}
 
 
 class Places(Option):
@@ -322,8 +316,8 @@ class Options:
             choices=get_args(RegionRule),
         )
     )
-    priority: Optional[Sequence[str]] = _is(
-        Names("Priority", "the names of bodies from the one that comes first; the others follow in their own order")
+    priority: Union[str, Sequence[str], None] = _is(
+        Names("Priority", "the names of bodies, parted by commas, from the one that comes first; the others follow in their own order", "; or a list of them")
     )
     refine: bool = _is(
         Switch(

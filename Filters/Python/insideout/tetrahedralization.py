@@ -163,7 +163,7 @@ def tetrahedralize(
     tag_array: Optional[str] = None,
     bodies: Optional[str] = None,
     region_rule: RegionRule = "by-priority",
-    priority: Optional[Sequence[str]] = None,
+    priority: Union[str, Sequence[str], None] = None,
     refine: bool = False,
     edge_length: Optional[float] = None,
     grading: Optional[float] = None,
