@@ -377,8 +377,8 @@ public:
   ///@{
   /**
    * The names of bodies, parted by commas, from the one that has cells before all others; those
-   * that are not named come after these, in their own order. A comma within a name is written \\,
-   * and a backslash \\\\. Default empty: in their own order. It is an error to name what is no body,
+   * that are not named come after these, in their own order. A comma within a name is written \,
+   * and a backslash \\. Default empty: in their own order. It is an error to name what is no body,
    * or one twice.
    */
   vtkSetStdStringFromCharMacro(Priority);
