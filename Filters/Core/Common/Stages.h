@@ -18,7 +18,7 @@ constexpr const char* Triangulating = "triangulating";                ///< Trian
 constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
 constexpr const char* Segmenting = "segmenting";       ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting";       ///< whatever is in the room Output
-constexpr const char* Refining = "refining";           ///< RefineTetrahedra
+constexpr const char* Refining = "refining";           ///< RefineTetrahedra, RefineTriangles
 constexpr const char* Measuring = "measuring quality"; ///< QualityOfMesh
 constexpr const char* Writing = "writing";             ///< OutputFile
 } // namespace insideout::Stages
