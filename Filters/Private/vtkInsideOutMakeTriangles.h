@@ -19,6 +19,7 @@ struct vtkInsideOutPlanarOptions
   insideout::SegmentMeshParameters Segment;
   std::string ConstrainedArray; ///< the cell array that chooses which segments are kept
   bool ExtractInside = true;
+  bool SplitPoints = false; ///< where the solid touches itself
 };
 
 /** One output of a single stage. */
