@@ -557,7 +557,7 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
   const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
   const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
 {
-  const PlanarHull hull = MakeHull(curve, options.Hull, monitor);
+  PlanarHull hull = MakeHull(curve, options.Hull, monitor);
   insideout::Stopwatch stopwatch;
   const insideout::MeshSegmentation segmentation =
     SegmentTriangles(hull.Curve, hull.Mesh, hull.Plane, hull.W,
@@ -570,6 +570,11 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
     statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
 
   monitor.Check(Extracting, 0);
+  if (options.SplitPoints)
+  {
+    statistics.emplace_back("SplitPoints",
+      SplitPoints(hull.Curve, hull.Mesh, segmentation.Inside, monitor, { Extracting, 0, 0.1 }));
+  }
   Maker maker(curve, hull);
   vtkInsideOutTriangles made;
   made.Grid = maker.MakeGrid();
