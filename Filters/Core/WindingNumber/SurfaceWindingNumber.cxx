@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -185,6 +186,54 @@ std::vector<double> SurfaceWindingNumber::At(
   }
   monitor.Check(progress.Stage, progress.End);
   return w;
+}
+
+void SurfaceWindingNumber::InGrid(const GridPlaces& grid, const SliceVisitor& visit,
+  Monitor& monitor, const ProgressRange& progress) const
+{
+  monitor.Check(progress.Stage, progress.Begin);
+  const Implementation& internals = *this->Internals;
+  GridPlaces scaled = grid;
+  const PowerOfTwo power(-internals.Exponent);
+  double largest = 0;
+  for (std::vector<double>& axis : scaled.Axes)
+  {
+    for (double& x : axis)
+    {
+      x = power.Times(x);
+    }
+    largest = std::max({ largest, std::abs(axis.front()), std::abs(axis.back()) });
+  }
+  const bool ascends = std::all_of(scaled.Axes.begin(), scaled.Axes.end(),
+    [](const std::vector<double>& axis)
+    { return std::adjacent_find(axis.begin(), axis.end(), std::greater_equal<>()) == axis.end(); });
+  if (internals.Method == WindingNumberMethod::Exact && largest <= Afar && ascends)
+  {
+    internals.Exact->EvaluateInGrid(scaled, visit, monitor, progress);
+  }
+  else
+  {
+    this->SliceBySlice(grid, visit, monitor, progress);
+  }
+  monitor.Check(progress.Stage, progress.End);
+}
+
+/** As at any points: where scaling made places one, or they are afar, or by another method. */
+void SurfaceWindingNumber::SliceBySlice(const GridPlaces& grid, const SliceVisitor& visit,
+  Monitor& monitor, const ProgressRange& progress) const
+{
+  std::vector<Point> places(grid.SizeOfSlice());
+  const auto fraction = [&](Id slice)
+  { return progress.Begin + (progress.End - progress.Begin) * slice / grid.Size(2); };
+  for (Id slice = 0; slice < grid.Size(2); ++slice)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      places[i] = grid.InSlice(slice, i);
+    }
+    visit(
+      slice, this->At(places, monitor, { progress.Stage, fraction(slice), fraction(slice + 1) }));
+  }
 }
 
 double SurfaceWindingNumber::At(const Point& point) const

@@ -5,6 +5,7 @@
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
 #include "Common/Stages.h"
+#include "WindingNumber/GridPlaces.h"
 
 #include <memory>
 
@@ -52,6 +53,16 @@ public:
   std::vector<double> At(const std::vector<Point>& points, Monitor& monitor,
     const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 }) const;
 
+  /**
+   * At all places of a grid, equal to At but for rounding, and much faster where the method is
+   * Exact: time grows little beyond what it takes to write the values. Few slices are held at once.
+   *
+   * @param[in] grid finite
+   * @throws Error (Stopped)
+   */
+  void InGrid(const GridPlaces& grid, const SliceVisitor& visit, Monitor& monitor,
+    const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 }) const;
+
   /** At one point. Safe to call from several threads. */
   double At(const Point& point) const;
 
@@ -67,6 +78,9 @@ public:
   bool IsClosed() const;
 
 private:
+  void SliceBySlice(const GridPlaces& grid, const SliceVisitor& visit, Monitor& monitor,
+    const ProgressRange& progress) const;
+
   class Implementation;
   std::unique_ptr<const Implementation> Internals;
 };
