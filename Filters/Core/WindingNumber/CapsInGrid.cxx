@@ -2,6 +2,7 @@
 #include "WindingNumber/CapsInGrid.h"
 
 #include "Common/ParallelLoop.h"
+#include "Common/Vectors.h"
 #include "WindingNumber/Pi.h"
 #include "WindingNumber/WindingNumberOfCaps.h"
 
@@ -19,6 +20,9 @@ namespace
 // (Trefethen 2013, theorem 8.2): by 3e-15 of a winding number which is small itself.
 constexpr Id Nodes = 16;
 constexpr double FarInHalfLengths = 4;
+
+// Bounds stay bounds whatever rounding does.
+constexpr double RoundedUp = 1 + 0x1p-20;
 
 constexpr double NanosecondsPerBox = 1e6;
 
@@ -91,19 +95,45 @@ CapsInGrid::GridBox CapsInGrid::MakeBox(
   return box;
 }
 
-/** Whether the box's polynomial may tell the cap's winding number. */
-bool CapsInGrid::IsFar(Id cap, const GridBox& box) const
+Box CapsInGrid::Around(const GridBox& box) const
 {
   Box around;
-  double half = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double>& places = this->Grid.Axes[axis];
     around.Low[axis] = places[box.First[axis]];
     around.High[axis] = places[box.Last[axis] - 1];
+  }
+  return around;
+}
+
+/** Whether the box's polynomial may tell the cap's winding number. */
+bool CapsInGrid::IsFar(Id cap, const GridBox& box) const
+{
+  const Box around = this->Around(box);
+  double half = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
     half = box.Nodes[axis].Weights.empty() ? half : std::max(half, around.Extent(axis) / 2);
   }
   return half == 0 || DistanceBetween(this->BoxOfCap[cap], around) >= FarInHalfLengths * half;
+}
+
+/** Of the absolute value of all caps' winding number in the box: of each at most its area over that
+ * of the sphere around the place which touches it. */
+double CapsInGrid::BoundIn(const GridBox& box) const
+{
+  const Box around = this->Around(box);
+  double bound = 0;
+  for (std::size_t cap = 0; cap < this->Caps.size(); ++cap)
+  {
+    if (!this->Caps[cap].empty())
+    {
+      const double distance = DistanceBetween(this->BoxOfCap[cap], around);
+      bound += this->AreaOfCap[cap] / (4 * Pi * distance * distance);
+    }
+  }
+  return bound * RoundedUp;
 }
 
 /** Add those that are far to the values at the nodes. */
@@ -193,8 +223,8 @@ std::array<CapsInGrid::GridBox, 2> CapsInGrid::Halves(const GridBox& box) const
 }
 
 CapsInGrid::CapsInGrid(const std::vector<Point>& points,
-  const std::vector<std::vector<CountedTriangle>>& caps, const GridPlaces& grid, Id first, Id last,
-  Monitor& monitor, const ProgressRange& progress)
+  const std::vector<std::vector<CountedTriangle>>& caps, double negligible, const GridPlaces& grid,
+  Id first, Id last, Monitor& monitor, const ProgressRange& progress)
   : Points(points)
   , Caps(caps)
   , Grid(grid)
@@ -203,8 +233,11 @@ CapsInGrid::CapsInGrid(const std::vector<Point>& points,
   for (const std::vector<CountedTriangle>& cap : caps)
   {
     Box box = Box::Empty();
+    double area = 0;
     for (const CountedTriangle& triangle : cap)
     {
+      const auto [a, b, c] = CornersOf(points, triangle.Corners);
+      area += std::abs(triangle.Count) * Length(NormalOf(a, b, c)) / 2;
       box.Add(BoundingBox(points, triangle.Corners));
     }
     if (!cap.empty())
@@ -212,6 +245,7 @@ CapsInGrid::CapsInGrid(const std::vector<Point>& points,
       whole.Near.push_back(static_cast<Id>(this->BoxOfCap.size()));
     }
     this->BoxOfCap.push_back(box);
+    this->AreaOfCap.push_back(area);
   }
   std::vector<GridBox> level = { std::move(whole) };
   while (!level.empty())
@@ -221,6 +255,12 @@ CapsInGrid::CapsInGrid(const std::vector<Point>& points,
       { progress.Stage, progress.Begin, progress.Begin },
       [&](std::size_t i)
       {
+        if (this->BoundIn(level[i]) < negligible)
+        {
+          level[i].Near.clear();
+          level[i].Values.clear();
+          return;
+        }
         this->AddFarCaps(level[i]);
         if (!level[i].Near.empty())
         {

@@ -25,12 +25,14 @@ public:
    *
    * @param[in] points of the caps, below 1 in each coordinate
    * @param[in] caps each a chain of triangles that are not degenerate
-   * @param[in] grid has to live as long as this object; below 2^50
+   * @param[in] negligible where the caps' winding number is certainly below this, 0 is added
+   * instead
+   * @param[in] grid has to live as long as this object; below 2^50, its axes ascend strictly
    * @throws Error (Stopped)
    */
   CapsInGrid(const std::vector<Point>& points,
-    const std::vector<std::vector<CountedTriangle>>& caps, const GridPlaces& grid, Id first,
-    Id last, Monitor& monitor, const ProgressRange& progress);
+    const std::vector<std::vector<CountedTriangle>>& caps, double negligible,
+    const GridPlaces& grid, Id first, Id last, Monitor& monitor, const ProgressRange& progress);
 
   /** Add the caps' winding number at each place of a slice; right to about 1e-14. Safe to call from
    * several threads. */
@@ -59,7 +61,9 @@ private:
 
   AxisNodes NodesOf(int axis, Id first, Id last) const;
   GridBox MakeBox(const std::array<Id, 3>& first, const std::array<Id, 3>& last) const;
+  Box Around(const GridBox& box) const;
   bool IsFar(Id cap, const GridBox& box) const;
+  double BoundIn(const GridBox& box) const;
   void AddFarCaps(GridBox& box) const;
   std::array<GridBox, 2> Halves(const GridBox& box) const;
   void FindBasis(GridBox& box) const;
@@ -70,6 +74,7 @@ private:
   const std::vector<Point>& Points;
   const std::vector<std::vector<CountedTriangle>>& Caps;
   std::vector<Box> BoxOfCap;
+  std::vector<double> AreaOfCap; ///< counted as often as its triangles
   const GridPlaces& Grid;
   std::vector<GridBox> Boxes; ///< those in which no cap is left out
 };

@@ -8,6 +8,7 @@
 #include "WindingNumber/SpatialOrder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace insideout
@@ -59,19 +60,20 @@ std::vector<double> ExactWindingNumber::Evaluate(
   return w;
 }
 
-void ExactWindingNumber::EvaluateInGrid(const GridPlaces& grid, const SliceVisitor& visit,
-  Monitor& monitor, const ProgressRange& progress) const
+void ExactWindingNumber::EvaluateInGrid(const GridPlaces& grid, std::optional<double> sideOf,
+  const SliceVisitor& visit, Monitor& monitor, const ProgressRange& progress) const
 {
   const LabelsInRows labels(this->Tree.AllFacets(), grid);
   const Id slices = grid.Size(2);
-  const auto fraction = [&](Id slice)
-  { return progress.Begin + (progress.End - progress.Begin) * slice / slices; };
+  // Off the chain labels are whole, so that so little changes no side.
+  const double negligible = sideOf ? std::abs(*sideOf - std::round(*sideOf)) : 0;
   const double nanosecondsPerPlace = this->Caps.empty() ? 2 : 20;
   for (Id first = 0; first < slices; first += SlicesAtOnce)
   {
     const Id last = std::min(slices, first + SlicesAtOnce);
-    const ProgressRange part = { progress.Stage, fraction(first), fraction(last) };
-    const CapsInGrid caps(this->Points, this->Caps, grid, first, last, monitor, part);
+    const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(first) / slices),
+      progress.At(static_cast<double>(last) / slices) };
+    const CapsInGrid caps(this->Points, this->Caps, negligible, grid, first, last, monitor, part);
     ChunkedLoop(last - first, nanosecondsPerPlace * static_cast<double>(grid.SizeOfSlice()),
       monitor, part,
       [&](Id i)
@@ -84,6 +86,10 @@ void ExactWindingNumber::EvaluateInGrid(const GridPlaces& grid, const SliceVisit
           w[place] = this->Tree.At(grid.InSlice(first + i, place));
         }
         caps.AddInSlice(first + i, w);
+        for (std::size_t k = 0; sideOf && k < onChain.size(); ++k)
+        {
+          w[onChain[k]] = this->At(grid.InSlice(first + i, onChain[k]));
+        }
         visit(first + i, w);
       });
   }

@@ -5,6 +5,8 @@
 #include "WindingNumber/GridPlaces.h"
 #include "WindingNumber/WindingNumberOfCaps.h"
 
+#include <optional>
+
 namespace insideout
 {
 /**
@@ -56,11 +58,13 @@ public:
    * At all places of a grid, slice by slice: the whole number along rows (LabelsInRows.h), that of
    * the caps by polynomials (CapsInGrid.h). Few slices are held at once.
    *
-   * @param[in] grid below 2^50 in each coordinate
+   * @param[in] grid below 2^50 in each coordinate; its axes ascend strictly
+   * @param[in] sideOf where given, values only tell on which side of it the winding number is,
+   * which takes no longer where the surface is open
    * @throws Error (Stopped)
    */
-  void EvaluateInGrid(const GridPlaces& grid, const SliceVisitor& visit, Monitor& monitor,
-    const ProgressRange& progress) const;
+  void EvaluateInGrid(const GridPlaces& grid, std::optional<double> sideOf,
+    const SliceVisitor& visit, Monitor& monitor, const ProgressRange& progress) const;
 
   /** The winding number at one point. Safe to call from several threads. */
   double At(const Point& point) const;

@@ -14,7 +14,7 @@ namespace insideout
  */
 struct GridPlaces
 {
-  std::array<std::vector<double>, 3> Axes; ///< each ascending, none equal, at least one
+  std::array<std::vector<double>, 3> Axes; ///< at least one place in each
 
   Id Size(int axis) const { return static_cast<Id>(this->Axes[axis].size()); }
   std::size_t SizeOfSlice() const { return this->Axes[0].size() * this->Axes[1].size(); }

@@ -18,7 +18,8 @@ namespace insideout
 class LabelsInRows
 {
 public:
-  /** @param[in] facets, grid have to live as long as this object; coordinates of facets below 1 */
+  /** @param[in] facets, grid have to live as long as this object; the grid's axes ascend strictly
+   */
   LabelsInRows(const ChainFacets& facets, const GridPlaces& grid);
 
   /**

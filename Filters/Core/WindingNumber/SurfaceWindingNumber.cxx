@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -188,28 +187,27 @@ std::vector<double> SurfaceWindingNumber::At(
   return w;
 }
 
-void SurfaceWindingNumber::InGrid(const GridPlaces& grid, const SliceVisitor& visit,
-  Monitor& monitor, const ProgressRange& progress) const
+void SurfaceWindingNumber::InGrid(const GridPlaces& grid, std::optional<double> sideOf,
+  const SliceVisitor& visit, Monitor& monitor, const ProgressRange& progress) const
 {
   monitor.Check(progress.Stage, progress.Begin);
   const Implementation& internals = *this->Internals;
   GridPlaces scaled = grid;
   const PowerOfTwo power(-internals.Exponent);
-  double largest = 0;
+  bool isNear = true;
   for (std::vector<double>& axis : scaled.Axes)
   {
     for (double& x : axis)
     {
       x = power.Times(x);
     }
-    largest = std::max({ largest, std::abs(axis.front()), std::abs(axis.back()) });
+    const auto doNotAscend = [](double a, double b) { return !(a < b); };
+    isNear = isNear && std::abs(axis.front()) <= Afar && std::abs(axis.back()) <= Afar &&
+      std::adjacent_find(axis.begin(), axis.end(), doNotAscend) == axis.end();
   }
-  const bool ascends = std::all_of(scaled.Axes.begin(), scaled.Axes.end(),
-    [](const std::vector<double>& axis)
-    { return std::adjacent_find(axis.begin(), axis.end(), std::greater_equal<>()) == axis.end(); });
-  if (internals.Method == WindingNumberMethod::Exact && largest <= Afar && ascends)
+  if (internals.Method == WindingNumberMethod::Exact && isNear)
   {
-    internals.Exact->EvaluateInGrid(scaled, visit, monitor, progress);
+    internals.Exact->EvaluateInGrid(scaled, sideOf, visit, monitor, progress);
   }
   else
   {
@@ -218,21 +216,21 @@ void SurfaceWindingNumber::InGrid(const GridPlaces& grid, const SliceVisitor& vi
   monitor.Check(progress.Stage, progress.End);
 }
 
-/** As at any points: where scaling made places one, or they are afar, or by another method. */
+/** As at any points: where places are afar or do not ascend, and by another method. */
 void SurfaceWindingNumber::SliceBySlice(const GridPlaces& grid, const SliceVisitor& visit,
   Monitor& monitor, const ProgressRange& progress) const
 {
   std::vector<Point> places(grid.SizeOfSlice());
-  const auto fraction = [&](Id slice)
-  { return progress.Begin + (progress.End - progress.Begin) * slice / grid.Size(2); };
+  const double slices = grid.Size(2);
   for (Id slice = 0; slice < grid.Size(2); ++slice)
   {
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       places[i] = grid.InSlice(slice, i);
     }
-    visit(
-      slice, this->At(places, monitor, { progress.Stage, fraction(slice), fraction(slice + 1) }));
+    visit(slice,
+      this->At(places, monitor,
+        { progress.Stage, progress.At(slice / slices), progress.At((slice + 1) / slices) }));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "WindingNumber/GridPlaces.h"
 
 #include <memory>
+#include <optional>
 
 namespace insideout
 {
@@ -55,13 +56,16 @@ public:
 
   /**
    * At all places of a grid, equal to At but for rounding, and much faster where the method is
-   * Exact: time grows little beyond what it takes to write the values. Few slices are held at once.
+   * Exact, and the grid's places ascend: time grows little beyond what it takes to write the
+   * values. Few slices are held at once.
    *
-   * @param[in] grid finite
+   * @param[in] grid of any places: not finite ones have w = NaN
+   * @param[in] sideOf where given, values only tell on which side of it w is, which is faster where
+   *   the surface is open
    * @throws Error (Stopped)
    */
-  void InGrid(const GridPlaces& grid, const SliceVisitor& visit, Monitor& monitor,
-    const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 }) const;
+  void InGrid(const GridPlaces& grid, std::optional<double> sideOf, const SliceVisitor& visit,
+    Monitor& monitor, const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 }) const;
 
   /** At one point. Safe to call from several threads. */
   double At(const Point& point) const;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace
@@ -36,12 +37,13 @@ GridPlaces Grid(
   return { { { x, y, z } } };
 }
 
-std::vector<double> InGrid(const SurfaceWindingNumber& surface, const GridPlaces& grid)
+std::vector<double> InGrid(
+  const SurfaceWindingNumber& surface, const GridPlaces& grid, std::optional<double> sideOf = {})
 {
   Monitor monitor;
   std::vector<double> all(grid.SizeOfSlice() * grid.Axes[2].size());
   surface.InGrid(
-    grid,
+    grid, sideOf,
     [&](Id slice, const std::vector<double>& w)
     {
       std::copy(
@@ -170,6 +172,30 @@ TEST(WindingNumberInGrid, IsRightToRoundingByPolynomialsToo)
   {
     const std::vector<double> w = InGrid(surface, grid);
     EXPECT_LT(Difference(w, AtPlaces(surface, grid)), 2e-14);
+  }
+}
+
+TEST(WindingNumberInGrid, TellsTheSideOfAThresholdAlone)
+{
+  Monitor monitor;
+  for (TriangleSoup soup : ClosedSurfaces())
+  {
+    soup.Triangles.erase(soup.Triangles.begin(), soup.Triangles.begin() + 3);
+    const SurfaceWindingNumber surface(Counted(soup), {}, monitor);
+    for (const GridPlaces& grid : Grids())
+    {
+      const std::vector<double> w = AtPlaces(surface, grid);
+      for (const double threshold : { 0.5, 0.25, 1.0, -0.875 })
+      {
+        const std::vector<double> sides = InGrid(surface, grid, threshold);
+        for (std::size_t i = 0; i < w.size(); ++i)
+        {
+          EXPECT_TRUE(
+            (sides[i] > threshold) == (w[i] > threshold) || std::abs(w[i] - threshold) < 1e-13)
+            << w[i] << " and " << sides[i] << " of " << threshold;
+        }
+      }
+    }
   }
 }
 
