@@ -24,7 +24,11 @@ struct RoundPlace
 
   PlanarPoint Low() const { return this->Rounded; }
   PlanarPoint High() const { return this->Rounded; }
-  bool IsAtOrAbove(const PlanarPoint& a) const { return a[1] >= this->Rounded[1]; }
+  bool IsAtOrAbove(double height) const { return height >= this->Rounded[1]; }
+  PlanarPoint Offset(const PlanarPoint& a) const
+  {
+    return { a[0] - this->Rounded[0], a[1] - this->Rounded[1] };
+  }
   int Side(const PlanarPoint& a, const PlanarPoint& b) const
   {
     return Orient2D(a, b, this->Rounded);
@@ -63,24 +67,27 @@ struct MeanPlace
     return { this->Rounded[0] + sign * (few * this->Size + least),
       this->Rounded[1] + sign * (few * this->Size + least) };
   }
-  bool IsAtOrAbove(const PlanarPoint& a) const { return this->Compare(a, 1) >= 0; }
+  bool IsAtOrAbove(double height) const { return this->Compare(height, 1) >= 0; }
+  PlanarPoint Offset(const PlanarPoint& a) const
+  {
+    return { CGAL::to_double(this->Beyond(a[0], 0)) / 3,
+      CGAL::to_double(this->Beyond(a[1], 1)) / 3 };
+  }
   int Side(const PlanarPoint& a, const PlanarPoint& b) const
   {
-    const auto beyond = [&](int k) { return this->Sum[k] - DyadicNumber(a[k]) * 3; };
     const auto along = [&](int k) { return DyadicNumber(b[k]) - a[k]; };
-    return CGAL::sign(along(0) * beyond(1) - along(1) * beyond(0));
+    return CGAL::sign(along(1) * this->Beyond(a[0], 0) - along(0) * this->Beyond(a[1], 1));
   }
   bool IsInBox(const PlanarPoint& a, const PlanarPoint& b) const
   {
-    return this->Compare(a, 0) * this->Compare(b, 0) <= 0 &&
-      this->Compare(a, 1) * this->Compare(b, 1) <= 0;
+    return this->Compare(a[0], 0) * this->Compare(b[0], 0) <= 0 &&
+      this->Compare(a[1], 1) * this->Compare(b[1], 1) <= 0;
   }
 
-  /** The sign of a coordinate of a point less that of the mean. */
-  int Compare(const PlanarPoint& a, int k) const
-  {
-    return CGAL::sign(DyadicNumber(a[k]) * 3 - this->Sum[k]);
-  }
+  int Compare(double a, int k) const { return CGAL::sign(this->Beyond(a, k)); }
+
+  /** Three times how far a coordinate of a point is beyond that of the mean. */
+  DyadicNumber Beyond(double a, int k) const { return DyadicNumber(a) * 3 - this->Sum[k]; }
 
   PlanarPoint Rounded;
   std::array<DyadicNumber, 2> Sum;
@@ -161,8 +168,13 @@ void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
   node.Begin = begin;
   node.End = end;
   node.Right = 0;
-  node.LooseEnds = this->LooseEndsOf(begin, end);
-  this->Nodes.push_back(node);
+  std::vector<std::pair<double, double>> heights;
+  for (const LooseEnd& loose : this->LooseEndsOf(begin, end))
+  {
+    heights.emplace_back(this->Points[loose.Point][1], static_cast<double>(loose.Count));
+  }
+  node.LooseEnds = CountsAbove(std::move(heights));
+  this->Nodes.push_back(std::move(node));
   if (end - begin <= LeafSize)
   {
     return;
@@ -181,24 +193,13 @@ void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
   this->Build(middle, end);
 }
 
-/** Of the direction from p to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal. */
-double PolylineWindingNumber::Argument(Id point, const PlanarPoint& p) const
-{
-  const PlanarPoint& a = this->Points[point];
-  const PlanarPoint direction = this->Metric.Map({ a[0] - p[0], a[1] - p[1] });
-  return std::atan2(direction[1] + 0.0, direction[0] + 0.0) / (2 * Pi); // adding 0: no -0
-}
-
-/** The crossings of segments that all pass to the left of p follow from their loose ends. */
+/** Of the direction from a place to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal.
+ */
 template <typename Place>
-double PolylineWindingNumber::WhollyLeft(const Node& node, const Place& place) const
+double PolylineWindingNumber::Argument(Id point, const Place& place) const
 {
-  std::int64_t sum = 0;
-  for (const LooseEnd& end : node.LooseEnds)
-  {
-    sum -= place.IsAtOrAbove(this->Points[end.Point]) ? end.Count : 0;
-  }
-  return static_cast<double>(sum);
+  const PlanarPoint direction = this->Metric.Map(place.Offset(this->Points[point]));
+  return std::atan2(direction[1] + 0.0, direction[0] + 0.0) / (2 * Pi); // adding 0: no -0
 }
 
 /** What the segment adds to the differences of arguments; where p lies on it, these cancel. */
@@ -207,8 +208,8 @@ double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Plac
 {
   const PlanarPoint& a = this->Points[segment.From];
   const PlanarPoint& b = this->Points[segment.To];
-  const bool fromAbove = place.IsAtOrAbove(a);
-  const bool toAbove = place.IsAtOrAbove(b);
+  const bool fromAbove = place.IsAtOrAbove(a[1]);
+  const bool toAbove = place.IsAtOrAbove(b[1]);
   const bool inBox = place.IsInBox(a, b);
   if (fromAbove == toAbove && !inBox)
   {
@@ -217,8 +218,8 @@ double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Plac
   const int side = place.Side(a, b);
   if (side == 0 && inBox)
   {
-    const PlanarPoint& p = place.Rounded;
-    return -segment.Count * (this->Argument(segment.To, p) - this->Argument(segment.From, p));
+    return -segment.Count *
+      (this->Argument(segment.To, place) - this->Argument(segment.From, place));
   }
   if (fromAbove && !toAbove && side > 0)
   {
@@ -232,7 +233,7 @@ double PolylineWindingNumber::AtPlace(const Place& place) const
 {
   const PlanarPoint low = place.Low();
   const PlanarPoint high = place.High();
-  double w = this->Arguments.At(place.Rounded);
+  double w = this->Arguments.At(place);
   std::vector<std::size_t> stack;
   if (!this->Nodes.empty())
   {
@@ -247,9 +248,9 @@ double PolylineWindingNumber::AtPlace(const Place& place) const
     {
       continue;
     }
-    if (node.High[0] < low[0] && node.LooseEnds.size() < 2 * (node.End - node.Begin))
+    if (node.High[0] < low[0] && node.Right != 0)
     {
-      w += this->WhollyLeft(node, place);
+      w -= node.LooseEnds.At(place); // all to the left: their crossings follow from loose ends
     }
     else if (node.Right == 0)
     {
