@@ -2,6 +2,7 @@
 #include "WindingNumber/PolylineWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/DoubleDouble.h"
 #include "Common/Numbers.h"
 #include "Common/PointPredicates.h"
 #include "Common/Stages.h"
@@ -39,6 +40,67 @@ struct RoundPlace
     return std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
       std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
   }
+};
+
+/** A place in twice the digits of a double: nearer to the mean of three points than any open end.
+ */
+struct FinePlace
+{
+  explicit FinePlace(const std::array<PlanarPoint, 3>& points)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      const DoubleDouble sum = TwoSum(points[0][k], points[1][k]) + DoubleDouble(points[2][k]);
+      const double third = sum.High / 3;
+      const DoubleDouble rest = sum - DoubleDouble(third) * DoubleDouble(3);
+      const DoubleDouble mean = QuickTwoSum(third, rest.High / 3);
+      this->Rounded[k] = mean.High;
+      this->Rest[k] = mean.Low;
+    }
+  }
+
+  PlanarPoint Low() const { return this->Next(-1); }
+  PlanarPoint High() const { return this->Next(1); }
+  PlanarPoint Next(double sign) const
+  {
+    const double far = sign * std::numeric_limits<double>::infinity();
+    return { std::nextafter(this->Rounded[0], far), std::nextafter(this->Rounded[1], far) };
+  }
+  PlanarPoint Offset(const PlanarPoint& a) const
+  {
+    return { this->Beyond(a[0], 0), this->Beyond(a[1], 1) };
+  }
+
+  /** How far a coordinate is beyond this place's: near it the first difference is exact. */
+  double Beyond(double a, int k) const { return (a - this->Rounded[k]) - this->Rest[k]; }
+  bool IsAtOrAbove(double height) const { return this->Beyond(height, 1) >= 0; }
+  int Side(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const double along = (b[0] - a[0]) * this->Beyond(a[1], 1);
+    const double across = (b[1] - a[1]) * this->Beyond(a[0], 0);
+    // Of seven roundings, each half a unit in the last place; and where products underflow.
+    const double bound =
+      8 * std::numeric_limits<double>::epsilon() * (std::abs(along) + std::abs(across)) +
+      std::numeric_limits<double>::min();
+    if (std::abs(across - along) > bound)
+    {
+      return across > along ? 1 : -1;
+    }
+    const auto beyond = [&](int k)
+    { return DyadicNumber(a[k]) - this->Rounded[k] - DyadicNumber(this->Rest[k]); };
+    return CGAL::sign(
+      (DyadicNumber(b[1]) - a[1]) * beyond(0) - (DyadicNumber(b[0]) - a[0]) * beyond(1));
+  }
+  bool IsInBox(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const PlanarPoint u = this->Offset(a);
+    const PlanarPoint v = this->Offset(b);
+    return std::min(u[0], v[0]) <= 0 && std::max(u[0], v[0]) >= 0 && std::min(u[1], v[1]) <= 0 &&
+      std::max(u[1], v[1]) >= 0;
+  }
+
+  PlanarPoint Rounded;
+  PlanarPoint Rest;
 };
 
 /** The mean of three points, exactly: everything is asked of three times it. */
@@ -276,7 +338,10 @@ double PolylineWindingNumber::At(const PlanarPoint& p) const
 double PolylineWindingNumber::AtMean(
   const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const
 {
-  return this->AtPlace(MeanPlace(std::array<PlanarPoint, 3>{ { a, b, c } }));
+  const std::array<PlanarPoint, 3> corners{ { a, b, c } };
+  const FinePlace place(corners);
+  const bool isWithin = place.Side(a, b) > 0 && place.Side(b, c) > 0 && place.Side(c, a) > 0;
+  return isWithin ? this->AtPlace(place) : this->AtPlace(MeanPlace(corners));
 }
 
 std::vector<double> PolylineWindingNumber::At(

@@ -44,7 +44,11 @@ public:
   /** At one finite point. Safe to call from several threads. */
   double At(const PlanarPoint& p) const;
 
-  /** At the mean of three finite points, the exact one, which may be no double. Slower. */
+  /**
+   * At the mean of three finite points that run counter-clockwise, which need not be a double: on
+   * the right side of each segment, exactly, and in angles but for rounding, however near open ends
+   * are.
+   */
   double AtMean(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const;
 
   /**
