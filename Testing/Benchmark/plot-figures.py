@@ -44,7 +44,7 @@ def draw(folder, name, title, line):
             label = method if closed == "1" else f"{method}, open"
             if len(set(facets)) > 2:
                 slope, line_of_slope = fitted(facets, seconds)
-                label = f"{label}: slope {slope:.2f}"
+                label = f"{label}: slope {round(slope, 2) + 0.0:.2f}"  # -0 is 0
                 axes.loglog(facets, line_of_slope, linestyle="-" if closed == "1" else ":", color=color, linewidth=0.8)
                 print(f"{name}: {label}")
             axes.loglog(facets, seconds, linestyle=line, marker="o", markersize=5, color=color, markerfacecolor=filled, label=label)
