@@ -275,6 +275,55 @@ class TestProbe(unittest.TestCase):
             insideout.pipeline.run(filter_)
 
 
+class TestVoxels(unittest.TestCase):
+    def test_a_stencil_has_the_voxels_that_the_probe_has(self):
+        for surface in (sphere(), sphere(40)):
+            image = grid(30)
+            stencil = insideout.vtkWindingNumberToImageStencil()
+            stencil.SetInputData(surface)
+            stencil.SetInformationInput(image)
+            painted = painted_by(stencil, image)
+            np.testing.assert_array_equal(
+                painted, vtk_to_numpy(probe(image, surface).GetOutput().GetPointData().GetArray("Inside")))
+            self.assertGreater(painted.sum(), 500)
+
+    def test_a_stencil_of_no_surface_is_an_error_and_empty(self):
+        stencil = insideout.vtkWindingNumberToImageStencil()
+        stencil.SetInputData(vtkPolyData())
+        stencil.SetInformationInput(grid())
+        with self.assertRaises(insideout.Error):
+            insideout.pipeline.run(stencil)
+
+    def test_fractions_sum_to_the_volume(self):
+        result = insideout.tetrahedralize(sphere(4))
+        for data in (grid(9), rectilinear(grid(9))):
+            fractions = insideout.vtkVoxelFractions()
+            fractions.SetInputData(data)
+            for solid in (result.solid, result.hull):
+                fractions.SetSolidData(solid.GetOutput() if hasattr(solid, "GetOutput") else solid)
+                fractions.Update()
+                values = vtk_to_numpy(fractions.GetOutput().GetCellData().GetArray("VolumeFraction"))
+                self.assertTrue(values.min() >= -1e-14 and values.max() <= 1 + 1e-14)
+                self.assertAlmostEqual(values.sum() * np.prod(grid(9).GetSpacing()), result.statistics["Volume"], 13)
+
+    def test_fractions_of_a_flat_image_are_an_error(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 1)
+        fractions = insideout.vtkVoxelFractions()
+        fractions.SetInputData(image)
+        fractions.SetSolidData(insideout.tetrahedralize(sphere()).solid)
+        with self.assertRaisesRegex(insideout.Error, "along z"):
+            insideout.pipeline.run(fractions)
+
+
+def painted_by(stencil, image):
+    """1 for each point of the image that the stencil has."""
+    stencil.Update()
+    data = stencil.GetOutput()
+    dimensions = image.GetDimensions()
+    return np.array([data.IsInside(i, j, k) for k in range(dimensions[2]) for j in range(dimensions[1]) for i in range(dimensions[0])])
+
+
 def function(surface):
     implicit = insideout.vtkImplicitWindingNumber()
     implicit.SetInput(surface)

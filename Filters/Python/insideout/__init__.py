@@ -87,6 +87,7 @@ MODULES
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
+import vtkmodules.vtkImagingCore
 import vtkmodules.vtkIOCore  # noqa: F401
 
 from . import vtkFiltersInsideOut as _classes
