@@ -66,8 +66,14 @@ bool GetDimensions(vtkDataSet* input, int dimensions[3])
   return false;
 }
 
-/** False where the places are no grid. */
-bool ReadGrid(vtkDataSet* input, bool atPoints, GridPlaces& grid)
+} // namespace
+
+vtkIdType vtkInsideOutNumberOfPlaces(vtkDataSet* input, bool atPoints)
+{
+  return atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
+}
+
+bool vtkInsideOutReadAxes(vtkDataSet* input, bool atPoints, GridPlaces& grid)
 {
   int dimensions[3];
   if (!GetDimensions(input, dimensions) || vtkInsideOutNumberOfPlaces(input, atPoints) == 0 ||
@@ -90,13 +96,6 @@ bool ReadGrid(vtkDataSet* input, bool atPoints, GridPlaces& grid)
   }
   return true;
 }
-} // namespace
-
-vtkIdType vtkInsideOutNumberOfPlaces(vtkDataSet* input, bool atPoints)
-{
-  return atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
-}
-
 namespace
 {
 /** Call work(first, places, progress) for some places after the other. */
@@ -123,7 +122,7 @@ void vtkInsideOutVisitPlaces(vtkDataSet* input, bool atPoints,
   const std::function<void(vtkIdType first, const std::vector<double>& values)>& visit)
 {
   GridPlaces grid;
-  if (ReadGrid(input, atPoints, grid))
+  if (vtkInsideOutReadAxes(input, atPoints, grid))
   {
     const vtkIdType slice = static_cast<vtkIdType>(grid.SizeOfSlice());
     const auto visitSlice = [&](Id k, const std::vector<double>& w) { visit(k * slice, w); };

@@ -15,6 +15,10 @@ class vtkDataSet;
 /** How many places there are. */
 vtkIdType vtkInsideOutNumberOfPlaces(vtkDataSet* input, bool atPoints);
 
+/** Read the places as those of an image or rectilinear grid, if they are. @return whether they are
+ */
+bool vtkInsideOutReadAxes(vtkDataSet* input, bool atPoints, insideout::GridPlaces& grid);
+
 /**
  * Call visit(first, values) with the winding numbers at all places, part by part: those of images
  * and rectilinear grids slice by slice, by several threads at once.
