@@ -18,7 +18,7 @@ if [ ! -e "$folder/vtk/complete" ]; then
   cd "$folder/packages"
   # TBB is what it runs in parallel on; libvtk9.1-qt has what its CMake files insist on.
   apt-get download -qq -o APT::Sandbox::User=root \
-    libvtk9.1 libvtk9.1-qt libvtk9-dev vtk9 python3-vtk9 libtbb12 libtbb-dev libtbbmalloc2
+    libvtk9.1 libvtk9.1-qt libvtk9-dev vtk9 python3-vtk9 libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2
   for package in *.deb; do
     dpkg -x "$package" "$folder/vtk"
   done
