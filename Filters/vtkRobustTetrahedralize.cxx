@@ -12,6 +12,7 @@
 #include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutPart.h"
 #include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRefine.h"
 #include "Private/vtkInsideOutRun.h"
@@ -66,10 +67,29 @@ auto AsTuple(const HullMeshParameters& parameters, const ArrayNames& names)
   return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
     mebibytes, engine, quadratureOrder, nonParticipating, bodies, blocksTime);
 }
-} // namespace
+
+/** An input as one surface, and what of it decides about the hull. */
+struct OneSurface
+{
+  vtkSmartPointer<vtkPolyData> Polygons;
+  ArrayNames Names;
+};
+
+OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
+{
+  OneSurface input = { vtkPolyData::SafeDownCast(given),
+    { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), 0 } };
+  if (filter->GetBlocksAreBodies())
+  {
+    input.Polygons = vtkInsideOutJoinBlocks(given);
+    input.Names.Bodies = vtkInsideOutBodyIds;
+    input.Names.BlocksTime = TimeOfBlocks(given);
+  }
+  return input;
+}
 
 /** The hull of an input, which the segmentation does not change. */
-struct vtkRobustTetrahedralize::HullOfInput
+struct HullOfInput
 {
   HullOfInput(vtkPolyData* input, const HullMeshParameters& parameters, const ArrayNames& names,
     Monitor& monitor)
@@ -79,9 +99,9 @@ struct vtkRobustTetrahedralize::HullOfInput
   {
     if (this->Bodies.AreThere())
     {
-      HullOfBodies hull = MeshBodies(
-        SplitBodies(this->Surface.Soup, this->Bodies.OfTriangle, this->Bodies.Names), parameters,
-        monitor);
+      HullOfBodies hull =
+        MeshBodies(SplitBodies(this->Surface.Soup, this->Bodies.OfTriangle, this->Bodies.Names),
+          parameters, monitor);
       this->Hull = std::move(hull.Whole);
       this->WOfBodies = std::move(hull.W);
     }
@@ -112,12 +132,13 @@ struct vtkRobustTetrahedralize::HullOfInput
 };
 
 /** What is inside, and the regions of that. */
-struct vtkRobustTetrahedralize::Segmented
+struct Segmented
 {
-  MeshSegmentation All;                            ///< inside any body
+  MeshSegmentation All;                             ///< inside any body
   std::vector<std::vector<unsigned char>> InBodies; ///< where there are bodies
   BodyRegions Regions;
 };
+} // namespace
 
 class vtkRobustTetrahedralize::Cache
   : public vtkInsideOutCache<decltype(AsTuple(std::declval<HullMeshParameters>(), ArrayNames())),
@@ -135,7 +156,6 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->Sigma = segment.Cut.Sigma;
   this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
   this->ConstrainFacets = segment.ConstrainFacets;
-  this->ConstrainManifold = segment.ConstrainManifold;
   const HullMeshParameters hull;
   this->Orientation = static_cast<int>(hull.Orientation);
   this->Thicken = hull.Thicken.Width;
@@ -165,7 +185,8 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "DataTerm: " << this->DataTerm << "\n";
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
-  os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
+  os << indent << "NonManifold: " << this->NonManifold << "\n";
+  os << indent << "SeparateOverlaps: " << this->SeparateOverlaps << "\n";
   os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
@@ -282,24 +303,45 @@ void CountOutliers(
   statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
 }
 
-/** The solid's boundary, of one body. */
-vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
-  const std::vector<unsigned char>& inside, bool mergePieces, bool splitSeams,
-  const TriangleSoup& soup, vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+/** What the points and triangles of the boundary are to be. */
+struct BoundaryOptions
 {
-  const std::vector<BoundaryFace> faces =
-    BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0, 0.05 });
+  bool MergePieces;
+  bool SplitSeams;
+  bool IsManifold;
+};
+
+/**
+ * The solid's boundary, of one body.
+ *
+ * @param[in] parted the solid that was parted from the hull, or null
+ */
+vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
+  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const BoundaryOptions& options, const TriangleSoup& soup, vtkInsideOutMakeOutputs& outputs,
+  Statistics& counts, Monitor& monitor)
+{
+  const TetrahedralMesh& mesh = parted ? parted->Solid.Mesh : hull.Mesh;
+  const std::vector<BoundaryFace> faces = BoundaryFaces(
+    mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
   std::vector<BoundaryTriangle> boundary =
-    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
-  if (mergePieces)
+    BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
+  if (options.MergePieces)
   {
     boundary = MergePieces(boundary, TrianglesInMesh(soup, hull.MergedInto, hull.Mesh), monitor,
       { Stages::Extracting, 0.1, 0.2 });
   }
   monitor.Check(Stages::Extracting, 0.2);
-  return splitSeams
+  if (options.IsManifold)
+  {
+    const ManifoldSurface manifold =
+      ManifoldBoundary(parted->Solid, faces, monitor, { Stages::Extracting, 0.2, 0.3 });
+    vtkInsideOutTellOfSharedPoints(manifold, counts, outputs.Warnings);
+    return outputs.MakeManifoldBoundary(hull, mesh, manifold, boundary);
+  }
+  return options.SplitSeams
     ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
-    : outputs.MakeBoundary(hull, boundary);
+    : outputs.MakeBoundary(hull, mesh, boundary);
 }
 
 /** The boundary of several bodies and the interfaces between their regions, with tags. */
@@ -309,7 +351,7 @@ vtkSmartPointer<vtkPolyData> MakeBoundaryOfBodies(const HullMesh& hull, const Bo
 {
   const RegionBoundaries boundaries =
     FindRegionBoundaries(hull.Mesh, regions.Regions, monitor, { Stages::Extracting, 0, 0.1 });
-  vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull,
+  vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull, hull.Mesh,
     BoundaryTriangles(
       hull.Surface, hull.Mesh, boundaries.Faces, monitor, { Stages::Extracting, 0.1, 0.2 }));
   vtkInsideOutAddRegionTags(boundaries, NamesOfRegions(regions, names), tags, boundary);
@@ -328,6 +370,24 @@ void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers
   surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
 }
 
+/** The solid with copies of cells where it overlaps itself, and of points where it touches itself.
+ */
+vtkInsideOutParting Part(const HullMesh& hull, const std::vector<unsigned char>& inside,
+  bool separateOverlaps, bool splitPoints, Monitor& monitor)
+{
+  vtkInsideOutParting parting;
+  parting.Solid = UnpartedSolid(hull.Mesh, inside);
+  if (separateOverlaps)
+  {
+    vtkInsideOutSeparateOverlaps(hull, parting, monitor, { Stages::Extracting, 0, 0 });
+  }
+  if (splitPoints)
+  {
+    vtkInsideOutSplitPoints(parting, monitor, { Stages::Extracting, 0, 0 });
+  }
+  return parting;
+}
+
 /** The solid's cells with their regions, and what it and each of these weigh. */
 struct Solid
 {
@@ -337,18 +397,14 @@ struct Solid
   Statistics Counts;
 };
 
-/** @param[in] add what puts more arrays on the grid of the hull */
-template <typename Add>
-Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  const SolidRegions& regions, vtkUnstructuredGrid* hullGrid, bool extractInside, const Add& add,
-  Monitor& monitor)
+Solid MakeSolid(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
+  const SolidRegions& regions, vtkUnstructuredGrid* grid, bool extractInside, Monitor& monitor)
 {
   Solid solid;
   solid.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  solid.Grid->ShallowCopy(hullGrid);
+  solid.Grid->ShallowCopy(grid);
   vtkInsideOutAddInside(inside, solid.Grid);
   vtkInsideOutAddRegions(regions, solid.Grid);
-  add(solid.Grid);
   if (extractInside)
   {
     solid.Grid = vtkInsideOutExtractInside(solid.Grid, monitor, { Stages::Extracting, 0.45, 1 });
@@ -356,35 +412,42 @@ Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
   const auto insideCells = std::count(inside.begin(), inside.end(), 1);
   if (insideCells > 0)
   {
-    solid.Masses = MeasureRegions(hull.Mesh, regions);
+    solid.Masses = MeasureRegions(mesh, regions);
   }
   solid.Counts.emplace_back("InsideCells", insideCells);
   solid.Counts.emplace_back("Regions", regions.Count);
-  solid.Mass = regions.Count == 1 ? MeasureRegions(hull.Mesh, regions).front()
-                                  : MeasureMass(hull.Mesh, inside);
+  solid.Mass = solid.Masses.size() == 1 ? solid.Masses.front() : MeasureMass(mesh, inside);
   return solid;
 }
-} // namespace
 
-vtkRobustTetrahedralize::Segmented vtkRobustTetrahedralize::Segment(
-  const HullOfInput& kept, const std::vector<Seed>& given, vtkPointSet* points, Monitor& monitor)
+/** What the cut goes by. */
+struct SegmentOptions
+{
+  SegmentMeshParameters Parameters;
+  std::string ConstrainedFacetsArray;
+  RegionRule Rule;
+  std::string Priority;
+};
+
+/** @param[in] points that the seeds were read from, or null */
+Segmented CutHull(const HullOfInput& kept, const std::vector<Seed>& given, vtkPointSet* points,
+  const SegmentOptions& options, Monitor& monitor)
 {
   const HullMesh& hull = kept.Hull;
   const std::vector<unsigned char> chosen =
-    vtkInsideOutReadChosenFacets(kept.Surface, this->ConstrainedFacetsArrayName, hull.Surface);
-  const SegmentMeshParameters parameters = vtkInsideOutSegmentMeshParameters(this);
-  const ProgressRange findingRegions = { Stages::Extracting, 0.4, 0.45 };
+    vtkInsideOutReadChosenFacets(kept.Surface, options.ConstrainedFacetsArray, hull.Surface);
+  const ProgressRange findingRegions = { Stages::Extracting, 0, 0 };
   Segmented segmented;
   if (!kept.Bodies.AreThere())
   {
-    segmented.All = SegmentMesh(hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen),
-      given, parameters, monitor);
+    segmented.All = SegmentMesh(
+      hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), given, options.Parameters, monitor);
     segmented.Regions.Regions =
       FindRegions(hull.Mesh, segmented.All.Inside, monitor, findingRegions);
     return segmented;
   }
   const std::vector<std::string>& names = kept.Bodies.Names;
-  const std::vector<Id> priority = PriorityOf(names, vtkInsideOutSplitNames(this->Priority));
+  const std::vector<Id> priority = PriorityOf(names, vtkInsideOutSplitNames(options.Priority));
   const std::vector<std::vector<Seed>> seeds = vtkInsideOutSeedsOfBodies(given, points, names);
   const std::vector<std::vector<FacetPiece>> pieces =
     vtkInsideOutPiecesOfBodies(hull, kept.Bodies, chosen);
@@ -393,18 +456,86 @@ vtkRobustTetrahedralize::Segmented vtkRobustTetrahedralize::Segment(
   {
     bodies.push_back({ names[b], kept.WOfBodies[b], pieces[b], seeds[b] });
   }
-  BodySegmentation found = SegmentBodies(hull.Mesh, bodies, parameters, monitor);
+  BodySegmentation found = SegmentBodies(hull.Mesh, bodies, options.Parameters, monitor);
   segmented.InBodies = std::move(found.Inside);
   segmented.All.Statistics = std::move(found.Statistics);
   segmented.All.Warnings = std::move(found.Warnings);
-  segmented.Regions = FindBodyRegions(segmented.InBodies,
-    static_cast<insideout::RegionRule>(this->RegionRule), priority, monitor, findingRegions);
+  segmented.Regions =
+    FindBodyRegions(segmented.InBodies, options.Rule, priority, monitor, findingRegions);
   for (const Id region : segmented.Regions.Regions.OfCell)
   {
     segmented.All.Inside.push_back(region != None);
   }
   return segmented;
 }
+
+/** Outputs 1 and 2 of one body. */
+Surfaces MakeSurfaces(const HullOfInput& kept, const std::vector<unsigned char>& inside,
+  const vtkInsideOutParting* parted, const BoundaryOptions& options, const vtkInsideOutTags& tags,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  Surfaces surfaces;
+  surfaces.Boundary = MakeBoundary(
+    hull, inside, parted, options, kept.Surface.Soup, outputs, surfaces.Counts, monitor);
+  vtkInsideOutAddTags(tags, surfaces.Boundary);
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
+  AddOutliers(hull,
+    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 }),
+    outputs, monitor, surfaces);
+  return surfaces;
+}
+
+/** Outputs 1 and 2 of several bodies. @param[in] tags of the surface, or null */
+Surfaces MakeSurfacesOfBodies(const HullOfInput& kept, const Segmented& segmented,
+  const vtkInsideOutTags* tags, vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  Surfaces surfaces;
+  surfaces.Boundary =
+    MakeBoundaryOfBodies(hull, segmented.Regions, kept.Bodies.Names, tags, outputs, monitor);
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
+  AddOutliers(hull,
+    OutlierPieces(hull.Surface, hull.Mesh,
+      vtkInsideOutIsInOwnBody(hull, kept.Bodies, segmented.InBodies), monitor,
+      { Stages::Extracting, 0.3, 0.35 }),
+    outputs, monitor, surfaces);
+  return surfaces;
+}
+
+/** The grid of all cells, with where bodies are. */
+vtkSmartPointer<vtkUnstructuredGrid> GridOf(const HullOfInput& kept, const Segmented& segmented)
+{
+  if (!kept.Bodies.AreThere())
+  {
+    return kept.Grid;
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->ShallowCopy(kept.Grid);
+  vtkInsideOutAddBodies(kept.Bodies, segmented.InBodies, segmented.Regions, kept.Hull.Mesh, grid);
+  return grid;
+}
+
+Solid MakeSolid(const HullOfInput& kept, const Segmented& segmented,
+  const vtkInsideOutParting* parted, bool extractInside, Monitor& monitor)
+{
+  if (!parted)
+  {
+    return MakeSolid(kept.Hull.Mesh, segmented.All.Inside, segmented.Regions.Regions,
+      GridOf(kept, segmented), extractInside, monitor);
+  }
+  const TetrahedralMesh& mesh = parted->Solid.Mesh;
+  const SolidRegions regions =
+    FindRegions(mesh, parted->Solid.Inside, monitor, { Stages::Extracting, 0.4, 0.45 });
+  return MakeSolid(mesh, parted->Solid.Inside, regions,
+    vtkInsideOutMakePartedGrid(kept.Grid, *parted), true, monitor);
+}
+
+void Append(const Statistics& more, Statistics& statistics)
+{
+  statistics.insert(statistics.end(), more.begin(), more.end());
+}
+} // namespace
 
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -417,14 +548,24 @@ void vtkRobustTetrahedralize::MakeTriangles(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkInsideOutMonitor monitor(this,
-    { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
-      Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting });
+  std::vector<std::string> stages = { Stages::Validating, Stages::Resolving, Stages::Triangulating,
+    Stages::Orienting, Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting };
   if (this->Refine)
   {
-    throw Error(ErrorCode::InvalidParameter,
-      "the input lies in a plane, where Refine cannot make better cells: it refines tetrahedra");
+    stages.emplace_back(Stages::Refining);
   }
+  vtkInsideOutMonitor monitor(this, stages);
+  if (this->Refine && this->QuadraticCells)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "QuadraticCells makes tetrahedra only, and the input lies in a plane");
+  }
+  if (this->SeparateOverlaps)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the input lies in a plane, where SeparateOverlaps does nothing: it separates tetrahedra");
+  }
+  this->CheckOptions();
   const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
   const vtkInsideOutTags tags =
     vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
@@ -434,6 +575,9 @@ void vtkRobustTetrahedralize::MakeTriangles(
   options.Segment = vtkInsideOutSegmentMeshParameters(this);
   options.ConstrainedArray = this->ConstrainedFacetsArrayName;
   options.ExtractInside = this->ExtractInside;
+  options.Refine = this->Refine;
+  options.Refinement = vtkInsideOutRefinementParameters(this);
+  options.SplitPoints = this->NonManifold == NON_MANIFOLD_SPLIT;
   const vtkInsideOutCurve curve =
     vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
   const vtkInsideOutTriangles triangles =
@@ -452,22 +596,36 @@ void vtkRobustTetrahedralize::MakeTriangles(
   }
 }
 
-void vtkRobustTetrahedralize::CheckRefinement()
+/** Whether the solid is more than a choice of the hull's cells. */
+bool vtkRobustTetrahedralize::PartsSolid()
 {
-  if (!this->Refine)
+  return this->NonManifold == NON_MANIFOLD_SPLIT || this->SeparateOverlaps;
+}
+
+void vtkRobustTetrahedralize::CheckOptions()
+{
+  const auto refuse = [](const std::string& words)
+  { throw Error(ErrorCode::InvalidParameter, words); };
+  const std::string parting =
+    this->SeparateOverlaps ? "SeparateOverlaps" : "NonManifold of the kind Split";
+  const bool changesPieces = this->MergeCoplanarPieces || this->SplitSeams;
+  const std::string pieces = this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams";
+  if (this->Refine && !this->ExtractInside)
   {
-    return;
+    refuse("Refine takes ExtractInside: of the hull only the solid can be refined");
   }
-  if (!this->ExtractInside)
+  if (this->PartsSolid() && !this->ExtractInside)
   {
-    throw Error(ErrorCode::InvalidParameter,
-      "Refine takes ExtractInside: of the hull only the solid can be refined");
+    refuse(parting + " takes ExtractInside: of the hull only the solid can be parted");
   }
-  if (this->Surface != KEPT && (this->MergeCoplanarPieces || this->SplitSeams))
+  if (this->PartsSolid() && changesPieces)
   {
-    throw Error(ErrorCode::InvalidParameter,
-      std::string(this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams") +
-        " takes a surface that is kept where the solid is refined");
+    refuse(pieces + " does not go together with " + parting);
+  }
+  if (this->Refine && this->Surface != KEPT && (this->PartsSolid() || changesPieces))
+  {
+    refuse((changesPieces ? pieces : parting) +
+      " takes a surface that is kept where the solid is refined");
   }
 }
 
@@ -488,10 +646,14 @@ void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
     throw Error(ErrorCode::InvalidParameter,
       "the input lies in a plane, where " + option + " has no meaning: bodies are in space");
   }
-  if (areThere && (this->MergeCoplanarPieces || this->SplitSeams))
+  if (areThere && (this->MergeCoplanarPieces || this->SplitSeams || this->PartsSolid()))
   {
+    const std::string parting =
+      this->SeparateOverlaps ? "SeparateOverlaps" : "NonManifold of the kind Split";
     throw Error(ErrorCode::InvalidParameter,
-      std::string(this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams") +
+      (this->MergeCoplanarPieces ? "MergeCoplanarPieces"
+          : this->SplitSeams     ? "SplitSeams"
+                                 : parting) +
         " takes one body: it would part interfaces from their cells");
   }
 }
@@ -503,14 +665,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
-      vtkSmartPointer<vtkPolyData> input = vtkPolyData::SafeDownCast(given);
-      ArrayNames names = { this->NonParticipatingArrayName, this->BodyArrayName, 0 };
-      if (this->BlocksAreBodies)
-      {
-        input = vtkInsideOutJoinBlocks(given);
-        names.Bodies = vtkInsideOutBodyIds;
-        names.BlocksTime = TimeOfBlocks(given);
-      }
+      const auto [input, names] = ReadInput(this, given);
       const bool isPlanar =
         vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2;
       this->CheckBodies(isPlanar);
@@ -520,7 +675,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         return;
       }
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
-      this->CheckRefinement();
+      this->CheckOptions();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
       if (!names.Bodies.empty())
       {
@@ -530,9 +685,9 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
-      const std::shared_ptr<HullOfInput> kept =
-        this->Hulls->Get(given, AsTuple(parameters, names),
-          [&]() { return std::make_shared<HullOfInput>(input, parameters, names, monitor); });
+      const std::shared_ptr<HullOfInput> kept = this->Hulls->Get(given, AsTuple(parameters, names),
+        [&, &surface = input, &arrays = names]()
+        { return std::make_shared<HullOfInput>(surface, parameters, arrays, monitor); });
       if (this->GetReleaseDataFlag())
       {
         this->Hulls->Forget();
@@ -541,42 +696,28 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutMakeOutputs outputs = kept->Outputs;
 
       Stopwatch stopwatch;
-      const Segmented segmented = this->Segment(*kept, seeds, vtkPointSet::GetData(inputVector[1]), monitor);
+      const Segmented segmented = CutHull(*kept, seeds, vtkPointSet::GetData(inputVector[1]),
+        { vtkInsideOutSegmentMeshParameters(this), this->ConstrainedFacetsArrayName,
+          static_cast<insideout::RegionRule>(this->RegionRule), this->Priority },
+        monitor);
       const MeshSegmentation& segmentation = segmented.All;
       const double cutSeconds = stopwatch.Lap();
-      const ProgressRange findingOutliers = { Stages::Extracting, 0.3, 0.35 };
-      Surfaces surfaces;
-      if (kept->Bodies.AreThere())
+      vtkInsideOutParting parting;
+      const bool isParted = this->PartsSolid();
+      if (isParted)
       {
-        surfaces.Boundary = MakeBoundaryOfBodies(hull, segmented.Regions, kept->Bodies.Names,
-          this->TagArrayName.empty() ? nullptr : &tags, outputs, monitor);
-        AddOutliers(hull,
-          OutlierPieces(hull.Surface, hull.Mesh,
-            vtkInsideOutIsInOwnBody(hull, kept->Bodies, segmented.InBodies), monitor,
-            findingOutliers),
-          outputs, monitor, surfaces);
+        parting = Part(hull, segmentation.Inside, this->SeparateOverlaps,
+          this->NonManifold == NON_MANIFOLD_SPLIT, monitor);
       }
-      else
-      {
-        surfaces.Boundary = MakeBoundary(hull, segmentation.Inside, this->MergeCoplanarPieces,
-          this->SplitSeams, kept->Surface.Soup, outputs, monitor);
-        vtkInsideOutAddTags(tags, surfaces.Boundary);
-        AddOutliers(hull,
-          OutlierPieces(hull.Surface, hull.Mesh, segmentation.Inside, monitor, findingOutliers),
-          outputs, monitor, surfaces);
-      }
-      surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
-      Solid solid = MakeSolid(
-        hull, segmentation.Inside, segmented.Regions.Regions, kept->Grid, this->ExtractInside,
-        [&](vtkUnstructuredGrid* grid)
-        {
-          if (kept->Bodies.AreThere())
-          {
-            vtkInsideOutAddBodies(
-              kept->Bodies, segmented.InBodies, segmented.Regions, hull.Mesh, grid);
-          }
-        },
-        monitor);
+      Surfaces surfaces = kept->Bodies.AreThere()
+        ? MakeSurfacesOfBodies(
+            *kept, segmented, this->TagArrayName.empty() ? nullptr : &tags, outputs, monitor)
+        : MakeSurfaces(*kept, segmentation.Inside, isParted ? &parting : nullptr,
+            { this->MergeCoplanarPieces, this->SplitSeams,
+              this->NonManifold == NON_MANIFOLD_SPLIT },
+            tags, outputs, monitor);
+      Solid solid =
+        MakeSolid(*kept, segmented, isParted ? &parting : nullptr, this->ExtractInside, monitor);
 
       vtkInsideOutRefinement refinement;
       if (this->Refine && !solid.Masses.empty())
@@ -587,21 +728,20 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         surfaces.Boundary = refinement.Boundary;
         if (this->Surface == REMESHED)
         {
+          refinement.Masses.resize(solid.Masses.size()); // the last regions may have no cell
           solid.Masses = refinement.Masses;
-          solid.Masses.resize(segmented.Regions.Regions.Count);
           solid.Mass = refinement.Mass;
         }
       }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
-      statistics.insert(
-        statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
-      statistics.insert(statistics.end(), solid.Counts.begin(), solid.Counts.end());
+      Append(segmentation.Statistics, statistics);
+      Append(parting.Statistics, statistics);
+      Append(solid.Counts, statistics);
       AppendMass(solid.Mass, statistics);
       statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
-      statistics.insert(statistics.end(), surfaces.Counts.begin(), surfaces.Counts.end());
-      statistics.insert(
-        statistics.end(), refinement.Statistics.begin(), refinement.Statistics.end());
+      Append(surfaces.Counts, statistics);
+      Append(refinement.Statistics, statistics);
       statistics.emplace_back("PeakMemory", PeakMemory());
 
       vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(solid.Grid);
@@ -612,6 +752,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAddMasses(solid.Masses, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, segmentation.Warnings);
+      vtkInsideOutWarn(this, parting.Warnings);
       vtkInsideOutWarn(this, outputs.Warnings);
       vtkInsideOutWarn(this, refinement.Warnings);
       if (solid.Masses.empty())

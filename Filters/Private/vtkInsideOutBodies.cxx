@@ -174,8 +174,8 @@ std::vector<std::vector<Seed>> vtkInsideOutSeedsOfBodies(
   return ofBodies;
 }
 
-std::vector<std::vector<FacetPiece>> vtkInsideOutPiecesOfBodies(const HullMesh& hull,
-  const vtkInsideOutBodies& bodies, const std::vector<unsigned char>& chosen)
+std::vector<std::vector<FacetPiece>> vtkInsideOutPiecesOfBodies(
+  const HullMesh& hull, const vtkInsideOutBodies& bodies, const std::vector<unsigned char>& chosen)
 {
   const FacetComplex& surface = hull.Surface;
   std::vector<std::vector<unsigned char>> ofBody(
@@ -202,7 +202,8 @@ std::function<bool(Id, Id)> vtkInsideOutIsInOwnBody(const HullMesh& hull,
   {
     const auto sources = hull.Surface.Sources.begin();
     return std::any_of(sources + hull.Surface.SourceOffsets[facet],
-      sources + hull.Surface.SourceOffsets[facet + 1], [&](const FacetSource& source)
+      sources + hull.Surface.SourceOffsets[facet + 1],
+      [&](const FacetSource& source)
       { return inside[bodies.OfTriangle[source.Triangle]][cell] != 0; });
   };
 }
@@ -227,8 +228,7 @@ void vtkInsideOutAddBodies(const vtkInsideOutBodies& bodies,
   vtkFieldData* fields = grid->GetFieldData();
   fields->AddArray(vtkInsideOutMakeStrings("BodyNames", bodies.Names));
   fields->AddArray(vtkInsideOutMakeArray<vtkDoubleArray>("BodyVolume", volumes));
-  fields->AddArray(
-    vtkInsideOutMakeStrings("RegionNames", NamesOfRegions(regions, bodies.Names)));
+  fields->AddArray(vtkInsideOutMakeStrings("RegionNames", NamesOfRegions(regions, bodies.Names)));
   fields->AddArray(ArrayOfBodies<vtkUnsignedCharArray>(
     "RegionBodies", RegionsOfBodies(regions.Bodies, bodies.Names.size()), bodies.Names));
 }

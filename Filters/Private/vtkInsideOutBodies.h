@@ -86,5 +86,4 @@ void vtkInsideOutAddBodies(const vtkInsideOutBodies& bodies,
  * @param[in] tags of the surface, or nullptr
  */
 void vtkInsideOutAddRegionTags(const insideout::RegionBoundaries& boundaries,
-  const std::vector<std::string>& regionNames, const vtkInsideOutTags* tags,
-  vtkPolyData* boundary);
+  const std::vector<std::string>& regionNames, const vtkInsideOutTags* tags, vtkPolyData* boundary);
