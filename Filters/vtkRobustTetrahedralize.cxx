@@ -531,6 +531,23 @@ Solid MakeSolid(const HullOfInput& kept, const Segmented& segmented,
     vtkInsideOutMakePartedGrid(kept.Grid, *parted), true, monitor);
 }
 
+/** Refine the solid, and its boundary with it. */
+vtkInsideOutRefinement RefineSolid(const RefinementParameters& parameters, bool quadratic,
+  Solid& solid, Surfaces& surfaces, Monitor& monitor)
+{
+  vtkInsideOutRefinement refinement =
+    vtkInsideOutRefine(solid.Grid, surfaces.Boundary, parameters, quadratic, monitor);
+  solid.Grid = refinement.Grid;
+  surfaces.Boundary = refinement.Boundary;
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    refinement.Masses.resize(solid.Masses.size()); // the last regions may have no cell
+    solid.Masses = refinement.Masses;
+    solid.Mass = refinement.Mass;
+  }
+  return refinement;
+}
+
 void Append(const Statistics& more, Statistics& statistics)
 {
   statistics.insert(statistics.end(), more.begin(), more.end());
@@ -722,16 +739,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutRefinement refinement;
       if (this->Refine && !solid.Masses.empty())
       {
-        refinement = vtkInsideOutRefine(solid.Grid, surfaces.Boundary,
-          vtkInsideOutRefinementParameters(this), this->QuadraticCells, monitor);
-        solid.Grid = refinement.Grid;
-        surfaces.Boundary = refinement.Boundary;
-        if (this->Surface == REMESHED)
-        {
-          refinement.Masses.resize(solid.Masses.size()); // the last regions may have no cell
-          solid.Masses = refinement.Masses;
-          solid.Mass = refinement.Mass;
-        }
+        refinement = RefineSolid(
+          vtkInsideOutRefinementParameters(this), this->QuadraticCells, solid, surfaces, monitor);
       }
       Statistics statistics = hull.Statistics;
       statistics.emplace_back("SecondsCut", cutSeconds);
