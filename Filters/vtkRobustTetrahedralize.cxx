@@ -351,7 +351,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
   options.Segment = vtkInsideOutSegmentMeshParameters(this);
   options.ConstrainedArray = this->ConstrainedFacetsArrayName;
   options.ExtractInside = this->ExtractInside;
-  options.SplitPoints = this->NonManifold == NON_MANIFOLD_SPLIT;
+  options.SplitPoints = this->NonManifold == NONMANIFOLD_SPLIT;
   const vtkInsideOutCurve curve =
     vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
   const vtkInsideOutTriangles triangles =
@@ -373,7 +373,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
 /** Whether the solid is more than a choice of the hull's cells. */
 bool vtkRobustTetrahedralize::PartsSolid()
 {
-  return this->NonManifold == NON_MANIFOLD_SPLIT || this->SeparateOverlaps;
+  return this->NonManifold == NONMANIFOLD_SPLIT || this->SeparateOverlaps;
 }
 
 void vtkRobustTetrahedralize::CheckOptions()
@@ -443,11 +443,11 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       if (this->PartsSolid())
       {
         parting = Part(hull, segmentation.Inside, this->SeparateOverlaps,
-          this->NonManifold == NON_MANIFOLD_SPLIT, monitor);
+          this->NonManifold == NONMANIFOLD_SPLIT, monitor);
       }
       const bool isParted = this->PartsSolid();
       Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, isParted ? &parting : nullptr,
-        { this->MergeCoplanarPieces, this->SplitSeams, this->NonManifold == NON_MANIFOLD_SPLIT },
+        { this->MergeCoplanarPieces, this->SplitSeams, this->NonManifold == NONMANIFOLD_SPLIT },
         kept->Surface.Soup, outputs, monitor);
       vtkInsideOutAddTags(tags, surfaces.Boundary);
       Solid solid = isParted
