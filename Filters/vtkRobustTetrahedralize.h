@@ -39,7 +39,8 @@
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
  * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
  * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
- * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there; Refine is an error.
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there; Refine and
+ * SeparateOverlaps are errors.
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
