@@ -328,13 +328,17 @@ void vtkRobustTetrahedralize::MakeTriangles(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkInsideOutMonitor monitor(this,
-    { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
-      Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting });
+  std::vector<std::string> stages = { Stages::Validating, Stages::Resolving, Stages::Triangulating,
+    Stages::Orienting, Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting };
   if (this->Refine)
   {
+    stages.emplace_back(Stages::Refining);
+  }
+  vtkInsideOutMonitor monitor(this, stages);
+  if (this->Refine && this->QuadraticCells)
+  {
     throw Error(ErrorCode::InvalidParameter,
-      "the input lies in a plane, where Refine cannot make better cells: it refines tetrahedra");
+      "QuadraticCells makes tetrahedra only, and the input lies in a plane");
   }
   if (this->SeparateOverlaps)
   {
@@ -351,6 +355,8 @@ void vtkRobustTetrahedralize::MakeTriangles(
   options.Segment = vtkInsideOutSegmentMeshParameters(this);
   options.ConstrainedArray = this->ConstrainedFacetsArrayName;
   options.ExtractInside = this->ExtractInside;
+  options.Refine = this->Refine;
+  options.Refinement = vtkInsideOutRefinementParameters(this);
   options.SplitPoints = this->NonManifold == NONMANIFOLD_SPLIT;
   const vtkInsideOutCurve curve =
     vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);

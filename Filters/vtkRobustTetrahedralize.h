@@ -39,8 +39,15 @@
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
  * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
  * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
- * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there; Refine and
- * SeparateOverlaps are errors.
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there;
+ * SeparateOverlaps is an error.
+ *
+ * With Refine the triangles inside are others there: Delaunay refinement, by EdgeLength, Grading
+ * and MaximumVolume, the largest area. KEPT: the boundary and all lines at inside triangles stay.
+ * SPLIT: they are cut, so that no angle is below 20.7 degrees but at sharp corners of the lines;
+ * where these lie too close to each other for that a warning says so. REMESHED and QuadraticCells
+ * are errors. Statistics are AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent,
+ * MaxAngle, and with Before in front the angles of the triangles before.
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -435,8 +442,8 @@ public:
 
   ///@{
   /**
-   * How large cells are to be at most where the solid is refined, in cubic units of the input; 0:
-   * any size. Default 0, range 0 to infinity.
+   * How large cells are to be at most where the solid is refined, in cubic units of the input, or
+   * in square ones in two dimensions; 0: any size. Default 0, range 0 to infinity.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);

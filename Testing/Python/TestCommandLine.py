@@ -510,6 +510,15 @@ class Winding(CommandLine):
         w = surfaces.point_array(reader.GetOutput(), "w")
         self.assertEqual([round(value) for value in w], [int(k == 13) for k in range(27)])
 
+    def test_distances_are_added_where_they_are_asked_for(self):
+        query = self.file("query.csv", "x,y,z\n0.5,0.5,0.25\n3,0.5,0.5\n")
+        box = self.file("box.ply", surfaces.box())
+        done = run("--winding", query, box, self.path("w.csv"), "--distance")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("w.csv"), encoding="utf-8") as file:
+            self.assertEqual(file.read().splitlines(), ["x,y,z,w,inside,distance", "0.5,0.5,0.25,1.0,1,-0.25", "3,0.5,0.5,0.0,0,2.0"])
+        self.check_failure(run("--distance", box, self.path("solid.vtu")), "it goes with --winding")
+
     def test_bad_queries(self):
         box = self.file("box.ply", surfaces.box())
         for name, content, result, expected in (

@@ -301,7 +301,7 @@ class Options:
     refine: bool = _is(
         Switch(
             "Refine",
-            "better tetrahedra of the same solid; the seven options below imply it",
+            "better tetrahedra of the same solid, or in a plane better triangles; the seven options below imply it",
         )
     )
     edge_length: Optional[float] = _is(
@@ -311,7 +311,7 @@ class Options:
         Number("Grading", "by how much edges may grow per unit of distance from the boundary", least=1e-6)
     )
     maximum_volume: Optional[float] = _is(
-        Number("MaximumVolume", "how large tetrahedra are to be at most, in the surface's units; 0 is any size")
+        Number("MaximumVolume", "how large tetrahedra, or in a plane triangles, are to be at most, in the surface's units; 0 is any size")
     )
     surface_treatment: SurfaceTreatment = _is(
         Choice(

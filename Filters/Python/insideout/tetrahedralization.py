@@ -185,8 +185,6 @@ def tetrahedralize(
     solid = inside_cells(hull)
     statistics = statistics_of(hull)
     is_planar = statistics.get("Dimension") == 2
-    if is_planar and options.refines():
-        raise Error("the input lies in a plane, where refine cannot make better cells: it refines tetrahedra")
     cells, faces = (Triangles, Polylines) if is_planar else (Tetrahedra, TriangleSurface)
     if runs_again and solid.GetNumberOfCells() > 0:
         tetrahedralizer.ExtractInsideOn()
