@@ -129,7 +129,7 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
         throw Error(ErrorCode::EmptySurface, "the grid has no cells");
       }
       Stopwatch stopwatch;
-      const bool split = this->NonManifold == NON_MANIFOLD_SPLIT;
+      const bool split = this->NonManifold == NONMANIFOLD_SPLIT;
       if (split && !this->ExtractInside)
       {
         throw Error(ErrorCode::InvalidParameter,

@@ -84,27 +84,27 @@ public:
   /** What becomes of the solid's boundary where it is no 2-manifold. */
   enum NonManifoldType
   {
-    NON_MANIFOLD_KEEP = 0, ///< it stays so
-    NON_MANIFOLD_FILL = 1, ///< cells are added
-    NON_MANIFOLD_SPLIT = 2 ///< points are copied in their place
+    NONMANIFOLD_KEEP = 0, ///< it stays so
+    NONMANIFOLD_FILL = 1, ///< cells are added
+    NONMANIFOLD_SPLIT = 2 ///< points are copied in their place
   };
 
   ///@{
   /**
    * What becomes of the solid's boundary where it is no 2-manifold, which has two faces at each
-   * edge and one fan of faces at each point. NON_MANIFOLD_KEEP (0): it stays so. NON_MANIFOLD_FILL
+   * edge and one fan of faces at each point. NONMANIFOLD_KEEP (0): it stays so. NONMANIFOLD_FILL
    * (1): cells are added until it is one; what is inside is then a local minimum.
-   * NON_MANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
+   * NONMANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
    * edges, and are not joined through faces around these, share none any more; places and cells
    * stay the same but for the points' ids, and vtkOriginalPointIds are those of the points that
-   * were copied. Both take tetrahedra, and NON_MANIFOLD_SPLIT takes ExtractInside. Default
-   * NON_MANIFOLD_KEEP.
+   * were copied. Both take tetrahedra, and NONMANIFOLD_SPLIT takes ExtractInside. Default
+   * NONMANIFOLD_KEEP.
    */
-  vtkSetClampMacro(NonManifold, int, NON_MANIFOLD_KEEP, NON_MANIFOLD_SPLIT);
+  vtkSetClampMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
   vtkGetMacro(NonManifold, int);
-  void SetNonManifoldToKeep() { this->SetNonManifold(NON_MANIFOLD_KEEP); }
-  void SetNonManifoldToFill() { this->SetNonManifold(NON_MANIFOLD_FILL); }
-  void SetNonManifoldToSplit() { this->SetNonManifold(NON_MANIFOLD_SPLIT); }
+  void SetNonManifoldToKeep() { this->SetNonManifold(NONMANIFOLD_KEEP); }
+  void SetNonManifoldToFill() { this->SetNonManifold(NONMANIFOLD_FILL); }
+  void SetNonManifoldToSplit() { this->SetNonManifold(NONMANIFOLD_SPLIT); }
   ///@}
 
   ///@{
@@ -141,7 +141,7 @@ protected:
   double Sigma;
   int DataTerm;
   bool ConstrainFacets;
-  int NonManifold = NON_MANIFOLD_KEEP;
+  int NonManifold = NONMANIFOLD_KEEP;
   bool ExtractInside = true;
 
 private:

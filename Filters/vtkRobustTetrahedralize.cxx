@@ -594,7 +594,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
   options.ExtractInside = this->ExtractInside;
   options.Refine = this->Refine;
   options.Refinement = vtkInsideOutRefinementParameters(this);
-  options.SplitPoints = this->NonManifold == NON_MANIFOLD_SPLIT;
+  options.SplitPoints = this->NonManifold == NONMANIFOLD_SPLIT;
   const vtkInsideOutCurve curve =
     vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
   const vtkInsideOutTriangles triangles =
@@ -616,7 +616,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
 /** Whether the solid is more than a choice of the hull's cells. */
 bool vtkRobustTetrahedralize::PartsSolid()
 {
-  return this->NonManifold == NON_MANIFOLD_SPLIT || this->SeparateOverlaps;
+  return this->NonManifold == NONMANIFOLD_SPLIT || this->SeparateOverlaps;
 }
 
 void vtkRobustTetrahedralize::CheckOptions()
@@ -724,14 +724,13 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       if (isParted)
       {
         parting = Part(hull, segmentation.Inside, this->SeparateOverlaps,
-          this->NonManifold == NON_MANIFOLD_SPLIT, monitor);
+          this->NonManifold == NONMANIFOLD_SPLIT, monitor);
       }
       Surfaces surfaces = kept->Bodies.AreThere()
         ? MakeSurfacesOfBodies(
             *kept, segmented, this->TagArrayName.empty() ? nullptr : &tags, outputs, monitor)
         : MakeSurfaces(*kept, segmentation.Inside, isParted ? &parting : nullptr,
-            { this->MergeCoplanarPieces, this->SplitSeams,
-              this->NonManifold == NON_MANIFOLD_SPLIT },
+            { this->MergeCoplanarPieces, this->SplitSeams, this->NonManifold == NONMANIFOLD_SPLIT },
             tags, outputs, monitor);
       Solid solid =
         MakeSolid(*kept, segmented, isParted ? &parting : nullptr, this->ExtractInside, monitor);

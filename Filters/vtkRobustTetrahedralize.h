@@ -56,7 +56,8 @@
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
  * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
  * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
- * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there.
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there;
+ * SeparateOverlaps is an error.
  *
  * With Refine the triangles inside are others there: Delaunay refinement, by EdgeLength, Grading
  * and MaximumVolume, the largest area. KEPT: the boundary and all lines at inside triangles stay.
@@ -206,29 +207,29 @@ public:
   /** What becomes of the solid's boundary where it is no 2-manifold. */
   enum NonManifoldType
   {
-    NON_MANIFOLD_KEEP = 0, ///< it stays so
-    NON_MANIFOLD_FILL = 1, ///< cells are added
-    NON_MANIFOLD_SPLIT = 2 ///< points are copied in their place
+    NONMANIFOLD_KEEP = 0, ///< it stays so
+    NONMANIFOLD_FILL = 1, ///< cells are added
+    NONMANIFOLD_SPLIT = 2 ///< points are copied in their place
   };
 
   ///@{
   /**
    * What becomes of the solid's boundary where it is no 2-manifold, which has two faces at each
-   * edge and one fan of faces at each point. NON_MANIFOLD_KEEP (0): it stays so. NON_MANIFOLD_FILL
+   * edge and one fan of faces at each point. NONMANIFOLD_KEEP (0): it stays so. NONMANIFOLD_FILL
    * (1): cells are added until it is one; what is inside is then a local minimum.
-   * NON_MANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
+   * NONMANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
    * edges, and are not joined through faces around these, share none any more; places and cells
    * stay the same but for the points' ids, and vtkOriginalPointIds are those of the points that
    * were copied. Where cells join all around what touches, as around two cavities, the boundary
    * (output 1) alone has several points in a place, whose cells share one; a warning counts them.
-   * NON_MANIFOLD_SPLIT takes ExtractInside and neither MergeCoplanarPieces nor SplitSeams. Default
-   * NON_MANIFOLD_KEEP.
+   * NONMANIFOLD_SPLIT takes ExtractInside and neither MergeCoplanarPieces nor SplitSeams. Default
+   * NONMANIFOLD_KEEP.
    */
-  vtkSetClampMacro(NonManifold, int, NON_MANIFOLD_KEEP, NON_MANIFOLD_SPLIT);
+  vtkSetClampMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
   vtkGetMacro(NonManifold, int);
-  void SetNonManifoldToKeep() { this->SetNonManifold(NON_MANIFOLD_KEEP); }
-  void SetNonManifoldToFill() { this->SetNonManifold(NON_MANIFOLD_FILL); }
-  void SetNonManifoldToSplit() { this->SetNonManifold(NON_MANIFOLD_SPLIT); }
+  void SetNonManifoldToKeep() { this->SetNonManifold(NONMANIFOLD_KEEP); }
+  void SetNonManifoldToFill() { this->SetNonManifold(NONMANIFOLD_FILL); }
+  void SetNonManifoldToSplit() { this->SetNonManifold(NONMANIFOLD_SPLIT); }
   ///@}
 
   ///@{
@@ -582,7 +583,7 @@ protected:
   double Sigma;
   int DataTerm;
   bool ConstrainFacets;
-  int NonManifold = NON_MANIFOLD_KEEP;
+  int NonManifold = NONMANIFOLD_KEEP;
   bool SeparateOverlaps = false;
   std::string ConstrainedFacetsArrayName;
   bool ExtractInside = true;

@@ -55,7 +55,7 @@ def swung(points: np.ndarray, ways: np.ndarray, degrees: float) -> np.ndarray:
 
 
 def dirty_figure(folder: Path) -> tuple[TriangleSurface, int]:
-    """And which of its points is the tip of its hand, which is within its belly."""
+    """And which of its points is the tip of its hand, which is within its chest."""
     given = as_surface(models.unpacked("homer.off", folder))[0]
     points = vtk_to_numpy(given.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(given.GetPolys().GetConnectivityArray()).reshape(-1, 3)

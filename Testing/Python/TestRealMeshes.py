@@ -142,7 +142,7 @@ class TestRealMeshes(unittest.TestCase):
             for keep, manifold in ((True, False), (False, True), (True, True)):
                 cut = insideout.vtkGraphCutSegmentation()
                 cut.SetConstrainFacets(keep)
-                cut.SetNonManifold(cut.NON_MANIFOLD_FILL if manifold else cut.NON_MANIFOLD_KEEP)
+                cut.SetNonManifold(cut.NONMANIFOLD_FILL if manifold else cut.NONMANIFOLD_KEEP)
                 cut.ExtractInsideOff()
                 cut.SetInputData(result.hull)
                 cut.Update()

@@ -276,7 +276,7 @@ class Options:
             "copies points in their place, so that parts that touch share none",
             default="keep",
             choices=get_args(NonManifold),
-            prefix="NON_MANIFOLD_",
+            prefix="NONMANIFOLD_",
         )
     )
     separate_overlaps: bool = _is(

@@ -241,10 +241,10 @@ TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
   EXPECT_EQ(filter->GetSigma(), sigma);
   EXPECT_EQ(filter->GetDataTerm(), static_cast<int>(dataTerm));
   EXPECT_EQ(filter->GetConstrainFacets(), constrainFacets);
-  EXPECT_EQ(filter->GetNonManifold() == TypeParam::NON_MANIFOLD_FILL, fillNonManifold);
-  EXPECT_EQ(filter->GetNonManifold(), TypeParam::NON_MANIFOLD_KEEP);
-  EXPECT_EQ(SET(filter, NonManifold, -1), TypeParam::NON_MANIFOLD_KEEP);
-  EXPECT_EQ(SET(filter, NonManifold, 99), TypeParam::NON_MANIFOLD_SPLIT);
+  EXPECT_EQ(filter->GetNonManifold() == TypeParam::NONMANIFOLD_FILL, fillNonManifold);
+  EXPECT_EQ(filter->GetNonManifold(), TypeParam::NONMANIFOLD_KEEP);
+  EXPECT_EQ(SET(filter, NonManifold, -1), TypeParam::NONMANIFOLD_KEEP);
+  EXPECT_EQ(SET(filter, NonManifold, 99), TypeParam::NONMANIFOLD_SPLIT);
 
   for (const double value : { -1.0, Infinity })
   {
