@@ -554,21 +554,29 @@ void RefineTo(const vtkInsideOutCurve& curve, const PlanarHull& hull,
 } // namespace
 
 vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
-  const PlanarHull& hull, const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
+  const PlanarHull& kept, const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
   const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
 {
   insideout::Stopwatch stopwatch;
   const insideout::MeshSegmentation segmentation =
-    SegmentTriangles(hull.Curve, hull.Mesh, hull.Plane, hull.W,
-      PiecesOfSegments(hull.Mesh, ChosenSegments(curve, hull, options.ConstrainedArray)), seeds,
+    SegmentTriangles(kept.Curve, kept.Mesh, kept.Plane, kept.W,
+      PiecesOfSegments(kept.Mesh, ChosenSegments(curve, kept, options.ConstrainedArray)), seeds,
       options.Segment, monitor);
   insideout::Statistics statistics = { { "Dimension", 2 } };
-  statistics.insert(statistics.end(), hull.Statistics.begin(), hull.Statistics.end());
+  statistics.insert(statistics.end(), kept.Statistics.begin(), kept.Statistics.end());
   statistics.emplace_back("SecondsCut", stopwatch.Lap());
   statistics.insert(
     statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
 
   monitor.Check(Extracting, 0);
+  PlanarHull split;
+  if (options.SplitPoints)
+  {
+    split = kept;
+    statistics.emplace_back("SplitPoints",
+      SplitPoints(split.Curve, split.Mesh, segmentation.Inside, monitor, { Extracting, 0, 0.1 }));
+  }
+  const PlanarHull& hull = options.SplitPoints ? split : kept;
   Maker maker(curve, hull);
   vtkInsideOutTriangles made;
   made.Grid = maker.MakeGrid();

@@ -21,6 +21,7 @@ struct vtkInsideOutPlanarOptions
   bool ExtractInside = true;
   bool Refine = false;
   insideout::RefinementParameters Refinement;
+  bool SplitPoints = false; ///< where the solid touches itself
 };
 
 /** One output of a single stage. */

@@ -100,6 +100,18 @@ def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
     ]
 
 
+def _parted(statistics: Mapping[str, float]) -> list[str]:
+    """Where the solid was given copies of points or cells, if that was asked for."""
+    lines = []
+    if "Overlaps" in statistics:
+        separated, overlaps, cells = (_count(statistics[key]) for key in ("SeparatedOverlaps", "Overlaps", "CopiedCells"))
+        lines.append(f"  {separated} of {overlaps} overlaps separated, by copies of {cells} tetrahedra")
+    if "SplitPoints" in statistics:
+        shared = f", {_count(statistics['SharedPoints'])} more on the boundary alone" if statistics.get("SharedPoints") else ""
+        lines.append(f"  {_count(statistics['SplitPoints'])} copies of points where it touches itself{shared}")
+    return lines
+
+
 def _scaled(statistics: Mapping[str, float]) -> list[str]:
     """By what the coordinates were multiplied, if they were."""
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
@@ -137,6 +149,7 @@ def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float]
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        *_parted(statistics),
         *_refined(statistics),
         *_mass(statistics),
         *_regions(volumes),
