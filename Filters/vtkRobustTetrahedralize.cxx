@@ -88,6 +88,13 @@ OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
   return input;
 }
 
+auto AsTuple(const PlanarHullParameters& parameters, const std::string& nonParticipating)
+{
+  const auto& [chain, orientation] = parameters;
+  const auto& [mergeTolerance, countDuplicates] = chain;
+  return std::make_tuple(mergeTolerance, countDuplicates, orientation, nonParticipating);
+}
+
 /** The hull of an input, which the segmentation does not change. */
 struct HullOfInput
 {
@@ -146,8 +153,30 @@ class vtkRobustTetrahedralize::Cache
 {
 };
 
+/** The same in two dimensions. */
+struct vtkRobustTetrahedralize::HullInAPlane
+{
+  HullInAPlane(vtkPolyData* input, const PlanarHullParameters& parameters,
+    const std::string& nonParticipating, Monitor& monitor)
+    : Curve(vtkInsideOutReadCurve(
+        HullOfInput::ShallowCopyOf(input), parameters.Orientation, nonParticipating))
+    , Hull(vtkInsideOutMeshPlanarHull(this->Curve, parameters, monitor))
+  {
+  }
+
+  vtkInsideOutCurve Curve;
+  PlanarHull Hull;
+};
+
+class vtkRobustTetrahedralize::CacheInAPlane
+  : public vtkInsideOutCache<decltype(AsTuple(std::declval<PlanarHullParameters>(), std::string())),
+      HullInAPlane>
+{
+};
+
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   : Hulls(new Cache)
+  , HullsInAPlane(new CacheInAPlane)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -587,24 +616,31 @@ void vtkRobustTetrahedralize::MakeTriangles(
   const vtkInsideOutTags tags =
     vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
   vtkInsideOutPlanarOptions options;
-  options.Hull.Chain = vtkInsideOutChainParameters(this);
-  options.Hull.Orientation = vtkInsideOutOrientation(this);
   options.Segment = vtkInsideOutSegmentMeshParameters(this);
   options.ConstrainedArray = this->ConstrainedFacetsArrayName;
   options.ExtractInside = this->ExtractInside;
   options.Refine = this->Refine;
   options.Refinement = vtkInsideOutRefinementParameters(this);
   options.SplitPoints = this->NonManifold == NONMANIFOLD_SPLIT;
-  const vtkInsideOutCurve curve =
-    vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
+  PlanarHullParameters parameters;
+  parameters.Chain = vtkInsideOutChainParameters(this);
+  parameters.Orientation = vtkInsideOutOrientation(this);
+  const std::string& nonParticipating = this->NonParticipatingArrayName;
+  const std::shared_ptr<HullInAPlane> kept = this->HullsInAPlane->Get(input,
+    AsTuple(parameters, nonParticipating),
+    [&]() { return std::make_shared<HullInAPlane>(input, parameters, nonParticipating, monitor); });
+  if (this->GetReleaseDataFlag())
+  {
+    this->HullsInAPlane->Forget();
+  }
   const vtkInsideOutTriangles triangles =
-    vtkInsideOutMakeTriangles(curve, seeds, tags, options, monitor);
+    vtkInsideOutMakeTriangles(kept->Curve, kept->Hull, seeds, tags, options, monitor);
   vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(triangles.Grid);
   vtkPolyData::GetData(outputVector, 1)->ShallowCopy(triangles.Boundary);
   vtkPolyData::GetData(outputVector, 2)->ShallowCopy(triangles.Outliers);
   if (this->Dimension == DIMENSION_AUTOMATIC)
   {
-    vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(curve) });
+    vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(kept->Curve) });
   }
   vtkInsideOutWarn(this, triangles.Warnings);
   if (this->Thicken > 0)

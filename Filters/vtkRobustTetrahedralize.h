@@ -621,6 +621,9 @@ private:
 
   class Cache;
   std::unique_ptr<Cache> Hulls;
+  struct HullInAPlane;
+  class CacheInAPlane;
+  std::unique_ptr<CacheInAPlane> HullsInAPlane;
 
   vtkRobustTetrahedralize(const vtkRobustTetrahedralize&) = delete;
   void operator=(const vtkRobustTetrahedralize&) = delete;

@@ -436,10 +436,8 @@ std::string NothingInside(const PlanarHull& hull)
 }
 } // namespace
 
-namespace
-{
-PlanarHull MakeHull(const vtkInsideOutCurve& curve, insideout::PlanarHullParameters parameters,
-  insideout::Monitor& monitor)
+PlanarHull vtkInsideOutMeshPlanarHull(const vtkInsideOutCurve& curve,
+  insideout::PlanarHullParameters parameters, insideout::Monitor& monitor)
 {
   if (curve.ArePolygons)
   {
@@ -448,6 +446,8 @@ PlanarHull MakeHull(const vtkInsideOutCurve& curve, insideout::PlanarHullParamet
   return MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor);
 }
 
+namespace
+{
 /** An output of a stage with what is told of all. */
 template <typename Data>
 vtkInsideOutPlanarStage<Data> Finish(vtkSmartPointer<Data> output, const Maker& maker,
@@ -475,7 +475,7 @@ vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutMakePlanarHull(
   const vtkInsideOutCurve& curve, const insideout::PlanarHullParameters& parameters,
   insideout::Monitor& monitor)
 {
-  const PlanarHull hull = MakeHull(curve, parameters, monitor);
+  const PlanarHull hull = vtkInsideOutMeshPlanarHull(curve, parameters, monitor);
   Maker maker(curve, hull);
   auto grid = maker.MakeGrid();
   return Finish(grid, maker, hull.Statistics, curve, hull);
@@ -554,27 +554,29 @@ void RefineTo(const vtkInsideOutCurve& curve, const PlanarHull& hull,
 } // namespace
 
 vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
-  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
+  const PlanarHull& kept, const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
   const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
 {
-  PlanarHull hull = MakeHull(curve, options.Hull, monitor);
   insideout::Stopwatch stopwatch;
   const insideout::MeshSegmentation segmentation =
-    SegmentTriangles(hull.Curve, hull.Mesh, hull.Plane, hull.W,
-      PiecesOfSegments(hull.Mesh, ChosenSegments(curve, hull, options.ConstrainedArray)), seeds,
+    SegmentTriangles(kept.Curve, kept.Mesh, kept.Plane, kept.W,
+      PiecesOfSegments(kept.Mesh, ChosenSegments(curve, kept, options.ConstrainedArray)), seeds,
       options.Segment, monitor);
   insideout::Statistics statistics = { { "Dimension", 2 } };
-  statistics.insert(statistics.end(), hull.Statistics.begin(), hull.Statistics.end());
+  statistics.insert(statistics.end(), kept.Statistics.begin(), kept.Statistics.end());
   statistics.emplace_back("SecondsCut", stopwatch.Lap());
   statistics.insert(
     statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
 
   monitor.Check(Extracting, 0);
+  PlanarHull split;
   if (options.SplitPoints)
   {
+    split = kept;
     statistics.emplace_back("SplitPoints",
-      SplitPoints(hull.Curve, hull.Mesh, segmentation.Inside, monitor, { Extracting, 0, 0.1 }));
+      SplitPoints(split.Curve, split.Mesh, segmentation.Inside, monitor, { Extracting, 0, 0.1 }));
   }
+  const PlanarHull& hull = options.SplitPoints ? split : kept;
   Maker maker(curve, hull);
   vtkInsideOutTriangles made;
   made.Grid = maker.MakeGrid();

@@ -16,7 +16,6 @@ class vtkUnstructuredGrid;
 /** The options that matter in two dimensions. */
 struct vtkInsideOutPlanarOptions
 {
-  insideout::PlanarHullParameters Hull;
   insideout::SegmentMeshParameters Segment;
   std::string ConstrainedArray; ///< the cell array that chooses which segments are kept
   bool ExtractInside = true;
@@ -42,10 +41,15 @@ struct vtkInsideOutTriangles
   std::vector<std::string> Warnings;
 };
 
-/** All stages. @throws insideout::Error */
+/** Stages validate to w. @throws insideout::Error */
+insideout::PlanarHull vtkInsideOutMeshPlanarHull(const vtkInsideOutCurve& curve,
+  insideout::PlanarHullParameters parameters, insideout::Monitor& monitor);
+
+/** The stages after that. @throws insideout::Error */
 vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
-  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
-  const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor);
+  const insideout::PlanarHull& hull, const std::vector<insideout::Seed>& seeds,
+  const vtkInsideOutTags& tags, const vtkInsideOutPlanarOptions& options,
+  insideout::Monitor& monitor);
 
 /** Stages validate to w: all triangles of the hull. @throws insideout::Error */
 vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutMakePlanarHull(

@@ -45,6 +45,25 @@ SegmentSoup Rings(int segments)
   return soup;
 }
 
+/** Short segments in random places of a square: two open ends each. */
+SegmentSoup OpenSegments(int count)
+{
+  std::mt19937 random(1);
+  const auto uniform = [&]() { return random() / 4294967296.0; };
+  const double size = 0.5 / std::sqrt(count);
+  SegmentSoup soup;
+  for (Id i = 0; i < count; ++i)
+  {
+    const double x = uniform();
+    const double y = uniform();
+    const double angle = 2 * std::acos(-1) * uniform();
+    soup.Points.push_back({ { x, y, 0 } });
+    soup.Points.push_back({ { x + size * std::cos(angle), y + size * std::sin(angle), 0 } });
+    soup.Segments.push_back({ { 2 * i, 2 * i + 1 } });
+  }
+  return soup;
+}
+
 /** All stages. */
 void Mesh(const SegmentSoup& soup)
 {
@@ -83,8 +102,8 @@ void TriangulateByCgal(const SegmentSoup& soup)
 }
 } // namespace
 
-/** BenchmarkPlanar: a million segments against 10,000, and 100,000 against CGAL. Lines as in
- * Measure.h. */
+/** BenchmarkPlanar: a million segments against 10,000, 100,000 against CGAL, and 200,000 open ends
+ * against 20,000. Lines as in Measure.h. */
 int main()
 {
   const SegmentSoup few = Rings(10000);
@@ -96,5 +115,10 @@ int main()
   const auto seconds = MedianSeconds([&] { Mesh(many); }, [&] { Mesh(few); });
   PrintSeconds("planar/growth", many.Segments.size(), "a million", "10,000", seconds);
   PrintRatio("planar/growth", seconds[0] / (100 * seconds[1]), Growth);
+  const SegmentSoup fewOpen = OpenSegments(10000);
+  const SegmentSoup manyOpen = OpenSegments(100000);
+  const auto open = MedianSeconds([&] { Mesh(manyOpen); }, [&] { Mesh(fewOpen); });
+  PrintSeconds("planar/open", manyOpen.Segments.size(), "100,000", "10,000", open);
+  PrintRatio("planar/open", open[0] / (10 * open[1]), Growth);
   return 0;
 }

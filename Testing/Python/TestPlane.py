@@ -68,6 +68,7 @@ class Function(unittest.TestCase):
         self.assertIsInstance(result.solid, insideout.Triangles)
         self.assertGreater(len(result.solid.cells), 300)
         self.assertGreater(result.statistics["MinAngle"], 20.7)
+        self.assertIsInstance(result.statistics["BeforeMinAngle"], float)
         self.assertAlmostEqual(area_of(result.solid.points, result.solid.cells), 7)
         self.assertEqual(set(result.solid.w), {1, 2})
         with self.assertRaisesRegex(insideout.Error, "vtkTriangle; only tetrahedra"):

@@ -6,6 +6,7 @@
 #include "Common/Error.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
+#include "Planar/TwoSidedCurves.h"
 #include "Validate/MergePoints.h"
 
 #include <algorithm>
@@ -233,6 +234,10 @@ CountedCurve CountSegments(const SegmentSoup& soup, const Plane& plane,
   CompactPoints(soup, plane, counted);
   counts.Points = static_cast<Id>(counted.Curve.Points.size());
   counts.Segments = counted.Curve.NumberOfSegments();
+  if (soup.Multiplicity.empty())
+  {
+    counts.TwoSidedCurves = KeepTwoSidedCurves(soup, counted.Curve).Closed;
+  }
   counts.OpenEnds = NumberOfOpenEnds(counted.Curve);
   counts.Components = NumberOfComponents(counted.Curve);
   monitor.Check(Stages::Validating, 1);
@@ -251,5 +256,6 @@ void AddCounts(const CurveCounts& counts, Statistics& statistics)
   statistics.emplace_back("DegenerateSegments", counts.DegenerateSegments);
   statistics.emplace_back("DuplicateSegments", counts.DuplicateSegments);
   statistics.emplace_back("CancelledSegments", counts.CancelledSegments);
+  statistics.emplace_back("TwoSidedCurves", counts.TwoSidedCurves);
 }
 } // namespace insideout

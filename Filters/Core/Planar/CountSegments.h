@@ -21,7 +21,8 @@ struct CurveCounts
   Id MergedPoints = 0;       ///< input points that became one with a point of lower id
   Id DegenerateSegments = 0; ///< left out: two equal points
   Id DuplicateSegments = 0;  ///< input segments whose two points an earlier one has
-  Id CancelledSegments = 0;  ///< given both ways, which count 0
+  Id CancelledSegments = 0;  ///< given both ways, so that they cancel
+  Id TwoSidedCurves = 0;     ///< of these: closed curves that are kept once (KeepTwoSidedCurves)
   Id OpenEnds = 0;           ///< points at which the signed count of segments is not 0
   Id Components = 0;         ///< of segments joined through points
 };
@@ -38,7 +39,8 @@ struct CountedCurve
  * Stage validate in a plane, by the rules of CountFacets: points with equal coordinates become one,
  * segments without length are left out, and those with the same two points become one, whose
  * multiplicity counts them once per direction, opposite ones cancelling; it stays a constraint at
- * 0. Where the soup comes with multiplicities, or duplicates are to be counted, these add instead.
+ * 0, unless a closed curve is given both ways as a whole (KeepTwoSidedCurves). Where the soup comes
+ * with multiplicities, or duplicates are to be counted, these add instead.
  *
  * @param[in] plane through the soup's points
  * @throws Error EmptySurface, PointNotFinite, PointOutOfRange, AllDegenerate, InvalidParameter,

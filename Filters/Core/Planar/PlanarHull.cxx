@@ -20,6 +20,11 @@ void AddWarnings(PlanarHull& hull, Id leftOut)
     hull.Warnings.push_back(std::to_string(hull.Counts.DegenerateSegments) +
       " degenerate segments (without length) are left out");
   }
+  if (hull.Counts.TwoSidedCurves > 0)
+  {
+    hull.Warnings.push_back(std::to_string(hull.Counts.TwoSidedCurves) +
+      " closed curves that are given both ways are kept once, turned counter-clockwise");
+  }
   if (leftOut > 0)
   {
     hull.Warnings.push_back(std::to_string(leftOut) +

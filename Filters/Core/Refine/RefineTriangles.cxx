@@ -163,8 +163,8 @@ private:
   bool IsEncroached(const Segment& ends, const PlanarPoint& place) const;
   bool IsRoomy(Id cell, const PlanarPoint& place, double spacing) const;
   bool IsAcrossSharpCorner(Id u, Id v) const;
-  bool SplitConstraint(const Place& edge, double leastPiece);
-  bool MakeWay(const Place& at, const PlanarPoint& center, double leastPiece, bool& isBlocked);
+  bool SplitConstraint(const Place& edge, double leastHalf);
+  bool MakeWay(const Place& at, const PlanarPoint& center, double leastHalf, bool& isBlocked);
   Id InputEdge(Id source) const;
   Segment EndsOfInputEdge(Id edge) const { return EdgeOf(this->Input.Cells[edge / 3], edge % 3); }
   bool IsSharp(Id point) const
@@ -384,8 +384,8 @@ bool Refiner::IsAcrossSharpCorner(Id u, Id v) const
   return false;
 }
 
-/** @param[in] leastPiece no piece may be shorter. @return whether it was split */
-bool Refiner::SplitConstraint(const Place& edge, double leastPiece)
+/** @param[in] leastHalf a constraint stays whose half is shorter. @return whether it was split */
+bool Refiner::SplitConstraint(const Place& edge, double leastHalf)
 {
   Segment ends = this->EndsOf(edge);
   std::sort(ends.begin(), ends.end()); // the same from both sides
@@ -397,7 +397,7 @@ bool Refiner::SplitConstraint(const Place& edge, double leastPiece)
     const double shell = std::exp2(std::floor(std::log2(length * 2 / 3))) / length;
     part = this->IsSharp(ends[0]) ? shell : 1 - shell;
   }
-  if (std::min(part, 1 - part) * length < leastPiece)
+  if (length / 2 < leastHalf)
   {
     return false;
   }
@@ -429,8 +429,7 @@ void Refiner::LookAtConstraint(const Task& task)
 }
 
 /** Split what a new point would be too near to. @return whether something was split */
-bool Refiner::MakeWay(
-  const Place& at, const PlanarPoint& center, double leastPiece, bool& isBlocked)
+bool Refiner::MakeWay(const Place& at, const PlanarPoint& center, double leastHalf, bool& isBlocked)
 {
   std::vector<Place> blocking;
   if (at.Edge != None)
@@ -450,7 +449,7 @@ bool Refiner::MakeWay(
   isBlocked = !blocking.empty();
   // One after the other: a split changes the cells around it.
   return std::any_of(blocking.begin(), blocking.end(),
-    [&](const Place& edge) { return this->SplitConstraint(edge, leastPiece); });
+    [&](const Place& edge) { return this->SplitConstraint(edge, leastHalf); });
 }
 
 void Refiner::LookAtTriangle(const Task& task)
@@ -506,7 +505,7 @@ void Refiner::LookAtTriangle(const Task& task)
   }
   const Place at = this->Mesh.Locate(task.At.Cell, center);
   bool isBlocked = at.Cell == None;
-  // Of a thin triangle no piece becomes shorter than its shortest edge: so it ends.
+  // For a thin triangle no constraint is halved into pieces shorter than its shortest edge.
   if (!isBlocked && this->MakeWay(at, center, isLarge ? 0 : least, isBlocked) &&
     this->Mesh.Cells()[task.At.Cell].Version == task.Version)
   {

@@ -79,6 +79,7 @@ PLANAR_DEFECTS = (
         *("CancelledSegments", "segment cancelled by its opposite", "segments cancelled by their opposites"),
         "such segments shape the mesh but bound nothing",
     ),
+    Defect("TwoSidedCurves", "two-sided closed curve", "two-sided closed curves", "kept once, turned counter-clockwise"),
     Defect("DegenerateSegments", "degenerate segment", "degenerate segments", "without length, and left out"),
     Defect("LeftOutSegments", "segment that could not be resolved", "segments that could not be resolved"),
 )

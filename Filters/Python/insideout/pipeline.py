@@ -37,7 +37,7 @@ MEASURED = (
     *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
     *("OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
-    *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area"),
+    *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area", "MinAngle", "Angle1Percent", "MaxAngle"),
 )
 """What the names of statistics begin with that do not count; those of tetrahedra before they are refined have a Before."""
 

@@ -383,6 +383,48 @@ TEST(vtkRobustTetrahedralizeInAPlane, RefinesTheTrianglesAndCarriesTheirData)
   EXPECT_GT(run.Filter->GetOutput()->GetNumberOfCells(), 100);
 }
 
+TEST(vtkRobustTetrahedralizeInAPlane, KeepsTheHullUntilWhatItIsMadeOfChanges)
+{
+  const Data input = TwoSquares();
+  FilterRun run(input, 2);
+  std::set<std::string> stages;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&stages);
+  listen->SetCallback(
+    [](vtkObject* caller, unsigned long, void* all, void*)
+    {
+      if (const char* text = static_cast<vtkAlgorithm*>(caller)->GetProgressText())
+      {
+        static_cast<std::set<std::string>*>(all)->insert(text);
+      }
+    });
+  run.Filter->AddObserver(vtkCommand::ProgressEvent, listen);
+  const auto meshesAgain = [&]()
+  {
+    stages.clear();
+    run.Filter->Update();
+    EXPECT_EQ(stages.count("segmenting"), 1u);
+    EXPECT_DOUBLE_EQ(run.Statistic("Area"), 7);
+    return stages.count("triangulating") > 0;
+  };
+  EXPECT_TRUE(meshesAgain());
+  run.Filter->SetGamma(1);
+  EXPECT_FALSE(meshesAgain());
+  run.Filter->RefineOn();
+  EXPECT_FALSE(meshesAgain());
+  run.Filter->CountDuplicatesOn();
+  EXPECT_TRUE(meshesAgain());
+  run.Filter->SetOrientation(vtkRobustTetrahedralize::OUTWARD);
+  EXPECT_TRUE(meshesAgain());
+  input->Modified();
+  EXPECT_TRUE(meshesAgain());
+  run.Filter->ReleaseDataFlagOn();
+  input->Modified();
+  EXPECT_TRUE(meshesAgain());
+  run.Filter->SetGamma(2);
+  EXPECT_TRUE(meshesAgain());
+}
+
 TEST(StagesInAPlane, GiveTheSameTrianglesAsAllAtOnce)
 {
   vtkNew<vtkResolveSelfIntersections> resolve;

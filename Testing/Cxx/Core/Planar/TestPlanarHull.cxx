@@ -197,6 +197,35 @@ TEST(PlanarHull, AddsWhatCoincidesAlongALineAndCancelsDuplicates)
   EXPECT_EQ(cancelled, 2); // given both ways, and where the squares touch
 }
 
+TEST(PlanarHull, KeepsClosedCurvesOnceThatAreGivenBothWays)
+{
+  // A square both ways, two triangles at a point both ways, a line both ways; and a square both
+  // ways with a tail that is given once, so that it stays cancelled.
+  const SegmentSoup soup =
+    Lines({ { 0, 0 }, { 0, 2 }, { 2, 2 }, { 2, 0 }, { 4, 0 }, { 5, 0 }, { 5, 1 }, { 3, 0 },
+            { 3, -1 }, { 7, 0 }, { 8, 0 }, { 9, 0 }, { 10, 0 }, { 10, 1 }, { 9, 1 }, { 9, 4 } },
+      { { 0, 1, 2, 3, 0, 3, 2, 1, 0 }, { 4, 5, 6, 4, 6, 5, 4, 7, 8, 4, 8, 7, 4 }, { 9, 10, 9 },
+        { 11, 12, 13, 14, 11, 14, 13, 12, 11 }, { 15, 14 } });
+  const PlanarHull hull = MeshHullOf(soup);
+  EXPECT_EQ(hull.Counts.TwoSidedCurves, 3);
+  EXPECT_EQ(hull.Counts.OpenEnds, 2);
+  ASSERT_EQ(hull.Warnings.size(), 1u);
+  EXPECT_NE(hull.Warnings[0].find("3 closed curves"), std::string::npos);
+  // Without the open tail w is a whole number.
+  SegmentSoup closed = soup;
+  closed.Segments.pop_back();
+  EXPECT_EQ(MeshHullOf(closed).Counts.TwoSidedCurves, 4);
+  EXPECT_DOUBLE_EQ(AreaWhere(MeshHullOf(closed), 1), 4 + 0.5 + 0.5 + 1);
+  // Turned over or not: they are outward as they are.
+  EXPECT_DOUBLE_EQ(AreaWhere(MeshHullOf(closed, Orientation::Automatic), 1), 6);
+  EXPECT_DOUBLE_EQ(AreaWhere(MeshHullOf(closed, Orientation::Reverse), -1), 6);
+  // What does not participate does not make a curve one-sided.
+  SegmentSoup marked = soup;
+  marked.NonParticipating.assign(soup.Segments.size(), 0);
+  marked.NonParticipating.back() = 1;
+  EXPECT_EQ(MeshHullOf(marked).Counts.TwoSidedCurves, 4);
+}
+
 TEST(PlanarHull, IsTheSameInAnyPlane)
 {
   const SegmentSoup flat = RandomWalk(4, 9, 30, false);

@@ -102,16 +102,57 @@ double LeastAngle(const std::vector<PlanarPoint>& points, const Triangle& cell)
   return least;
 }
 
-/** Which law is broken, empty for none. */
-std::string Broken(const Refinement& all, bool isKept)
+/** Constraints by their directed edges: the segment, None for none, and what it counts. */
+using Constraints = std::map<Segment, std::pair<Id, int>>;
+
+/** Of the input, as far as it is inside. */
+Constraints ConstraintsOf(const PlanarHull& hull, const std::vector<unsigned char>& inside)
+{
+  Constraints constraints;
+  const PlanarMesh& mesh = hull.Mesh;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; inside[c] != 0 && k < 3; ++k)
+    {
+      const Id beyond = mesh.Neighbors[c][k];
+      if (mesh.Segments[c][k] != None || beyond == None || inside[beyond] == 0)
+      {
+        constraints[EdgeOf(mesh.Cells[c], k)] = { mesh.Segments[c][k],
+          MultiplicityOnEntering(hull.Curve, mesh, c, k) };
+      }
+    }
+  }
+  return constraints;
+}
+
+/** Of the result: what is on the boundary, or a segment; each side by itself. */
+Constraints ConstraintsOf(const RefinedTriangles& refined)
+{
+  Constraints constraints;
+  for (Id c = 0; c < refined.Mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id segment = refined.Mesh.Segments[c][k];
+      if (segment != None || refined.Mesh.Neighbors[c][k] == None)
+      {
+        constraints[EdgeOf(refined.Mesh.Cells[c], k)] = { segment,
+          MultiplicityOnEntering(refined.Curve, refined.Mesh, c, k) };
+      }
+    }
+  }
+  return constraints;
+}
+
+/** Triangles are positive, edge to edge with the neighbours that they name, and cover the inside.
+ */
+std::string BrokenByCells(const Refinement& all)
 {
   const RefinedTriangles& refined = all.Refined;
-  const std::vector<PlanarPoint>& points = refined.Curve.Points;
-  const PlanarMesh& given = all.Hull.Mesh;
   Rational area = 0;
   for (const Triangle& cell : refined.Mesh.Cells)
   {
-    const Rational twice = TwiceArea(points, cell[0], cell[1], cell[2]);
+    const Rational twice = TwiceArea(refined.Curve.Points, cell[0], cell[1], cell[2]);
     if (twice <= 0)
     {
       return "a triangle is not positive";
@@ -123,46 +164,31 @@ std::string Broken(const Refinement& all, bool isKept)
   {
     return "two triangles are on one side of an edge";
   }
-  Rational before = 0;
-  std::map<Segment, std::pair<Id, int>> constraints; // of the input: what it counts, 0 for none
-  for (Id c = 0; c < given.NumberOfCells(); ++c)
-  {
-    for (int k = 0; all.Inside[c] != 0 && k < 3; ++k)
-    {
-      const Id beyond = given.Neighbors[c][k];
-      if (given.Segments[c][k] != None || beyond == None || all.Inside[beyond] == 0)
-      {
-        constraints[EdgeOf(given.Cells[c], k)] = { given.Segments[c][k],
-          MultiplicityOnEntering(all.Hull.Curve, given, c, k) };
-      }
-    }
-    before += all.Inside[c] == 0
-      ? Rational(0)
-      : TwiceArea(all.Hull.Curve.Points, given.Cells[c][0], given.Cells[c][1], given.Cells[c][2]);
-  }
-  if (std::abs(CGAL::to_double(area - before)) > 1e-14)
-  {
-    return "the area is another";
-  }
-  // Constraints of the result: what is on the boundary, or a segment; each side by itself.
-  std::map<Segment, std::pair<Id, int>> made;
   for (Id c = 0; c < refined.Mesh.NumberOfCells(); ++c)
   {
     for (int k = 0; k < 3; ++k)
     {
       const Segment edge = EdgeOf(refined.Mesh.Cells[c], k);
-      const Segment back{ { edge[1], edge[0] } };
-      const Id segment = refined.Mesh.Segments[c][k];
-      if ((refined.Mesh.Neighbors[c][k] == None) != (edges.count(back) == 0))
+      if ((refined.Mesh.Neighbors[c][k] == None) != (edges.count({ { edge[1], edge[0] } }) == 0))
       {
         return "a neighbour is missing";
       }
-      if (segment != None || edges.count(back) == 0)
-      {
-        made[edge] = { segment, MultiplicityOnEntering(refined.Curve, refined.Mesh, c, k) };
-      }
     }
   }
+  for (std::size_t c = 0; c < all.Inside.size(); ++c)
+  {
+    const Triangle& cell = all.Hull.Mesh.Cells[c];
+    area -= all.Inside[c] == 0 ? Rational(0)
+                               : TwiceArea(all.Hull.Curve.Points, cell[0], cell[1], cell[2]);
+  }
+  return std::abs(CGAL::to_double(area)) > 1e-14 ? "the area is another" : "";
+}
+
+/** Input points stay, and the pieces of each constraint lead from its one end to its other one. */
+std::string BrokenByConstraints(const Refinement& all, bool isKept)
+{
+  const RefinedTriangles& refined = all.Refined;
+  const std::vector<PlanarPoint>& points = refined.Curve.Points;
   std::map<Id, Id> numbers; // of input points in the result
   for (std::size_t p = 0; p < points.size(); ++p)
   {
@@ -176,6 +202,8 @@ std::string Broken(const Refinement& all, bool isKept)
       }
     }
   }
+  const Constraints constraints = ConstraintsOf(all.Hull, all.Inside);
+  const Constraints made = ConstraintsOf(refined);
   std::size_t used = 0;
   for (const auto& [edge, what] : constraints)
   {
@@ -204,10 +232,17 @@ std::string Broken(const Refinement& all, bool isKept)
       return "the pieces of a constraint do not lead to its end";
     }
   }
-  if (used != made.size() || (isKept && made.size() != constraints.size()))
-  {
-    return "there are other constraints than pieces of the input's";
-  }
+  return used != made.size() || (isKept && made.size() != constraints.size())
+    ? "there are other constraints than pieces of the input's"
+    : "";
+}
+
+/** Edges that are no constraints are Delaunay. */
+std::string BrokenByCircles(const Refinement& all)
+{
+  const std::vector<PlanarPoint>& points = all.Refined.Curve.Points;
+  const Constraints made = ConstraintsOf(all.Refined);
+  const std::map<Segment, Id> edges = EdgesOf(all.Refined.Mesh.Cells);
   for (const auto& [edge, apex] : edges)
   {
     const auto beyond = edges.find({ { edge[1], edge[0] } });
@@ -215,10 +250,10 @@ std::string Broken(const Refinement& all, bool isKept)
     {
       continue;
     }
-    const auto lifted = [&](Id p)
+    const auto lifted = [&, opposite = beyond->second](Id p)
     {
-      const Rational x = Rational(points[p][0]) - Rational(points[beyond->second][0]);
-      const Rational y = Rational(points[p][1]) - Rational(points[beyond->second][1]);
+      const Rational x = Rational(points[p][0]) - Rational(points[opposite][0]);
+      const Rational y = Rational(points[p][1]) - Rational(points[opposite][1]);
       return std::array<Rational, 3>{ { x, y, Rational(x * x + y * y) } };
     };
     const auto u = lifted(edge[0]), v = lifted(edge[1]), w = lifted(apex);
@@ -229,7 +264,14 @@ std::string Broken(const Refinement& all, bool isKept)
       return "an edge is not Delaunay";
     }
   }
-  // w of the cells before, so that across each segment it still jumps by what that counts.
+  return "";
+}
+
+/** w is that of the cells before, so that across each segment it still jumps by what that counts.
+ */
+std::string BrokenByCellsBefore(const Refinement& all)
+{
+  const RefinedTriangles& refined = all.Refined;
   for (Id c = 0; c < refined.Mesh.NumberOfCells(); ++c)
   {
     for (int k = 0; all.Hull.Counts.OpenEnds == 0 && k < 3; ++k)
@@ -241,6 +283,20 @@ std::string Broken(const Refinement& all, bool isKept)
       {
         return "w does not jump by what an edge counts";
       }
+    }
+  }
+  return "";
+}
+
+/** Which law is broken, empty for none. */
+std::string Broken(const Refinement& all, bool isKept)
+{
+  for (const std::string& broken : { BrokenByCells(all), BrokenByConstraints(all, isKept),
+         BrokenByCircles(all), BrokenByCellsBefore(all) })
+  {
+    if (!broken.empty())
+    {
+      return broken;
     }
   }
   return "";

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Planar/PlanarCurve.h"
+
+namespace insideout
+{
+struct TwoSidedCurves
+{
+  Id Closed = 0; ///< now kept once, counter-clockwise
+  Id Sheets = 0; ///< left at multiplicity 0
+};
+
+/**
+ * Find the components in which every segment that participates was given both ways. Of these a
+ * chain (segments joined through points of exactly two) that encloses an area when each segment is
+ * kept once gets multiplicities of +1 and -1 that turn it counter-clockwise: as KeepTwoSidedSolids
+ * does it with facets. The others are sheets, and stay at 0.
+ *
+ * @param[in,out] curve counted and not yet resolved; Multiplicity changes
+ */
+TwoSidedCurves KeepTwoSidedCurves(const SegmentSoup& soup, SegmentComplex& curve);
+} // namespace insideout
