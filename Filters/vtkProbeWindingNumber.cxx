@@ -5,9 +5,12 @@
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutAttributes.h"
 #include "Private/vtkInsideOutBlock.h"
+#include "Private/vtkInsideOutGather.h"
 #include "Private/vtkInsideOutMakeWindingNumber.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutVisitPlaces.h"
+#include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkCellData.h>
@@ -15,9 +18,10 @@
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
-#include <vtkGenericCell.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -26,7 +30,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 using namespace insideout;
 
@@ -39,7 +43,8 @@ public:
 };
 
 vtkProbeWindingNumber::vtkProbeWindingNumber()
-  : Last(new Internal)
+  : Controller(vtkMultiProcessController::GetGlobalController())
+  , Last(new Internal)
 {
   this->SetNumberOfInputPorts(2);
   const CountedChainParameters chain;
@@ -63,6 +68,9 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Association: " << this->Association << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
   os << indent << "InsideOut: " << this->InsideOut << "\n";
+  os << indent << "OutputWindingNumber: " << this->OutputWindingNumber << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "ClosestPoints: " << this->ClosestPoints << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "ApproximationOrder: " << this->ApproximationOrder << "\n";
   os << indent << "Accuracy: " << this->Accuracy << "\n";
@@ -70,6 +78,7 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }
 
 void vtkProbeWindingNumber::SetSurfaceData(vtkPolyData* surface)
@@ -93,22 +102,42 @@ int vtkProbeWindingNumber::FillInputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
-/** Of several pieces of the input each needs the whole surface. */
+void vtkProbeWindingNumber::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkProbeWindingNumber::GetController()
+{
+  return this->Controller;
+}
+
+/** Of several pieces of the input each needs the whole surface. Ranks that all work ask for a piece
+ * of it each, to put them together. Where there are blocks they may have different numbers of
+ * these, and would wait for each other in vain. */
 int vtkProbeWindingNumber::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  bool inPieces = vtkInsideOutAllRanksWork(this->Controller, outputVector->GetInformationObject(0));
   for (int port = 0; port < 2; ++port)
   {
     if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
     {
       vtkInsideOutRememberBlocks(input);
+      inPieces = inPieces && !vtkInsideOutHasBlocks(input);
     }
   }
   if (vtkInformation* surface = inputVector[1]->GetInformationObject(0))
   {
-    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
+      inPieces ? this->Controller->GetLocalProcessId() : 0);
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+      inPieces ? this->Controller->GetNumberOfProcesses() : 1);
     surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return done;
@@ -116,36 +145,6 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
 
 namespace
 {
-// Few enough for the processor's cache, and for memory to matter little; enough for many threads.
-constexpr vtkIdType PlacesAtOnce = 1 << 16;
-
-/** As many as there are in `points`, from `first` on. */
-void GetPoints(vtkDataSet* input, vtkIdType first, std::vector<Point>& points)
-{
-  for (Point& point : points)
-  {
-    input->GetPoint(first++, point.data());
-  }
-}
-
-void GetCentres(vtkDataSet* input, vtkIdType first, std::vector<Point>& centres)
-{
-  vtkNew<vtkGenericCell> cell;
-  std::vector<double> weights(input->GetMaxCellSize());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (Point& centre : centres)
-  {
-    input->GetCell(first++, cell);
-    centre = { nan, nan, nan };
-    if (cell->GetNumberOfPoints() > 0)
-    {
-      double parametric[3];
-      int part = cell->GetParametricCenter(parametric);
-      cell->EvaluateLocation(part, parametric, centre.data(), weights.data());
-    }
-  }
-}
-
 vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
 {
   using Filter = vtkProbeWindingNumber;
@@ -158,20 +157,97 @@ vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
   options.WindingNumber.Method = static_cast<Method>(filter->GetMethod());
   options.WindingNumber.ApproximationOrder = filter->GetApproximationOrder();
   options.WindingNumber.Accuracy = filter->GetAccuracy();
+  options.Distance = filter->GetDistance();
   return options;
+}
+
+unsigned char Mark(double w, double threshold, bool insideOut)
+{
+  return (w > threshold) != insideOut ? 1 : 0;
+}
+
+using Arrays = std::vector<vtkSmartPointer<vtkDataArray>>;
+
+/** An array for the output, with room for a tuple per place. */
+template <typename Array>
+Array* Add(Arrays& arrays, const char* name, vtkIdType size, int components = 1)
+{
+  const auto array = vtkInsideOutMakeArray<Array>(name, size, components);
+  arrays.emplace_back(array);
+  return array;
+}
+
+/** w, if it is wanted, and Inside, which is the last. */
+Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  const vtkInsideOutWindingNumber& windingNumber, Monitor& monitor)
+{
+  const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
+  const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
+  const double threshold = filter->GetThreshold();
+  const bool insideOut = filter->GetInsideOut();
+  Arrays arrays;
+  double* const w = filter->GetOutputWindingNumber()
+    ? Add<vtkDoubleArray>(arrays, "w", size)->GetPointer(0)
+    : nullptr;
+  unsigned char* const inside = Add<vtkUnsignedCharArray>(arrays, "Inside", size)->GetPointer(0);
+  vtkInsideOutVisitPlaces(input, atPoints, windingNumber,
+    w ? std::nullopt : std::optional<double>(threshold), monitor,
+    [&](vtkIdType first, const std::vector<double>& values)
+    {
+      if (w)
+      {
+        std::copy(values.begin(), values.end(), w + first);
+      }
+      std::transform(values.begin(), values.end(), inside + first,
+        [threshold, insideOut](double value) { return Mark(value, threshold, insideOut); });
+    });
+  return arrays;
+}
+
+/** Distance, and what goes with it; the array Inside gives it its sign. */
+Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  const vtkInsideOutWindingNumber& windingNumber, vtkDataArray* inside, Monitor& monitor)
+{
+  const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
+  const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
+  const bool closest = filter->GetClosestPoints();
+  Arrays arrays;
+  auto* const distance = Add<vtkDoubleArray>(arrays, "Distance", size);
+  auto* const place = closest ? Add<vtkDoubleArray>(arrays, "ClosestPoint", size, 3) : nullptr;
+  auto* const cell = closest ? Add<vtkIdTypeArray>(arrays, "ClosestCellId", size) : nullptr;
+  const double negative = filter->GetInsideOut() ? 0 : 1;
+  vtkInsideOutVisitNearest(input, atPoints, windingNumber, monitor,
+    [&](vtkIdType i, const vtkInsideOutNearest& nearest)
+    {
+      const bool isNegative = inside->GetComponent(i, 0) == negative;
+      distance->SetValue(i, isNegative ? -nearest.Distance : nearest.Distance);
+      if (closest)
+      {
+        place->SetTuple(i, nearest.Place.data());
+        cell->SetValue(i, nearest.Cell);
+      }
+    });
+  return arrays;
 }
 } // namespace
 
-unsigned char vtkProbeWindingNumber::Mark(double w) const
+/** All of it, where this rank asked for a piece. Outside of what an error or a stop of one rank can
+ * end: the others wait for it. */
+vtkSmartPointer<vtkPolyData> vtkProbeWindingNumber::WholeSurface(vtkInformation* surface)
 {
-  return (w > this->Threshold) != this->InsideOut ? 1 : 0;
+  vtkPolyData* piece = vtkPolyData::GetData(surface);
+  return surface->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1
+    ? vtkInsideOutGather(
+        piece, { this->NonParticipatingArrayName, "FacetMultiplicity" }, this->Controller)
+    : vtkSmartPointer<vtkPolyData>(piece);
 }
 
 int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
+  const vtkSmartPointer<vtkPolyData> surface =
+    this->WholeSurface(inputVector[1]->GetInformationObject(0));
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   this->Last->WindingNumber.reset();
   return vtkInsideOutRun(this, outputVector,
@@ -180,42 +256,39 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutWarnOfThreads(this);
       std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
         Stages::WindingNumbers };
+      if (this->Distance)
+      {
+        stages.emplace_back(Stages::Distances);
+      }
       if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
       {
         // A curve is resolved, and its hull triangulated, before it is known which way it runs.
         stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
       }
       vtkInsideOutMonitor monitor(this, stages);
-      const bool atPoints = this->Association == POINTS;
-      const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
       std::vector<std::string> warnings;
       this->Last->WindingNumber = std::make_unique<const vtkInsideOutWindingNumber>(
         surface, ReadOptions(this), monitor, warnings);
-      const auto w = vtkInsideOutMakeArray<vtkDoubleArray>("w", size);
-      const auto inside = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inside", size);
-      std::vector<Point> places;
-      for (vtkIdType first = 0; first < size; first += PlacesAtOnce)
+      const vtkInsideOutWindingNumber& windingNumber = *this->Last->WindingNumber;
+      Arrays arrays = AskWindingNumbers(this, input, windingNumber, monitor);
+      if (this->Distance)
       {
-        const vtkIdType last = std::min(size, first + PlacesAtOnce);
-        places.resize(last - first);
-        (atPoints ? GetPoints : GetCentres)(input, first, places);
-        const double all = static_cast<double>(size);
-        const std::vector<double> values = this->Last->WindingNumber->At(places, monitor,
-          { Stages::WindingNumbers, static_cast<double>(first) / all,
-            static_cast<double>(last) / all });
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          w->SetValue(i, values[i - first]);
-          inside->SetValue(i, this->Mark(values[i - first]));
-        }
+        const Arrays more = AskDistances(this, input, windingNumber, arrays.back(), monitor);
+        arrays.insert(arrays.end(), more.begin(), more.end());
       }
       output->ShallowCopy(input);
-      vtkDataSetAttributes* data =
-        output->GetAttributes(atPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
-      vtkInsideOutAttributes::RenameArrays(data, { "w", "Inside" }, warnings);
-      data->AddArray(inside);
-      data->SetScalars(w);
-      vtkInsideOutWarn(this, warnings);
+      vtkDataSetAttributes* data = output->GetAttributes(
+        this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
+      for (const auto& array : arrays)
+      {
+        vtkInsideOutAttributes::RenameArrays(data, { array->GetName() }, warnings);
+        data->AddArray(array);
+      }
+      data->SetScalars(arrays.front());
+      if (!vtkInsideOutIsFurtherPiece(outputVector)) // all say the same of the surface
+      {
+        vtkInsideOutWarn(this, warnings);
+      }
     });
 }
 
@@ -232,8 +305,9 @@ int vtkProbeWindingNumber::IsInside(vtkIdType id)
 
 int vtkProbeWindingNumber::IsInsideSurface(double x, double y, double z)
 {
-  return this->Last->WindingNumber ? this->Mark(this->Last->WindingNumber->At(Point{ x, y, z }))
-                                   : 0;
+  const auto& windingNumber = this->Last->WindingNumber;
+  return windingNumber ? Mark(windingNumber->At(Point{ x, y, z }), this->Threshold, this->InsideOut)
+                       : 0;
 }
 
 int vtkProbeWindingNumber::IsInsideSurface(double x[3])

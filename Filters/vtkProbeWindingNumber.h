@@ -12,9 +12,12 @@
  * SetSurfaceConnection, InsideOut, IsInside and IsInsideSurface are the same.
  *
  * Output: the input with all its data, and w (double) and Inside (unsigned char, 1 where w is above
- * Threshold, else 0) on its points or cells. On the surface itself w is the mean of its values
- * around the point, weighted by solid angle: on a polygon of a closed surface the mean of both
- * sides, a half.
+ * Threshold, else 0) on its points or cells; with Distance also Distance (double), and with
+ * ClosestPoints also ClosestPoint (double, 3 components) and ClosestCellId (vtkIdType). On the
+ * surface itself w is the mean of its values around the point, weighted by solid angle: on a
+ * polygon of a closed surface the mean of both sides, a half. Images and rectilinear grids are the
+ * fastest, for their rows are asked as a whole: an image of 300 by 300 by 300 points takes a
+ * second. Distance gives how far the surface is, too.
  *
  * What is inside out is turned over (see Orientation), and duplicates, two-sided parts and
  * degenerate polygons count, as in vtkGeneralizedWindingNumber: both give the same answer. A point
@@ -25,6 +28,11 @@
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *
+ * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
+ * surface, whose pieces (ghost cells apart) are gathered and sent to all of them: so a process
+ * holds the surface and its own places, and has the same w as one that does it all. Where an input
+ * is composite each process asks for the whole surface instead.
+ *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
  *
  */
@@ -33,9 +41,11 @@
 
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkSmartPointer.h"           // for the controller
 
 #include <string>
 
+class vtkMultiProcessController;
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkProbeWindingNumber : public vtkDataSetAlgorithm
@@ -84,6 +94,37 @@ public:
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: the array w is in the output. Off: only Inside, which takes an eighth of the memory.
+   * Default on.
+   */
+  vtkSetMacro(OutputWindingNumber, bool);
+  vtkGetMacro(OutputWindingNumber, bool);
+  vtkBooleanMacro(OutputWindingNumber, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: the array Distance is in the output: how far the nearest polygon is, in units of the
+   * surface, negative where w is above Threshold; every polygon counts for it, even where it does
+   * not in w. Of polygons only: with lines it is an error. Default off.
+   */
+  vtkSetMacro(Distance, bool);
+  vtkGetMacro(Distance, bool);
+  vtkBooleanMacro(Distance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On, with Distance: the arrays ClosestPoint and ClosestCellId are in the output: the nearest
+   * place on the surface, and the surface's cell that it is on. Default off.
+   */
+  vtkSetMacro(ClosestPoints, bool);
+  vtkGetMacro(ClosestPoints, bool);
+  vtkBooleanMacro(ClosestPoints, bool);
   ///@}
 
   /** How w is evaluated. */
@@ -172,6 +213,16 @@ public:
   vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
   ///@}
 
+  ///@{
+  /**
+   * The processes that hold pieces of the surface and work together where each is asked for its own
+   * piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0). Default
+   * vtkMultiProcessController's global one; none is this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /**
    * After the filter was updated: whether the input's point (with Association CELLS, its cell) is
    * marked in the array Inside; 0 or 1, 0 for an id out of range.
@@ -200,6 +251,9 @@ protected:
   int Association = POINTS;
   double Threshold = 0.5;
   bool InsideOut = false;
+  bool OutputWindingNumber = true;
+  bool Distance = false;
+  bool ClosestPoints = false;
   int Method;
   int ApproximationOrder;
   double Accuracy;
@@ -207,12 +261,13 @@ protected:
   double MergeTolerance;
   bool CountDuplicates;
   std::string NonParticipatingArrayName;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkProbeWindingNumber(const vtkProbeWindingNumber&) = delete;
   void operator=(const vtkProbeWindingNumber&) = delete;
 
-  unsigned char Mark(double w) const;
+  vtkSmartPointer<vtkPolyData> WholeSurface(vtkInformation* surface);
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface
