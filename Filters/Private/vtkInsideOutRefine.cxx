@@ -5,8 +5,10 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Quality/QualityOfMesh.h"
+#include "Refine/MakeRefinable.h"
 #include "Refine/QuadraticCells.h"
 #include "Refine/RefineTetrahedra.h"
+#include "Refine/TriangleTree.h"
 #include "vtkInsideOutArrays.h"
 #include "vtkInsideOutAttributes.h"
 #include "vtkInsideOutReadGrid.h"
@@ -23,6 +25,7 @@
 #include <algorithm>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 using namespace insideout;
 
@@ -151,8 +154,49 @@ std::array<double, 4> WeightsAt(
   return weights;
 }
 
+/**
+ * On the boundary and between regions points are mixtures of a face's corners, not of a cell's: one
+ * of these may be a point in the volume, which has no data.
+ */
+void MixOnFaces(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const RefinedMesh& refined, std::vector<vtkInsideOutAttributes::Mixture>& mixtures)
+{
+  const std::vector<FacetOfInput> facets = FacetsOf(mesh, regions, {});
+  std::vector<LabelledTriangle> triangles;
+  triangles.reserve(facets.size());
+  for (const FacetOfInput& facet : facets)
+  {
+    triangles.push_back({ facet.Corners, 0 });
+  }
+  const TriangleTree tree(std::move(triangles));
+  std::vector<char> isDone(mixtures.size(), 0);
+  Id nearest = None;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (refined.OriginalFaces[c][k] == None)
+      {
+        continue;
+      }
+      for (const Id p : FaceOf(refined.Cells[c], k))
+      {
+        if (mixtures[p].IsNew && std::exchange(isDone[p], 1) == 0)
+        {
+          nearest = tree.NearestTo(refined.Points[p], 0, nearest).Triangle;
+          const Id face = facets[nearest].Faces[0];
+          const Triangle corners = FaceOf(mesh.Cells[face / 4], face % 4);
+          mixtures[p].Points = { { corners[0], corners[1], corners[2], corners[0] } };
+          mixtures[p].Weights =
+            vtkInsideOutWeightsIn(CornersOf(mesh.Points, corners), refined.Points[p]);
+        }
+      }
+    }
+  }
+}
+
 std::vector<vtkInsideOutAttributes::Mixture> MixturesOf(
-  const TetrahedralMesh& mesh, const RefinedMesh& refined)
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, const RefinedMesh& refined)
 {
   std::vector<vtkInsideOutAttributes::Mixture> mixtures(refined.Points.size());
   for (std::size_t p = 0; p < mixtures.size(); ++p)
@@ -164,6 +208,7 @@ std::vector<vtkInsideOutAttributes::Mixture> MixturesOf(
     mixtures[p].Weights = original == None ? WeightsAt(mesh.Points, cell, refined.Points[p])
                                            : std::array<double, 4>{ { 1, 0, 0, 0 } };
   }
+  MixOnFaces(mesh, regions, refined, mixtures);
   return mixtures;
 }
 
@@ -270,7 +315,7 @@ vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData
 
   vtkInsideOutRefinement result;
   result.Grid = MakeGrid(refined, quadratic ? &secondOrder : nullptr);
-  vtkInsideOutAttributes::MixPointData(grid, MixturesOf(mesh, refined), secondOrder.Edges,
+  vtkInsideOutAttributes::MixPointData(grid, MixturesOf(mesh, regions, refined), secondOrder.Edges,
     result.Grid->GetPointData(), result.Warnings);
   vtkInsideOutAttributes::CopyCellData(
     grid, refined.OriginalCells, result.Grid->GetCellData(), result.Warnings);

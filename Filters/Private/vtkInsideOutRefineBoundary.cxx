@@ -49,24 +49,6 @@ std::vector<BothSides> FacesOnBoundary(const TetrahedralMesh& mesh, const std::v
   return faces;
 }
 
-/** The weights of a triangle's corners at a place in it or near it: none is negative. */
-std::array<double, 4> WeightsAt(const std::array<Point, 3>& t, const Point& place)
-{
-  std::array<double, 4> weights = { { 0, 0, 0, 0 } };
-  const Point normal = NormalOf(t[0], t[1], t[2]);
-  double sum = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    weights[k] = std::max(0.0, Dot(NormalOf(place, t[(k + 1) % 3], t[(k + 2) % 3]), normal));
-    sum += weights[k];
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    weights[k] = sum > 0 ? weights[k] / sum : 1.0 / 3;
-  }
-  return weights;
-}
-
 std::array<Id, 3> CornersOfCell(vtkPolyData* surface, vtkIdType cell)
 {
   vtkNew<vtkIdList> corners;
@@ -95,7 +77,7 @@ public:
     return at < 3
       ? vtkInsideOutAttributes::Mixture{ { { ids[at], 0, 0, 0 } }, { { 1, 0, 0, 0 } }, false }
       : vtkInsideOutAttributes::Mixture{ { { ids[0], ids[1], ids[2], 0 } },
-          WeightsAt(corners, place), true };
+          vtkInsideOutWeightsIn(corners, place), true };
   }
 
 private:
@@ -124,6 +106,23 @@ private:
   TriangleTree Tree;
 };
 } // namespace
+
+std::array<double, 4> vtkInsideOutWeightsIn(const std::array<Point, 3>& t, const Point& place)
+{
+  std::array<double, 4> weights = { { 0, 0, 0, 0 } };
+  const Point normal = NormalOf(t[0], t[1], t[2]);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = std::max(0.0, Dot(NormalOf(place, t[(k + 1) % 3], t[(k + 2) % 3]), normal));
+    sum += weights[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = sum > 0 ? weights[k] / sum : 1.0 / 3;
+  }
+  return weights;
+}
 
 std::vector<std::array<Id, 4>> vtkInsideOutLabelsOf(
   const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)

@@ -15,6 +15,10 @@
 
 class vtkPolyData;
 
+/** The weights of a triangle's corners at a place in it or near it, and 0: none is negative. */
+std::array<double, 4> vtkInsideOutWeightsIn(
+  const std::array<insideout::Point, 3>& triangle, const insideout::Point& place);
+
 /**
  * The tags of the faces of cells that are on the boundary, or between regions.
  *

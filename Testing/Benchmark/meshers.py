@@ -48,7 +48,7 @@ class Outcome:
     figures: Optional[Mapping[str, float]]
     """The statistics of vtkSolidQuality; none without a mesh."""
     seconds: Optional[float]
-    """The mesher's own, without files: processor time of those that have one thread, ours by the clock."""
+    """Processor time of the mesher's own, without files: each has one thread."""
     trouble: str = ""
     """What is wrong with the mesh, or why there is none."""
 
@@ -126,7 +126,7 @@ def mesh_as_it_comes(surface: str, folder: Path, limit: float) -> str:
     # A process begins with the peak memory of the one that starts it: a shell's is small.
     command = ["sh", "-c", '"$@"; exit $?', "sh"]
     command += [sys.executable, "-m", "insideout", os.path.abspath(surface), "solid.vtu", "--hull", "hull.vtu"]
-    command += ["--report", "report.json", "--quiet", "--timeout", f"{limit:g}"]
+    command += ["--report", "report.json", "--quiet", "--dimension", "3", "--timeout", f"{limit:g}"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     said = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
     return "" if done.returncode == 0 else said[-1].removeprefix("insideout: ").removeprefix(f"{os.path.abspath(surface)}: ")
@@ -330,9 +330,9 @@ def _refine(solid: str, mesh: str, *settings: str) -> None:
         name, value = setting.split("=", 1)
         constant = getattr(insideout.vtkRefineTetrahedra, value, None)
         getattr(refinement, "Set" + name)(float(value) if constant is None else constant)
-    began = time.perf_counter()
+    began = time.process_time()
     insideout.pipeline.run(refinement)
-    seconds = time.perf_counter() - began
+    seconds = time.process_time() - began
     insideout.write(refinement.GetOutput(), mesh)
     print(f"\nSECONDS {seconds}", flush=True)
 

@@ -30,6 +30,9 @@ constexpr double LeastSpacing = 0.7;
  */
 constexpr double LargestRadiusEdgeRatio = 2;
 
+/** Larger cavities would be of places far from the cell that is to go. */
+constexpr std::size_t LargestCavity = 400;
+
 /** Points nearer to another than this part of the length are taken out. */
 constexpr double CrowdedSpacing = 0.5;
 
@@ -124,7 +127,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     const double largest = LargestRadiusEdgeRatio * shortest;
     const bool isThin = sphere.SquaredRadius > largest * largest;
     if ((!isThin && !IsTooLarge(mesh, sizes, cell, sphere, maximumVolume)) ||
-      !insertion.Find(cell, sphere.Center))
+      !insertion.Find(cell, sphere.Center, LargestCavity))
     {
       continue;
     }

@@ -31,6 +31,10 @@ constexpr int Passes = 4;
 constexpr double LeastGain = 1.0001;
 constexpr double LeastGainByPoint = 1.2;
 
+/** Of cells in whose place a point may come: where they are flat there are hundreds, and then the
+ * cells around the point are hardly ever better. */
+constexpr std::size_t LargestCavity = 100;
+
 /** How long, of the lengths wanted, edges may get for a point less. */
 constexpr double LongestEdge = 1.8;
 
@@ -146,7 +150,7 @@ private:
       return;
     }
     const Point middle = Barycentre(this->Mesh.Points, corners);
-    if (this->Insert.Find(cell, middle))
+    if (this->Insert.Find(cell, middle, LargestCavity))
     {
       const double before = std::max(0.0, this->Insert.WorstShapeBefore());
       if (this->Insert.OptimizePlace() > before * LeastGainByPoint)

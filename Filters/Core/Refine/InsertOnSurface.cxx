@@ -366,7 +366,10 @@ bool SurfaceInsertion::FitsTogether() const
 bool SurfaceInsertion::Complete()
 {
   this->Certain = this->Pieces.size();
-  this->GrowPieces();
+  if (this->Surface.Treatment() == SurfaceTreatment::Split)
+  {
+    this->GrowPieces();
+  }
   if (!this->GrowCavity())
   {
     return false;
@@ -462,6 +465,20 @@ double SurfaceInsertion::SquaredSpacing() const
   return least;
 }
 
+/** Tell the bound that a point is in the middle of an edge of all pieces. */
+void SurfaceInsertion::HalvePieces(Id point)
+{
+  for (const PieceOfCell& piece : this->Pieces)
+  {
+    const Triangle whole = this->CornersOf(piece);
+    Triangle first = whole;
+    Triangle second = whole;
+    std::replace(first.begin(), first.end(), this->Halved[1], point);
+    std::replace(second.begin(), second.end(), this->Halved[0], point);
+    this->Bound.Halve(whole, first, second);
+  }
+}
+
 Id SurfaceInsertion::Insert(SizingField& sizes)
 {
   const bool isOnRidge =
@@ -481,6 +498,10 @@ Id SurfaceInsertion::Insert(SizingField& sizes)
   for (const RimEdge& rim : this->Rim)
   {
     exchange.Facets.push_back({ { { rim.From, rim.To, point } }, this->FacetOf(rim.Piece) });
+  }
+  if (this->Surface.Treatment() == SurfaceTreatment::Remeshed)
+  {
+    this->HalvePieces(point);
   }
   this->Mesh.Replace(exchange);
   if (isOnRidge)

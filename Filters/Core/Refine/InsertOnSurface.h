@@ -26,15 +26,17 @@ struct EdgeOfCell
 /**
  * Insertion of a point on facets that may be split: in the pieces of these whose circumcircle holds
  * it, and in the cells whose circumsphere does, as PointInsertion does it in the solid. So the
- * pieces of a facet stay a Delaunay triangulation of it. Rounding puts the point beside its facet:
- * which faces give way is known by the facet, and each new cell has a positive volume, exactly.
+ * pieces of a facet that is split stay a Delaunay triangulation of it; where the surface is
+ * remeshed only the pieces at an edge are halved. Rounding puts the point beside its facet: which
+ * faces give way is known by the facet, and each new cell has a positive volume, exactly.
  */
 class SurfaceInsertion
 {
 public:
-  SurfaceInsertion(RefinableMesh& mesh, RefinableSurface& surface)
+  SurfaceInsertion(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
     : Mesh(mesh)
     , Surface(surface)
+    , Bound(bound)
   {
   }
 
@@ -92,11 +94,13 @@ private:
   bool CollectWalls();
   bool DropPieces();
   void KeepConnected();
+  void HalvePieces(Id point);
   void CollectRim();
   bool FitsTogether() const;
 
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
+  SurfaceBound& Bound;
   EdgeOfCell Met;
   Point Place;
   Edge Halved;             ///< the edge in whose middle the place is, if it is

@@ -16,9 +16,6 @@ namespace
 /** A walk crosses some tens of cells; one that goes round and round ends. */
 constexpr int MostSteps = 2000;
 
-/** Larger cavities would be of places far from what is to be mended. */
-constexpr std::size_t LargestCavity = 400;
-
 double SquaredDistance(const Point& a, const Point& b)
 {
   const Point ab = Difference(b, a);
@@ -63,7 +60,7 @@ bool PointInsertion::Walk(Id cell)
   return false;
 }
 
-bool PointInsertion::GrowCavity()
+bool PointInsertion::GrowCavity(std::size_t most)
 {
   const std::vector<Point>& points = this->Mesh.Points;
   this->Cavity.assign(1, this->Holding);
@@ -71,7 +68,7 @@ bool PointInsertion::GrowCavity()
   this->Mesh.Mark(this->Holding);
   for (std::size_t next = 0; next < this->Cavity.size(); ++next)
   {
-    if (this->Cavity.size() > LargestCavity)
+    if (this->Cavity.size() > most)
     {
       return false;
     }
@@ -193,10 +190,10 @@ bool PointInsertion::KeepsItsPoints() const
   return true;
 }
 
-bool PointInsertion::Find(Id cell, const Point& place)
+bool PointInsertion::Find(Id cell, const Point& place, std::size_t most)
 {
   this->Place = place;
-  return this->Walk(cell) && this->GrowCavity() && this->TrimCavity() && this->KeepsItsPoints();
+  return this->Walk(cell) && this->GrowCavity(most) && this->TrimCavity() && this->KeepsItsPoints();
 }
 
 double PointInsertion::SquaredSpacing() const

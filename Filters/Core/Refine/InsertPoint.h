@@ -21,9 +21,11 @@ public:
 
   /**
    * Look for a place from a cell on, and for the cells it would replace.
+   * @param[in] most of these cells, for which circumspheres are looked at: around flat cells there
+   * may be hundreds
    * @return false where a facet is between, or where it cannot be inserted
    */
-  bool Find(Id cell, const Point& place);
+  bool Find(Id cell, const Point& place, std::size_t most);
 
   /** The cell that the place found lies in or on. */
   Id Holder() const { return this->Holding; }
@@ -42,7 +44,7 @@ public:
 
 private:
   bool Walk(Id cell);
-  bool GrowCavity();
+  bool GrowCavity(std::size_t most);
   bool CollectWalls(bool& isHopeless);
   void KeepConnected();
   bool TrimCavity();

@@ -48,6 +48,10 @@ constexpr int MostRoundsOfSplits = 60;
 constexpr int RoundsWhereRemeshed = 5;
 constexpr int RoundsWhereSplit = 2;
 
+/** Of the mean edge at a point of a surface that is remeshed: what is lower than that after a round
+ * is not to be split into pieces as short as it is high. */
+constexpr double LeastShareWhereRemeshed = 1.0 / 2;
+
 /** An edge of facets, one of its cells, and how long it is, of the length that it is to have. */
 struct SurfaceEdge
 {
@@ -78,7 +82,7 @@ public:
     , Surface(surface)
     , Sizes(sizes)
     , Splitting(mesh, surface, bound)
-    , Insertion(mesh, surface)
+    , Insertion(mesh, surface, bound)
     , Contract(mesh, surface, bound)
     , InSolid(mesh)
     , Reconnect(mesh, surface, bound)
@@ -205,12 +209,15 @@ private:
 
   bool SplitEdge(const EdgeOfCell& edge)
   {
-    if (this->Surface.Treatment() == SurfaceTreatment::Split && this->Insertion.FindOnEdge(edge))
+    const bool isSplit = this->Surface.Treatment() == SurfaceTreatment::Split;
+    const bool mayHalve = this->Splitting.Find(edge.Ends[0], edge.Ends[1], edge.Cell);
+    if ((isSplit || mayHalve) && this->Insertion.FindOnEdge(edge))
     {
       this->Insertion.Insert(this->Sizes);
       return true;
     }
-    if (this->Splitting.Find(edge.Ends[0], edge.Ends[1], edge.Cell))
+    // Where a surface is remeshed halves of cells would be flat, and others take the edge's place.
+    if (isSplit && mayHalve)
     {
       this->Splitting.Split(this->Sizes);
       return true;
@@ -379,6 +386,12 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     }
     else
     {
+      if (round == 1)
+      {
+        // What is thin still cannot be contracted, for it would be too far from the input's then.
+        sizes.FollowThinTriangles(LeastShareWhereRemeshed);
+        sizes.FollowWishes();
+      }
       remeshing.SplitLongEdges(monitor, part);
       remeshing.ContractShortEdges(monitor, part);
     }

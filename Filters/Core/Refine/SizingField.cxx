@@ -18,9 +18,6 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
-constexpr double LeastShare = 1.0 / 4;
-
 double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
 {
   return Determinant(Difference(points[c[1]], points[c[0]]), Difference(points[c[2]], points[c[0]]),
@@ -68,14 +65,14 @@ void SizingField::SetSizes()
 
 void SizingField::FollowSurface()
 {
-  this->SetLengthsOfSurface(false);
+  this->SetLengthsOfSurface(1);
   this->Grow();
   this->SetSizes();
 }
 
-void SizingField::FollowThinTriangles()
+void SizingField::FollowThinTriangles(double leastShare)
 {
-  this->SetLengthsOfSurface(true);
+  this->SetLengthsOfSurface(leastShare);
   this->Grow();
   this->SetSizes();
 }
@@ -96,10 +93,10 @@ double SizingField::WantedAt(const Point& place, double otherwise) const
 }
 
 /**
- * At each point of a facet the mean length of the edges of facets there; or how near the edges
- * across from it are, but at least a part of the mean.
+ * At each point of a facet how near the edges across from it are, but at least a share of the mean
+ * length of the edges of facets there; with a share of 1 that mean.
  */
-void SizingField::SetLengthsOfSurface(bool least)
+void SizingField::SetLengthsOfSurface(double leastShare)
 {
   std::vector<int> counts(this->AtPoints.size(), 0);
   std::vector<double> sums(this->AtPoints.size(), 0);
@@ -131,7 +128,7 @@ void SizingField::SetLengthsOfSurface(bool least)
   for (std::size_t p = 0; p < sums.size(); ++p)
   {
     const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;
-    this->AtPoints[p].Surface = least ? std::max(shortest[p], LeastShare * mean) : mean;
+    this->AtPoints[p].Surface = leastShare < 1 ? std::max(shortest[p], leastShare * mean) : mean;
   }
 }
 
@@ -179,9 +176,11 @@ SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
   const Tetrahedron& corners = this->Mesh.Cell(cell).Corners;
   Lengths result = { Infinite, 0 };
   double weights = 0;
+  bool isWanted = false;
   for (int k = 0; k < 4; ++k)
   {
     const Lengths& there = this->AtPoints[corners[k]];
+    isWanted = isWanted || there.Wanted < Infinite;
     result.Surface = std::min(result.Surface,
       there.Surface + this->Parameters.Grading * Distance(this->Mesh.Points[corners[k]], place));
     // The weight of a corner is the volume between the place and the face across from it.
@@ -192,7 +191,7 @@ SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
     weights += weight;
     result.Wanted += weight * std::min(there.Wanted, std::numeric_limits<double>::max());
   }
-  result.Wanted = weights > 0 ? result.Wanted / weights : Infinite;
+  result.Wanted = isWanted && weights > 0 ? result.Wanted / weights : Infinite;
   result.Wanted = this->WantedAt(place, result.Wanted);
   return result;
 }

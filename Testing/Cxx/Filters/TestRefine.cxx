@@ -329,6 +329,41 @@ TEST(vtkRefineTetrahedra, KeepsTheFacesOfRegionsAndTheirDataBitByBit)
   EXPECT_EQ(Facets(output).size(), facets.size());
 }
 
+TEST(vtkRefineTetrahedra, MixesPointsOfASurfaceOfItsOwnPointsOnly)
+{
+  // A point in the volume has no number, and what is on the surface has one all the same.
+  auto grid = Cubes(2);
+  const vtkIdType points = grid->GetNumberOfPoints();
+  auto linear = MakeArray<vtkDoubleArray>("Linear", points);
+  for (vtkIdType p = 0; p < points; ++p)
+  {
+    const bool isInside = PlaceOf(grid, p) == Place{ 1, 1, 1 };
+    linear->SetValue(p, isInside ? std::nan("") : Linear(PlaceOf(grid, p)));
+  }
+  grid->GetPointData()->AddArray(linear);
+  grid->GetCellData()->RemoveArray("RegionId");
+  for (const int surface : { vtkRefineTetrahedra::SPLIT, vtkRefineTetrahedra::REMESHED })
+  {
+    Refine refine(grid);
+    refine.Algorithm->SetEdgeLength(0.3);
+    refine.Algorithm->SetSurface(surface);
+    vtkUnstructuredGrid* output = refine.Run();
+    vtkDataArray* mixed = output->GetPointData()->GetArray("Linear");
+    int onSurface = 0;
+    for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+    {
+      const Place place = PlaceOf(output, p);
+      if (std::any_of(place.begin(), place.end(),
+            [](double x) { return std::abs(x) < 1e-9 || std::abs(x - 2) < 1e-9; }))
+      {
+        EXPECT_NEAR(mixed->GetTuple1(p), Linear(place), 1e-6) << p;
+        ++onSurface;
+      }
+    }
+    EXPECT_GT(onSurface, 100);
+  }
+}
+
 TEST(vtkRefineTetrahedra, CarriesTheDataOfPointsAndCells)
 {
   auto grid = Cubes(4);

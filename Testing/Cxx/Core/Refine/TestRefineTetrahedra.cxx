@@ -15,11 +15,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 
 using namespace insideout;
 using testmeshes::ExpectRefinementLaws;
+using testmeshes::ShareOfGoodEdges;
 using testtetrahedra::Part;
 
 namespace
@@ -45,42 +44,6 @@ TetrahedralMesh Cube(int size)
     }
   }
   return ConnectCells(grid.Points, grid.Cells);
-}
-
-/** Of edges that are on no face of the boundary, the share that is as long as wanted up to 1.4. */
-template <class Wanted>
-double ShareOfGoodEdges(const RefinedMesh& refined, const Wanted& wanted)
-{
-  const TetrahedralMesh mesh = ConnectCells(refined.Points, refined.Cells);
-  std::set<std::pair<Id, Id>> inner;
-  std::set<std::pair<Id, Id>> outer;
-  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Triangle f = FaceOf(mesh.Cells[c], k);
-      for (int i = 0; i < 3; ++i)
-      {
-        auto& edges = mesh.Neighbors[c][k] == None ? outer : inner;
-        edges.insert(std::minmax(f[i], f[(i + 1) % 3]));
-      }
-    }
-  }
-  int good = 0;
-  int all = 0;
-  for (const auto& [p, q] : inner)
-  {
-    if (outer.count({ p, q }) == 0)
-    {
-      const Point& a = mesh.Points[p];
-      const Point& b = mesh.Points[q];
-      const double length = wanted({ { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 } });
-      const double ratio = Distance(a, b) / length;
-      good += ratio > 1 / 1.4 && ratio < 1.4 ? 1 : 0;
-      ++all;
-    }
-  }
-  return static_cast<double>(good) / all;
 }
 
 class CountingMonitor : public Monitor

@@ -18,6 +18,7 @@
 using namespace insideout;
 using testmeshes::ExpectRemeshingLaws;
 using testmeshes::ExpectSplitLaws;
+using testmeshes::ShareOfGoodEdges;
 using testtetrahedra::EvenGrid;
 using testtetrahedra::Part;
 
@@ -159,6 +160,25 @@ TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
   }
 }
 
+TEST(RemeshedSurface, FollowsALinearFieldAtPointsAndAnywhere)
+{
+  const TetrahedralMesh cube = EvenGrid(5);
+  const auto wanted = [](const Point& p) { return 40 + p[0] / 10; };
+  RefinementParameters atPoints = Remeshed(5, 0);
+  for (const Point& p : cube.Points)
+  {
+    atPoints.Sizes.Lengths.push_back(wanted(p));
+  }
+  RefinementParameters anywhere = Remeshed(5, 0);
+  anywhere.Sizes.LengthAt = wanted;
+  for (const RefinementParameters& parameters : { atPoints, anywhere })
+  {
+    const RefinedMesh refined = Refined(cube, {}, parameters);
+    ExpectRemeshingLaws(cube, {}, refined, 5);
+    EXPECT_GT(ShareOfGoodEdges(refined, wanted), 0.9);
+  }
+}
+
 TEST(RemeshedSurface, KeepsTheEdgesOfACubeAndThoseBetweenLabels)
 {
   const TetrahedralMesh cube = EvenGrid(5);
@@ -294,12 +314,15 @@ TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)
     EXPECT_EQ(first.Points, second.Points);
     EXPECT_EQ(first.Cells, second.Cells);
     EXPECT_EQ(first.OriginalFaces, second.OriginalFaces);
-    TetrahedralMesh large = grid;
-    large.Points = ScaledPoints(grid.Points, 300);
-    RefinementParameters scaled = parameters;
-    scaled.SurfaceTolerance = std::ldexp(parameters.SurfaceTolerance, 300);
-    scaled.Sizes.EdgeLength = std::ldexp(parameters.Sizes.EdgeLength, 300);
-    EXPECT_EQ(Refined(large, {}, scaled).Cells.size(), first.Cells.size());
+    for (const int exponent : { -900, 300, 900 })
+    {
+      TetrahedralMesh other = grid;
+      other.Points = ScaledPoints(grid.Points, exponent);
+      RefinementParameters scaled = parameters;
+      scaled.SurfaceTolerance = std::ldexp(parameters.SurfaceTolerance, exponent);
+      scaled.Sizes.EdgeLength = std::ldexp(parameters.Sizes.EdgeLength, exponent);
+      EXPECT_EQ(Refined(other, {}, scaled).Cells, first.Cells) << exponent;
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Common/Box.h"
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
+#include "GraphCut/ConnectCells.h"
 #include "Resolve/FindIntersections.h"
 
 #include <gtest/gtest.h>
@@ -322,6 +323,41 @@ void ExpectRemeshingLaws(const TetrahedralMesh& mesh, const std::vector<Id>& reg
   {
     EXPECT_EQ(before[face.Original / 4], face.Region);
   }
+}
+
+double ShareOfGoodEdges(
+  const RefinedMesh& refined, const std::function<double(const Point&)>& wanted)
+{
+  const TetrahedralMesh mesh = ConnectCells(refined.Points, refined.Cells);
+  std::set<std::pair<Id, Id>> inner;
+  std::set<std::pair<Id, Id>> outer;
+  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Triangle f = FaceOf(mesh.Cells[c], k);
+      for (int i = 0; i < 3; ++i)
+      {
+        auto& edges = mesh.Neighbors[c][k] == None ? outer : inner;
+        edges.insert(std::minmax(f[i], f[(i + 1) % 3]));
+      }
+    }
+  }
+  int good = 0;
+  int all = 0;
+  for (const auto& [p, q] : inner)
+  {
+    if (outer.count({ p, q }) == 0)
+    {
+      const Point& a = mesh.Points[p];
+      const Point& b = mesh.Points[q];
+      const double length = wanted({ { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 } });
+      const double ratio = Distance(a, b) / length;
+      good += ratio > 1 / 1.4 && ratio < 1.4 ? 1 : 0;
+      ++all;
+    }
+  }
+  return static_cast<double>(good) / all;
 }
 
 std::vector<double> LeastSines(

@@ -3,6 +3,9 @@
 
 #include "Refine/RefineTetrahedra.h"
 
+#include <functional>
+#include <vector>
+
 namespace testmeshes
 {
 /**
@@ -29,6 +32,11 @@ void ExpectSplitLaws(const insideout::TetrahedralMesh& mesh,
 void ExpectRemeshingLaws(const insideout::TetrahedralMesh& mesh,
   const std::vector<insideout::Id>& regions, const insideout::RefinedMesh& refined,
   double tolerance);
+
+/** Of edges that are on no face of the boundary, the share that is as long as wanted amid them, up
+ * to a factor of 1.4. */
+double ShareOfGoodEdges(const insideout::RefinedMesh& refined,
+  const std::function<double(const insideout::Point&)>& wanted);
 
 /** The sines of the least dihedral angles of cells, ascending. */
 std::vector<double> LeastSines(
