@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDistributeParts.h"
 
+#include "Private/vtkInsideOutAssembly.h"
 #include "Private/vtkInsideOutGather.h"
-#include "Private/vtkInsideOutParts.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkDataObjectTree.h>
@@ -107,7 +107,7 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   // Whatever fails has to fail on all ranks alike: none may leave while another waits for it.
-  vtkInsideOutParts parts(input);
+  vtkInsideOutAssembly parts(input);
   const std::string disagreement = vtkInsideOutAgree(parts, output, controller);
   if (!disagreement.empty())
   {

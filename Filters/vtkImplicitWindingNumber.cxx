@@ -45,6 +45,7 @@ void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input << "\n";
+  os << indent << "SignedDistance: " << this->SignedDistance << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
@@ -70,8 +71,10 @@ void vtkImplicitWindingNumber::Build()
   {
     Monitor silent;
     std::vector<std::string> warnings;
-    this->Built->WindingNumber = std::make_unique<const vtkInsideOutWindingNumber>(
-      this->Input, vtkInsideOutReadSurfaceOptions(this), silent, warnings);
+    vtkInsideOutSurfaceOptions options = vtkInsideOutReadSurfaceOptions(this);
+    options.Distance = this->SignedDistance;
+    this->Built->WindingNumber =
+      std::make_unique<const vtkInsideOutWindingNumber>(this->Input, options, silent, warnings);
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);
@@ -99,10 +102,24 @@ const vtkImplicitWindingNumber::Internal& vtkImplicitWindingNumber::UpToDate()
   return *this->Built;
 }
 
+namespace
+{
+double Signed(const vtkInsideOutNearest& nearest, double w)
+{
+  return w > 0.5 ? -nearest.Distance : nearest.Distance;
+}
+} // namespace
+
 double vtkImplicitWindingNumber::EvaluateFunction(double x[3])
 {
   const Internal& built = this->UpToDate();
-  return built.WindingNumber ? 0.5 - built.WindingNumber->At(Point{ x[0], x[1], x[2] }) : 0.5;
+  if (!built.WindingNumber)
+  {
+    return 0.5;
+  }
+  const Point place = { x[0], x[1], x[2] };
+  const double w = built.WindingNumber->At(place);
+  return this->SignedDistance ? Signed(built.WindingNumber->NearestTo(place), w) : 0.5 - w;
 }
 
 void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArray* output)
@@ -125,9 +142,12 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
     }
     Monitor silent;
     const std::vector<double> w = built.WindingNumber->At(points, silent);
+    const std::vector<vtkInsideOutNearest> nearest = this->SignedDistance
+      ? built.WindingNumber->NearestTo(points, silent, { Stages::Distances, 0, 1 })
+      : std::vector<vtkInsideOutNearest>();
     for (vtkIdType i = 0; i < size; ++i)
     {
-      output->SetComponent(i, 0, 0.5 - w[i]);
+      output->SetComponent(i, 0, this->SignedDistance ? Signed(nearest[i], w[i]) : 0.5 - w[i]);
     }
   }
   catch (const std::exception& error)
@@ -139,13 +159,23 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
 void vtkImplicitWindingNumber::EvaluateGradient(double x[3], double g[3])
 {
   const Internal& built = this->UpToDate();
-  Point gradient = { 0, 0, 0 };
-  if (built.WindingNumber)
+  const Point place = { x[0], x[1], x[2] };
+  std::fill_n(g, 3, 0.0);
+  if (built.WindingNumber && this->SignedDistance)
   {
-    gradient = built.WindingNumber->Gradient({ x[0], x[1], x[2] });
+    const vtkInsideOutNearest nearest = built.WindingNumber->NearestTo(place);
+    const double distance = Signed(nearest, built.WindingNumber->At(place));
+    for (int i = 0; i < 3 && distance != 0; ++i)
+    {
+      g[i] = (place[i] - nearest.Place[i]) / distance;
+    }
   }
-  for (int i = 0; i < 3; ++i)
+  else if (built.WindingNumber)
   {
-    g[i] = 0 - gradient[i];
+    const Point rise = built.WindingNumber->Gradient(place);
+    for (int i = 0; i < 3; ++i)
+    {
+      g[i] = 0 - rise[i];
+    }
   }
 }

@@ -13,6 +13,10 @@
  * these. EvaluateGradient gives its gradient away from the surface, analytically: zero everywhere
  * on a closed surface, and a Biot-Savart integral over the open edges of an open one.
  *
+ * With SignedDistance it is one: how far the nearest polygon is, negative inside, by w, so that the
+ * sign is right where the surface is open or not manifold. It jumps where a hole is: there, too, w
+ * tells inside from outside, but no polygon is near.
+ *
  * Evaluation is thread-safe, as long as neither the properties nor the surface change. Without a
  * surface, or where it cannot be used, which is an error that names the culprit, the function is
  * 1/2: everything is outside. Where x is not finite it is NaN.
@@ -53,14 +57,29 @@ public:
   ///@}
 
   ///@{
-  /** 1/2 - w at one place, or at each tuple of three components. */
+  /** 1/2 - w, or the signed distance, at one place or at each tuple of three components. */
   using vtkImplicitFunction::EvaluateFunction;
   double EvaluateFunction(double x[3]) override;
   void EvaluateFunction(vtkDataArray* input, vtkDataArray* output) override;
   ///@}
 
-  /** The gradient of 1/2 - w, away from the surface; zero where the surface is closed. */
+  /**
+   * The gradient of 1/2 - w, away from the surface; zero where the surface is closed. That of the
+   * signed distance has length 1: it points away from the nearest place outside and to it inside,
+   * and on the surface itself it is zero.
+   */
   void EvaluateGradient(double x[3], double g[3]) override;
+
+  ///@{
+  /**
+   * On: the function is the distance of the nearest polygon, in units of the surface, negative
+   * where w is above 1/2, instead of 1/2 - w. Of polygons only: with lines it is an error. Default
+   * off.
+   */
+  vtkSetMacro(SignedDistance, bool);
+  vtkGetMacro(SignedDistance, bool);
+  vtkBooleanMacro(SignedDistance, bool);
+  ///@}
 
   /** Which way the surface faces. */
   enum OrientationType
@@ -116,6 +135,7 @@ protected:
   ~vtkImplicitWindingNumber() override;
 
   vtkPolyData* Input = nullptr;
+  bool SignedDistance = false;
   int Orientation;
   double MergeTolerance;
   bool CountDuplicates;

@@ -9,6 +9,7 @@
 #include "Private/vtkInsideOutMakeWindingNumber.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutVisitPlaces.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkAlgorithmOutput.h>
@@ -17,7 +18,7 @@
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
-#include <vtkGenericCell.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiProcessController.h>
@@ -29,7 +30,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 using namespace insideout;
 
@@ -67,6 +68,9 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Association: " << this->Association << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
   os << indent << "InsideOut: " << this->InsideOut << "\n";
+  os << indent << "OutputWindingNumber: " << this->OutputWindingNumber << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "ClosestPoints: " << this->ClosestPoints << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "ApproximationOrder: " << this->ApproximationOrder << "\n";
   os << indent << "Accuracy: " << this->Accuracy << "\n";
@@ -141,36 +145,6 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
 
 namespace
 {
-// Few enough for the processor's cache, and for memory to matter little; enough for many threads.
-constexpr vtkIdType PlacesAtOnce = 1 << 16;
-
-/** As many as there are in `points`, from `first` on. */
-void GetPoints(vtkDataSet* input, vtkIdType first, std::vector<Point>& points)
-{
-  for (Point& point : points)
-  {
-    input->GetPoint(first++, point.data());
-  }
-}
-
-void GetCentres(vtkDataSet* input, vtkIdType first, std::vector<Point>& centres)
-{
-  vtkNew<vtkGenericCell> cell;
-  std::vector<double> weights(input->GetMaxCellSize());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (Point& centre : centres)
-  {
-    input->GetCell(first++, cell);
-    centre = { nan, nan, nan };
-    if (cell->GetNumberOfPoints() > 0)
-    {
-      double parametric[3];
-      int part = cell->GetParametricCenter(parametric);
-      cell->EvaluateLocation(part, parametric, centre.data(), weights.data());
-    }
-  }
-}
-
 vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
 {
   using Filter = vtkProbeWindingNumber;
@@ -183,7 +157,77 @@ vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
   options.WindingNumber.Method = static_cast<Method>(filter->GetMethod());
   options.WindingNumber.ApproximationOrder = filter->GetApproximationOrder();
   options.WindingNumber.Accuracy = filter->GetAccuracy();
+  options.Distance = filter->GetDistance();
   return options;
+}
+
+unsigned char Mark(double w, double threshold, bool insideOut)
+{
+  return (w > threshold) != insideOut ? 1 : 0;
+}
+
+using Arrays = std::vector<vtkSmartPointer<vtkDataArray>>;
+
+/** An array for the output, with room for a tuple per place. */
+template <typename Array>
+Array* Add(Arrays& arrays, const char* name, vtkIdType size, int components = 1)
+{
+  const auto array = vtkInsideOutMakeArray<Array>(name, size, components);
+  arrays.emplace_back(array);
+  return array;
+}
+
+/** w, if it is wanted, and Inside, which is the last. */
+Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  const vtkInsideOutWindingNumber& windingNumber, Monitor& monitor)
+{
+  const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
+  const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
+  const double threshold = filter->GetThreshold();
+  const bool insideOut = filter->GetInsideOut();
+  Arrays arrays;
+  double* const w = filter->GetOutputWindingNumber()
+    ? Add<vtkDoubleArray>(arrays, "w", size)->GetPointer(0)
+    : nullptr;
+  unsigned char* const inside = Add<vtkUnsignedCharArray>(arrays, "Inside", size)->GetPointer(0);
+  vtkInsideOutVisitPlaces(input, atPoints, windingNumber,
+    w ? std::nullopt : std::optional<double>(threshold), monitor,
+    [&](vtkIdType first, const std::vector<double>& values)
+    {
+      if (w)
+      {
+        std::copy(values.begin(), values.end(), w + first);
+      }
+      std::transform(values.begin(), values.end(), inside + first,
+        [threshold, insideOut](double value) { return Mark(value, threshold, insideOut); });
+    });
+  return arrays;
+}
+
+/** Distance, and what goes with it; the array Inside gives it its sign. */
+Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  const vtkInsideOutWindingNumber& windingNumber, vtkDataArray* inside, Monitor& monitor)
+{
+  const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
+  const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
+  const bool closest = filter->GetClosestPoints();
+  Arrays arrays;
+  auto* const distance = Add<vtkDoubleArray>(arrays, "Distance", size);
+  auto* const place = closest ? Add<vtkDoubleArray>(arrays, "ClosestPoint", size, 3) : nullptr;
+  auto* const cell = closest ? Add<vtkIdTypeArray>(arrays, "ClosestCellId", size) : nullptr;
+  const double negative = filter->GetInsideOut() ? 0 : 1;
+  vtkInsideOutVisitNearest(input, atPoints, windingNumber, monitor,
+    [&](vtkIdType i, const vtkInsideOutNearest& nearest)
+    {
+      const bool isNegative = inside->GetComponent(i, 0) == negative;
+      distance->SetValue(i, isNegative ? -nearest.Distance : nearest.Distance);
+      if (closest)
+      {
+        place->SetTuple(i, nearest.Place.data());
+        cell->SetValue(i, nearest.Cell);
+      }
+    });
+  return arrays;
 }
 } // namespace
 
@@ -196,11 +240,6 @@ vtkSmartPointer<vtkPolyData> vtkProbeWindingNumber::WholeSurface(vtkInformation*
     ? vtkInsideOutGather(
         piece, { this->NonParticipatingArrayName, "FacetMultiplicity" }, this->Controller)
     : vtkSmartPointer<vtkPolyData>(piece);
-}
-
-unsigned char vtkProbeWindingNumber::Mark(double w) const
-{
-  return (w > this->Threshold) != this->InsideOut ? 1 : 0;
 }
 
 int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
@@ -217,41 +256,35 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutWarnOfThreads(this);
       std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
         Stages::WindingNumbers };
+      if (this->Distance)
+      {
+        stages.emplace_back(Stages::Distances);
+      }
       if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
       {
         // A curve is resolved, and its hull triangulated, before it is known which way it runs.
         stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
       }
       vtkInsideOutMonitor monitor(this, stages);
-      const bool atPoints = this->Association == POINTS;
-      const vtkIdType size = atPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
       std::vector<std::string> warnings;
       this->Last->WindingNumber = std::make_unique<const vtkInsideOutWindingNumber>(
         surface, ReadOptions(this), monitor, warnings);
-      const auto w = vtkInsideOutMakeArray<vtkDoubleArray>("w", size);
-      const auto inside = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inside", size);
-      std::vector<Point> places;
-      for (vtkIdType first = 0; first < size; first += PlacesAtOnce)
+      const vtkInsideOutWindingNumber& windingNumber = *this->Last->WindingNumber;
+      Arrays arrays = AskWindingNumbers(this, input, windingNumber, monitor);
+      if (this->Distance)
       {
-        const vtkIdType last = std::min(size, first + PlacesAtOnce);
-        places.resize(last - first);
-        (atPoints ? GetPoints : GetCentres)(input, first, places);
-        const double all = static_cast<double>(size);
-        const std::vector<double> values = this->Last->WindingNumber->At(places, monitor,
-          { Stages::WindingNumbers, static_cast<double>(first) / all,
-            static_cast<double>(last) / all });
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          w->SetValue(i, values[i - first]);
-          inside->SetValue(i, this->Mark(values[i - first]));
-        }
+        const Arrays more = AskDistances(this, input, windingNumber, arrays.back(), monitor);
+        arrays.insert(arrays.end(), more.begin(), more.end());
       }
       output->ShallowCopy(input);
-      vtkDataSetAttributes* data =
-        output->GetAttributes(atPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
-      vtkInsideOutAttributes::RenameArrays(data, { "w", "Inside" }, warnings);
-      data->AddArray(inside);
-      data->SetScalars(w);
+      vtkDataSetAttributes* data = output->GetAttributes(
+        this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
+      for (const auto& array : arrays)
+      {
+        vtkInsideOutAttributes::RenameArrays(data, { array->GetName() }, warnings);
+        data->AddArray(array);
+      }
+      data->SetScalars(arrays.front());
       if (!vtkInsideOutIsFurtherPiece(outputVector)) // all say the same of the surface
       {
         vtkInsideOutWarn(this, warnings);
@@ -272,8 +305,9 @@ int vtkProbeWindingNumber::IsInside(vtkIdType id)
 
 int vtkProbeWindingNumber::IsInsideSurface(double x, double y, double z)
 {
-  return this->Last->WindingNumber ? this->Mark(this->Last->WindingNumber->At(Point{ x, y, z }))
-                                   : 0;
+  const auto& windingNumber = this->Last->WindingNumber;
+  return windingNumber ? Mark(windingNumber->At(Point{ x, y, z }), this->Threshold, this->InsideOut)
+                       : 0;
 }
 
 int vtkProbeWindingNumber::IsInsideSurface(double x[3])

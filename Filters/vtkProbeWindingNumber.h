@@ -12,9 +12,12 @@
  * SetSurfaceConnection, InsideOut, IsInside and IsInsideSurface are the same.
  *
  * Output: the input with all its data, and w (double) and Inside (unsigned char, 1 where w is above
- * Threshold, else 0) on its points or cells. On the surface itself w is the mean of its values
- * around the point, weighted by solid angle: on a polygon of a closed surface the mean of both
- * sides, a half.
+ * Threshold, else 0) on its points or cells; with Distance also Distance (double), and with
+ * ClosestPoints also ClosestPoint (double, 3 components) and ClosestCellId (vtkIdType). On the
+ * surface itself w is the mean of its values around the point, weighted by solid angle: on a
+ * polygon of a closed surface the mean of both sides, a half. Images and rectilinear grids are the
+ * fastest, for their rows are asked as a whole: an image of 300 by 300 by 300 points takes a
+ * second. Distance gives how far the surface is, too.
  *
  * What is inside out is turned over (see Orientation), and duplicates, two-sided parts and
  * degenerate polygons count, as in vtkGeneralizedWindingNumber: both give the same answer. A point
@@ -91,6 +94,37 @@ public:
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: the array w is in the output. Off: only Inside, which takes an eighth of the memory.
+   * Default on.
+   */
+  vtkSetMacro(OutputWindingNumber, bool);
+  vtkGetMacro(OutputWindingNumber, bool);
+  vtkBooleanMacro(OutputWindingNumber, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: the array Distance is in the output: how far the nearest polygon is, in units of the
+   * surface, negative where w is above Threshold; every polygon counts for it, even where it does
+   * not in w. Of polygons only: with lines it is an error. Default off.
+   */
+  vtkSetMacro(Distance, bool);
+  vtkGetMacro(Distance, bool);
+  vtkBooleanMacro(Distance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On, with Distance: the arrays ClosestPoint and ClosestCellId are in the output: the nearest
+   * place on the surface, and the surface's cell that it is on. Default off.
+   */
+  vtkSetMacro(ClosestPoints, bool);
+  vtkGetMacro(ClosestPoints, bool);
+  vtkBooleanMacro(ClosestPoints, bool);
   ///@}
 
   /** How w is evaluated. */
@@ -217,6 +251,9 @@ protected:
   int Association = POINTS;
   double Threshold = 0.5;
   bool InsideOut = false;
+  bool OutputWindingNumber = true;
+  bool Distance = false;
+  bool ClosestPoints = false;
   int Method;
   int ApproximationOrder;
   double Accuracy;
@@ -231,7 +268,6 @@ private:
   void operator=(const vtkProbeWindingNumber&) = delete;
 
   vtkSmartPointer<vtkPolyData> WholeSurface(vtkInformation* surface);
-  unsigned char Mark(double w) const;
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface

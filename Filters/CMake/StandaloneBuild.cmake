@@ -22,7 +22,7 @@ if (INSIDEOUT_USE_PARAVIEW)
     ENABLE_BY_DEFAULT ON)
 else ()
   find_package(VTK 9.1 REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore IOCore IOXML ParallelCore
+    CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore ImagingCore IOCore IOXML ParallelCore
     WrappingPythonCore Python)
   set(INSIDEOUT_VTK_PACKAGE VTK)
   set(INSIDEOUT_VTK_VERSION ${VTK_VERSION})

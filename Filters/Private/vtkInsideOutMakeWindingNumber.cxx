@@ -14,6 +14,11 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
   { warnings.insert(warnings.end(), more.begin(), more.end()); };
   if (vtkInsideOutAreLines(input))
   {
+    if (options.Distance)
+    {
+      throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+        "the surface has lines but no polygons; distances are of polygons only");
+    }
     const vtkInsideOutCurve curve =
       vtkInsideOutReadCurve(input, options.Orientation, options.NonParticipating);
     const insideout::PlanarHull hull =
@@ -31,6 +36,14 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
   add(turns.Warnings);
   this->Surface = std::make_unique<const insideout::SurfaceWindingNumber>(
     chain.Surface, options.WindingNumber, monitor);
+  if (options.Distance)
+  {
+    this->Distance = std::make_unique<const insideout::SurfaceDistance>(chain.Surface);
+    for (insideout::Id f = 0; f < chain.Surface.NumberOfFacets(); ++f)
+    {
+      this->CellOfFacet.push_back(surface.CellOfFacet(chain.Surface, f, 1));
+    }
+  }
 }
 
 double vtkInsideOutWindingNumber::At(const insideout::Point& p) const
@@ -48,4 +61,40 @@ std::vector<double> vtkInsideOutWindingNumber::At(const std::vector<insideout::P
 insideout::Point vtkInsideOutWindingNumber::Gradient(const insideout::Point& p) const
 {
   return this->Curve ? this->Curve->Gradient(p) : this->Surface->Gradient(p);
+}
+
+bool vtkInsideOutWindingNumber::InGrid(const insideout::GridPlaces& grid,
+  std::optional<double> sideOf, const insideout::SliceVisitor& visit,
+  insideout::Monitor& monitor) const
+{
+  if (this->Surface)
+  {
+    this->Surface->InGrid(grid, sideOf, visit, monitor);
+  }
+  return this->Surface != nullptr;
+}
+
+vtkInsideOutNearest vtkInsideOutWindingNumber::InCells(
+  const insideout::SurfaceDistance::Nearest& nearest) const
+{
+  return { nearest.Distance, nearest.Place,
+    nearest.Facet == insideout::None ? -1 : this->CellOfFacet[nearest.Facet] };
+}
+
+vtkInsideOutNearest vtkInsideOutWindingNumber::NearestTo(const insideout::Point& p) const
+{
+  return this->InCells(this->Distance->At(p));
+}
+
+std::vector<vtkInsideOutNearest> vtkInsideOutWindingNumber::NearestTo(
+  const std::vector<insideout::Point>& points, insideout::Monitor& monitor,
+  const insideout::ProgressRange& progress) const
+{
+  std::vector<vtkInsideOutNearest> nearest;
+  nearest.reserve(points.size());
+  for (const auto& found : this->Distance->At(points, monitor, progress))
+  {
+    nearest.push_back(this->InCells(found));
+  }
+  return nearest;
 }

@@ -6,9 +6,12 @@
 #pragma once
 
 #include "Common/Stages.h"
+#include "Distance/SurfaceDistance.h"
 #include "Planar/CurveWindingNumber.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "vtkInsideOutOptions.h"
+
+#include <vtkType.h>
 
 #include <memory>
 
@@ -20,6 +23,15 @@ struct vtkInsideOutSurfaceOptions
   insideout::Orientation Orientation;
   insideout::WindingNumberParameters WindingNumber;
   std::string NonParticipating; ///< cell array, not 0 where a cell does not count
+  bool Distance = false;        ///< whether that is asked for, too
+};
+
+/** What of a surface is nearest to a place. */
+struct vtkInsideOutNearest
+{
+  double Distance;        ///< without sign; NaN where the place is not finite
+  insideout::Point Place; ///< on the surface
+  vtkIdType Cell;         ///< of the input; -1 where the place is not finite
 };
 
 /** The options that those classes have in common. */
@@ -53,7 +65,22 @@ public:
     const insideout::ProgressRange& progress = { insideout::Stages::WindingNumbers, 0, 1 }) const;
   insideout::Point Gradient(const insideout::Point& p) const;
 
+  /** As of SurfaceWindingNumber. False, and nothing done, for a curve. */
+  bool InGrid(const insideout::GridPlaces& grid, std::optional<double> sideOf,
+    const insideout::SliceVisitor& visit, insideout::Monitor& monitor) const;
+
+  ///@{
+  /** As of SurfaceDistance; only where the options ask for it. */
+  vtkInsideOutNearest NearestTo(const insideout::Point& p) const;
+  std::vector<vtkInsideOutNearest> NearestTo(const std::vector<insideout::Point>& points,
+    insideout::Monitor& monitor, const insideout::ProgressRange& progress) const;
+  ///@}
+
 private:
+  vtkInsideOutNearest InCells(const insideout::SurfaceDistance::Nearest& nearest) const;
+
   std::unique_ptr<const insideout::SurfaceWindingNumber> Surface; ///< one of the two
   std::unique_ptr<const insideout::CurveWindingNumber> Curve;
+  std::unique_ptr<const insideout::SurfaceDistance> Distance;
+  std::vector<vtkIdType> CellOfFacet; ///< of those that the distance knows
 };

@@ -39,7 +39,9 @@ void CheckGrid(vtkUnstructuredGrid* grid)
   {
     throw Error(ErrorCode::InvalidParameter,
       "cell " + std::to_string(other) + " is a " + vtkInsideOutCellName(grid->GetCellType(other)) +
-        "; only tetrahedra (vtkTetra) can be refined");
+        "; only tetrahedra (vtkTetra) can be refined. Triangles in a plane become better ones "
+        "where "
+        "vtkRobustTetrahedralize makes them, by its Refine");
   }
   vtkNew<vtkIdList> corners;
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)

@@ -76,6 +76,12 @@ def downstream(source) -> vtkCleanPolyData:
     return clean
 
 
+ARRAYS_OF_UNIT_BOX = (
+    [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)],
+    [(0, 2, 3), (0, 3, 1), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5), (4, 5, 7), (4, 7, 6)],
+)
+
+
 class Inputs(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -168,6 +174,32 @@ class Inputs(unittest.TestCase):
         self.assertEqual(insideout.winding_number(self.surface, QUERY, orientation="reverse").tolist(), [-1, 0, -2, -1])
         self.assertEqual(insideout.inside(self.surface, QUERY).tolist(), [True, False, True, True])
         self.assertEqual(insideout.inside(self.surface, QUERY, threshold=1.5).tolist(), [False, False, True, False])
+
+    def test_distances_are_negative_inside(self):
+        points, triangles = ARRAYS_OF_UNIT_BOX
+        distance = insideout.distance((points, triangles), [(0.5, 0.5, 0.25), (2, 0.5, 0.5), (1, 0.5, 0.5), (np.nan, 0, 0)])
+        self.assertEqual(distance[:3].tolist(), [-0.25, 1, 0])
+        self.assertTrue(np.isnan(distance[3]))
+        self.assertEqual(insideout.distance((points, triangles), [(1, 1, 0.5)], scale=2).tolist(), [-0.5])
+
+    def test_voxels_are_those_whose_centres_are_inside(self):
+        points, triangles = ARRAYS_OF_UNIT_BOX
+        for spacing in (0.25, 0.3, (0.5, 0.2, 0.1)):
+            inside, origin = insideout.voxels((points, triangles), spacing)
+            self.assertEqual(inside.dtype, bool)
+            centres = origin + np.stack(np.indices(inside.shape), axis=-1) * spacing
+            expected = np.all((centres > 0) & (centres < 1), axis=-1)
+            np.testing.assert_array_equal(inside, expected)
+            half = np.broadcast_to(spacing, 3) / 2
+            self.assertTrue(np.all(origin - half <= 1e-15) and np.all(centres[-1, -1, -1] + half >= 1 - 1e-15))
+        slanted = np.array(points) @ np.array([[1, 0.5, 0], [0, 1, 0], [0, 0.25, 1]])
+        inside, origin = insideout.voxels((slanted, triangles), 0.1, scale=2)
+        centres = origin + np.stack(np.indices(inside.shape), axis=-1) * 0.1
+        queried = insideout.inside((slanted, triangles), centres.reshape(-1, 3), scale=2)
+        np.testing.assert_array_equal(inside.ravel(), queried)
+        for bad in (0, -1, "wide", (1, 2), float("nan"), 1e-9):
+            with self.subTest(bad), self.assertRaisesRegex(insideout.Error, "spacing"):
+                insideout.voxels((points, triangles), bad)
 
     def test_resolve_leaves_no_crossings(self):
         resolved = insideout.resolve(self.surface)

@@ -7,12 +7,13 @@ import unittest
 import insideout
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkCutter, vtkMassProperties, vtkTriangleFilter
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkRectilinearGrid
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkCutter, vtkImplicitPolyDataDistance, vtkMassProperties, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
 from vtkmodules.vtkFiltersModeling import vtkSelectEnclosedPoints
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 import numpy as np
@@ -41,6 +42,23 @@ def grid(size=9):
     image.SetOrigin(-1.01, -1.02, -1.03)
     image.SetSpacing(*[2 / (size - 1)] * 3)
     return image
+
+
+def rectilinear(image):
+    """The same points as an image has."""
+    grid_ = vtkRectilinearGrid()
+    grid_.SetDimensions(image.GetDimensions())
+    for axis, name in enumerate("XYZ"):
+        steps = np.arange(image.GetDimensions()[axis]) * image.GetSpacing()[axis] + image.GetOrigin()[axis]
+        getattr(grid_, f"Set{name}Coordinates")(numpy_to_vtk(steps, deep=1))
+    return grid_
+
+
+def scaled(surface, factor):
+    copy = vtkPolyData()
+    copy.DeepCopy(surface)
+    copy.GetPoints().SetData(numpy_to_vtk(vtk_to_numpy(surface.GetPoints().GetData()) * factor, deep=1))
+    return copy
 
 
 def radii(data):
@@ -144,6 +162,88 @@ class TestProbe(unittest.TestCase):
         w = vtk_to_numpy(probe(grid(), torn, MergeTolerance=1e-5).GetOutput().GetPointData().GetArray("w"))
         self.assertEqual(set(w), {0.0, 1.0})
 
+    def test_an_image_has_what_its_points_and_cells_have(self):
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        for surface in (sphere(), sphere(6)):
+            image = grid(20)
+            for association in (0, 1):
+                for data in (image, rectilinear(image)):
+                    places = vtkPolyData()
+                    points = vtkPoints()
+                    points.SetDataTypeToDouble()
+                    if association == 0:
+                        for i in range(data.GetNumberOfPoints()):
+                            points.InsertNextPoint(data.GetPoint(i))
+                    else:
+                        for i in range(data.GetNumberOfCells()):
+                            b = data.GetCell(i).GetBounds()
+                            points.InsertNextPoint([b[2 * k] + 0.5 * (b[2 * k + 1] - b[2 * k]) for k in range(3)])
+                    places.SetPoints(points)
+                    expected = probe(places, surface).GetOutput().GetPointData()
+                    output = probe(data, surface, Association=association).GetOutput()
+                    found = output.GetCellData() if association else output.GetPointData()
+                    for name in ("w", "Inside"):
+                        np.testing.assert_allclose(
+                            vtk_to_numpy(found.GetArray(name)), vtk_to_numpy(expected.GetArray(name)), atol=1e-14)
+
+    def test_the_pieces_of_an_image_are_those_of_the_whole(self):
+        source = vtkRTAnalyticSource()
+        source.SetWholeExtent(-8, 9, -7, 7, -6, 5)
+        filters = [insideout.vtkProbeWindingNumber() for _ in range(2)]
+        for filter_ in filters:
+            filter_.SetInputConnection(source.GetOutputPort())
+            filter_.SetSurfaceData(scaled(sphere(6), 12))
+        filters[0].UpdateExtent((-3, 4, -7, 0, 2, 5))
+        part = filters[0].GetOutput()
+        filters[1].Update()
+        whole = filters[1].GetOutput()
+        self.assertEqual(part.GetExtent(), (-3, 4, -7, 0, 2, 5))
+        w = part.GetPointData().GetArray("w")
+        for i in range(part.GetNumberOfPoints()):
+            same = whole.FindPoint(part.GetPoint(i))
+            self.assertAlmostEqual(w.GetValue(i), whole.GetPointData().GetArray("w").GetValue(same), delta=1e-14)
+
+    def test_the_mask_alone_is_that_beside_w(self):
+        for surface in (sphere(), sphere(40)):
+            for threshold in (0.5, 0.3, 1.0):
+                both = probe(grid(30), surface, Threshold=threshold).GetOutput().GetPointData()
+                mask = probe(grid(30), surface, Threshold=threshold, OutputWindingNumber=False).GetOutput().GetPointData()
+                self.assertIsNone(mask.GetArray("w"))
+                self.assertEqual(mask.GetScalars().GetName(), "Inside")
+                np.testing.assert_array_equal(vtk_to_numpy(mask.GetArray("Inside")), vtk_to_numpy(both.GetArray("Inside")))
+
+    def test_distances_are_those_of_vtk_where_its_sign_is_right(self):
+        image = grid(12)
+        output = probe(image, sphere(), Distance=True, ClosestPoints=True).GetOutput().GetPointData()
+        vtks = vtkImplicitPolyDataDistance()
+        surface = sphere()
+        vtks.SetInput(surface)
+        distance = vtk_to_numpy(output.GetArray("Distance"))
+        closest = vtk_to_numpy(output.GetArray("ClosestPoint"))
+        cells = vtk_to_numpy(output.GetArray("ClosestCellId"))
+        for i in range(image.GetNumberOfPoints()):
+            place = np.array(image.GetPoint(i))
+            self.assertAlmostEqual(distance[i], vtks.EvaluateFunction(place), delta=1e-7)
+            self.assertAlmostEqual(abs(distance[i]), np.linalg.norm(place - closest[i]), delta=1e-14)
+            bounds = np.array(surface.GetCell(int(cells[i])).GetBounds()).reshape(3, 2).T
+            self.assertTrue(np.all(bounds[0] - 1e-7 <= closest[i]) and np.all(closest[i] <= bounds[1] + 1e-7))
+
+    def test_the_sign_of_distances_is_right_where_the_surface_is_open(self):
+        image = grid(20)
+        surface = sphere(40)
+        r = radii(image)
+        certain = (r < 0.4) | (r > 0.52)
+        distance = vtk_to_numpy(probe(image, surface, Distance=True).GetOutput().GetPointData().GetArray("Distance"))
+        turned = vtk_to_numpy(
+            probe(image, surface, Distance=True, InsideOut=True).GetOutput().GetPointData().GetArray("Distance"))
+        np.testing.assert_array_equal(distance, turned)
+        np.testing.assert_array_equal(distance[certain] < 0, r[certain] < 0.5)
+        vtks = vtkImplicitPolyDataDistance()
+        vtks.SetInput(surface)
+        theirs = np.array([vtks.EvaluateFunction(image.GetPoint(i)) for i in range(image.GetNumberOfPoints())])
+        self.assertGreater(np.count_nonzero((theirs < 0) != (r < 0.5)), 0)  # why this class has its own sign
+
     def test_data_are_passed_on_and_clashing_arrays_renamed(self):
         image = grid()
         for name in ("w", "other"):
@@ -173,6 +273,55 @@ class TestProbe(unittest.TestCase):
             filter_.SetInputData(grid())
             filter_.SetSurfaceData(bad)
             insideout.pipeline.run(filter_)
+
+
+class TestVoxels(unittest.TestCase):
+    def test_a_stencil_has_the_voxels_that_the_probe_has(self):
+        for surface in (sphere(), sphere(40)):
+            image = grid(30)
+            stencil = insideout.vtkWindingNumberToImageStencil()
+            stencil.SetInputData(surface)
+            stencil.SetInformationInput(image)
+            painted = painted_by(stencil, image)
+            np.testing.assert_array_equal(
+                painted, vtk_to_numpy(probe(image, surface).GetOutput().GetPointData().GetArray("Inside")))
+            self.assertGreater(painted.sum(), 500)
+
+    def test_a_stencil_of_no_surface_is_an_error_and_empty(self):
+        stencil = insideout.vtkWindingNumberToImageStencil()
+        stencil.SetInputData(vtkPolyData())
+        stencil.SetInformationInput(grid())
+        with self.assertRaises(insideout.Error):
+            insideout.pipeline.run(stencil)
+
+    def test_fractions_sum_to_the_volume(self):
+        result = insideout.tetrahedralize(sphere(4))
+        for data in (grid(9), rectilinear(grid(9))):
+            fractions = insideout.vtkVoxelFractions()
+            fractions.SetInputData(data)
+            for solid in (result.solid, result.hull):
+                fractions.SetSolidData(solid.GetOutput() if hasattr(solid, "GetOutput") else solid)
+                fractions.Update()
+                values = vtk_to_numpy(fractions.GetOutput().GetCellData().GetArray("VolumeFraction"))
+                self.assertTrue(values.min() >= -1e-14 and values.max() <= 1 + 1e-14)
+                self.assertAlmostEqual(values.sum() * np.prod(grid(9).GetSpacing()), result.statistics["Volume"], 13)
+
+    def test_fractions_of_a_flat_image_are_an_error(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 1)
+        fractions = insideout.vtkVoxelFractions()
+        fractions.SetInputData(image)
+        fractions.SetSolidData(insideout.tetrahedralize(sphere()).solid)
+        with self.assertRaisesRegex(insideout.Error, "along z"):
+            insideout.pipeline.run(fractions)
+
+
+def painted_by(stencil, image):
+    """1 for each point of the image that the stencil has."""
+    stencil.Update()
+    data = stencil.GetOutput()
+    dimensions = image.GetDimensions()
+    return np.array([data.IsInside(i, j, k) for k in range(dimensions[2]) for j in range(dimensions[1]) for i in range(dimensions[0])])
 
 
 def function(surface):
@@ -259,6 +408,35 @@ class TestImplicitFunction(unittest.TestCase):
         gradient = [1, 1, 1]
         closed.FunctionGradient([0.1, 0.2, 0.3], gradient)
         self.assertEqual(gradient, [0, 0, 0])
+
+    def test_a_signed_distance_has_the_gradient_of_differences(self):
+        for surface in (sphere(), sphere(4)):
+            implicit = function(surface)
+            implicit.SignedDistanceOn()
+            chance = random.Random(2)
+            for _ in range(50):
+                x = [chance.uniform(-1, 1) for _ in range(3)]
+                value = implicit.FunctionValue(x)
+                self.assertEqual(value < 0, function(surface).FunctionValue(x) < 0)
+                gradient = [0, 0, 0]
+                implicit.FunctionGradient(x, gradient)
+                self.assertAlmostEqual(np.linalg.norm(gradient), 1, delta=1e-12)
+                step = 1e-6
+                ahead = implicit.FunctionValue([c + step * g for c, g in zip(x, gradient)])
+                if abs(value) > 2 * step and (ahead < 0) == (value < 0):
+                    self.assertAlmostEqual((ahead - value) / step, 1, delta=1e-6)
+            self.assertLess(implicit.FunctionValue(0, 0, 0), -0.4)
+
+    def test_distances_of_lines_are_an_error(self):
+        lines = vtkPolyData()
+        points, cells = vtkPoints(), vtkCellArray()
+        for x, y in ((0, 0), (1, 0), (0, 1), (0, 0)):
+            points.InsertNextPoint(x, y, 0)
+        cells.InsertNextCell(4, [0, 1, 2, 3])
+        lines.SetPoints(points)
+        lines.SetLines(cells)
+        with self.assertRaisesRegex(insideout.Error, "distances are of polygons only"):
+            insideout.distance(lines, [(0, 0, 0)])
 
     def test_it_follows_the_surface_and_the_properties(self):
         surface = sphere()

@@ -3,6 +3,7 @@
 
 #include "Common/Box.h"
 
+#include <array>
 #include <vector>
 
 namespace insideout
@@ -40,6 +41,51 @@ public:
         }
       }
       ++node;
+    }
+  }
+
+  /**
+   * Calls visit(i) for boxes i that distance(box) is at most bound() for, which visit may lower:
+   * those in nearer parts of the tree first. No box may be nearer than one around it.
+   */
+  template <class DistanceOf, class Bound, class Visitor>
+  void VisitNearestFirst(const DistanceOf& distance, const Bound& bound, const Visitor& visit) const
+  {
+    struct Waiting
+    {
+      std::size_t Node;
+      double Distance;
+    };
+    std::array<Waiting, 64> stack; // of fewer than 2^32 boxes each level halves
+    std::size_t size = 0;
+    if (!this->Nodes.empty())
+    {
+      stack[size++] = { 0, distance(this->Nodes[0].Bounds) };
+    }
+    while (size > 0)
+    {
+      const Waiting next = stack[--size];
+      const Node& here = this->Nodes[next.Node];
+      if (!(next.Distance <= bound()))
+      {
+        continue;
+      }
+      for (Id k = here.Begin; k < here.End; ++k)
+      {
+        if (distance(this->Boxes[k]) <= bound())
+        {
+          visit(this->Order[k]);
+        }
+      }
+      if (here.Begin == here.End)
+      {
+        const std::size_t second = this->Nodes[next.Node + 1].Next;
+        const Waiting a = { next.Node + 1, distance(this->Nodes[next.Node + 1].Bounds) };
+        const Waiting b = { second, distance(this->Nodes[second].Bounds) };
+        const bool aIsNearer = a.Distance <= b.Distance;
+        stack[size++] = aIsNearer ? b : a;
+        stack[size++] = aIsNearer ? a : b;
+      }
     }
   }
 

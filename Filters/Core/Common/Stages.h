@@ -16,9 +16,10 @@ constexpr const char* TracingIntersections = "tracing intersections"; ///< Trace
 constexpr const char* Tetrahedralizing = "tetrahedralizing";          ///< ConstrainedDelaunay
 constexpr const char* Triangulating = "triangulating";                ///< TriangulateHull
 constexpr const char* WindingNumbers = "winding numbers";             ///< in cells, or anywhere
+constexpr const char* Distances = "distances";                        ///< SurfaceDistance
 constexpr const char* Segmenting = "segmenting";       ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting";       ///< whatever is in the room Output
-constexpr const char* Refining = "refining";           ///< RefineTetrahedra
+constexpr const char* Refining = "refining";           ///< RefineTetrahedra, RefineTriangles
 constexpr const char* Measuring = "measuring quality"; ///< QualityOfMesh
 constexpr const char* Writing = "writing";             ///< OutputFile
 } // namespace insideout::Stages

@@ -2,6 +2,7 @@
 #include "Refine/SizingField.h"
 
 #include "Common/Edge.h"
+#include "Common/NearestPoint.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 #include "Refine/TriangleTree.h"

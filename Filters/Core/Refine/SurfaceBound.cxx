@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/SurfaceBound.h"
 
+#include "Common/NearestPoint.h"
 #include "Common/Vectors.h"
 #include "Refine/QuadraticCells.h"
 

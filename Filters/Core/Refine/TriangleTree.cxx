@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/TriangleTree.h"
 
+#include "Common/NearestPoint.h"
 #include "Common/Vectors.h"
 #include "Refine/QuadraticCells.h"
 
@@ -17,27 +18,6 @@ constexpr int MostDivisions = 3;
 /** Of `enough`: what is known so well need not be known better. */
 constexpr double Precision = 0.1;
 
-Point NearestPointOfSegment(const Point& a, const Point& b, const Point& place)
-{
-  const Point along = Difference(b, a);
-  const double squared = Dot(along, along);
-  const double t =
-    squared > 0 ? std::clamp(Dot(Difference(place, a), along) / squared, 0.0, 1.0) : 0;
-  return { { a[0] + t * along[0], a[1] + t * along[1], a[2] + t * along[2] } };
-}
-
-double SquaredDistance(const Box& box, const Point& place)
-{
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double beyond =
-      std::max({ box.Low[axis] - place[axis], place[axis] - box.High[axis], 0.0 });
-    sum += beyond * beyond;
-  }
-  return sum;
-}
-
 std::vector<Box> BoxesOf(const std::vector<LabelledTriangle>& triangles)
 {
   std::vector<Box> boxes;
@@ -49,39 +29,6 @@ std::vector<Box> BoxesOf(const std::vector<LabelledTriangle>& triangles)
   return boxes;
 }
 } // namespace
-
-Point NearestPointOf(const std::array<Point, 3>& triangle, const Point& place)
-{
-  const auto& [a, b, c] = triangle;
-  const Point normal = NormalOf(a, b, c);
-  const double squared = Dot(normal, normal);
-  if (squared > 0)
-  {
-    // Barycentric coordinates of the foot of the perpendicular.
-    const Point toPlace = Difference(place, a);
-    const double ofC = Dot(Cross(Difference(b, a), toPlace), normal) / squared;
-    const double ofB = Dot(Cross(toPlace, Difference(c, a)), normal) / squared;
-    if (ofB >= 0 && ofC >= 0 && ofB + ofC <= 1)
-    {
-      const double height = Dot(toPlace, normal) / squared;
-      return { { place[0] - height * normal[0], place[1] - height * normal[1],
-        place[2] - height * normal[2] } };
-    }
-  }
-  Point nearest = a;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k)
-  {
-    const Point there = NearestPointOfSegment(triangle[k], triangle[(k + 1) % 3], place);
-    const double distance = Distance(there, place);
-    if (distance < least)
-    {
-      least = distance;
-      nearest = there;
-    }
-  }
-  return nearest;
-}
 
 TriangleTree::TriangleTree(std::vector<LabelledTriangle> triangles)
   : Triangles(std::move(triangles))
@@ -108,9 +55,8 @@ TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id h
   {
     look(hint);
   }
-  this->Tree.VisitWhere([&](const Box& box)
-    { return SquaredDistance(box, place) < best.Distance * best.Distance; },
-    look);
+  this->Tree.VisitNearestFirst([&](const Box& box) { return SquaredDistance(box, place); },
+    [&] { return best.Distance * best.Distance; }, look);
   return best;
 }
 

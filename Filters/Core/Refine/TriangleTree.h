@@ -15,9 +15,6 @@ struct LabelledTriangle
   Id Label;
 };
 
-/** The point of a triangle that is nearest to a place; the triangle may be degenerate. */
-Point NearestPointOf(const std::array<Point, 3>& triangle, const Point& place);
-
 /** How far places and triangles are from a surface. */
 class TriangleTree
 {

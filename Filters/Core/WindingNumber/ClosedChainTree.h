@@ -64,6 +64,8 @@ public:
   void Evaluate(const std::vector<Point>& points, std::vector<double>& w, Monitor& monitor,
     const ProgressRange& progress) const;
 
+  const ChainFacets& AllFacets() const { return this->Facets; }
+
 private:
   void Build(const std::vector<Point>* wanted, Monitor& monitor, const ProgressRange& progress);
   void BuildTrees(

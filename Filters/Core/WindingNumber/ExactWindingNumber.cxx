@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/ExactWindingNumber.h"
 
+#include "Common/ChunkedLoop.h"
+#include "WindingNumber/CapsInGrid.h"
 #include "WindingNumber/HoleCaps.h"
+#include "WindingNumber/LabelsInRows.h"
 #include "WindingNumber/SpatialOrder.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace insideout
 {
+namespace
+{
+// What polynomials say of the caps is held for so many slices of a grid at once.
+constexpr Id SlicesAtOnce = 64;
+} // namespace
+
 ExactWindingNumber::ExactWindingNumber(const std::vector<Point>& points,
   std::vector<CountedTriangle> triangles, const std::vector<CountedEdge>& boundary,
   Monitor& monitor, const ProgressRange& progress)
-  : Caps(CapHoles(points, boundary))
+  : Points(points)
+  , Caps(CapHoles(points, boundary))
   , Tree(points, CloseChain(std::move(triangles), this->Caps), monitor, progress)
   , SumOfCaps(points, this->Caps)
 {
@@ -46,6 +58,41 @@ std::vector<double> ExactWindingNumber::Evaluate(
     this->SumOfCaps.Add(sites, order, w, monitor, { progress.Stage, middle, progress.End });
   }
   return w;
+}
+
+void ExactWindingNumber::EvaluateInGrid(const GridPlaces& grid, std::optional<double> sideOf,
+  const SliceVisitor& visit, Monitor& monitor, const ProgressRange& progress) const
+{
+  const LabelsInRows labels(this->Tree.AllFacets(), grid);
+  const Id slices = grid.Size(2);
+  // Off the chain labels are whole, so that so little changes no side.
+  const double negligible = sideOf ? std::abs(*sideOf - std::round(*sideOf)) : 0;
+  const double nanosecondsPerPlace = this->Caps.empty() ? 2 : 20;
+  for (Id first = 0; first < slices; first += SlicesAtOnce)
+  {
+    const Id last = std::min(slices, first + SlicesAtOnce);
+    const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(first) / slices),
+      progress.At(static_cast<double>(last) / slices) };
+    const CapsInGrid caps(this->Points, this->Caps, negligible, grid, first, last, monitor, part);
+    ChunkedLoop(last - first, nanosecondsPerPlace * static_cast<double>(grid.SizeOfSlice()),
+      monitor, part,
+      [&](Id i)
+      {
+        std::vector<double> w;
+        std::vector<std::size_t> onChain;
+        labels.InSlice(first + i, w, onChain);
+        for (const std::size_t place : onChain)
+        {
+          w[place] = this->Tree.At(grid.InSlice(first + i, place));
+        }
+        caps.AddInSlice(first + i, w);
+        for (std::size_t k = 0; sideOf && k < onChain.size(); ++k)
+        {
+          w[onChain[k]] = this->At(grid.InSlice(first + i, onChain[k]));
+        }
+        visit(first + i, w);
+      });
+  }
 }
 
 double ExactWindingNumber::At(const Point& point) const

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "WindingNumber/ClosedChainTree.h"
+#include "WindingNumber/GridPlaces.h"
 #include "WindingNumber/WindingNumberOfCaps.h"
+
+#include <optional>
 
 namespace insideout
 {
@@ -51,10 +54,23 @@ public:
   std::vector<double> Evaluate(
     const Sites& sites, Monitor& monitor, const ProgressRange& progress) const;
 
+  /**
+   * At all places of a grid, slice by slice: the whole number along rows (LabelsInRows.h), that of
+   * the caps by polynomials (CapsInGrid.h). Few slices are held at once.
+   *
+   * @param[in] grid below 2^50 in each coordinate; its axes ascend strictly
+   * @param[in] sideOf where given, values only tell on which side of it the winding number is,
+   * which takes no longer where the surface is open
+   * @throws Error (Stopped)
+   */
+  void EvaluateInGrid(const GridPlaces& grid, std::optional<double> sideOf,
+    const SliceVisitor& visit, Monitor& monitor, const ProgressRange& progress) const;
+
   /** The winding number at one point. Safe to call from several threads. */
   double At(const Point& point) const;
 
 private:
+  const std::vector<Point>& Points;
   const std::vector<std::vector<CountedTriangle>> Caps;
   const ClosedChainTree Tree;
   const WindingNumberOfCaps SumOfCaps;

@@ -187,6 +187,53 @@ std::vector<double> SurfaceWindingNumber::At(
   return w;
 }
 
+void SurfaceWindingNumber::InGrid(const GridPlaces& grid, std::optional<double> sideOf,
+  const SliceVisitor& visit, Monitor& monitor, const ProgressRange& progress) const
+{
+  monitor.Check(progress.Stage, progress.Begin);
+  const Implementation& internals = *this->Internals;
+  GridPlaces scaled = grid;
+  const PowerOfTwo power(-internals.Exponent);
+  bool isNear = true;
+  for (std::vector<double>& axis : scaled.Axes)
+  {
+    for (double& x : axis)
+    {
+      x = power.Times(x);
+    }
+    const auto doNotAscend = [](double a, double b) { return !(a < b); };
+    isNear = isNear && std::abs(axis.front()) <= Afar && std::abs(axis.back()) <= Afar &&
+      std::adjacent_find(axis.begin(), axis.end(), doNotAscend) == axis.end();
+  }
+  if (internals.Method == WindingNumberMethod::Exact && isNear)
+  {
+    internals.Exact->EvaluateInGrid(scaled, sideOf, visit, monitor, progress);
+  }
+  else
+  {
+    this->SliceBySlice(grid, visit, monitor, progress);
+  }
+  monitor.Check(progress.Stage, progress.End);
+}
+
+/** As at any points: where places are afar or do not ascend, and by another method. */
+void SurfaceWindingNumber::SliceBySlice(const GridPlaces& grid, const SliceVisitor& visit,
+  Monitor& monitor, const ProgressRange& progress) const
+{
+  std::vector<Point> places(grid.SizeOfSlice());
+  const double slices = grid.Size(2);
+  for (Id slice = 0; slice < grid.Size(2); ++slice)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      places[i] = grid.InSlice(slice, i);
+    }
+    visit(slice,
+      this->At(places, monitor,
+        { progress.Stage, progress.At(slice / slices), progress.At((slice + 1) / slices) }));
+  }
+}
+
 double SurfaceWindingNumber::At(const Point& point) const
 {
   if (!IsFinite(point))

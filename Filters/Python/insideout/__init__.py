@@ -30,6 +30,11 @@ them are inside::
     insideout.winding_number("broken.ply", points)
     insideout.inside("broken.ply", points)
 
+How far the surface is, negative inside; and the voxels inside, as an array, and where its first one is::
+
+    insideout.distance("broken.ply", points)
+    inside, origin = insideout.voxels("broken.ply", spacing=0.01)
+
 SURFACES
     Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
     .stl or .vtp file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
@@ -47,6 +52,8 @@ RESULTS
     refine          Refinement: solid, statistics
     winding_number  an array of float64, one value per point
     inside          an array of bool, one value per point
+    distance        an array of float64, one value per point
+    voxels          an array of bool with three indices, and a point
 
     They can be pickled, and so sent to other processes, and copied. A notebook shows them as a table, with a
     picture where one can be drawn. `write` puts them into files, for VTK, gmsh, CalculiX and others, and
@@ -80,6 +87,7 @@ MODULES
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
+import vtkmodules.vtkImagingCore
 import vtkmodules.vtkIOCore  # noqa: F401
 
 from . import vtkFiltersInsideOut as _classes
@@ -88,7 +96,7 @@ from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
 from .drawing import draw, draw_quality
 from .pipeline import Error
 from .quality import SolidCheck, check_solid
-from .queries import inside, winding_number
+from .queries import distance, inside, voxels, winding_number
 from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
 from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
@@ -115,12 +123,14 @@ __all__ = [
     "__version__",
     "check",
     "check_solid",
+    "distance",
     "draw",
     "draw_quality",
     "inside",
     "refine",
     "resolve",
     "tetrahedralize",
+    "voxels",
     "winding_number",
     "write",
 ]

@@ -36,8 +36,8 @@ examples:
       refined, with cells of second order
   zcat broken.obj.gz | python3 -m insideout - solid.vtu --format obj
       standard input; a .gz is read as it is, too
-  python3 -m insideout --winding grid.vti broken.ply w.vti
-      the winding number at places of yours, without a mesh
+  python3 -m insideout --winding grid.vti broken.ply w.vti --distance
+      the winding number at places of yours, and how far the surface is, without a mesh
 
 Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C,
 143 after SIGTERM. A file is written whole or not at all: an earlier one of its name stays until then.
@@ -111,6 +111,8 @@ def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argpars
     mode = "--check" if options.check else "--winding" if options.winding is not None else None
     if options.check and options.winding is not None:
         parser.error("--check meshes nothing: it goes without --winding")
+    if options.distance and options.winding is None:
+        parser.error("--distance is of places: it goes with --winding")
     solids = [surface for surface in surfaces if ending(surface) in READABLE_SOLIDS]
     if options.check and solids:
         for name in CHECK_OPTIONS:
@@ -186,6 +188,11 @@ def _parser() -> argparse.ArgumentParser:
         metavar="QUERY",
         help=f"only evaluate the winding number: at the places in a .csv file (columns x, y, z) or at the points of an "
         f"image ({QUERIES[1]}); OUTPUT has the same ending",
+    )
+    mode.add_argument(
+        "--distance",
+        action="store_true",
+        help="with --winding: how far the surface is from each place, too, negative inside",
     )
     files = parser.add_argument_group("what to write")
     files.add_argument("--hull", metavar="HULL.vtu", help="all tetrahedra of the convex hull, with w and Inside")

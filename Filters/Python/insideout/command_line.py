@@ -43,8 +43,8 @@ from .panels import PICTURES, display_command
 from .places import QUERIES, Places, read_places
 from .progress import StageBars
 from .quality import check_solid, solid_verdict
-from .queries import winding_number_and_warnings
-from .stages import CHECK, CHECK_SOLID, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
+from .queries import ask
+from .stages import CHECK, CHECK_SOLID, DISTANCES, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
 from .summary import check_summary, defects, seams, solid_summary, summary, table, tetrahedralizer, winding_summary
 from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .verdict import verdict
@@ -449,9 +449,11 @@ class SolidCheckJob(Job):
 class WindingJob(Job):
     """One run with --winding, which evaluates winding numbers at places of the user's."""
 
-    stages = WINDING
+    stages: Sequence[str] = WINDING
 
     def check_parameters(self) -> dict[str, Any]:
+        if self.options.distance:
+            self.stages = (*WINDING, DISTANCES)
         check_input(self.options.winding, QUERIES)
         return self.parameters_of(WINDING_OPTIONS, vtkProbeWindingNumber())
 
@@ -462,13 +464,15 @@ class WindingJob(Job):
         surface = self.read()
         places: Places = read_places(self.options.winding)
         options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
-        w, warnings = winding_number_and_warnings(surface, places.data, Options(**options), self.show_progress)
-        self.warnings = self.warnings + warnings
+        far = self.options.distance
+        answer = ask(surface, places.data, Options(**options), self.show_progress, Distance=far)
+        w = answer.array("w")
+        self.warnings = self.warnings + answer.warnings
         self.bars.finish()
         self.bars.show(WRITING, 0)
         output = self.files.output or ""
         work_on(output)
-        places.write(w, output)
+        places.write(w, output, answer.array("Distance") if far else None)
         self.bars.finish()
         self.outputs["winding"] = output
         self.statistics = {"Places": len(w), "InsidePlaces": int((w > 0.5).sum())}

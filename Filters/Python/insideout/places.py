@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
-from typing import Protocol
+from typing import Optional, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,8 @@ from .pipeline import Error, run, write_bytes, write_data
 
 QUERIES = (".csv", ".vti")
 
-FOUND = ("w", "inside")
-"""What a table gains; columns of these names, in capitals too, get new values instead."""
+FOUND = ("w", "inside", "distance")
+"""What a table gains, the last where it is asked for; columns of these names, in capitals too, get new values instead."""
 
 
 class Places(Protocol):
@@ -29,8 +29,8 @@ class Places(Protocol):
     data: vtkDataSet
     """Its points are the places."""
 
-    def write(self, w: NDArray[np.float64], path: str) -> None:
-        """Write the places with their winding numbers w, and 1 for those inside, where w is above 1/2."""
+    def write(self, w: NDArray[np.float64], path: str, distance: Optional[NDArray[np.float64]] = None) -> None:
+        """Write the places with their winding numbers w, 1 for those inside, where w is above 1/2, and their distances."""
 
 
 def read_places(path: str) -> Places:
@@ -75,15 +75,17 @@ class _Table:
                 raise Error(f"{path}, line {number}: it does not begin with three numbers")
         self.data: vtkDataSet = as_points(np.array([row[:3] for row in self.rows], float).reshape(-1, 3))
 
-    def write(self, w: NDArray[np.float64], path: str) -> None:
+    def write(self, w: NDArray[np.float64], path: str, distance: Optional[NDArray[np.float64]] = None) -> None:
+        columns = [w.tolist(), (w > 0.5).astype(int).tolist()] + ([] if distance is None else [distance.tolist()])
+        wanted = FOUND[: len(columns)]
         given = [name.strip().lower() for name in self.names]
         nameless = [""] * (max(map(len, [self.names, *self.rows])) - len(self.names))
-        names = [*self.names, *nameless, *(name for name in FOUND if name not in given)]
+        names = [*self.names, *nameless, *(name for name in wanted if name not in given)]
         text = io.StringIO(newline="")
         writer = csv.writer(text)
         writer.writerow(names)
-        for row, value in zip(self.rows, w.tolist()):
-            found = dict(zip(FOUND, (repr(value), int(value > 0.5))))
+        for row, *values in zip(self.rows, *columns):
+            found = dict(zip(wanted, map(repr, values)))
             kept = dict(enumerate(row))
             writer.writerow(found.get(name.strip().lower(), kept.get(column, "")) for column, name in enumerate(names))
         write_bytes(text.getvalue().encode(errors="surrogateescape"), path)
@@ -99,8 +101,9 @@ class _Image:
         run(reader)
         self.data: vtkDataSet = reader.GetOutput()
 
-    def write(self, w: NDArray[np.float64], path: str) -> None:
-        for name, values in (("w", w), ("Inside", (w > 0.5).astype(np.uint8))):
+    def write(self, w: NDArray[np.float64], path: str, distance: Optional[NDArray[np.float64]] = None) -> None:
+        arrays = [("w", w), ("Inside", (w > 0.5).astype(np.uint8))]
+        for name, values in arrays if distance is None else [*arrays, ("Distance", distance)]:
             array = numpy_to_vtk(values, deep=True)
             array.SetName(name)
             self.data.GetPointData().AddArray(array)

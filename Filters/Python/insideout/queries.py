@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`winding_number` and `inside`: where places are with respect to a surface, without meshing it."""
+"""`winding_number`, `inside`, `distance` and `voxels`: where places are with respect to a surface, without meshing it."""
 
 from __future__ import annotations
 
-from typing import Optional
+from dataclasses import dataclass, replace
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
 
 from .data import AnyPoints, AnySurface, as_points, as_surface
 from .options import Options, Orientation, describe_options, in_words_of_python
-from .pipeline import Error, Progress, run
+from .pipeline import Error, Progress, at_least, run
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
+
+MOST_VOXELS = 2**34
+"""More than memory holds, and fewer than VTK counts."""
 
 
 @describe_options
@@ -38,19 +43,104 @@ def winding_number(
     fraction between near holes. It is right to rounding; the surface may be open and cross itself.
     Raises `Error` with one line that names what is wrong.
     """
-    return winding_number_and_warnings(surface, points, Options.among(locals()), progress)[0]
+    return ask(surface, as_points(points), Options.among(locals()), progress).array("w")
 
 
-def winding_number_and_warnings(
-    surface: AnySurface, points: AnyPoints, options: Options, progress: Optional[Progress]
-) -> tuple[NDArray[np.float64], list[str]]:
-    """The same, and what is worth knowing about it, one line each."""
+@dataclass(frozen=True)
+class Answer:
+    """What a probe says, and what is worth knowing about it, one line each."""
+
+    probe: vtkProbeWindingNumber
+    warnings: list[str]
+
+    def array(self, name: str) -> NDArray[Any]:
+        return vtk_to_numpy(self.probe.GetOutput().GetPointData().GetArray(name))
+
+
+def ask(
+    surface: AnySurface, places: vtkDataSet, options: Options, progress: Optional[Progress], **properties: Any
+) -> Answer:
+    """Of the points of a data set; `properties` are further ones of vtkProbeWindingNumber."""
     probe = options.set_on(vtkProbeWindingNumber())
-    probe.SetInputData(as_points(points))
+    for name, value in properties.items():
+        getattr(probe, "Set" + name)(value)
+    probe.SetInputData(places)
     polygons, warnings = as_surface(surface, options.scale)
     probe.SetSurfaceData(polygons)
-    warnings = warnings + in_words_of_python(run(probe, progress))
-    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w")), warnings
+    return Answer(probe, warnings + in_words_of_python(run(probe, progress)))
+
+
+@describe_options
+def distance(
+    surface: AnySurface,
+    points: AnyPoints,
+    *,
+    scale: Optional[float] = None,
+    orientation: Orientation = "automatic",
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> NDArray[np.float64]:
+    """How far each of some points is from a surface; negative inside, where the winding number is above 1/2.
+
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    points    an array with three columns, or a VTK data set whose points are meant
+    progress  called with the stage and the fraction that is done; what it raises stops the work
+
+    {options}
+
+    Returns an array of float64, one value per point, in the surface's units: NaN where a point is not finite.
+    The sign is right where the surface is open and crosses itself, too. Raises `Error` with one line that
+    names what is wrong.
+    """
+    return ask(surface, as_points(points), Options.among(locals()), progress, Distance=True).array("Distance")
+
+
+@describe_options
+def voxels(
+    surface: AnySurface,
+    spacing: Union[float, Sequence[float]],
+    *,
+    scale: Optional[float] = None,
+    orientation: Orientation = "automatic",
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """The voxels whose centres are inside a surface, as an array, and where the first of them is.
+
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    spacing   from one voxel to the next, above 0, in the surface's units: one number, or one for each axis
+    progress  called with the stage and the fraction that is done; what it raises stops the work
+
+    {options}
+
+    Returns (inside, origin): an array of bool with an index for x, y and z each, and the centre of inside[0, 0, 0];
+    that of inside[i, j, k] is origin + spacing * (i, j, k). The voxels cover the box around the surface, with
+    nothing of it beyond them. Raises `Error` with one line that names what is wrong.
+    """
+    steps = np.array([at_least(0, "spacing", step) for step in np.ravel(np.asarray(spacing, object))])
+    if len(steps) not in (1, 3):
+        raise Error(f"spacing has {len(steps)} numbers; it must have one, or three")
+    steps = np.broadcast_to(steps, 3)
+    if not steps.min() > 0:
+        raise Error(f"spacing is {spacing}; it must be above 0")
+    options = Options.among(locals())
+    polygons, _ = as_surface(surface, options.scale)
+    if polygons.GetNumberOfPoints() == 0:
+        raise Error("the surface has no points")
+    low, high = np.array(polygons.GetPoints().GetBounds()).reshape(3, 2).T
+    sizes = np.maximum(np.ceil((high - low) / steps), 1)
+    if not sizes.prod() < MOST_VOXELS:
+        raise Error(f"spacing is {spacing}, which makes {sizes.prod():.3g} voxels; at most {MOST_VOXELS:.3g} are made")
+    origin = low / 2 + high / 2 - steps * (sizes - 1) / 2
+    image = vtkImageData()
+    image.SetDimensions(*(int(size) for size in sizes))
+    image.SetOrigin(origin)
+    image.SetSpacing(steps)
+    answer = ask(polygons, image, replace(options, scale=None), progress, OutputWindingNumber=False)
+    found = answer.array("Inside").view(np.bool_).reshape([int(size) for size in sizes[::-1]])
+    return found.transpose(), origin
 
 
 def inside(

@@ -17,9 +17,9 @@ class vtkMultiProcessController;
 class vtkPolyData;
 
 /** What this rank holds of each part: blocks, or partitioned data sets, in order. */
-struct vtkInsideOutParts
+struct vtkInsideOutAssembly
 {
-  explicit vtkInsideOutParts(vtkDataObjectTree* assembly);
+  explicit vtkInsideOutAssembly(vtkDataObjectTree* assembly);
 
   std::vector<std::vector<vtkSmartPointer<vtkPolyData>>>
     Pieces; ///< without ghost cells and empty ones
@@ -33,11 +33,11 @@ struct vtkInsideOutParts
  * @return what ranks disagree on; nothing, or the same on all of them
  */
 std::string vtkInsideOutAgree(
-  vtkInsideOutParts& parts, vtkDataObjectTree* output, vtkMultiProcessController* controller);
+  vtkInsideOutAssembly& parts, vtkDataObjectTree* output, vtkMultiProcessController* controller);
 
 /** Of each part, on all ranks together. */
 std::vector<vtkIdType> vtkInsideOutCountCells(
-  const vtkInsideOutParts& parts, vtkMultiProcessController* controller);
+  const vtkInsideOutAssembly& parts, vtkMultiProcessController* controller);
 
 /**
  * Sends each part to the rank that owns it.
@@ -45,7 +45,7 @@ std::vector<vtkIdType> vtkInsideOutCountCells(
  * @return the parts of this rank, of the pieces of all, in their order; none where it is another's
  * or empty
  */
-std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideOutParts& parts,
+std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideOutAssembly& parts,
   const std::vector<int>& owners, vtkMultiProcessController* controller);
 
 /** Puts parts in their places. */

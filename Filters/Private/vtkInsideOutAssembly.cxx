@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtkInsideOutParts.h"
+#include "vtkInsideOutAssembly.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
@@ -155,7 +155,7 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
 }
 } // namespace
 
-vtkInsideOutParts::vtkInsideOutParts(vtkDataObjectTree* assembly)
+vtkInsideOutAssembly::vtkInsideOutAssembly(vtkDataObjectTree* assembly)
 {
   this->Structure = vtk::TakeSmartPointer(vtkDataObjectTree::SafeDownCast(assembly->NewInstance()));
   this->Structure->CopyStructure(assembly);
@@ -182,7 +182,7 @@ vtkInsideOutParts::vtkInsideOutParts(vtkDataObjectTree* assembly)
 }
 
 std::string vtkInsideOutAgree(
-  vtkInsideOutParts& parts, vtkDataObjectTree* output, vtkMultiProcessController* controller)
+  vtkInsideOutAssembly& parts, vtkDataObjectTree* output, vtkMultiProcessController* controller)
 {
   const auto own = static_cast<vtkIdType>(parts.Pieces.size());
   std::vector<vtkIdType> all(controller->GetNumberOfProcesses());
@@ -217,7 +217,7 @@ std::string vtkInsideOutAgree(
 }
 
 std::vector<vtkIdType> vtkInsideOutCountCells(
-  const vtkInsideOutParts& parts, vtkMultiProcessController* controller)
+  const vtkInsideOutAssembly& parts, vtkMultiProcessController* controller)
 {
   std::vector<vtkIdType> own(parts.Pieces.size(), 0);
   for (std::size_t part = 0; part < own.size(); ++part)
@@ -233,7 +233,7 @@ std::vector<vtkIdType> vtkInsideOutCountCells(
   return all;
 }
 
-std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideOutParts& parts,
+std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideOutAssembly& parts,
   const std::vector<int>& owners, vtkMultiProcessController* controller)
 {
   const int self = controller->GetLocalProcessId();

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Distance/SurfaceDistance.h"
+
+#include "Common/ChunkedLoop.h"
+#include "Common/NearestPoint.h"
+#include "Common/ScaledPoints.h"
+#include "Common/Vectors.h"
+#include "WindingNumber/SpatialOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+// Boxes are passed over that are farther than the nearest facet so far by more than rounding, so
+// that no facet is passed over which another order would find.
+constexpr double RoundedUp = 1 + 0x1p-40;
+
+// From 2^50 times the size away all of the surface is one place, but for rounding.
+constexpr double Afar = 0x1p50;
+
+std::vector<std::array<Point, 3>> CornersOfFacets(const FacetComplex& surface, int exponent)
+{
+  const std::vector<Point> points = ScaledPoints(surface.Points, exponent);
+  std::vector<std::array<Point, 3>> facets;
+  facets.reserve(surface.Facets.size());
+  for (const Triangle& facet : surface.Facets)
+  {
+    facets.push_back(CornersOf(points, facet));
+  }
+  return facets;
+}
+
+std::vector<Box> BoxesOf(const std::vector<std::array<Point, 3>>& facets)
+{
+  std::vector<Box> boxes;
+  boxes.reserve(facets.size());
+  for (const std::array<Point, 3>& corners : facets)
+  {
+    Box box = { corners[0], corners[0] };
+    box.Add(corners[1]);
+    box.Add(corners[2]);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+bool IsNear(const Point& scaled)
+{
+  return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
+}
+} // namespace
+
+SurfaceDistance::SurfaceDistance(const FacetComplex& surface)
+  : Exponent(LargestExponent(surface.Points))
+  , Facets(CornersOfFacets(surface, -this->Exponent))
+  , Tree(BoxesOf(this->Facets))
+{
+}
+
+/** @param[in] hint a facet that is likely near, which saves time */
+SurfaceDistance::Nearest SurfaceDistance::NearestTo(const Point& place, Id hint) const
+{
+  if (!IsFinite(place))
+  {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return { nan, { nan, nan, nan }, None };
+  }
+  const PowerOfTwo down(-this->Exponent);
+  const PowerOfTwo up(this->Exponent);
+  const auto unscaled = [&](const Point& p) {
+    return Point{ up.Times(p[0]), up.Times(p[1]), up.Times(p[2]) };
+  };
+  const Point scaled = { down.Times(place[0]), down.Times(place[1]), down.Times(place[2]) };
+  if (!IsNear(scaled))
+  {
+    const Point there = unscaled(this->Facets[0][0]);
+    return { Distance(place, there), there, 0 };
+  }
+  Nearest best = { std::numeric_limits<double>::infinity(), {}, None };
+  const auto look = [&](Id facet)
+  {
+    const Point there = NearestPointOf(this->Facets[facet], scaled);
+    const Point d = Difference(there, scaled);
+    const double squared = Dot(d, d);
+    if (squared < best.Distance || (squared == best.Distance && facet < best.Facet))
+    {
+      best = { squared, there, facet };
+    }
+  };
+  look(hint);
+  this->Tree.VisitNearestFirst([&](const Box& box) { return SquaredDistance(box, scaled); },
+    [&] { return best.Distance * RoundedUp; }, look);
+  best.Distance = up.Times(Distance(best.Place, scaled));
+  best.Place = unscaled(best.Place);
+  return best;
+}
+
+SurfaceDistance::Nearest SurfaceDistance::At(const Point& place) const
+{
+  return this->NearestTo(place, 0);
+}
+
+std::vector<SurfaceDistance::Nearest> SurfaceDistance::At(
+  const std::vector<Point>& places, Monitor& monitor, const ProgressRange& progress) const
+{
+  std::vector<Point> finite = places;
+  for (Point& place : finite)
+  {
+    place = IsFinite(place) ? place : Point{ 0, 0, 0 };
+  }
+  const std::vector<Id> order = SpatialOrder(finite);
+  std::vector<Nearest> nearest(places.size());
+  const Id placesPerCall = 256;
+  const Id size = static_cast<Id>(places.size());
+  const double nanosecondsPerPlace = 1000;
+  ChunkedLoop((size + placesPerCall - 1) / placesPerCall, nanosecondsPerPlace * placesPerCall,
+    monitor, progress,
+    [&](Id call)
+    {
+      Id hint = 0;
+      for (Id i = call * placesPerCall; i < std::min(size, (call + 1) * placesPerCall); ++i)
+      {
+        const Nearest& found = nearest[order[i]] = this->NearestTo(places[order[i]], hint);
+        hint = found.Facet != None ? found.Facet : hint;
+      }
+    });
+  return nearest;
+}
+} // namespace insideout

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/BoxTree.h"
+#include "Common/FacetComplex.h"
+#include "Common/Monitor.h"
+
+namespace insideout
+{
+/** How far places are from a surface, without sign: which side they are on w tells. */
+class SurfaceDistance
+{
+public:
+  /** @param[in] surface at least one facet; every one counts, also at multiplicity 0 */
+  explicit SurfaceDistance(const FacetComplex& surface);
+
+  /** What is nearest to a place. */
+  struct Nearest
+  {
+    double Distance; ///< in units of the surface; NaN where the place is not finite
+    Point Place;     ///< on the surface
+    Id Facet; ///< of several the lowest, as far as rounding tells; None where it is not finite
+  };
+
+  /** Right to rounding of coordinates. Safe to call from several threads. */
+  Nearest At(const Point& place) const;
+
+  /**
+   * At each of several places; the same as one by one.
+   *
+   * @throws Error (Stopped)
+   */
+  std::vector<Nearest> At(
+    const std::vector<Point>& places, Monitor& monitor, const ProgressRange& progress) const;
+
+private:
+  Nearest NearestTo(const Point& place, Id hint) const;
+
+  int Exponent;
+  std::vector<std::array<Point, 3>> Facets; ///< scaled to below 1
+  BoxTree Tree;
+};
+} // namespace insideout

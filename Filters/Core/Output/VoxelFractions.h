@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * Which part of each voxel is within some tetrahedra that do not overlap, from 0 to 1 but for
+ * rounding: the volume of what each tetrahedron and voxel have in common, over the voxel's. The
+ * same for any number of threads.
+ *
+ * @param[in] cells of either orientation
+ * @param[in] sides where the voxels of a grid begin and end along x, y and z: ascending strictly,
+ *   at least two each
+ * @return one value per voxel, x fastest, then y
+ * @throws Error (Stopped)
+ */
+std::vector<double> VoxelFractions(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::array<std::vector<double>, 3>& sides,
+  Monitor& monitor, const ProgressRange& progress);
+} // namespace insideout

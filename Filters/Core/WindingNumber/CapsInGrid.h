@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Box.h"
+#include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
+#include "WindingNumber/CountedBoundary.h"
+#include "WindingNumber/GridPlaces.h"
+
+namespace insideout
+{
+/**
+ * The winding number of caps at all places of some slices of a grid.
+ *
+ * Away from a cap its winding number is a harmonic function, which a polynomial through few values
+ * tells to rounding. So the slices are cut into boxes, again and again: caps that are far from a
+ * box are summed at the nodes of a polynomial in it, and the others in its halves, which take over
+ * the polynomial at their nodes. A box with no more places than nodes has its places for nodes.
+ */
+class CapsInGrid
+{
+public:
+  /**
+   * Of the slices from first to last, this not included.
+   *
+   * @param[in] points of the caps, below 1 in each coordinate
+   * @param[in] caps each a chain of triangles that are not degenerate
+   * @param[in] negligible where the caps' winding number is certainly below this, 0 is added
+   * instead
+   * @param[in] grid has to live as long as this object; below 2^50, its axes ascend strictly
+   * @throws Error (Stopped)
+   */
+  CapsInGrid(const std::vector<Point>& points,
+    const std::vector<std::vector<CountedTriangle>>& caps, double negligible,
+    const GridPlaces& grid, Id first, Id last, Monitor& monitor, const ProgressRange& progress);
+
+  /** Add the caps' winding number at each place of a slice; right to about 1e-14. Safe to call from
+   * several threads. */
+  void AddInSlice(Id slice, std::vector<double>& w) const;
+
+private:
+  /** Where a polynomial along an axis takes its values. */
+  struct AxisNodes
+  {
+    std::vector<double> Places;
+    std::vector<double> Weights; ///< barycentric
+  };
+
+  /** Some places, from first to last in each axis, this not included. */
+  struct GridBox
+  {
+    std::array<Id, 3> First;
+    std::array<Id, 3> Last;
+    std::array<AxisNodes, 3> Nodes;
+    std::vector<double> Values; ///< at the nodes, x fastest; empty for zero
+    std::vector<Id> Near;       ///< caps that are not in the values
+
+    /** Of the nodes' polynomials the values at place after place; in x of node after node. */
+    std::array<std::vector<double>, 3> Basis;
+  };
+
+  AxisNodes NodesOf(int axis, Id first, Id last) const;
+  GridBox MakeBox(const std::array<Id, 3>& first, const std::array<Id, 3>& last) const;
+  Box Around(const GridBox& box) const;
+  bool IsFar(Id cap, const GridBox& box) const;
+  double BoundIn(const GridBox& box) const;
+  void AddFarCaps(GridBox& box) const;
+  std::array<GridBox, 2> Halves(const GridBox& box) const;
+  void FindBasis(GridBox& box) const;
+  void AddInSlice(const GridBox& box, Id slice, std::vector<double>& w) const;
+
+  static std::vector<double> BasisAt(const AxisNodes& nodes, double x);
+
+  const std::vector<Point>& Points;
+  const std::vector<std::vector<CountedTriangle>>& Caps;
+  std::vector<Box> BoxOfCap;
+  std::vector<double> AreaOfCap; ///< counted as often as its triangles
+  const GridPlaces& Grid;
+  std::vector<GridBox> Boxes; ///< those in which no cap is left out
+};
+} // namespace insideout

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkVoxelFractions.h"
+
+#include "Common/Stages.h"
+#include "Output/VoxelFractions.h"
+#include "Private/vtkInsideOutArrays.h"
+#include "Private/vtkInsideOutAttributes.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutReadGrid.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutVisitPlaces.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkVoxelFractions);
+
+vtkVoxelFractions::vtkVoxelFractions()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkVoxelFractions::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+void vtkVoxelFractions::SetSolidData(vtkUnstructuredGrid* solid)
+{
+  this->SetInputData(1, solid);
+}
+
+void vtkVoxelFractions::SetSolidConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+int vtkVoxelFractions::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
+  return 1;
+}
+
+/** Of several pieces of the input each needs the whole solid. */
+int vtkVoxelFractions::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  if (vtkInformation* solid = inputVector[1]->GetInformationObject(0))
+  {
+    solid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    solid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    solid->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return done;
+}
+
+namespace
+{
+std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
+{
+  GridPlaces grid;
+  if (!vtkInsideOutReadAxes(input, true, grid))
+  {
+    throw Error(
+      ErrorCode::InvalidParameter, "the image has no points, or its axes are not x, y and z");
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& sides = grid.Axes[axis];
+    const auto doNotAscend = [](double a, double b) { return !(a < b); };
+    if (sides.size() < 2 ||
+      std::adjacent_find(sides.begin(), sides.end(), doNotAscend) != sides.end())
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        std::string("the grid's coordinates along ") + "xyz"[axis] +
+          " are fewer than two, or do not ascend");
+    }
+  }
+  return grid.Axes;
+}
+
+/** The tetrahedra that count. */
+std::vector<Tetrahedron> ReadInside(vtkUnstructuredGrid* solid, const vtkInsideOutTetrahedra& all)
+{
+  vtkDataArray* const inside = solid->GetCellData()->GetArray("Inside");
+  std::vector<Tetrahedron> cells;
+  for (std::size_t c = 0; c < all.Cells.size(); ++c)
+  {
+    if (!inside || inside->GetComponent(all.CellIds[c], 0) != 0)
+    {
+      cells.push_back(all.Cells[c]);
+    }
+  }
+  return cells;
+}
+} // namespace
+
+int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkUnstructuredGrid* solid = vtkUnstructuredGrid::GetData(inputVector[1]);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  return vtkInsideOutRun(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(this, { Stages::Measuring });
+      const vtkInsideOutTetrahedra tetrahedra = vtkInsideOutReadCorners(solid);
+      const std::vector<double> fractions = VoxelFractions(tetrahedra.Points,
+        ReadInside(solid, tetrahedra), ReadSides(input), monitor, { Stages::Measuring, 0, 1 });
+      output->ShallowCopy(input);
+      std::vector<std::string> warnings;
+      vtkInsideOutAttributes::RenameArrays(output->GetCellData(), { "VolumeFraction" }, warnings);
+      output->GetCellData()->SetScalars(
+        vtkInsideOutMakeArray<vtkDoubleArray>("VolumeFraction", fractions));
+      vtkInsideOutWarn(this, warnings);
+    });
+}

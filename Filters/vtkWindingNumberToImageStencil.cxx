@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkWindingNumberToImageStencil.h"
+
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutVisitPlaces.h"
+
+#include <vtkDataObject.h>
+#include <vtkImageData.h>
+#include <vtkImageStencilData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkWindingNumberToImageStencil);
+
+vtkWindingNumberToImageStencil::vtkWindingNumberToImageStencil()
+{
+  this->SetNumberOfInputPorts(1);
+  const CountedChainParameters chain;
+  this->MergeTolerance = chain.MergeTolerance;
+  this->CountDuplicates = chain.CountDuplicates;
+  this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
+}
+
+void vtkWindingNumberToImageStencil::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "Orientation: " << this->Orientation << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+}
+
+int vtkWindingNumberToImageStencil::FillInputPortInformation(
+  int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+/** Any part of the image needs the whole surface. */
+int vtkWindingNumberToImageStencil::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  vtkInformation* surface = inputVector[0]->GetInformationObject(0);
+  surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+namespace
+{
+/** Add the runs of values above the threshold in a row, whose first value is at Extent[0]. */
+void AddRuns(const double* w, double threshold, int y, int z, vtkImageStencilData* stencil)
+{
+  const int* const extent = stencil->GetExtent();
+  for (int x = extent[0]; x <= extent[1]; ++x)
+  {
+    const int first = x;
+    while (x <= extent[1] && w[x - extent[0]] > threshold)
+    {
+      ++x;
+    }
+    if (x > first)
+    {
+      stencil->InsertNextExtent(first, x - 1, y, z);
+    }
+  }
+}
+} // namespace
+
+int vtkWindingNumberToImageStencil::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageStencilData* stencil =
+    this->AllocateOutputData(outInfo->Get(vtkDataObject::DATA_OBJECT()),
+      outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  return vtkInsideOutRun(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(
+        this, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
+      std::vector<std::string> warnings;
+      const vtkInsideOutWindingNumber windingNumber(
+        surface, vtkInsideOutReadSurfaceOptions(this), monitor, warnings);
+      vtkNew<vtkImageData> image;
+      image->SetExtent(stencil->GetExtent());
+      image->SetOrigin(stencil->GetOrigin());
+      image->SetSpacing(stencil->GetSpacing());
+      const int* const extent = stencil->GetExtent();
+      const vtkIdType width = extent[1] - extent[0] + 1;
+      const vtkIdType height = extent[3] - extent[2] + 1;
+      vtkInsideOutVisitPlaces(image, true, windingNumber, this->Threshold, monitor,
+        [&](vtkIdType first, const std::vector<double>& w)
+        {
+          for (vtkIdType row = 0; row * width < static_cast<vtkIdType>(w.size()); ++row)
+          {
+            const vtkIdType all = first / width + row;
+            AddRuns(w.data() + row * width, this->Threshold,
+              extent[2] + static_cast<int>(all % height),
+              extent[4] + static_cast<int>(all / height), stencil);
+          }
+        });
+      vtkInsideOutWarn(this, warnings);
+    });
+}
