@@ -114,7 +114,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("ranks", nargs="*", type=int, default=[1, 2, 4])
     parser.add_argument("--facets", type=int, default=20000)
-    parser.add_argument("--queries", type=int, default=2000000)
+    parser.add_argument("--queries", type=int, default=20000000)
     parser.add_argument("--parts", type=int, default=100)
     parser.add_argument("--run", choices=("probe", "assembly"))
     sizes = parser.parse_args()
