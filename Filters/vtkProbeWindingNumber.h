@@ -30,8 +30,9 @@
  *
  * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
  * surface, whose pieces (ghost cells apart) are gathered and sent to all of them: so a process
- * holds the surface and its own places, and has the same w as one that does it all. Where an input
- * is composite each process asks for the whole surface instead.
+ * holds the surface and its own places, and has the same w as one that does it all. ClosestCellId
+ * then counts the cells of all pieces, one after the other. Where an input is composite each
+ * process asks for the whole surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
  *

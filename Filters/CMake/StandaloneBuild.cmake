@@ -42,7 +42,8 @@ vtk_module_scan(
 
 set(INSIDEOUT_CMAKE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/InsideOut)
 set(INSIDEOUT_PYTHON_DESTINATION
-  ${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages)
+  ${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages
+  CACHE STRING "Where the Python package goes below the prefix")
 # Python's path in the build tree: the package, and the VTK that it was built with.
 set(INSIDEOUT_PYTHON_PATH ${CMAKE_BINARY_DIR}/${INSIDEOUT_PYTHON_DESTINATION}${vtk_python_folder})
 vtk_module_build(
@@ -92,3 +93,4 @@ install(EXPORT InsideOut
   FILE        InsideOutTargets.cmake
   DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/env.sh.in ${CMAKE_BINARY_DIR}/env.sh @ONLY)
+include(${CMAKE_CURRENT_LIST_DIR}/Packages.cmake)

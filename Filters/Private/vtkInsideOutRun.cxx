@@ -112,11 +112,11 @@ int vtkInsideOutRun(
 int vtkInsideOutRunOnWhole(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work)
 {
-  const bool isFurtherPiece = vtkInsideOutIsFurtherPiece(outputs);
+  const bool isIdle = vtkInsideOutIsIdle(algorithm, outputs);
   return vtkInsideOutRun(algorithm, outputs,
     [&]()
     {
-      if (!isFurtherPiece)
+      if (!isIdle)
       {
         vtkInsideOutWarnOfThreads(algorithm);
         work();

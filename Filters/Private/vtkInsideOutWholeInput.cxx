@@ -3,11 +3,51 @@
 
 #include "vtkInsideOutBlock.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkExecutive.h>
 #include <vtkInformation.h>
+#include <vtkInformationExecutivePortKey.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkInformationVector.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+vtkInformationIntegerKey* PartsAreWhole()
+{
+  static auto* const key = vtkInformationIntegerKey::MakeKey("PARTS_ARE_WHOLE", "vtkInsideOut");
+  return key;
+}
+
+/** Of an algorithm's input, or nothing. */
+vtkInformation* FirstInput(vtkExecutive* executive)
+{
+  vtkAlgorithm* algorithm = executive ? executive->GetAlgorithm() : nullptr;
+  return algorithm && algorithm->GetNumberOfInputPorts() > 0 &&
+      algorithm->GetNumberOfInputConnections(0) > 0
+    ? executive->GetInputInformation(0, 0)
+    : nullptr;
+}
+
+/** Whether an input consists of parts that somebody upstream has spread. */
+bool AreSpreadParts(vtkInformation* input)
+{
+  bool areWhole = false;
+  for (vtkInformation* each = input; each && !areWhole;
+       each = FirstInput(vtkExecutive::PRODUCER()->GetExecutive(each)))
+  {
+    areWhole = each->Has(PartsAreWhole()) != 0;
+  }
+  return areWhole && vtkInsideOutHasBlocks(input);
+}
+} // namespace
+
+void vtkInsideOutSayThatPartsAreWhole(vtkInformation* output)
+{
+  output->Set(PartsAreWhole(), 1);
+}
 
 bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector)
 {
@@ -16,9 +56,16 @@ bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector)
     output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
+bool vtkInsideOutIsIdle(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
+{
+  vtkInformation* input = FirstInput(algorithm->GetExecutive());
+  return vtkInsideOutIsFurtherPiece(outputVector) && !(input && AreSpreadParts(input));
+}
+
 void vtkInsideOutRequestWhole(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector, int numberOfPorts)
 {
+  bool areParts = false;
   for (int port = 0; port < numberOfPorts; ++port)
   {
     vtkInformation* input = inputVector[port]->GetInformationObject(0);
@@ -27,9 +74,14 @@ void vtkInsideOutRequestWhole(
       continue;
     }
     vtkInsideOutRememberBlocks(input);
+    areParts = areParts || (port == 0 && AreSpreadParts(input));
+    if (areParts && port == 0)
+    {
+      continue; // each process asks for its own
+    }
+    const bool isIdle = vtkInsideOutIsFurtherPiece(outputVector) && !areParts;
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    input->Set(
-      Pipeline::UPDATE_NUMBER_OF_PIECES(), vtkInsideOutIsFurtherPiece(outputVector) ? 0 : 1);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isIdle ? 0 : 1);
     input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
 }

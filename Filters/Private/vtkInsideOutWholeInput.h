@@ -9,8 +9,16 @@
  */
 #pragma once
 
+class vtkAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
+
+/**
+ * Say of an output that each of its blocks is whole in one process: filters that follow, and those
+ * that follow them, then work on the blocks that their own process has, and each is a surface of
+ * its own.
+ */
+void vtkInsideOutSayThatPartsAreWhole(vtkInformation* output);
 
 /** Ask the input for the whole where the first piece of the output is wanted, else for nothing. */
 void vtkInsideOutRequestWhole(
@@ -18,3 +26,6 @@ void vtkInsideOutRequestWhole(
 
 /** Whether a piece other than the first is wanted of an output. */
 bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector);
+
+/** Whether an algorithm has nothing to do, for the first process does it all. */
+bool vtkInsideOutIsIdle(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);

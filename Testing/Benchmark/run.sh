@@ -62,6 +62,7 @@ if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   cmake --build "$filters" >>"$build/filters.log" 2>&1; then
   (. "$filters/env.sh" && /usr/bin/python3 "$here/measure-rerun.py" "$@" &&
     /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@" &&
+    /usr/bin/python3 "$here/measure-ranks.py" &&
     /usr/bin/python3 "$here/measure-quality.py" --table "$build/quality.md" "$@")
 else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"

@@ -21,7 +21,7 @@ simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
            "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
-           "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality", "VoxelFractions"]
+           "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality", "VoxelFractions", "DistributeParts"]
 
 
 def volume(proxy, port=0):

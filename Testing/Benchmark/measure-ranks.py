@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What several processes (MPI ranks) gain: seconds, processor seconds and memory of a probe and of an assembly.
+
+    measure-ranks.py [RANKS...]
+
+Runs itself by pvbatch on each number of ranks (1, 2 and 4), one thread each, medians of three. `--facets`, `--queries`
+and `--parts` change the sizes. Prints a line for each run and two targets.
+"""
+
+import argparse
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import time
+
+REPETITIONS = 3
+LIMIT = 1.6  # how much faster two ranks are to be at least
+
+
+def ball(steps, radius=1.0):
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+    source = vtkSphereSource()
+    source.SetThetaResolution(2 * steps)
+    source.SetPhiResolution(steps + 1)
+    source.SetRadius(radius)
+    source.SetOutputPointsPrecision(1)
+    source.Update()
+    return source.GetOutput()
+
+
+def probe_piece(sizes, rank, ranks):
+    """A filter whose update is what is measured: a piece of the ball, and as many places on each rank."""
+    from vtkmodules.vtkCommonCore import vtkIdList
+    from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+
+    import insideout
+
+    surface = ball(max(2, int((sizes.facets / 4) ** 0.5)))
+    count = surface.GetNumberOfCells()
+    own = vtkIdList()
+    for cell in range(rank * count // ranks, (rank + 1) * count // ranks):
+        own.InsertNextId(cell)
+    piece = vtkPolyData()
+    piece.Allocate(own.GetNumberOfIds())
+    piece.CopyCells(surface, own)
+    side = max(2, int(sizes.queries ** (1 / 3)))
+    places = vtkImageData()
+    places.SetExtent(0, side - 1, 0, side - 1, rank * side // ranks, (rank + 1) * side // ranks - 1)
+    places.SetOrigin(-1.1, -1.1, -1.1)
+    places.SetSpacing(2.2 / side, 2.2 / side, 2.2 / side)
+    probe = insideout.vtkProbeWindingNumber()
+    probe.SetInputData(places)
+    probe.SetSurfaceData(piece)
+    return [probe]
+
+
+def assembly_piece(sizes, rank, ranks):
+    """The same for parts of 120 to 2,000 facets, all of which the first rank has read."""
+    from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
+    import insideout
+
+    blocks = vtkMultiBlockDataSet()
+    for part in range(sizes.parts if rank == 0 else 0):
+        blocks.SetBlock(part, ball(6 + part * 7 % 17))
+    parts = insideout.vtkDistributeParts()
+    parts.SetInputData(blocks)
+    solids = insideout.vtkRobustTetrahedralize()
+    solids.SetInputConnection(parts.GetOutputPort())
+    solids.ReleaseDataFlagOn()
+    return [parts, solids]
+
+
+def work(sizes):
+    """On each rank; the first prints the slowest rank's seconds, the most processor seconds, and the most memory that was added."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+    import numpy as np
+
+    controller = vtkMultiProcessController.GetGlobalController()
+    rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+    filters = (probe_piece if sizes.run == "probe" else assembly_piece)(sizes, rank, ranks)
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    controller.Barrier()
+    began, busy = time.perf_counter(), time.process_time()
+    filters[-1].UpdatePiece(rank, ranks, 0)
+    busy = time.process_time() - busy
+    controller.Barrier()
+    own = [time.perf_counter() - began, busy, (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory) / 1024]
+    most = numpy_to_vtk(np.zeros(3))
+    controller.AllReduce(numpy_to_vtk(np.array(own)), most, 0)  # vtkCommunicator.MAX_OP
+    if rank == 0:
+        print("measured", *vtk_to_numpy(most))
+
+
+def run(name, ranks, arguments):
+    """Medians of [seconds, processor seconds of the busiest rank, MiB of the largest]."""
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    command = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks), "pvbatch", "--symmetric"]
+    found = []
+    for _ in range(REPETITIONS):
+        output = subprocess.run([*command, __file__, "--run", name, *arguments], check=True, capture_output=True, text=True,
+                                env=environment).stdout
+        line = next(line for line in output.splitlines() if line.startswith("measured "))
+        found.append([float(word) for word in line.split()[1:]])
+    return [statistics.median(column) for column in zip(*found)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("ranks", nargs="*", type=int, default=[1, 2, 4])
+    parser.add_argument("--facets", type=int, default=20000)
+    parser.add_argument("--queries", type=int, default=20000000)
+    parser.add_argument("--parts", type=int, default=100)
+    parser.add_argument("--run", choices=("probe", "assembly"))
+    sizes = parser.parse_args()
+    if sizes.run:
+        work(sizes)
+        return
+    arguments = [f"--{name}={getattr(sizes, name)}" for name in ("facets", "queries", "parts")]
+    for name in ("probe", "assembly"):
+        all_found = {}
+        for ranks in sizes.ranks:
+            seconds, busy, memory = all_found[ranks] = run(name, ranks, arguments)
+            print(f"ranks/{name:10} {ranks:3} ranks {seconds:8.3f} s   busiest rank {busy:8.3f} s of processor   {memory:8.1f} MiB more")
+        if 1 in all_found and 2 in all_found:
+            print(f"ratio ranks/{name} {all_found[1][0] / all_found[2][0]:.2f} at least {LIMIT:g}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
