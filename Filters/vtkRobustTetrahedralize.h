@@ -48,8 +48,9 @@
  * BoundaryTag is then by both, as in "bone|fat" and "fat|outside", but where TagArrayName says what
  * lies outside. Facets that no cell of their own bodies touches are outliers. Seeds are of the body
  * that their point array Body (a string, or a number that is a body's name) names; those to be
- * outside may name none, and are outside all. MergeCoplanarPieces, SplitSeams and two dimensions
- * are errors.
+ * outside may name none, and are outside all. MergeCoplanarPieces, SplitSeams, SeparateOverlaps,
+ * NON_MANIFOLD_SPLIT and two dimensions are errors. BodyVolume is of each body as if it were alone,
+ * before any refinement; Statistics_Bodies counts them.
  *
  * In two dimensions (Dimension) it takes lines and polylines, closed or open, whose direction
  * counts, or polygons in one plane, whose edges all count; their interiors may overlap. It gives

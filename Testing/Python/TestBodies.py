@@ -129,6 +129,7 @@ class TestBodies(unittest.TestCase):
             ({"seeds": [((1, 1, 1), True)]}, "seed 0 is to be inside, but its point array Body does not say which body"),
             ({"seeds": [((1, 1, 1), True, "nose")]}, "seed 0 names nose, which is no body"),
             ({"split_seams": True}, "SplitSeams takes one body"),
+            ({"separate_overlaps": True}, "SeparateOverlaps takes one body"),
             ({"bodies": "Organ"}, "bodies names an array of one surface"),
         ):
             with self.subTest(wrong), self.assertRaisesRegex(insideout.Error, words):
