@@ -33,6 +33,10 @@ constexpr double LargestRadiusEdgeRatio = 2;
 /** Larger cavities would be of places far from the cell that is to go. */
 constexpr std::size_t LargestCavity = 400;
 
+/** Of the length, where edges are shorter: beside two points that are all but one there would be
+ * points without number. */
+constexpr double LeastSpacingBesideShort = 0.05;
+
 /** Points nearer to another than this part of the length are taken out. */
 constexpr double CrowdedSpacing = 0.5;
 
@@ -132,7 +136,8 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
       continue;
     }
     const double size = sizes.At(insertion.Holder(), sphere.Center);
-    const double spacing = std::min(LeastSpacing * size, isThin ? shortest : size);
+    const double least = isThin ? std::max(shortest, LeastSpacingBesideShort * size) : size;
+    const double spacing = std::min(LeastSpacing * size, least);
     if (insertion.SquaredSpacing() < spacing * spacing)
     {
       continue;

@@ -35,10 +35,6 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
 
-/** Of the mean edge at a point of a surface that is split: a triangle that is thinner is not split
- * into square pieces. */
-constexpr double LeastShareWhereSplit = 1.0 / 4;
-
 /** To refine without new crossings, with some facets kept; then all are. */
 constexpr int MostAttempts = 10;
 
@@ -226,7 +222,7 @@ std::optional<RefinableMesh> Run(const TetrahedralMesh& mesh, const std::vector<
   const bool mayCross = parameters.Surface != SurfaceTreatment::Kept;
   if (mayCross)
   {
-    parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles(LeastShareWhereSplit)
+    parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles()
                                                   : sizes.FollowWishes();
     CheckEstimate(sizes);
     RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });

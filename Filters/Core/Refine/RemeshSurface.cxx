@@ -48,10 +48,6 @@ constexpr int MostRoundsOfSplits = 60;
 constexpr int RoundsWhereRemeshed = 5;
 constexpr int RoundsWhereSplit = 2;
 
-/** Of the mean edge at a point of a surface that is remeshed: what is lower than that after a round
- * is not to be split into pieces as short as it is high. */
-constexpr double LeastShareWhereRemeshed = 1.0 / 2;
-
 /** An edge of facets, one of its cells, and how long it is, of the length that it is to have. */
 struct SurfaceEdge
 {
@@ -386,12 +382,6 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     }
     else
     {
-      if (round == 1)
-      {
-        // What is thin still cannot be contracted, for it would be too far from the input's then.
-        sizes.FollowThinTriangles(LeastShareWhereRemeshed);
-        sizes.FollowWishes();
-      }
       remeshing.SplitLongEdges(monitor, part);
       remeshing.ContractShortEdges(monitor, part);
     }

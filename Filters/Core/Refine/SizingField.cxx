@@ -18,6 +18,9 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
+/** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
+constexpr double LeastShare = 1.0 / 4;
+
 double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
 {
   return Determinant(Difference(points[c[1]], points[c[0]]), Difference(points[c[2]], points[c[0]]),
@@ -65,14 +68,14 @@ void SizingField::SetSizes()
 
 void SizingField::FollowSurface()
 {
-  this->SetLengthsOfSurface(1);
+  this->SetLengthsOfSurface(false);
   this->Grow();
   this->SetSizes();
 }
 
-void SizingField::FollowThinTriangles(double leastShare)
+void SizingField::FollowThinTriangles()
 {
-  this->SetLengthsOfSurface(leastShare);
+  this->SetLengthsOfSurface(true);
   this->Grow();
   this->SetSizes();
 }
@@ -93,10 +96,10 @@ double SizingField::WantedAt(const Point& place, double otherwise) const
 }
 
 /**
- * At each point of a facet how near the edges across from it are, but at least a share of the mean
- * length of the edges of facets there; with a share of 1 that mean.
+ * At each point of a facet the mean length of the edges of facets there; or how near the edges
+ * across from it are, but at least a part of the mean.
  */
-void SizingField::SetLengthsOfSurface(double leastShare)
+void SizingField::SetLengthsOfSurface(bool least)
 {
   std::vector<int> counts(this->AtPoints.size(), 0);
   std::vector<double> sums(this->AtPoints.size(), 0);
@@ -128,7 +131,7 @@ void SizingField::SetLengthsOfSurface(double leastShare)
   for (std::size_t p = 0; p < sums.size(); ++p)
   {
     const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;
-    this->AtPoints[p].Surface = leastShare < 1 ? std::max(shortest[p], leastShare * mean) : mean;
+    this->AtPoints[p].Surface = least ? std::max(shortest[p], LeastShare * mean) : mean;
   }
 }
 

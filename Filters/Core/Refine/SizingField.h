@@ -32,15 +32,11 @@ public:
   /** Set the mesh's Sizes anew for a surface that has changed: as long as its edges are. */
   void FollowSurface();
 
-  /**
-   * Set them for a surface whose triangles are thin: as short as these are high.
-   * @param[in] leastShare of the mean edge at a point: a triangle that is thinner is not split into
-   * square pieces
-   */
-  void FollowThinTriangles(double leastShare);
+  /** Set them for a surface that is to be split: at short edges and thin triangles short. */
+  void FollowThinTriangles();
 
   /** Set them for a surface that is to be remeshed: what is asked for, whatever the surface has; if
-   * nothing is, they stay as they are. */
+   * nothing is, as FollowSurface does. */
   void FollowWishes();
 
   /** At a place in or near a cell. */
@@ -63,7 +59,7 @@ private:
   };
   Lengths LengthsAt(Id cell, const Point& place) const;
   double WantedAt(const Point& place, double otherwise) const;
-  void SetLengthsOfSurface(double leastShare);
+  void SetLengthsOfSurface(bool least);
   void Grow();
   void SetSizes();
 
