@@ -6,6 +6,7 @@
 #include "NothingInside.h"
 #include "Output/MassProperties.h"
 #include "Output/MergePieces.h"
+#include "Output/Topology.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMakeTriangles.h"
@@ -222,6 +223,9 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   Surfaces surfaces;
   const std::vector<BoundaryFace> faces =
     BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0, 0.05 });
+  AppendTopology(
+    FindTopology(hull.Mesh, inside, faces, monitor, { Stages::Extracting, 0.05, 0.05 }),
+    surfaces.Counts);
   std::vector<BoundaryTriangle> boundary =
     BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
   if (mergePieces)
