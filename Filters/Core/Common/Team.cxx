@@ -48,6 +48,26 @@ private:
 
 MembershipKey IsInTeam;
 
+/**
+ * Held while a thread is made, and while this process is forked. The C library gives a new thread
+ * the stack of one that has ended, and frees what that one's thread-local variables had. A process
+ * that is forked in between has the stack as it was, and frees the same again (glibc 2.36,
+ * get_cached_stack).
+ */
+std::mutex MakesThreadOrForks;
+
+extern "C" void LockOut()
+{
+  MakesThreadOrForks.lock();
+}
+
+extern "C" void LetIn()
+{
+  MakesThreadOrForks.unlock();
+}
+
+const bool ForksBetweenThreads = pthread_atfork(LockOut, LetIn, LetIn) == 0;
+
 /** Sets IsInTeam, for a while. */
 class Membership
 {
@@ -139,6 +159,7 @@ int AskOthers(int others, const std::shared_ptr<Roll>& roll, const std::function
   {
     try
     {
+      const std::lock_guard<std::mutex> noFork(MakesThreadOrForks);
       std::thread(
         [roll, &work]
         {

@@ -4,6 +4,7 @@
 #include "Files/SurfaceFile.h"
 #include "HullMesh.h"
 #include "Support/AllowedThreads.h"
+#include "Support/ForkedProcess.h"
 #include "Support/Shortage.h"
 #include "Support/StageHashes.h"
 #include "Support/TemporaryFile.h"
@@ -13,7 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <future>
 #include <new>
+#include <thread>
 
 using namespace insideout;
 using namespace shortage;
@@ -185,4 +188,23 @@ TEST(Shortage, OfThreadsLeavesTheWorkToTheOthers)
       EXPECT_EQ(HashStages(surface), answer) << "thread " << first;
     }
   }
+}
+
+/** The C library would free in the copy what it has freed in the other process already. */
+TEST(Team, IsForkedBeforeOrAfterAThreadIsMadeAndNotWhile)
+{
+  std::promise<void> areSlow;
+  std::thread other(
+    [&]
+    {
+      areSlow.get_future().wait();
+      WorkAsTeam(2, [] {});
+    });
+  {
+    const SlowThreads slow;
+    areSlow.set_value();
+    slow.AwaitOne();
+    EXPECT_TRUE(testprocesses::IsTrueInChild([&] { return !slow.IsOneInTheMaking(); }));
+  }
+  other.join();
 }

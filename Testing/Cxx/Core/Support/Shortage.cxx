@@ -7,6 +7,8 @@
 #include <dlfcn.h>
 #include <limits>
 #include <pthread.h>
+#include <sched.h>
+#include <unistd.h>
 
 // The C library's own.
 extern "C" void* __libc_malloc(std::size_t);
@@ -42,9 +44,24 @@ bool IsMemoryShort()
 }
 
 using CreateThread = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+std::atomic<bool> AreThreadsSlow;
+std::atomic<bool> IsSeen; ///< that a thread is being made
+std::atomic<int> ThreadsInTheMaking;
+
+/** Takes until it is seen, and then long enough for a fork. */
+void MakeSlowly()
+{
+  for (int turn = 0; AreThreadsSlow && turn < 100; turn += IsSeen ? 1 : 0)
+  {
+    usleep(1000);
+  }
+}
+
 const auto LibraryCreateThread = reinterpret_cast<CreateThread>(dlsym(RTLD_NEXT, "pthread_create"));
 } // namespace
 
+// Seen by all libraries, whatever else is hidden.
+#pragma GCC visibility push(default)
 extern "C"
 {
   void* malloc(std::size_t size)
@@ -76,10 +93,18 @@ extern "C"
   int pthread_create(
     pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument)
   {
-    return Fails(shortage::Of::Threads) ? EAGAIN
-                                        : LibraryCreateThread(thread, attributes, work, argument);
+    if (Fails(shortage::Of::Threads))
+    {
+      return EAGAIN;
+    }
+    ++ThreadsInTheMaking;
+    MakeSlowly();
+    const int failure = LibraryCreateThread(thread, attributes, work, argument);
+    --ThreadsInTheMaking;
+    return failure;
   }
 }
+#pragma GCC visibility pop
 
 namespace shortage
 {
@@ -103,5 +128,30 @@ Shortage::~Shortage()
 std::size_t Shortage::Calls() const
 {
   return Counts[static_cast<std::size_t>(this->What)].Calls;
+}
+
+SlowThreads::SlowThreads()
+{
+  IsSeen = false;
+  AreThreadsSlow = true;
+}
+
+SlowThreads::~SlowThreads()
+{
+  AreThreadsSlow = false;
+}
+
+void SlowThreads::AwaitOne() const
+{
+  while (!this->IsOneInTheMaking())
+  {
+    sched_yield();
+  }
+  IsSeen = true;
+}
+
+bool SlowThreads::IsOneInTheMaking() const
+{
+  return ThreadsInTheMaking > 0;
 }
 } // namespace shortage

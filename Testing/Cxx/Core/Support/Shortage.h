@@ -34,4 +34,19 @@ public:
 private:
   const Of What;
 };
+
+/** While it lives, a thread is made only when somebody has seen that, and slowly then. */
+class SlowThreads
+{
+public:
+  SlowThreads();
+  ~SlowThreads();
+  SlowThreads(const SlowThreads&) = delete;
+  SlowThreads& operator=(const SlowThreads&) = delete;
+
+  /** Waits until one is being made. */
+  void AwaitOne() const;
+
+  bool IsOneInTheMaking() const;
+};
 } // namespace shortage
