@@ -31,6 +31,8 @@ class Panel(NamedTuple):
     actors: Sequence[vtkActor]
     seen_from: Optional[Sequence[float]] = None
     """A place of its own, from which to see all of its actors; none for the place and the box of the whole picture."""
+    up: Optional[Sequence[float]] = None
+    """What is up from there; none for the picture's."""
 
 
 def actor(data: vtkDataSet, colour=GREY, edges: bool = False, width: float = 1.0, opacity: float = 1.0) -> vtkActor:
@@ -181,7 +183,7 @@ def save(panels: Sequence[Panel], picture: Path, seen_from=(1, 0, 0), up=(0, 0, 
         renderer.AddViewProp(_line(panel.title, 0.93, 30, True))
         renderer.AddViewProp(_line(panel.words, 0.04, 22, False))
         if panel.seen_from is not None:
-            _look_at(renderer, box_of(panel.actors), panel.seen_from, up)
+            _look_at(renderer, box_of(panel.actors), panel.seen_from, up if panel.up is None else panel.up)
         else:
             _look_at(renderer, bounds, seen_from, up)
         window.AddRenderer(renderer)

@@ -6,6 +6,7 @@
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutPart.h"
 #include "Private/vtkInsideOutReadGrid.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
@@ -16,6 +17,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointSet.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -32,7 +34,6 @@ vtkGraphCutSegmentation::vtkGraphCutSegmentation()
   this->Sigma = segment.Cut.Sigma;
   this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
   this->ConstrainFacets = segment.ConstrainFacets;
-  this->ConstrainManifold = segment.ConstrainManifold;
 }
 
 void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -42,7 +43,7 @@ void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "DataTerm: " << this->DataTerm << "\n";
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
-  os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
+  os << indent << "NonManifold: " << this->NonManifold << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
 }
 
@@ -78,11 +79,12 @@ MeshSegmentation SegmentCells(
   return { std::move(segmentation.Inside), { { "Energy", segmentation.Energy } }, {} };
 }
 
+/** @param[in] split whether points are to be copied */
 MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& seeds,
-  const SegmentMeshParameters& parameters, Monitor& monitor)
+  const SegmentMeshParameters& parameters, bool split, Monitor& monitor)
 {
   const bool isPlain =
-    seeds.empty() && !parameters.ConstrainFacets && !parameters.ConstrainManifold;
+    seeds.empty() && !parameters.ConstrainFacets && !parameters.FillNonManifold && !split;
   const vtkIdType other = vtkInsideOutFindOtherCell(grid);
   if (other >= 0 && !isPlain)
   {
@@ -127,16 +129,30 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
         throw Error(ErrorCode::EmptySurface, "the grid has no cells");
       }
       Stopwatch stopwatch;
+      const bool split = this->NonManifold == NON_MANIFOLD_SPLIT;
+      if (split && !this->ExtractInside)
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "NonManifold of the kind Split takes ExtractInside: only the cells inside can be parted");
+      }
       const MeshSegmentation segmentation = Segment(input, vtkInsideOutReadSeeds(inputVector),
-        vtkInsideOutSegmentMeshParameters(this), monitor);
+        vtkInsideOutSegmentMeshParameters(this), split, monitor);
 
-      vtkNew<vtkUnstructuredGrid> labelled;
+      vtkInsideOutParting parting;
+      vtkSmartPointer<vtkUnstructuredGrid> labelled = vtkSmartPointer<vtkUnstructuredGrid>::New();
       labelled->ShallowCopy(input);
+      if (split)
+      {
+        parting.Solid = UnpartedSolid(vtkInsideOutReadTetrahedra(input), segmentation.Inside);
+        vtkInsideOutSplitPoints(parting, monitor, { Stages::Segmenting, 1, 1 });
+        labelled = vtkInsideOutMakePartedGrid(input, parting);
+      }
       vtkInsideOutAddInside(segmentation.Inside, labelled);
       output->ShallowCopy(this->ExtractInside
           ? vtkInsideOutExtractInside(labelled, monitor, { Stages::Segmenting, 1, 1 }).Get()
           : labelled.Get());
       Statistics statistics = segmentation.Statistics;
+      statistics.insert(statistics.end(), parting.Statistics.begin(), parting.Statistics.end());
       statistics.emplace_back(
         "InsideCells", std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1));
       statistics.emplace_back("SecondsCut", stopwatch.Lap());

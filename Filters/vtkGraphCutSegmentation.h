@@ -14,7 +14,7 @@
  * Statistics_NAME of InsideCells, Energy, SecondsCut, and on tetrahedra those that
  * vtkRobustTetrahedralize describes.
  *
- * Seeds, ConstrainFacets and ConstrainManifold take grids of tetrahedra.
+ * Seeds, ConstrainFacets and NonManifold take grids of tetrahedra.
  *
  * @sa vtkGeneralizedWindingNumber
  *
@@ -81,22 +81,37 @@ public:
   vtkBooleanMacro(ConstrainFacets, bool);
   ///@}
 
+  /** What becomes of the solid's boundary where it is no 2-manifold. */
+  enum NonManifoldType
+  {
+    NON_MANIFOLD_KEEP = 0, ///< it stays so
+    NON_MANIFOLD_FILL = 1, ///< cells are added
+    NON_MANIFOLD_SPLIT = 2 ///< points are copied in their place
+  };
+
   ///@{
   /**
-   * The solid's boundary has to be a 2-manifold: two faces at each edge, one fan of faces at each
-   * point. Cells are added where it is not. What is inside is then a local minimum. Takes
-   * tetrahedra. Default off.
+   * What becomes of the solid's boundary where it is no 2-manifold, which has two faces at each
+   * edge and one fan of faces at each point. NON_MANIFOLD_KEEP (0): it stays so. NON_MANIFOLD_FILL
+   * (1): cells are added until it is one; what is inside is then a local minimum.
+   * NON_MANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
+   * edges, and are not joined through faces around these, share none any more; places and cells
+   * stay the same but for the points' ids, and vtkOriginalPointIds are those of the points that
+   * were copied. Both take tetrahedra, and NON_MANIFOLD_SPLIT takes ExtractInside. Default
+   * NON_MANIFOLD_KEEP.
    */
-  vtkSetMacro(ConstrainManifold, bool);
-  vtkGetMacro(ConstrainManifold, bool);
-  vtkBooleanMacro(ConstrainManifold, bool);
+  vtkSetClampMacro(NonManifold, int, NON_MANIFOLD_KEEP, NON_MANIFOLD_SPLIT);
+  vtkGetMacro(NonManifold, int);
+  void SetNonManifoldToKeep() { this->SetNonManifold(NON_MANIFOLD_KEEP); }
+  void SetNonManifoldToFill() { this->SetNonManifold(NON_MANIFOLD_FILL); }
+  void SetNonManifoldToSplit() { this->SetNonManifold(NON_MANIFOLD_SPLIT); }
   ///@}
 
   ///@{
   /**
    * Optional second input: points that have to be inside or outside, by their array Inside (1 or
    * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
-   * Seeds win over ConstrainFacets and ConstrainManifold; conflicts are warned about.
+   * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about.
    */
   void SetSeedsData(vtkPointSet* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
@@ -126,7 +141,7 @@ protected:
   double Sigma;
   int DataTerm;
   bool ConstrainFacets;
-  bool ConstrainManifold;
+  int NonManifold = NON_MANIFOLD_KEEP;
   bool ExtractInside = true;
 
 private:

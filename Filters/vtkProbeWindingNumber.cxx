@@ -5,10 +5,12 @@
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutAttributes.h"
 #include "Private/vtkInsideOutBlock.h"
+#include "Private/vtkInsideOutGather.h"
 #include "Private/vtkInsideOutMakeWindingNumber.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutVisitPlaces.h"
+#include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkCellData.h>
@@ -19,6 +21,8 @@
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -39,7 +43,8 @@ public:
 };
 
 vtkProbeWindingNumber::vtkProbeWindingNumber()
-  : Last(new Internal)
+  : Controller(vtkMultiProcessController::GetGlobalController())
+  , Last(new Internal)
 {
   this->SetNumberOfInputPorts(2);
   const CountedChainParameters chain;
@@ -73,6 +78,7 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }
 
 void vtkProbeWindingNumber::SetSurfaceData(vtkPolyData* surface)
@@ -96,22 +102,42 @@ int vtkProbeWindingNumber::FillInputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
-/** Of several pieces of the input each needs the whole surface. */
+void vtkProbeWindingNumber::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkProbeWindingNumber::GetController()
+{
+  return this->Controller;
+}
+
+/** Of several pieces of the input each needs the whole surface. Ranks that all work ask for a piece
+ * of it each, to put them together. Where there are blocks they may have different numbers of
+ * these, and would wait for each other in vain. */
 int vtkProbeWindingNumber::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  bool inPieces = vtkInsideOutAllRanksWork(this->Controller, outputVector->GetInformationObject(0));
   for (int port = 0; port < 2; ++port)
   {
     if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
     {
       vtkInsideOutRememberBlocks(input);
+      inPieces = inPieces && !vtkInsideOutHasBlocks(input);
     }
   }
   if (vtkInformation* surface = inputVector[1]->GetInformationObject(0))
   {
-    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
+      inPieces ? this->Controller->GetLocalProcessId() : 0);
+    surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+      inPieces ? this->Controller->GetNumberOfProcesses() : 1);
     surface->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return done;
@@ -205,11 +231,23 @@ Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
 }
 } // namespace
 
+/** All of it, where this rank asked for a piece. Outside of what an error or a stop of one rank can
+ * end: the others wait for it. */
+vtkSmartPointer<vtkPolyData> vtkProbeWindingNumber::WholeSurface(vtkInformation* surface)
+{
+  vtkPolyData* piece = vtkPolyData::GetData(surface);
+  return surface->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1
+    ? vtkInsideOutGather(
+        piece, { this->NonParticipatingArrayName, "FacetMultiplicity" }, this->Controller)
+    : vtkSmartPointer<vtkPolyData>(piece);
+}
+
 int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
+  const vtkSmartPointer<vtkPolyData> surface =
+    this->WholeSurface(inputVector[1]->GetInformationObject(0));
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   this->Last->WindingNumber.reset();
   return vtkInsideOutRun(this, outputVector,
@@ -247,7 +285,10 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
         data->AddArray(array);
       }
       data->SetScalars(arrays.front());
-      vtkInsideOutWarn(this, warnings);
+      if (!vtkInsideOutIsFurtherPiece(outputVector)) // all say the same of the surface
+      {
+        vtkInsideOutWarn(this, warnings);
+      }
     });
 }
 

@@ -28,6 +28,11 @@
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *
+ * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
+ * surface, whose pieces (ghost cells apart) are gathered and sent to all of them: so a process
+ * holds the surface and its own places, and has the same w as one that does it all. Where an input
+ * is composite each process asks for the whole surface instead.
+ *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
  *
  */
@@ -36,9 +41,11 @@
 
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkSmartPointer.h"           // for the controller
 
 #include <string>
 
+class vtkMultiProcessController;
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkProbeWindingNumber : public vtkDataSetAlgorithm
@@ -206,6 +213,16 @@ public:
   vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
   ///@}
 
+  ///@{
+  /**
+   * The processes that hold pieces of the surface and work together where each is asked for its own
+   * piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0). Default
+   * vtkMultiProcessController's global one; none is this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /**
    * After the filter was updated: whether the input's point (with Association CELLS, its cell) is
    * marked in the array Inside; 0 or 1, 0 for an id out of range.
@@ -244,10 +261,13 @@ protected:
   double MergeTolerance;
   bool CountDuplicates;
   std::string NonParticipatingArrayName;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkProbeWindingNumber(const vtkProbeWindingNumber&) = delete;
   void operator=(const vtkProbeWindingNumber&) = delete;
+
+  vtkSmartPointer<vtkPolyData> WholeSurface(vtkInformation* surface);
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface

@@ -12,6 +12,7 @@
 #include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutPart.h"
 #include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRefine.h"
 #include "Private/vtkInsideOutRun.h"
@@ -91,7 +92,6 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->Sigma = segment.Cut.Sigma;
   this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
   this->ConstrainFacets = segment.ConstrainFacets;
-  this->ConstrainManifold = segment.ConstrainManifold;
   const HullMeshParameters hull;
   this->Orientation = static_cast<int>(hull.Orientation);
   this->Thicken = hull.Thicken.Width;
@@ -121,7 +121,8 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "DataTerm: " << this->DataTerm << "\n";
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
-  os << indent << "ConstrainManifold: " << this->ConstrainManifold << "\n";
+  os << indent << "NonManifold: " << this->NonManifold << "\n";
+  os << indent << "SeparateOverlaps: " << this->SeparateOverlaps << "\n";
   os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
@@ -216,27 +217,51 @@ void CountOutliers(
   statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
 }
 
+/** What the points and triangles of the boundary are to be. */
+struct BoundaryOptions
+{
+  bool MergePieces;
+  bool SplitSeams;
+  bool IsManifold;
+};
+
+/** @param[in] parted the solid that was parted from the hull, or null */
 Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  bool mergePieces, bool splitSeams, const TriangleSoup& soup, vtkInsideOutMakeOutputs& outputs,
-  Monitor& monitor)
+  const vtkInsideOutParting* parted, const BoundaryOptions& options, const TriangleSoup& soup,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
 {
   Surfaces surfaces;
-  const std::vector<BoundaryFace> faces =
-    BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0, 0.05 });
+  const TetrahedralMesh& mesh = parted ? parted->Solid.Mesh : hull.Mesh;
+  const std::vector<BoundaryFace> faces = BoundaryFaces(
+    mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
+  // Of the hull's cells: those of a parted solid overlap.
+  const std::vector<BoundaryFace> unparted = parted
+    ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 })
+    : faces;
   AppendTopology(
-    FindTopology(hull.Mesh, inside, faces, monitor, { Stages::Extracting, 0.05, 0.05 }),
+    FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }),
     surfaces.Counts);
   std::vector<BoundaryTriangle> boundary =
-    BoundaryTriangles(hull.Surface, hull.Mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
-  if (mergePieces)
+    BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
+  if (options.MergePieces)
   {
     boundary = MergePieces(boundary, TrianglesInMesh(soup, hull.MergedInto, hull.Mesh), monitor,
       { Stages::Extracting, 0.1, 0.2 });
   }
   monitor.Check(Stages::Extracting, 0.2);
-  surfaces.Boundary = splitSeams
-    ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
-    : outputs.MakeBoundary(hull, boundary);
+  if (options.IsManifold)
+  {
+    const ManifoldSurface manifold =
+      ManifoldBoundary(parted->Solid, faces, monitor, { Stages::Extracting, 0.2, 0.3 });
+    surfaces.Boundary = outputs.MakeManifoldBoundary(hull, mesh, manifold, boundary);
+    vtkInsideOutTellOfSharedPoints(manifold, surfaces.Counts, outputs.Warnings);
+  }
+  else
+  {
+    surfaces.Boundary = options.SplitSeams
+      ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
+      : outputs.MakeBoundary(hull, mesh, boundary);
+  }
   monitor.Check(Stages::Extracting, 0.3);
   surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
 
@@ -251,6 +276,24 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   return surfaces;
 }
 
+/** The solid with copies of cells where it overlaps itself, and of points where it touches itself.
+ */
+vtkInsideOutParting Part(const HullMesh& hull, const std::vector<unsigned char>& inside,
+  bool separateOverlaps, bool splitPoints, Monitor& monitor)
+{
+  vtkInsideOutParting parting;
+  parting.Solid = UnpartedSolid(hull.Mesh, inside);
+  if (separateOverlaps)
+  {
+    vtkInsideOutSeparateOverlaps(hull, parting, monitor, { Stages::Extracting, 0, 0 });
+  }
+  if (splitPoints)
+  {
+    vtkInsideOutSplitPoints(parting, monitor, { Stages::Extracting, 0, 0 });
+  }
+  return parting;
+}
+
 /** The solid's cells with their regions, and what it and each of these weigh. */
 struct Solid
 {
@@ -260,24 +303,24 @@ struct Solid
   Statistics Counts;
 };
 
-Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  vtkUnstructuredGrid* hullGrid, bool extractInside, Monitor& monitor)
+Solid MakeSolid(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
+  vtkUnstructuredGrid* grid, bool extractInside, Monitor& monitor)
 {
   const SolidRegions regions =
-    FindRegions(hull.Mesh, inside, monitor, { Stages::Extracting, 0.4, 0.45 });
+    FindRegions(mesh, inside, monitor, { Stages::Extracting, 0.4, 0.45 });
   Solid solid;
   solid.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  solid.Grid->ShallowCopy(hullGrid);
+  solid.Grid->ShallowCopy(grid);
   vtkInsideOutAddInside(inside, solid.Grid);
   vtkInsideOutAddRegions(regions, solid.Grid);
   if (extractInside)
   {
     solid.Grid = vtkInsideOutExtractInside(solid.Grid, monitor, { Stages::Extracting, 0.45, 1 });
   }
-  solid.Masses = MeasureRegions(hull.Mesh, regions);
+  solid.Masses = MeasureRegions(mesh, regions);
   solid.Counts.emplace_back("InsideCells", std::count(inside.begin(), inside.end(), 1));
   solid.Counts.emplace_back("Regions", regions.Count);
-  solid.Mass = regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside);
+  solid.Mass = regions.Count == 1 ? solid.Masses.front() : MeasureMass(mesh, inside);
   return solid;
 }
 } // namespace
@@ -293,14 +336,24 @@ void vtkRobustTetrahedralize::MakeTriangles(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkInsideOutMonitor monitor(this,
-    { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
-      Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting });
+  std::vector<std::string> stages = { Stages::Validating, Stages::Resolving, Stages::Triangulating,
+    Stages::Orienting, Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting };
   if (this->Refine)
   {
-    throw Error(ErrorCode::InvalidParameter,
-      "the input lies in a plane, where Refine cannot make better cells: it refines tetrahedra");
+    stages.emplace_back(Stages::Refining);
   }
+  vtkInsideOutMonitor monitor(this, stages);
+  if (this->Refine && this->QuadraticCells)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "QuadraticCells makes tetrahedra only, and the input lies in a plane");
+  }
+  if (this->SeparateOverlaps)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the input lies in a plane, where SeparateOverlaps does nothing: it separates tetrahedra");
+  }
+  this->CheckOptions();
   const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
   const vtkInsideOutTags tags =
     vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
@@ -310,6 +363,9 @@ void vtkRobustTetrahedralize::MakeTriangles(
   options.Segment = vtkInsideOutSegmentMeshParameters(this);
   options.ConstrainedArray = this->ConstrainedFacetsArrayName;
   options.ExtractInside = this->ExtractInside;
+  options.Refine = this->Refine;
+  options.Refinement = vtkInsideOutRefinementParameters(this);
+  options.SplitPoints = this->NonManifold == NON_MANIFOLD_SPLIT;
   const vtkInsideOutCurve curve =
     vtkInsideOutReadCurve(input, options.Hull.Orientation, this->NonParticipatingArrayName);
   const vtkInsideOutTriangles triangles =
@@ -328,22 +384,36 @@ void vtkRobustTetrahedralize::MakeTriangles(
   }
 }
 
-void vtkRobustTetrahedralize::CheckRefinement()
+/** Whether the solid is more than a choice of the hull's cells. */
+bool vtkRobustTetrahedralize::PartsSolid()
 {
-  if (!this->Refine)
+  return this->NonManifold == NON_MANIFOLD_SPLIT || this->SeparateOverlaps;
+}
+
+void vtkRobustTetrahedralize::CheckOptions()
+{
+  const auto refuse = [](const std::string& words)
+  { throw Error(ErrorCode::InvalidParameter, words); };
+  const std::string parting =
+    this->SeparateOverlaps ? "SeparateOverlaps" : "NonManifold of the kind Split";
+  const bool changesPieces = this->MergeCoplanarPieces || this->SplitSeams;
+  const std::string pieces = this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams";
+  if (this->Refine && !this->ExtractInside)
   {
-    return;
+    refuse("Refine takes ExtractInside: of the hull only the solid can be refined");
   }
-  if (!this->ExtractInside)
+  if (this->PartsSolid() && !this->ExtractInside)
   {
-    throw Error(ErrorCode::InvalidParameter,
-      "Refine takes ExtractInside: of the hull only the solid can be refined");
+    refuse(parting + " takes ExtractInside: of the hull only the solid can be parted");
   }
-  if (this->Surface != KEPT && (this->MergeCoplanarPieces || this->SplitSeams))
+  if (this->PartsSolid() && changesPieces)
   {
-    throw Error(ErrorCode::InvalidParameter,
-      std::string(this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams") +
-        " takes a surface that is kept where the solid is refined");
+    refuse(pieces + " does not go together with " + parting);
+  }
+  if (this->Refine && this->Surface != KEPT && (this->PartsSolid() || changesPieces))
+  {
+    refuse((changesPieces ? pieces : parting) +
+      " takes a surface that is kept where the solid is refined");
   }
 }
 
@@ -360,7 +430,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         return;
       }
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
-      this->CheckRefinement();
+      this->CheckOptions();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
@@ -383,10 +453,21 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const MeshSegmentation segmentation = SegmentMesh(hull.Mesh, hull.W,
         PiecesOfFacets(hull.Mesh, chosen), seeds, vtkInsideOutSegmentMeshParameters(this), monitor);
       const double cutSeconds = stopwatch.Lap();
-      Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
-        this->SplitSeams, kept->Surface.Soup, outputs, monitor);
+      vtkInsideOutParting parting;
+      if (this->PartsSolid())
+      {
+        parting = Part(hull, segmentation.Inside, this->SeparateOverlaps,
+          this->NonManifold == NON_MANIFOLD_SPLIT, monitor);
+      }
+      const bool isParted = this->PartsSolid();
+      Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, isParted ? &parting : nullptr,
+        { this->MergeCoplanarPieces, this->SplitSeams, this->NonManifold == NON_MANIFOLD_SPLIT },
+        kept->Surface.Soup, outputs, monitor);
       vtkInsideOutAddTags(tags, surfaces.Boundary);
-      Solid solid = MakeSolid(hull, segmentation.Inside, kept->Grid, this->ExtractInside, monitor);
+      Solid solid = isParted
+        ? MakeSolid(parting.Solid.Mesh, parting.Solid.Inside,
+            vtkInsideOutMakePartedGrid(kept->Grid, parting), true, monitor)
+        : MakeSolid(hull.Mesh, segmentation.Inside, kept->Grid, this->ExtractInside, monitor);
 
       vtkInsideOutRefinement refinement;
       if (this->Refine && !solid.Masses.empty())
@@ -405,6 +486,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       statistics.emplace_back("SecondsCut", cutSeconds);
       statistics.insert(
         statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
+      statistics.insert(statistics.end(), parting.Statistics.begin(), parting.Statistics.end());
       statistics.insert(statistics.end(), solid.Counts.begin(), solid.Counts.end());
       AppendMass(solid.Mass, statistics);
       statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
@@ -421,6 +503,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAddMasses(solid.Masses, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, segmentation.Warnings);
+      vtkInsideOutWarn(this, parting.Warnings);
       vtkInsideOutWarn(this, outputs.Warnings);
       vtkInsideOutWarn(this, refinement.Warnings);
       if (solid.Masses.empty())

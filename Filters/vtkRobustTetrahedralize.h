@@ -39,7 +39,14 @@
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
  * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
  * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
- * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there; Refine is an error.
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there.
+ *
+ * With Refine the triangles inside are others there: Delaunay refinement, by EdgeLength, Grading
+ * and MaximumVolume, the largest area. KEPT: the boundary and all lines at inside triangles stay.
+ * SPLIT: they are cut, so that no angle is below 20.7 degrees but at sharp corners of the lines;
+ * where these lie too close to each other for that a warning says so. REMESHED and QuadraticCells
+ * are errors. Statistics are AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent,
+ * MaxAngle, and with Before in front the angles of the triangles before.
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -48,6 +55,12 @@
  * ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells (labelled inside
  * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
  * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts. Of
+ * NonManifold of the kind Split: SplitPoints (copies that the solid has), SharedPoints (those that
+ * only the boundary has), NonManifoldEdges (0 but in overlaps). Of SeparateOverlaps: Overlaps,
+ * SeparatedOverlaps, CopiedCells. Of
+ * NonManifold of the kind Split: SplitPoints (copies that the solid has), SharedPoints (that only
+ * the boundary has), NonManifoldEdges (0 but in overlaps). Of SeparateOverlaps: Overlaps,
+ * SeparatedOverlaps, CopiedCells. Of
  * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area). Of
  * the solid: Regions; with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and
  * the inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x
@@ -175,21 +188,53 @@ public:
   vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
   ///@}
 
+  /** What becomes of the solid's boundary where it is no 2-manifold. */
+  enum NonManifoldType
+  {
+    NON_MANIFOLD_KEEP = 0, ///< it stays so
+    NON_MANIFOLD_FILL = 1, ///< cells are added
+    NON_MANIFOLD_SPLIT = 2 ///< points are copied in their place
+  };
+
   ///@{
   /**
-   * The solid's boundary has to be a 2-manifold: two faces at each edge, one fan of faces at each
-   * point. Cells are added where it is not. What is inside is then a local minimum. Default off.
+   * What becomes of the solid's boundary where it is no 2-manifold, which has two faces at each
+   * edge and one fan of faces at each point. NON_MANIFOLD_KEEP (0): it stays so. NON_MANIFOLD_FILL
+   * (1): cells are added until it is one; what is inside is then a local minimum.
+   * NON_MANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
+   * edges, and are not joined through faces around these, share none any more; places and cells
+   * stay the same but for the points' ids, and vtkOriginalPointIds are those of the points that
+   * were copied. Where cells join all around what touches, as around two cavities, the boundary
+   * (output 1) alone has several points in a place, whose cells share one; a warning counts them.
+   * NON_MANIFOLD_SPLIT takes ExtractInside and neither MergeCoplanarPieces nor SplitSeams. Default
+   * NON_MANIFOLD_KEEP.
    */
-  vtkSetMacro(ConstrainManifold, bool);
-  vtkGetMacro(ConstrainManifold, bool);
-  vtkBooleanMacro(ConstrainManifold, bool);
+  vtkSetClampMacro(NonManifold, int, NON_MANIFOLD_KEEP, NON_MANIFOLD_SPLIT);
+  vtkGetMacro(NonManifold, int);
+  void SetNonManifoldToKeep() { this->SetNonManifold(NON_MANIFOLD_KEEP); }
+  void SetNonManifoldToFill() { this->SetNonManifold(NON_MANIFOLD_FILL); }
+  void SetNonManifoldToSplit() { this->SetNonManifold(NON_MANIFOLD_SPLIT); }
+  ///@}
+
+  ///@{
+  /**
+   * On: where two layers of the solid overlap, and w is near 2, each gets cells of its own, which
+   * are glued to that layer alone, so that a limb that overlaps another can be pulled out; both
+   * have the arrays of the cells that they are copies of. Overlaps that do not tell which of their
+   * faces belong to which layer, or have more than two, stay glued, and a warning counts them.
+   * Takes ExtractInside and neither MergeCoplanarPieces nor SplitSeams. Default off: the solid has
+   * every place once.
+   */
+  vtkSetMacro(SeparateOverlaps, bool);
+  vtkGetMacro(SeparateOverlaps, bool);
+  vtkBooleanMacro(SeparateOverlaps, bool);
   ///@}
 
   ///@{
   /**
    * Optional second input: points that have to be inside or outside, by their array Inside (1 or
    * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
-   * Seeds win over ConstrainFacets and ConstrainManifold; conflicts are warned about.
+   * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about.
    */
   void SetSeedsData(vtkPointSet* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
@@ -398,8 +443,8 @@ public:
 
   ///@{
   /**
-   * How large cells are to be at most where the solid is refined, in cubic units of the input; 0:
-   * any size. Default 0, range 0 to infinity.
+   * How large cells are to be at most where the solid is refined, in cubic units of the input, or
+   * in square ones in two dimensions; 0: any size. Default 0, range 0 to infinity.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
@@ -471,7 +516,8 @@ protected:
   double Sigma;
   int DataTerm;
   bool ConstrainFacets;
-  bool ConstrainManifold;
+  int NonManifold = NON_MANIFOLD_KEEP;
+  bool SeparateOverlaps = false;
   std::string ConstrainedFacetsArrayName;
   bool ExtractInside = true;
   int Orientation;
@@ -498,7 +544,8 @@ protected:
 
 private:
   void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
-  void CheckRefinement();
+  bool PartsSolid();
+  void CheckOptions();
 
   struct HullOfInput;
   class Cache;

@@ -2,6 +2,7 @@
 #include "vtkSurfaceDefects.h"
 
 #include "Common/Stages.h"
+#include "Planar/PlanarHull.h"
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMarkCurve.h"
@@ -223,6 +224,38 @@ int vtkSurfaceDefects::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
+namespace
+{
+PlanarHullParameters PlanarParameters(vtkSurfaceDefects* filter)
+{
+  PlanarHullParameters parameters;
+  parameters.Chain.MergeTolerance = filter->GetMergeTolerance();
+  parameters.Orientation = vtkInsideOutOrientation(filter);
+  return parameters;
+}
+
+/** What polygons in one plane cover. Its stages are shown as the last one. */
+double AreaInAPlane(vtkPolyData* input, PlanarHullParameters parameters, Monitor& caller)
+{
+  struct AtTheEnd : Monitor
+  {
+    Monitor& Caller;
+    explicit AtTheEnd(Monitor& caller)
+      : Caller(caller)
+    {
+    }
+    bool Continue(const char*, double) override
+    {
+      return this->Caller.Continue(Stages::TracingIntersections, 1);
+    }
+  };
+  AtTheEnd monitor(caller);
+  const vtkInsideOutCurve curve = vtkInsideOutReadCurve(input, parameters.Orientation, "");
+  parameters.Orientation = insideout::Orientation::AsGiven; // they were turned when read
+  return EnclosedArea(MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor));
+}
+} // namespace
+
 int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -232,11 +265,12 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
     {
       if (vtkInsideOutAreLines(input))
       {
-        vtkInsideOutMonitor monitor(
-          this, { Stages::Validating, Stages::FindingIntersections, Stages::Resolving });
-        const vtkInsideOutMarkedCurve marked =
-          vtkInsideOutMarkCurve(vtkInsideOutReadCurve(input, vtkInsideOutOrientation(this), ""),
-            this->MergeTolerance, monitor);
+        vtkInsideOutMonitor monitor(this,
+          { Stages::Validating, Stages::FindingIntersections, Stages::Resolving,
+            Stages::Triangulating, Stages::Orienting, Stages::WindingNumbers });
+        const PlanarHullParameters parameters = PlanarParameters(this);
+        const vtkInsideOutMarkedCurve marked = vtkInsideOutMarkCurve(
+          vtkInsideOutReadCurve(input, parameters.Orientation, ""), parameters, monitor);
         vtkPolyData::GetData(outputVector, 0)->ShallowCopy(marked.Curve);
         vtkPolyData::GetData(outputVector, 1)->ShallowCopy(marked.Points);
         vtkInsideOutWarn(this, marked.Warnings);
@@ -261,6 +295,10 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
 
       Statistics statistics;
       AddDefects(defects, statistics);
+      if (defects.Planar)
+      {
+        statistics.emplace_back("Area", AreaInAPlane(input, PlanarParameters(this), monitor));
+      }
       for (int port = 0; port < 2; ++port)
       {
         vtkPolyData* output = vtkPolyData::GetData(outputVector, port);

@@ -40,9 +40,11 @@
  * explained at vtkGeneralizedWindingNumber.
  *
  * Of lines without polygons, which have to lie in one plane, the same is shown in two dimensions:
- * ComponentId, SelfIntersections, Degenerate and Duplicate per line, and output 1 has vertices with
- * DefectType, DefectName and DefectColor where lines end, cross, or have a point of others within.
- * Statistics: OpenEnds, IntersectingPairs, Crossings, TJunctions, DuplicateSegments and the like.
+ * ComponentId, SelfIntersections, Degenerate, Duplicate and Turned per line, and output 1 has
+ * vertices with DefectType, DefectName and DefectColor where lines end, cross, or have a point of
+ * others within. Statistics: OpenEnds, IntersectingPairs, Crossings, TJunctions, DuplicateSegments
+ * and the like, and Area, where w is above 1/2 once lines are turned as the orientation asks; of
+ * polygons in one plane, too.
  *
  * A point that is not finite or a cell with a point out of range is an error that names it; the
  * outputs are then empty.

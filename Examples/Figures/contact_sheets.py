@@ -3,10 +3,9 @@
 
     xvfb-run -a python3 contact_sheets.py FOLDER [SURFACE...]
 
-`insideout.draw` draws a row for any surface: its defects, a slice of the winding number w, and the tetrahedra inside, cut open.
-Beside that stand the solid's boundary and slices of the solid, seen from the same place, and the model's row of table
-8.1. Four rows are a sheet: sheet-1.png and so on, in the folder. Models of Debian's packages libcgal-demo and
-openfoam-examples, or the surfaces given.
+`insideout.draw` draws a row for any surface: its defects, a slice of the winding number w, the tetrahedra inside, cut open, the
+solid's boundary, and its tetrahedra in slices. Beside that stands the model's row of table 8.1. Four rows are a sheet:
+sheet-1.png and so on, in the folder. Models of Debian's packages libcgal-demo and openfoam-examples, or the surfaces given.
 """
 
 from __future__ import annotations
@@ -16,18 +15,10 @@ import tempfile
 from pathlib import Path
 
 import insideout
-import numpy as np
-from insideout.drawing import up_of
-from insideout.picture import triangles_of
-from insideout.view import View
 from matplotlib import image, pyplot
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkFiltersCore import vtkThreshold
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-import drawing  # noqa: E402  of the folder above
-import models  # noqa: E402
+import models  # noqa: E402  of the folder above
 
 MODELS = (
     *("mannequin-devil.off", "man.off", "pig.stl", "elephant-with-holes.off", "diplodocus.off", "bones.off"),
@@ -35,7 +26,6 @@ MODELS = (
 )
 ROWS = 4  # of a sheet
 SIZE = (20, 3.75)  # inches of a row
-SLICES = 6  # of the solid
 FIGURES = (
     ("Points", "vertices"),
     ("Facets", "facets"),
@@ -49,38 +39,14 @@ FIGURES = (
 SECONDS = ("SecondsPre", "SecondsCDT", "SecondsW", "SecondsCut")
 
 
-def sliced(solid, along: np.ndarray):
-    """Every other of equal slices of the cells, along a direction."""
-    places = solid.points[solid.cells].mean(axis=1) @ along
-    share = (places - places.min()) / np.ptp(places)
-    kept, threshold = numpy_to_vtk((share * (2 * SLICES - 1)).astype(np.int32) % 2, deep=True), vtkThreshold()
-    kept.SetName("Slice")
-    solid.GetCellData().AddArray(kept)
-    threshold.SetInputData(solid)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Slice")
-    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_LOWER)
-    threshold.SetLowerThreshold(0.5)
-    threshold.Update()
-    return threshold.GetOutput()
-
-
 def row_of(surface: Path, folder: Path) -> tuple[str, str, object]:
     """A name, what there is to say, and a picture."""
     result = insideout.tetrahedralize(surface)
-    insideout.draw(surface, result.hull, folder / "row.png")
-    view = View(triangles_of(insideout.check(surface).surface), up_of(surface))
-    slices = sliced(result.solid, view.right)
-    count = f"{len(result.boundary.triangles):,} triangles"
-    panels = [
-        drawing.Panel("The solid's boundary", count, [drawing.actor(result.boundary, drawing.BLUE)]),
-        drawing.Panel("Its tetrahedra, in slices", "", [drawing.actor(slices, drawing.BLUE, edges=True)]),
-    ]
-    drawing.save(panels, folder / "more.png", seen_from=view.eye, up=view.up)
-    pictures = [image.imread(folder / name)[..., :3] for name in ("row.png", "more.png")]
+    insideout.draw(surface, result.hull, folder / "row.png", row=True)
     counts = result.statistics
     lines = [f"{int(counts[statistic]):,} {what}" for statistic, what in FIGURES]
     lines.append("seconds: " + ", ".join(f"{counts[stage]:.2f}" for stage in SECONDS))
-    return surface.name, "\n".join(lines), np.hstack(pictures)
+    return surface.name, "\n".join(lines), image.imread(folder / "row.png")[..., :3]
 
 
 def write_sheet(rows: list[tuple[str, str, object]], file: Path) -> None:

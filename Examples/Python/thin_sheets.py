@@ -5,7 +5,7 @@
 
 The body and the head are closed; the hat is an open hemisphere and the cape an open sheet, without
 thickness. Four times the solid's boundary: as the energy has it, with every facet kept
-(ConstrainFacets), made a manifold (ConstrainManifold), and both. Facets that are no part of the
+(ConstrainFacets), made a manifold (NonManifold), and both. Facets that are no part of the
 solid are drawn red, edges of its boundary that are not manifold black.
 """
 
@@ -37,8 +37,8 @@ LEFT_OUT = (0.85, 0.15, 0.12)
 CHOICES = (
     ("The minimum of the energy", {}),
     ("constrain_facets", {"constrain_facets": True}),
-    ("constrain_manifold", {"constrain_manifold": True}),
-    ("both", {"constrain_facets": True, "constrain_manifold": True}),
+    ("non_manifold", {"non_manifold": "fill"}),
+    ("both", {"constrain_facets": True, "non_manifold": "fill"}),
 )
 
 
@@ -209,7 +209,7 @@ def main(picture):
         window.AddRenderer(renderer)
         print(f"{title}: {figures['OutlierFacets']} facets left out, {bad_edges} edges not manifold")
         kept = kept and (figures["OutlierFacets"] == 0 or "constrain_facets" not in options)
-        kept = kept and (bad_edges == 0 or "constrain_manifold" not in options)
+        kept = kept and (bad_edges == 0 or "non_manifold" not in options)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)

@@ -22,10 +22,11 @@ if (INSIDEOUT_USE_PARAVIEW)
     ENABLE_BY_DEFAULT ON)
 else ()
   find_package(VTK 9.1 REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore ImagingCore IOCore IOXML
+    CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore ImagingCore IOCore IOXML ParallelCore
     WrappingPythonCore Python)
   set(INSIDEOUT_VTK_PACKAGE VTK)
   set(INSIDEOUT_VTK_VERSION ${VTK_VERSION})
+  set(vtk_python_folder :${VTK_PREFIX_PATH}/${VTK_PYTHONPATH})
 endif ()
 
 # vtk_module_build adds each module's folder, which cannot be the project's root: give it one in the
@@ -42,6 +43,8 @@ vtk_module_scan(
 set(INSIDEOUT_CMAKE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/InsideOut)
 set(INSIDEOUT_PYTHON_DESTINATION
   ${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages)
+# Python's path in the build tree: the package, and the VTK that it was built with.
+set(INSIDEOUT_PYTHON_PATH ${CMAKE_BINARY_DIR}/${INSIDEOUT_PYTHON_DESTINATION}${vtk_python_folder})
 vtk_module_build(
   MODULES             ${modules}
   PACKAGE             InsideOut

@@ -101,6 +101,11 @@ void vtkInsideOutRememberBlocks(vtkInformation* input)
   }
 }
 
+bool vtkInsideOutHasBlocks(vtkInformation* input)
+{
+  return input->Has(Blocks()) != 0;
+}
+
 std::string vtkInsideOutBlock(vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)

@@ -15,6 +15,9 @@ class vtkInformation;
 /** Call when an input's extent is requested: VTK has not taken it to blocks yet. */
 void vtkInsideOutRememberBlocks(vtkInformation* input);
 
+/** Whether an input whose extent is or was requested is composite. */
+bool vtkInsideOutHasBlocks(vtkInformation* input);
+
 /**
  * "block NAME: " of the block that an algorithm works on, or nothing where no input is composite.
  * NAME is what leads to it: the names of blocks, or numbers from 0 where they have none, parted by

@@ -130,15 +130,30 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSurface(
   return output;
 }
 
-vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
-  const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary)
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(const insideout::HullMesh& hull,
+  const TetrahedralMesh& mesh, const std::vector<insideout::BoundaryTriangle>& boundary)
 {
   std::vector<insideout::Triangle> triangles;
   for (const insideout::BoundaryTriangle& triangle : boundary)
   {
     triangles.push_back(triangle.Corners);
   }
-  return this->MakeBoundary(hull.Mesh.Points, hull.Mesh.Origins, triangles, hull, boundary);
+  return this->MakeBoundary(mesh.Points, mesh.Origins, triangles, hull, boundary);
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeManifoldBoundary(
+  const insideout::HullMesh& hull, const TetrahedralMesh& mesh,
+  const insideout::ManifoldSurface& manifold,
+  const std::vector<insideout::BoundaryTriangle>& boundary)
+{
+  std::vector<insideout::Point> points;
+  std::vector<insideout::PointOrigin> origins;
+  for (const Id place : manifold.Places)
+  {
+    points.push_back(mesh.Points[place]);
+    origins.push_back(mesh.Origins[place]);
+  }
+  return this->MakeBoundary(points, origins, manifold.Triangles, hull, boundary);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
@@ -147,7 +162,7 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
 {
   if (this->Surface->Input->GetPointData()->GetNumberOfArrays() == 0)
   {
-    return this->MakeBoundary(hull, boundary); // nothing differs anywhere
+    return this->MakeBoundary(hull, hull.Mesh, boundary); // nothing differs anywhere
   }
   const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Surface->Soup,
     TrianglesInMesh(this->Surface->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull),

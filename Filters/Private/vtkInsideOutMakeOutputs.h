@@ -8,6 +8,7 @@
 #include "Defects/SurfaceDefects.h"
 #include "HullMesh.h"
 #include "Output/BoundaryTriangles.h"
+#include "Output/ManifoldBoundary.h"
 #include "Output/MassProperties.h"
 #include "Output/Outliers.h"
 #include "vtkInsideOutReadSurface.h"
@@ -35,10 +36,20 @@ public:
   vtkSmartPointer<vtkPolyData> MakeSurface(
     const insideout::FacetComplex& surface, const std::vector<insideout::Id>& facets);
 
-  /** Triangles of the boundary with vtkOriginalCellIds (-1 where a hole was closed), Turned and
-   * vtkOriginalPointIds; merged points have the lowest id's data. */
-  vtkSmartPointer<vtkPolyData> MakeBoundary(
-    const insideout::HullMesh& hull, const std::vector<insideout::BoundaryTriangle>& boundary);
+  /**
+   * Triangles of the boundary with vtkOriginalCellIds (-1 where a hole was closed), Turned and
+   * vtkOriginalPointIds; merged points have the lowest id's data.
+   *
+   * @param[in] mesh whose points are the boundary's: the hull's, or one that was made of that
+   */
+  vtkSmartPointer<vtkPolyData> MakeBoundary(const insideout::HullMesh& hull,
+    const insideout::TetrahedralMesh& mesh,
+    const std::vector<insideout::BoundaryTriangle>& boundary);
+
+  /** The same with several points in a place where one would be no manifold. */
+  vtkSmartPointer<vtkPolyData> MakeManifoldBoundary(const insideout::HullMesh& hull,
+    const insideout::TetrahedralMesh& mesh, const insideout::ManifoldSurface& manifold,
+    const std::vector<insideout::BoundaryTriangle>& boundary);
 
   /** The same with several points in a place where the input's triangles differ in texture
    * coordinates or normals, or where triangles cross that have point data at all. Can be stopped.

@@ -6,12 +6,14 @@
 #include "vtkInsideOutMakeOutputs.h"
 #include "vtkInsideOutReadSurface.h"
 
+#include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Planar/PlanarOutputs.h"
 #include "Planar/ResolveSegments.h"
 #include "Planar/SegmentMeetings.h"
 #include "Planar/SegmentTriangles.h"
 #include "Planar/TriangulateHull.h"
+#include "Refine/RefineTriangles.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -28,6 +30,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 using insideout::Id;
@@ -41,6 +44,26 @@ using insideout::Stages::Extracting;
 
 namespace
 {
+template <typename Value>
+std::vector<Value> ChosenOf(const std::vector<Value>& values, const std::vector<Id>& chosen)
+{
+  std::vector<Value> result;
+  result.reserve(chosen.size());
+  for (const Id i : chosen)
+  {
+    result.push_back(values[i]);
+  }
+  return result;
+}
+
+/** What is refined of a hull: it has other points, which are made of those of a grid. */
+struct RefinedHull
+{
+  PlanarHull Hull; ///< of the inside cells
+  std::vector<vtkInsideOutAttributes::Mixture> Mixtures;
+  vtkSmartPointer<vtkUnstructuredGrid> Before;
+};
+
 /** Makes data sets that carry the input's point and cell data. */
 class Maker
 {
@@ -48,6 +71,7 @@ public:
   Maker(const vtkInsideOutCurve& curve, const PlanarHull& hull)
     : Curve(curve)
     , Hull(hull)
+    , Origins(hull.Curve.Origins)
   {
     for (std::size_t p = 0; p < hull.Curve.Points.size(); ++p)
     {
@@ -55,16 +79,19 @@ public:
       this->Points.push_back(origin.IsInput() ? curve.Soup.Points[origin.Points[0]]
                                               : hull.Plane.Lift(hull.Curve.Points[p]));
     }
-    this->Origins = hull.Curve.Origins;
     for (const Id segment : hull.TurnedSegments)
     {
       this->TurnedCells.push_back(curve.CellOfSegment[segment]);
     }
     this->TurnedCells.insert(
       this->TurnedCells.end(), curve.TurnedCells.begin(), curve.TurnedCells.end());
-    std::sort(this->TurnedCells.begin(), this->TurnedCells.end());
-    this->TurnedCells.erase(
-      std::unique(this->TurnedCells.begin(), this->TurnedCells.end()), this->TurnedCells.end());
+    insideout::SortUniquely(this->TurnedCells);
+  }
+
+  Maker(const vtkInsideOutCurve& curve, const RefinedHull& refined)
+    : Maker(curve, refined.Hull)
+  {
+    this->Refined = &refined;
   }
 
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid();
@@ -84,6 +111,7 @@ private:
   {
     return std::binary_search(this->TurnedCells.begin(), this->TurnedCells.end(), cell);
   }
+  void AddPointData(const std::vector<Id>& points, vtkDataSet* output);
   vtkSmartPointer<vtkPolyData> MakeLines(const std::vector<Segment>& segments,
     const std::vector<std::vector<Id>>& lines, const std::vector<vtkIdType>& cells,
     std::initializer_list<const char*> added);
@@ -93,7 +121,21 @@ private:
   std::vector<Point> Points; ///< of the mesh, in space; then ends of degenerate segments
   std::vector<PointOrigin> Origins;
   std::vector<vtkIdType> TurnedCells;
+  const RefinedHull* Refined = nullptr;
 };
+
+/** Of some of the points. */
+void Maker::AddPointData(const std::vector<Id>& points, vtkDataSet* output)
+{
+  if (!this->Refined)
+  {
+    vtkInsideOutAttributes::PassPointData(
+      this->Curve.Input, ChosenOf(this->Origins, points), output->GetPointData(), this->Warnings);
+    return;
+  }
+  vtkInsideOutAttributes::MixPointData(this->Refined->Before,
+    ChosenOf(this->Refined->Mixtures, points), {}, output->GetPointData(), this->Warnings);
+}
 
 vtkSmartPointer<vtkUnstructuredGrid> Maker::MakeGrid()
 {
@@ -121,8 +163,9 @@ vtkSmartPointer<vtkUnstructuredGrid> Maker::MakeGrid()
   {
     grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", this->Hull.W));
   }
-  vtkInsideOutAttributes::PassPointData(
-    this->Curve.Input, this->Origins, grid->GetPointData(), this->Warnings);
+  std::vector<Id> points(this->Points.size());
+  std::iota(points.begin(), points.end(), 0);
+  this->AddPointData(points, grid);
   grid->GetFieldData()->AddArray(
     vtkInsideOutMakeArray<vtkIdTypeArray>("TurnedCellIds", this->TurnedCells));
   return grid;
@@ -138,15 +181,13 @@ vtkSmartPointer<vtkPolyData> Maker::MakeLines(const std::vector<Segment>& segmen
   {
     index[segment[0]] = index[segment[1]] = 0;
   }
-  std::vector<Point> points;
-  std::vector<PointOrigin> origins;
+  std::vector<Id> used;
   for (std::size_t p = 0; p < index.size(); ++p)
   {
     if (index[p] != None)
     {
-      index[p] = static_cast<Id>(points.size());
-      points.push_back(this->Points[p]);
-      origins.push_back(this->Origins[p]);
+      index[p] = static_cast<Id>(used.size());
+      used.push_back(static_cast<Id>(p));
     }
   }
   vtkInsideOutRequireMemory(static_cast<vtkIdType>(8 * segments.size() * sizeof(vtkIdType)));
@@ -161,10 +202,9 @@ vtkSmartPointer<vtkPolyData> Maker::MakeLines(const std::vector<Segment>& segmen
     }
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
-  output->SetPoints(vtkInsideOutMakePoints(points));
+  output->SetPoints(vtkInsideOutMakePoints(ChosenOf(this->Points, used)));
   output->SetLines(polylines);
-  vtkInsideOutAttributes::PassPointData(
-    this->Curve.Input, origins, output->GetPointData(), this->Warnings);
+  this->AddPointData(used, output);
   vtkInsideOutAttributes::PassCellData(
     this->Curve.Input, cells, added, output->GetCellData(), this->Warnings);
   return output;
@@ -344,6 +384,48 @@ void AddAreas(const std::vector<insideout::AreaProperties>& regions, vtkDataSet*
   }
 }
 
+/** The weights of a triangle's corners at a place in it: none is negative, however thin it is. */
+vtkInsideOutAttributes::Mixture MixtureOf(
+  const PlanarHull& hull, const insideout::Triangle& cell, const insideout::PlanarPoint& place)
+{
+  vtkInsideOutAttributes::Mixture mixture{ { { cell[0], cell[1], cell[2], cell[2] } }, {}, true };
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto& [from, to] = insideout::EdgeOf(cell, (k + 1) % 3);
+    mixture.Weights[k] = std::max(0.0,
+      AreaOf(hull.Curve.Points[from], hull.Curve.Points[to], place, insideout::PlanarMetric()));
+    sum += mixture.Weights[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    mixture.Weights[k] = sum > 0 ? mixture.Weights[k] / sum : 1.0 / 3;
+  }
+  return mixture;
+}
+
+/** The inside cells, refined, and whatever is known of these. */
+RefinedHull HullOf(
+  const insideout::RefinedTriangles& refined, const PlanarHull& hull, vtkUnstructuredGrid* grid)
+{
+  RefinedHull result;
+  result.Hull.Plane = hull.Plane;
+  result.Hull.Curve = refined.Curve;
+  result.Hull.Mesh = refined.Mesh;
+  result.Hull.W = ChosenOf(hull.W, refined.OriginalCells);
+  result.Hull.TurnedSegments = hull.TurnedSegments;
+  result.Before = grid;
+  for (std::size_t p = 0; p < refined.OriginalPoints.size(); ++p)
+  {
+    const Id original = refined.OriginalPoints[p];
+    result.Mixtures.push_back(original == None
+        ? MixtureOf(hull, hull.Mesh.Cells[refined.CellsOfPoints[p]], refined.Curve.Points[p])
+        : vtkInsideOutAttributes::Mixture{
+            { { original, original, original, original } }, { { 1, 0, 0, 0 } }, false });
+  }
+  return result;
+}
+
 std::string NothingInside(const PlanarHull& hull)
 {
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
@@ -446,11 +528,36 @@ vtkInsideOutPlanarStage<vtkPolyData> vtkInsideOutResolveLines(const vtkInsideOut
   return Finish(lines, maker, statistics, curve, hull);
 }
 
+namespace
+{
+/** The inside cells in better triangles, and their boundary. */
+void RefineTo(const vtkInsideOutCurve& curve, const PlanarHull& hull,
+  const std::vector<unsigned char>& inside, const insideout::SolidRegions& regions,
+  const insideout::RefinementParameters& parameters, insideout::Monitor& monitor,
+  vtkInsideOutTriangles& made, insideout::Statistics& statistics)
+{
+  insideout::Stopwatch stopwatch;
+  const insideout::RefinedTriangles refined =
+    RefineTriangles(hull.Curve, hull.Mesh, inside, hull.Plane, parameters, monitor);
+  const RefinedHull better = HullOf(refined, hull, made.Grid);
+  Maker maker(curve, better);
+  made.Grid = maker.MakeGrid();
+  const std::vector<unsigned char> all(refined.Mesh.Cells.size(), 1);
+  vtkInsideOutAddInside(all, made.Grid);
+  vtkInsideOutAddRegions(
+    { ChosenOf(regions.OfCell, refined.OriginalCells), regions.Count }, made.Grid);
+  made.Boundary = maker.MakeBoundary(all);
+  statistics.insert(statistics.end(), refined.Statistics.begin(), refined.Statistics.end());
+  statistics.emplace_back("SecondsRefine", stopwatch.Lap());
+  made.Warnings = refined.Warnings;
+}
+} // namespace
+
 vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
   const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
   const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
 {
-  const PlanarHull hull = MakeHull(curve, options.Hull, monitor);
+  PlanarHull hull = MakeHull(curve, options.Hull, monitor);
   insideout::Stopwatch stopwatch;
   const insideout::MeshSegmentation segmentation =
     SegmentTriangles(hull.Curve, hull.Mesh, hull.Plane, hull.W,
@@ -463,6 +570,11 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
     statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
 
   monitor.Check(Extracting, 0);
+  if (options.SplitPoints)
+  {
+    statistics.emplace_back("SplitPoints",
+      SplitPoints(hull.Curve, hull.Mesh, segmentation.Inside, monitor, { Extracting, 0, 0.1 }));
+  }
   Maker maker(curve, hull);
   vtkInsideOutTriangles made;
   made.Grid = maker.MakeGrid();
@@ -470,20 +582,27 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
   const insideout::SolidRegions regions =
     FindRegions(hull.Mesh, segmentation.Inside, monitor, { Extracting, 0.1, 0.2 });
   vtkInsideOutAddRegions(regions, made.Grid);
-  if (options.ExtractInside)
-  {
-    made.Grid = vtkInsideOutExtractInside(made.Grid, monitor, { Extracting, 0.2, 0.6 });
-  }
-  made.Boundary = maker.MakeBoundary(segmentation.Inside);
-  vtkInsideOutAddTags(tags, made.Boundary);
-  monitor.Check(Extracting, 0.8);
   const auto outliers = OutlierSegments(hull.Curve, hull.Mesh, segmentation.Inside);
   made.Outliers = maker.MakeOutliers(outliers);
-  monitor.Check(Extracting, 1);
-
   statistics.emplace_back(
     "InsideCells", std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1));
   statistics.emplace_back("OutlierSegments", outliers.size() + hull.DegenerateSegments.size());
+  if (options.Refine && regions.Count > 0)
+  {
+    RefineTo(
+      curve, hull, segmentation.Inside, regions, options.Refinement, monitor, made, statistics);
+  }
+  else
+  {
+    if (options.ExtractInside)
+    {
+      made.Grid = vtkInsideOutExtractInside(made.Grid, monitor, { Extracting, 0.2, 0.8 });
+    }
+    made.Boundary = maker.MakeBoundary(segmentation.Inside);
+    monitor.Check(Extracting, 1);
+  }
+  vtkInsideOutAddTags(tags, made.Boundary);
+
   AddAreas(MeasureRegions(hull.Curve, hull.Mesh, hull.Plane, regions), made.Grid, statistics);
   statistics.emplace_back("PeakMemory", insideout::PeakMemory());
   vtkInsideOutAddStatistics(statistics, made.Grid);

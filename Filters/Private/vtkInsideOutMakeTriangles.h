@@ -7,6 +7,7 @@
 
 #include "GraphCut/SegmentMesh.h"
 #include "Planar/PlanarHull.h"
+#include "Refine/RefineTetrahedra.h"
 #include "vtkInsideOutReadCurve.h"
 #include "vtkInsideOutTags.h"
 
@@ -19,6 +20,9 @@ struct vtkInsideOutPlanarOptions
   insideout::SegmentMeshParameters Segment;
   std::string ConstrainedArray; ///< the cell array that chooses which segments are kept
   bool ExtractInside = true;
+  bool Refine = false;
+  insideout::RefinementParameters Refinement;
+  bool SplitPoints = false; ///< where the solid touches itself
 };
 
 /** One output of a single stage. */

@@ -48,10 +48,16 @@ vtkSmartPointer<vtkPolyData> MarkedCells(
   const auto crossings = vtkInsideOutMakeArray<vtkIntArray>("SelfIntersections", size);
   const auto degenerate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Degenerate", size);
   const auto duplicate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Duplicate", size);
+  const auto turned = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", size);
   component->FillValue(None);
   crossings->FillValue(0);
   degenerate->FillValue(0);
   duplicate->FillValue(0);
+  turned->FillValue(0);
+  for (const Id s : defects.TurnedSegments)
+  {
+    turned->SetValue(curve.CellOfSegment[s], 1);
+  }
   for (std::size_t s = 0; s < defects.Segments.size(); ++s)
   {
     const insideout::SegmentDefects& segment = defects.Segments[s];
@@ -68,11 +74,12 @@ vtkSmartPointer<vtkPolyData> MarkedCells(
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->CopyStructure(curve.Input);
   vtkInsideOutAttributes::PassAll(curve.Input,
-    { "ComponentId", "SelfIntersections", "Degenerate", "Duplicate" }, output, warnings);
+    { "ComponentId", "SelfIntersections", "Degenerate", "Duplicate", "Turned" }, output, warnings);
   output->GetCellData()->AddArray(component);
   output->GetCellData()->AddArray(crossings);
   output->GetCellData()->AddArray(degenerate);
   output->GetCellData()->AddArray(duplicate);
+  output->GetCellData()->AddArray(turned);
   return output;
 }
 
@@ -110,19 +117,20 @@ vtkSmartPointer<vtkPolyData> MarkedPoints(
 }
 } // namespace
 
-vtkInsideOutMarkedCurve vtkInsideOutMarkCurve(
-  const vtkInsideOutCurve& curve, double mergeTolerance, insideout::Monitor& monitor)
+vtkInsideOutMarkedCurve vtkInsideOutMarkCurve(const vtkInsideOutCurve& curve,
+  const insideout::PlanarHullParameters& parameters, insideout::Monitor& monitor)
 {
-  insideout::CountedChainParameters parameters;
-  parameters.MergeTolerance = mergeTolerance;
   const CurveDefects defects = FindCurveDefects(curve.Soup, curve.Plane, parameters, monitor);
   vtkInsideOutMarkedCurve marked;
   marked.Warnings = curve.Warnings;
+  marked.Warnings.insert(marked.Warnings.end(), defects.Warnings.begin(), defects.Warnings.end());
   marked.Curve = MarkedCells(curve, defects, marked.Warnings);
   marked.Points = MarkedPoints(curve, defects);
   insideout::Statistics statistics = { { "Dimension", 2 } };
   AddCounts(defects.Counts, statistics);
   statistics.emplace_back("IntersectingPairs", defects.IntersectingPairs);
+  statistics.emplace_back("TurnedSegments", defects.TurnedSegments.size());
+  statistics.emplace_back("Area", defects.Area);
   for (const auto& [type, key] : { std::pair(CurveDefect::Crossing, "Crossings"),
          std::pair(CurveDefect::TJunction, "TJunctions") })
   {

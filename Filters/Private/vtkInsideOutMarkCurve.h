@@ -6,6 +6,7 @@
 #pragma once
 
 #include "Common/Monitor.h"
+#include "Planar/PlanarHull.h"
 #include "vtkInsideOutReadCurve.h"
 
 /** Outputs, and what is to be told of them. */
@@ -17,5 +18,5 @@ struct vtkInsideOutMarkedCurve
 };
 
 /** @throws insideout::Error */
-vtkInsideOutMarkedCurve vtkInsideOutMarkCurve(
-  const vtkInsideOutCurve& curve, double mergeTolerance, insideout::Monitor& monitor);
+vtkInsideOutMarkedCurve vtkInsideOutMarkCurve(const vtkInsideOutCurve& curve,
+  const insideout::PlanarHullParameters& parameters, insideout::Monitor& monitor);

@@ -7,7 +7,8 @@
 
 namespace
 {
-// VTK 9.2 and later ask every algorithm upstream too; 9.1 knows only the algorithm's own flag.
+// From VTK 9.3 on (its release notes, "Filters"), and in ParaView's 9.2, this asks every algorithm
+// upstream, too; before, there is only the algorithm's own flag.
 template <typename Algorithm>
 auto IsAborted(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
 {

@@ -68,7 +68,7 @@ insideout::SegmentMeshParameters vtkInsideOutSegmentMeshParameters(Filter* filte
   parameters.Cut.Sigma = filter->GetSigma();
   parameters.Cut.DataTerm = static_cast<DataTerm>(filter->GetDataTerm());
   parameters.ConstrainFacets = filter->GetConstrainFacets();
-  parameters.ConstrainManifold = filter->GetConstrainManifold();
+  parameters.FillNonManifold = filter->GetNonManifold() == Filter::NON_MANIFOLD_FILL;
   return parameters;
 }
 

@@ -7,7 +7,6 @@
 #include "vtkInsideOutArrays.h"
 
 #include <vtkCellData.h>
-#include <vtkCellTypes.h>
 #include <vtkDataArray.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
@@ -68,6 +67,13 @@ void CheckCell(vtkIdType id, vtkCell* cell, int dimension)
 }
 } // namespace
 
+std::string vtkInsideOutCellName(int type)
+{
+  // vtkCellTypes would say it, too, but VTK 9.6 deprecates that.
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetClassName() : "UnknownClass";
+}
+
 vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid)
 {
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
@@ -107,7 +113,7 @@ vtkInsideOutTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid)
     if (other->GetCellDimension() == 3)
     {
       throw Error(ErrorCode::InvalidParameter,
-        "cell " + std::to_string(c) + " is a " + vtkCellTypes::GetClassNameFromTypeId(type) +
+        "cell " + std::to_string(c) + " is a " + vtkInsideOutCellName(type) +
           "; volumes must be tetrahedra");
     }
   }

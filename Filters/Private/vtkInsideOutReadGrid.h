@@ -11,10 +11,15 @@
 
 #include <vtkType.h>
 
+#include <string>
+
 class vtkUnstructuredGrid;
 
 /** The first cell that is no tetrahedron, -1 if all are. */
 vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid);
+
+/** What VTK calls cells of a type: vtkHexahedron, say. */
+std::string vtkInsideOutCellName(int type);
 
 /** The tetrahedra of a grid. */
 struct vtkInsideOutTetrahedra

@@ -13,7 +13,6 @@
 #include "vtkInsideOutRefineBoundary.h"
 
 #include <vtkCellData.h>
-#include <vtkCellTypes.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
@@ -39,9 +38,10 @@ void CheckGrid(vtkUnstructuredGrid* grid)
   if (const vtkIdType other = vtkInsideOutFindOtherCell(grid); other >= 0)
   {
     throw Error(ErrorCode::InvalidParameter,
-      "cell " + std::to_string(other) + " is a " +
-        vtkCellTypes::GetClassNameFromTypeId(grid->GetCellType(other)) +
-        "; only tetrahedra (vtkTetra) can be refined");
+      "cell " + std::to_string(other) + " is a " + vtkInsideOutCellName(grid->GetCellType(other)) +
+        "; only tetrahedra (vtkTetra) can be refined. Triangles in a plane become better ones "
+        "where "
+        "vtkRobustTetrahedralize makes them, by its Refine");
   }
   vtkNew<vtkIdList> corners;
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)

@@ -18,7 +18,7 @@ MeshSegmentation Segment(
   Monitor monitor;
   SegmentMeshParameters parameters;
   parameters.ConstrainFacets = facets;
-  parameters.ConstrainManifold = manifold;
+  parameters.FillNonManifold = manifold;
   return SegmentMesh(hull.Mesh, hull.W, pieces, {}, parameters, monitor);
 }
 

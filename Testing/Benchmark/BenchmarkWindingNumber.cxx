@@ -271,20 +271,27 @@ double SecondsPerPoint(
   return least / static_cast<double>(points.size());
 }
 
-/** A line of a figure's table: facets, open edges, seconds by naive, hierarchical, exact. */
-std::array<double, 3> WriteRow(
-  std::FILE* table, const std::string& name, const FacetComplex& surface)
+/** The methods of the figures: the thesis's two, then those of today. The last is ours. */
+const std::array<std::pair<const char*, WindingNumberMethod>, 4> MethodsOfFigures = {
+  { { "naive", WindingNumberMethod::Naive }, { "hierarchical", WindingNumberMethod::Hierarchical },
+    { "approximate", WindingNumberMethod::Approximate }, { "exact", WindingNumberMethod::Exact } }
+};
+
+/**
+ * A line of a figure's table: facets, whether the surface is closed, seconds by each method.
+ * @return those of the last
+ */
+double WriteRow(std::FILE* table, const std::string& name, const FacetComplex& surface)
 {
   const std::vector<Point> points = RandomPoints(surface.Points, PointsOfFigures);
-  std::array<double, 3> seconds;
-  const WindingNumberMethod methods[3] = { WindingNumberMethod::Naive,
-    WindingNumberMethod::Hierarchical, WindingNumberMethod::Exact };
-  for (int i = 0; i < 3; ++i)
+  std::fprintf(table, "%s,%zu,%d", name.c_str(), surface.Facets.size(), IsClosed(surface) ? 1 : 0);
+  double seconds = 0;
+  for (const auto& [word, method] : MethodsOfFigures)
   {
-    seconds[i] = SecondsPerPoint(surface, points, methods[i]);
+    seconds = SecondsPerPoint(surface, points, method);
+    std::fprintf(table, ",%g", seconds);
   }
-  std::fprintf(table, "%s,%zu,%d,%g,%g,%g\n", name.c_str(), surface.Facets.size(),
-    IsClosed(surface) ? 1 : 0, seconds[0], seconds[1], seconds[2]);
+  std::fprintf(table, "\n");
   std::fflush(table);
   return seconds;
 }
@@ -296,7 +303,12 @@ std::FILE* OpenTable(const std::string& path)
   {
     throw Error(ErrorCode::FileUnwritable, path + " cannot be written");
   }
-  std::fprintf(table, "name,facets,closed,naive,hierarchical,exact\n");
+  std::fprintf(table, "name,facets,closed");
+  for (const auto& method : MethodsOfFigures)
+  {
+    std::fprintf(table, ",%s", method.first);
+  }
+  std::fprintf(table, "\n");
   return table;
 }
 
@@ -308,9 +320,9 @@ void DrawGrowth(const std::string& folder, TriangleSoup soup)
   for (int level = 0; level < SubdivisionLevels; ++level)
   {
     const FacetComplex surface = Validated(soup);
-    const auto seconds =
+    const double seconds =
       WriteRow(table, SubdividedSurface + ("-" + std::to_string(level)), surface);
-    perLogarithm.push_back(seconds[2] / std::log(static_cast<double>(surface.Facets.size())));
+    perLogarithm.push_back(seconds / std::log(static_cast<double>(surface.Facets.size())));
     soup = Subdivided(soup);
   }
   std::fclose(table);

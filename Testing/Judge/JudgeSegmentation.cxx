@@ -43,20 +43,20 @@ bool JudgeConstraints(const std::string& path)
   {
     SegmentMeshParameters parameters;
     parameters.ConstrainFacets = (options & 1) != 0;
-    parameters.ConstrainManifold = (options & 2) != 0;
+    parameters.FillNonManifold = (options & 2) != 0;
     const MeshSegmentation result = SegmentMesh(hull.Mesh, hull.W, pieces, {}, parameters, monitor);
     const double energy = testcut::EnergyOf(graph, {}, result.Inside);
     const int unsatisfied = CountUnsatisfied(pieces, result.Inside);
     const testcut::NotManifold bad = testcut::CountNotManifold(hull.Mesh.Cells, result.Inside);
     const bool good = (options != 0 || std::abs(energy - least) <= 1e-9 * (1 + least)) &&
       (!parameters.ConstrainFacets || unsatisfied == 0) &&
-      (!parameters.ConstrainManifold || bad.Edges + bad.Points == 0);
+      (!parameters.FillNonManifold || bad.Edges + bad.Points == 0);
     holds = holds && good;
     std::printf(
       "%-44s %9zu %s %s energy %14.6g least %14.6g unsatisfied %6d not manifold %6d %6d %s\n",
       path.substr(path.find_last_of('/') + 1).c_str(), hull.W.size(),
       parameters.ConstrainFacets ? "facets" : "      ",
-      parameters.ConstrainManifold ? "manifold" : "        ", energy, least, unsatisfied, bad.Edges,
+      parameters.FillNonManifold ? "manifold" : "        ", energy, least, unsatisfied, bad.Edges,
       bad.Points, good ? "holds" : "FAILS");
     std::fflush(stdout);
   }

@@ -122,7 +122,7 @@ class Success(CommandLine):
                         **{"scale": 1, "engine": "automatic", "dimension": "automatic", "data_term": "uniform", "orientation": "automatic"},
                         **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
                         **{"thicken": 0, "thicken_all": False},
-                        **{"constrain_facets": False, "constrain_manifold": False},
+                        **{"constrain_facets": False, "non_manifold": "keep", "separate_overlaps": False},
                         **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
                         **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "surface_treatment": "kept"},
                         **{"surface_tolerance": 0, "feature_angle": 30, "quadratic": False},
@@ -220,12 +220,12 @@ class Success(CommandLine):
     def test_constraints(self):
         source = self.file("figure.ply", surfaces.two_boxes_and_a_stray_facet())
         report = self.path("report.json")
-        for options in ((), ("--constrain-facets",), ("--constrain-facets", "--constrain-manifold")):
+        for options in ((), ("--constrain-facets",), ("--constrain-facets", "--non-manifold", "fill")):
             done = run(source, self.output, "--report", report, "--data-term", "uniform", *options)
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(report, encoding="utf-8") as file:
                 found = json.load(file)
-            self.assertEqual(found["parameters"]["constrain_manifold"], "--constrain-manifold" in options)
+            self.assertEqual(found["parameters"]["non_manifold"], options[-1] if "fill" in options else "keep")
             self.assertEqual(found["statistics"]["ForcedFacets"] > 0, bool(options))
             self.assertEqual(found["statistics"]["OutlierFacets"] == 0, bool(options))
 

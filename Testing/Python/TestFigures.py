@@ -54,6 +54,14 @@ class TestFigures(unittest.TestCase):
         self.assertLess(max(map(abs, rows[0])), 2)
         self.assertLess(max(rows[2][0], *rows[2][2:]), -90)
 
+    def test_a_hand_within_a_chest_swings_out_when_overlaps_are_separated(self):
+        said = self.run_figure("overlap.py", "overlap.png")
+        separated, overlaps, copied = map(int, re.search(r"(\d+) of (\d+) overlaps separated, (\d+) cells copied", said).groups())
+        self.assertEqual(separated, overlaps)
+        self.assertGreater(copied, 50)
+        turned = {name: int(count) for name, count in re.findall(r"(\w+): (\d+) of \d+ cells turned inside out", said)}
+        self.assertLess(10 * turned["separated"], turned["glued"])
+
     def test_a_sheet_of_a_surface_of_ones_own(self):
         said = self.run_figure("contact_sheets.py", "sheets", str(TESTING / "Data" / "two-boxes.off"))
         self.assertIn("sheet-1.png", said)

@@ -14,6 +14,7 @@ from unittest import mock
 
 import numpy as np
 import surfaces
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import insideout
@@ -114,6 +115,26 @@ class TestInterruption(unittest.TestCase):
         with self.assertRaises(ProcessLookupError):
             os.killpg(begun, signal.SIGKILL)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+
+
+class TestRow(unittest.TestCase):
+    def test_a_whole_row_has_the_boundary_and_slices_too(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sizes = []
+            hull = insideout.tetrahedralize(surfaces.two_boxes()).hull
+            for row in (False, True):
+                picture = os.path.join(folder, "row.png")
+                insideout.draw(surfaces.two_boxes(), hull, picture, row=row)
+                reader = vtkPNGReader()
+                reader.SetFileName(picture)
+                reader.Update()
+                width, height, _ = reader.GetOutput().GetDimensions()
+                pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
+                panels = 5 if row else 3
+                seen = [(panel[height // 5 : -height // 5, :, :3].min(axis=2) < 200).mean() for panel in np.split(pixels, panels, axis=1)]
+                self.assertGreater(min(seen), 0.02)
+                sizes.append(width / panels)
+            self.assertEqual(*sizes)
 
 
 class TestCounts(unittest.TestCase):

@@ -63,15 +63,27 @@ class Function(unittest.TestCase):
         self.assertEqual(copy.solid.cells.tobytes(), result.solid.cells.tobytes())
         self.assertIn("triangles inside", repr(result))
 
+    def test_triangles_are_refined(self):
+        result = insideout.tetrahedralize(two_squares(), refine=True, surface_treatment="split", edge_length=0.2)
+        self.assertIsInstance(result.solid, insideout.Triangles)
+        self.assertGreater(len(result.solid.cells), 300)
+        self.assertGreater(result.statistics["MinAngle"], 20.7)
+        self.assertAlmostEqual(area_of(result.solid.points, result.solid.cells), 7)
+        self.assertEqual(set(result.solid.w), {1, 2})
+        with self.assertRaisesRegex(insideout.Error, "vtkTriangle; only tetrahedra"):
+            insideout.refine(result.solid)
+
     def test_a_flat_mesh_gives_its_triangles(self):
         triangles = [(0, 1, 2), (0, 2, 3)]
         result = insideout.tetrahedralize((SQUARE, triangles))
-        self.assertEqual({frozenset(cell) for cell in result.solid.cells.tolist()}, {frozenset(cell) for cell in triangles})
+        # In VTK 9.1 vtkThreshold, which takes out what is inside, numbers points as cells come.
+        cells = result.solid.point_arrays["vtkOriginalPointIds"][result.solid.cells]
+        self.assertEqual({frozenset(cell) for cell in cells.tolist()}, {frozenset(cell) for cell in triangles})
         with self.assertRaisesRegex(insideout.Error, "plane"):
             insideout.tetrahedralize((SQUARE, triangles), dimension="3")
 
     def test_what_cannot_be_done_is_said(self):
-        for options, words in (({"refine": True}, "refine"), ({"dimension": 4}, "dimension is '4'")):
+        for options, words in (({"refine": True, "surface_treatment": "remeshed"}, "not remeshed"), ({"dimension": 4}, "dimension is '4'")):
             with self.assertRaisesRegex(insideout.Error, words):
                 insideout.tetrahedralize(two_squares(), **options)
         with self.assertRaisesRegex(insideout.Error, "does not lie in a plane"):
@@ -126,6 +138,24 @@ class Command(unittest.TestCase):
                 reader.SetFileName(self.path("boundary.vtp"))
                 reader.Update()
                 self.assertEqual(reader.GetOutput().GetNumberOfLines(), 2)
+
+    def test_checking_lines_says_what_they_enclose_and_what_is_wrong(self):
+        report = self.path("check.json")
+        command = [sys.executable, "-m", "insideout", "--check", self.path("curve.csv", CSV + "0.5,0.5,c\n0.5,2,c\n"), "--report", report]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("Curve curve.csv: bounds an area of 7 in a plane, once its gaps are closed\n"), done.stdout)
+        for words in ("2 open ends", "3 intersecting pairs", "2 crossings", "1 T-junction"):
+            self.assertIn(words, done.stdout)
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["statistics"]["Area"], 7)
+        found = insideout.check(([*SQUARE], [(0, 1, 2), (0, 2, 3)]))
+        self.assertEqual(found.verdict, "bounds no solid: it lies in one plane, where it covers an area of 4")
+        open_line = surfaces.polydata(SQUARE[:3], [])
+        open_line.SetLines(surfaces.polydata([], [(0, 1)]).GetPolys())
+        open_line.GetLines().InsertNextCell(2, (1, 2))
+        self.assertEqual(insideout.check(two_squares()).shell_volumes, [])
+        self.assertEqual(insideout.check(open_line).findings[0].text, "2 open ends")
 
     def test_groups_of_an_obj_file_tag_the_boundary(self):
         result = insideout.tetrahedralize(self.path("curve.obj", OBJ))

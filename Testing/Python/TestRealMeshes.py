@@ -142,7 +142,7 @@ class TestRealMeshes(unittest.TestCase):
             for keep, manifold in ((True, False), (False, True), (True, True)):
                 cut = insideout.vtkGraphCutSegmentation()
                 cut.SetConstrainFacets(keep)
-                cut.SetConstrainManifold(manifold)
+                cut.SetNonManifold(cut.NON_MANIFOLD_FILL if manifold else cut.NON_MANIFOLD_KEEP)
                 cut.ExtractInsideOff()
                 cut.SetInputData(result.hull)
                 cut.Update()
@@ -154,7 +154,7 @@ class TestRealMeshes(unittest.TestCase):
     def test_constraints_hold_on_the_solid_of_a_surface(self):
         surface, plain = self.results["cow.off"]
         self.assertGreater(plain.outliers.GetNumberOfCells(), 0)
-        result = insideout.tetrahedralize(surface, constrain_facets=True, constrain_manifold=True)
+        result = insideout.tetrahedralize(surface, constrain_facets=True, non_manifold="fill")
         self.assertEqual(FacesOf(result.hull).unkept(cell_array(result.hull, "Inside")), 0)
         self.assertEqual(count_not_manifold(triangles_of(result.boundary)), (0, 0))
         self.assertEqual(result.outliers.GetNumberOfCells(), 0)

@@ -122,8 +122,8 @@ class Laws(unittest.TestCase):
         plain = insideout.tetrahedralize(surface)
         self.assertGreater(plain.outliers.GetNumberOfCells(), 0)
         self.assertEqual(plain.statistics["Energy"], plain.statistics["EnergyOfCut"])
-        for manifold in (False, True):
-            kept = insideout.tetrahedralize(surface, constrain_facets=True, constrain_manifold=manifold)
+        for manifold in ("keep", "fill"):
+            kept = insideout.tetrahedralize(surface, constrain_facets=True, non_manifold=manifold)
             self.assertEqual(kept.outliers.GetNumberOfCells(), 0)
             self.assertIn(stray, cell_array(kept.boundary, "vtkOriginalCellIds"))
             self.assertGreater(kept.statistics["ForcedFacets"], 0)

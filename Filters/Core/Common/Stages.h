@@ -19,7 +19,7 @@ constexpr const char* WindingNumbers = "winding numbers";             ///< in ce
 constexpr const char* Distances = "distances";                        ///< SurfaceDistance
 constexpr const char* Segmenting = "segmenting";       ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting";       ///< whatever is in the room Output
-constexpr const char* Refining = "refining";           ///< RefineTetrahedra
+constexpr const char* Refining = "refining";           ///< RefineTetrahedra, RefineTriangles
 constexpr const char* Measuring = "measuring quality"; ///< QualityOfMesh
 constexpr const char* Writing = "writing";             ///< OutputFile
 } // namespace insideout::Stages

@@ -84,12 +84,35 @@ std::vector<std::array<Id, Size>> Renamed(
   return cells;
 }
 
-/** Of the entries of a face that of the cell which the triangle faces away from, or the first. */
-const FaceEntry& EntryBehind(const FaceTable::Range& entries, bool turned)
+using OuterSides = std::vector<std::array<unsigned char, 4>>;
+
+/** Which sides of cells no other cell has. */
+OuterSides FindOuterSides(const SolidMesh& solid)
 {
-  const auto behind = std::find_if(entries.begin(), entries.end(),
-    [turned](const FaceEntry& entry) { return entry.Turned == turned; });
-  return behind == entries.end() ? *entries.begin() : *behind;
+  OuterSides isOuter(solid.Cells.size());
+  FaceTable(solid.Points.size(), solid.Cells)
+    .ForEach(
+      [&isOuter](const FaceTable::Range& entries, Id)
+      {
+        const FaceEntry& entry = *entries.begin();
+        isOuter[entry.Cell][entry.Face] = entries.Size() == 1;
+      });
+  return isOuter;
+}
+
+/** Of the entries of a face that of the cell which the triangle faces away from, or the first.
+ * Where cells overlap there are more than two: those that no other cell shares come before all
+ * others. */
+const FaceEntry& EntryBehind(
+  const FaceTable::Range& entries, bool turned, const OuterSides& isOuter)
+{
+  const auto rank = [&](const FaceEntry& entry)
+  {
+    return (isOuter.empty() || isOuter[entry.Cell][entry.Face] ? 0 : 2) +
+      (entry.Turned == turned ? 0 : 1);
+  };
+  return *std::min_element(entries.begin(), entries.end(),
+    [&](const FaceEntry& a, const FaceEntry& b) { return rank(a) < rank(b); });
 }
 } // namespace
 
@@ -115,14 +138,7 @@ void CheckCells(const SolidMesh& solid)
 std::vector<CellFace> OuterFaces(const SolidMesh& solid)
 {
   CheckCells(solid);
-  std::vector<std::array<unsigned char, 4>> isOuter(solid.Cells.size());
-  FaceTable(solid.Points.size(), solid.Cells)
-    .ForEach(
-      [&isOuter](const FaceTable::Range& entries, Id)
-      {
-        const FaceEntry& entry = *entries.begin();
-        isOuter[entry.Cell][entry.Face] = entries.Size() == 1;
-      });
+  const OuterSides isOuter = FindOuterSides(solid);
   std::vector<CellFace> faces;
   for (std::size_t c = 0; c < isOuter.size(); ++c)
   {
@@ -143,8 +159,14 @@ std::vector<CellFace> FacesOfTriangles(
   CheckCells(solid);
   CheckTriangles(static_cast<Id>(points.size()), triangles);
   const std::vector<Id> order = OrderByPlace(solid.Points);
-  const FaceTable table(
-    solid.Points.size(), Renamed(solid.Cells, LowestInPlaces(solid.Points, order)));
+  const std::vector<Id> lowest = LowestInPlaces(solid.Points, order);
+  const FaceTable table(solid.Points.size(), Renamed(solid.Cells, lowest));
+  bool hasCopies = false;
+  for (std::size_t p = 0; p < lowest.size(); ++p)
+  {
+    hasCopies = hasCopies || lowest[p] != static_cast<Id>(p);
+  }
+  const OuterSides isOuter = hasCopies ? FindOuterSides(solid) : OuterSides();
 
   std::vector<Id> pointThere(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
@@ -166,7 +188,7 @@ std::vector<CellFace> FacesOfTriangles(
     {
       Refuse(ErrorCode::InvalidParameter, t, "is no face of the solid's cells");
     }
-    const FaceEntry& entry = EntryBehind(entries, sorted.Turned);
+    const FaceEntry& entry = EntryBehind(entries, sorted.Turned, isOuter);
     faces.push_back({ entry.Cell, entry.Face });
   }
   return faces;

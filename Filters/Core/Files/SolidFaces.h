@@ -21,6 +21,7 @@ std::vector<CellFace> OuterFaces(const SolidMesh& solid);
 /**
  * The face that each triangle of a surface is, found by where its corners are: the surface has
  * points of its own. Between two cells it is the face of the one that the triangle faces away from.
+ * Where points stand in one place several times, faces that one cell alone has come first.
  *
  * @throws Error InvalidParameter that names the first triangle that is no face; PointOutOfRange;
  * what CheckCells throws

@@ -73,7 +73,7 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
     kept = facets.Satisfy(labels, monitor, BeforeFacets, BeforeManifold);
   }
   ManifoldConstraint::Outcome filled;
-  if (parameters.ConstrainManifold)
+  if (parameters.FillNonManifold)
   {
     filled = makeManifold(labels, monitor, BeforeManifold, 1);
   }

@@ -15,7 +15,7 @@ struct SegmentMeshParameters
 {
   GraphCutParameters Cut;
   bool ConstrainFacets = false;
-  bool ConstrainManifold = false;
+  bool FillNonManifold = false;
 };
 
 struct MeshSegmentation
@@ -52,7 +52,7 @@ using MakeManifold = std::function<ManifoldConstraint::Outcome(
  * The same on cells of any kind.
  *
  * @param[in] graph without demands, which are those of the seeds
- * @param[in] makeManifold only for ConstrainManifold
+ * @param[in] makeManifold only for FillNonManifold
  */
 MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   const std::vector<FacetPiece>& pieces, const SegmentMeshParameters& parameters,

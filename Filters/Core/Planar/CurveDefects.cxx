@@ -4,7 +4,6 @@
 #include "Common/DisjointSets.h"
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
-#include "Planar/ResolveSegments.h"
 #include "Planar/SegmentMeetings.h"
 
 #include <map>
@@ -79,15 +78,19 @@ std::vector<Id> OpenEnds(const SegmentComplex& curve)
 } // namespace
 
 CurveDefects FindCurveDefects(const SegmentSoup& soup, const Plane& plane,
-  const CountedChainParameters& parameters, Monitor& monitor)
+  const PlanarHullParameters& parameters, Monitor& monitor)
 {
-  const CountedCurve counted = CountSegments(soup, plane, parameters, monitor);
+  const CountedCurve counted = CountSegments(soup, plane, parameters.Chain, monitor);
   const SegmentComplex& curve = counted.Curve;
   const SegmentMeetings meetings = FindSegmentMeetings(
     curve.Points, curve.Segments, {}, monitor, { Stages::FindingIntersections, 0, 1 });
-  const SegmentComplex resolved = ResolveSegments(curve, monitor).Curve;
+  const PlanarHull hull = MeshPlanarHull(soup, plane, parameters, monitor);
+  const SegmentComplex& resolved = hull.Curve;
 
   CurveDefects defects;
+  defects.TurnedSegments = hull.TurnedSegments;
+  defects.Area = EnclosedArea(hull);
+  defects.Warnings = hull.Warnings;
   defects.Counts = counted.Counts;
   defects.IntersectingPairs = meetings.Pairs;
   defects.Segments.resize(soup.Segments.size());

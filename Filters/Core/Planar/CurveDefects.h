@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Planar/CountSegments.h"
+#include "Planar/PlanarHull.h"
 
 namespace insideout
 {
@@ -36,13 +36,16 @@ struct CurveDefects
   std::vector<CurveDefectPoint> Points; ///< by type
   CurveCounts Counts;
   std::size_t IntersectingPairs = 0;
+  std::vector<Id> TurnedSegments; ///< of the soup: turned over as the orientation asks; ascending
+  double Area = 0;                ///< enclosed then (EnclosedArea)
+  std::vector<std::string> Warnings;
 };
 
 /**
  * What is wrong with a curve in a plane, which nothing is changed in.
  *
- * @throws Error what CountSegments and ResolveSegments throw
+ * @throws Error what MeshPlanarHull throws
  */
 CurveDefects FindCurveDefects(const SegmentSoup& soup, const Plane& plane,
-  const CountedChainParameters& parameters, Monitor& monitor);
+  const PlanarHullParameters& parameters, Monitor& monitor);
 } // namespace insideout

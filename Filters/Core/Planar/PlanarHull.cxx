@@ -7,6 +7,7 @@
 #include "Planar/WindingNumberOfTriangles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
@@ -72,5 +73,18 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   statistics.emplace_back("SecondsCDT", meshSeconds);
   statistics.emplace_back("SecondsW", stopwatch.Lap());
   return hull;
+}
+
+double EnclosedArea(const PlanarHull& hull)
+{
+  double area = 0;
+  for (std::size_t c = 0; c < hull.W.size(); ++c)
+  {
+    const auto& [p, q, r] = hull.Mesh.Cells[c];
+    area += hull.W[c] > 0.5
+      ? AreaOf(hull.Curve.Points[p], hull.Curve.Points[q], hull.Curve.Points[r], hull.Plane.Metric)
+      : 0;
+  }
+  return std::ldexp(area, 2 * hull.Plane.Exponent);
 }
 } // namespace insideout

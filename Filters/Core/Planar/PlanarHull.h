@@ -37,4 +37,7 @@ struct PlanarHull
  */
 PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   const PlanarHullParameters& parameters, Monitor& monitor);
+
+/** The area where w is above 1/2, in the units of the input. */
+double EnclosedArea(const PlanarHull& hull);
 } // namespace insideout

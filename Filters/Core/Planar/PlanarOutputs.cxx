@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/PlanarOutputs.h"
 
+#include "Output/PartCells.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -111,6 +113,22 @@ std::vector<std::vector<Id>> JoinAlong(
   }
   std::sort(lines.begin(), lines.end());
   return lines;
+}
+
+Id SplitPoints(SegmentComplex& curve, PlanarMesh& mesh, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress)
+{
+  const std::size_t before = curve.Points.size();
+  PartedCells<3> parted = PartCells(
+    mesh.Cells, mesh.Neighbors, inside, std::vector<unsigned char>(before, 1), monitor, progress);
+  mesh.Cells = std::move(parted.Cells);
+  for (std::size_t p = before; p < parted.Places.size(); ++p)
+  {
+    const Id place = parted.Places[p];
+    curve.Points.push_back(PlanarPoint(curve.Points[place]));
+    curve.Origins.push_back(PointOrigin(curve.Origins[place]));
+  }
+  return static_cast<Id>(parted.Places.size() - before);
 }
 
 SolidRegions FindRegions(const PlanarMesh& mesh, const std::vector<unsigned char>& inside,

@@ -49,6 +49,17 @@ std::vector<OutlierSegment> OutlierSegments(
 std::vector<std::vector<Id>> JoinAlong(
   const std::vector<Segment>& segments, const std::vector<Id>& keys);
 
+/**
+ * Copy points in which triangles inside touch, and no edges lead from one to the other around them
+ * (PartCells): at every point of the boundary two of its edges end then.
+ *
+ * @param[in,out] curve gains the copies as its last points
+ * @return how many there are
+ * @throws Error Stopped
+ */
+Id SplitPoints(SegmentComplex& curve, PlanarMesh& mesh, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress);
+
 /** Parts of the solid that edges connect. */
 SolidRegions FindRegions(const PlanarMesh& mesh, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Planar/SegmentTriangles.h"
 
-#include "Common/BoxTree.h"
-#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "Planar/PlanarManifold.h"
+#include "Planar/TriangleLocator.h"
 
 #include <algorithm>
 
@@ -12,48 +11,17 @@ namespace insideout
 {
 namespace
 {
-Point Flat(const PlanarPoint& p)
-{
-  return { { p[0], p[1], 0 } };
-}
-
-/** Whether the point lies in the cell or on its boundary. */
-bool Contains(const std::vector<PlanarPoint>& points, const Triangle& cell, const PlanarPoint& p)
-{
-  return Orient2D(points[cell[0]], points[cell[1]], p) >= 0 &&
-    Orient2D(points[cell[1]], points[cell[2]], p) >= 0 &&
-    Orient2D(points[cell[2]], points[cell[0]], p) >= 0;
-}
-
 SeededCells FindSeededTriangles(const std::vector<PlanarPoint>& points, const PlanarMesh& mesh,
   const Plane& plane, const std::vector<Seed>& seeds)
 {
-  std::vector<Box> boxes;
-  for (std::size_t c = 0; !seeds.empty() && c < mesh.Cells.size(); ++c)
+  if (seeds.empty())
   {
-    Box box = Box::Empty();
-    for (const Id p : mesh.Cells[c])
-    {
-      box.Add(Flat(points[p]));
-    }
-    boxes.push_back(box);
+    return FindSeededCells(seeds, mesh.NumberOfCells(), [](const Point&) { return None; });
   }
-  const BoxTree tree(std::move(boxes));
+  const TriangleLocator cells(points, mesh);
   return FindSeededCells(seeds, mesh.NumberOfCells(),
     [&](const Point& seed)
-    {
-      const PlanarPoint place = plane.Project(plane.Foot(seed));
-      Id found = None;
-      tree.Visit({ Flat(place), Flat(place) },
-        [&](Id cell)
-        {
-          if ((found == None || cell < found) && Contains(points, mesh.Cells[cell], place))
-          {
-            found = cell;
-          }
-        });
-      return found;
-    });
+    { return cells.Find(plane.Project(plane.Foot(seed)), [](Id) { return true; }); });
 }
 
 std::vector<double> CellAreas(

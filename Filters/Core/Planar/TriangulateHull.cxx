@@ -6,8 +6,8 @@
 #include "Common/Error.h"
 #include "Common/Kernel.h"
 #include "Common/LoopProgress.h"
-#include "Common/Numbers.h"
 #include "Common/Stages.h"
+#include "Planar/SideOfCircle.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -19,56 +19,26 @@ namespace insideout
 {
 namespace
 {
-/** Circles of a metric: by its squared lengths xx dx dx + 2 xy dx dy + yy dy dy, exactly. */
-struct SideOfCircle
-{
-  double XX;
-  double XY;
-  double YY;
-
-  template <typename Number>
-  CGAL::Sign Sign(const std::array<const Kernel::Point_2*, 4>& points) const
-  {
-    std::array<std::array<Number, 3>, 3> rows;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Number x = Number(points[k]->x()) - Number(points[3]->x());
-      const Number y = Number(points[k]->y()) - Number(points[3]->y());
-      rows[k] = { { x, y,
-        Number(this->XX) * x * x + Number(2 * this->XY) * x * y + Number(this->YY) * y * y } };
-    }
-    return CGAL::sign(rows[0][0] * (rows[1][1] * rows[2][2] - rows[1][2] * rows[2][1]) -
-      rows[0][1] * (rows[1][0] * rows[2][2] - rows[1][2] * rows[2][0]) +
-      rows[0][2] * (rows[1][0] * rows[2][1] - rows[1][1] * rows[2][0]));
-  }
-
-  CGAL::Oriented_side operator()(const Kernel::Point_2& a, const Kernel::Point_2& b,
-    const Kernel::Point_2& c, const Kernel::Point_2& d) const
-  {
-    const std::array<const Kernel::Point_2*, 4> points{ { &a, &b, &c, &d } };
-    try
-    {
-      const IntervalRounding rounding;
-      return this->Sign<Interval>(points);
-    }
-    catch (const CGAL::Uncertain_conversion_exception&)
-    {
-      return this->Sign<DyadicNumber>(points);
-    }
-  }
-};
-
 /** The plane with another measure of circles; all else is the kernel's. */
 struct MetricTraits : Kernel
 {
-  using Side_of_oriented_circle_2 = SideOfCircle;
+  struct Side_of_oriented_circle_2
+  {
+    CGAL::Oriented_side operator()(const Kernel::Point_2& a, const Kernel::Point_2& b,
+      const Kernel::Point_2& c, const Kernel::Point_2& d) const
+    {
+      const auto place = [](const Kernel::Point_2& p) { return PlanarPoint{ p.x(), p.y() }; };
+      return static_cast<CGAL::Oriented_side>(this->Circle(place(a), place(b), place(c), place(d)));
+    }
+
+    SideOfCircle Circle;
+  };
 
   explicit MetricTraits(const PlanarMetric& metric = PlanarMetric())
-    : Circle{ metric.XX * metric.XX, metric.XX * metric.XY,
-      metric.XY * metric.XY + metric.YY * metric.YY }
+    : Circle(metric)
   {
   }
-  SideOfCircle side_of_oriented_circle_2_object() const { return this->Circle; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return { this->Circle }; }
 
   SideOfCircle Circle;
 };

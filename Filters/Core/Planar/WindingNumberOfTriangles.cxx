@@ -3,7 +3,6 @@
 
 #include "Common/ChunkedLoop.h"
 #include "Common/LoopProgress.h"
-#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "Planar/CountSegments.h"
 #include "WindingNumber/PolylineWindingNumber.h"
@@ -51,21 +50,6 @@ std::vector<double> Walk(const SegmentComplex& curve, const PlanarMesh& mesh, Mo
   return w;
 }
 
-double AtBarycentre(const PolylineWindingNumber& w, const std::array<PlanarPoint, 3>& corners)
-{
-  PlanarPoint middle;
-  for (int k = 0; k < 2; ++k)
-  {
-    middle[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3; // coordinates are below 1
-  }
-  bool isWithin = true;
-  for (int k = 0; k < 3; ++k)
-  {
-    isWithin = isWithin && Orient2D(corners[k], corners[(k + 1) % 3], middle) > 0;
-  }
-  return isWithin ? w.At(middle) : w.AtMean(corners[0], corners[1], corners[2]);
-}
-
 std::vector<double> Evaluate(
   const SegmentComplex& curve, const PlanarMesh& mesh, const PlanarMetric& metric, Monitor& monitor)
 {
@@ -91,9 +75,8 @@ std::vector<double> Evaluate(
     [&](Id i)
     {
       const Id cell = order[i];
-      const Triangle& corners = mesh.Cells[cell];
-      w[cell] = AtBarycentre(number,
-        { { curve.Points[corners[0]], curve.Points[corners[1]], curve.Points[corners[2]] } });
+      const auto& [a, b, c] = mesh.Cells[cell];
+      w[cell] = number.AtMean(curve.Points[a], curve.Points[b], curve.Points[c]);
     });
   return w;
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindingNumber/ArgumentSum.h"
 
-#include "WindingNumber/Pi.h"
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace insideout
 {
@@ -28,6 +24,18 @@ constexpr std::size_t MostTerms = 32;
 constexpr double LeastDistance = 1e-140;
 } // namespace
 
+CountsAbove::CountsAbove(std::vector<std::pair<double, double>> counted)
+  : Counted(std::move(counted))
+{
+  std::sort(this->Counted.begin(), this->Counted.end());
+  double sum = 0;
+  for (auto one = this->Counted.rbegin(); one != this->Counted.rend(); ++one)
+  {
+    sum += one->second;
+    one->second = sum;
+  }
+}
+
 ArgumentSum::ArgumentSum(std::vector<CountedPlace> places, const PlanarMetric& metric)
   : Places(std::move(places))
   , Metric(metric)
@@ -38,9 +46,9 @@ ArgumentSum::ArgumentSum(std::vector<CountedPlace> places, const PlanarMetric& m
   }
 }
 
-ArgumentSum::Complex ArgumentSum::Direction(const PlanarPoint& to, const PlanarPoint& from) const
+ArgumentSum::Complex ArgumentSum::Direction(const PlanarPoint& offset) const
 {
-  const PlanarPoint mapped = this->Metric.Map({ to[0] - from[0], to[1] - from[1] });
+  const PlanarPoint mapped = this->Metric.Map(offset);
   return { mapped[0] + 0.0, mapped[1] + 0.0 }; // adding 0: no -0
 }
 
@@ -58,21 +66,26 @@ void ArgumentSum::Build(std::size_t begin, std::size_t end)
     }
   }
   Node node = { { low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2 }, 0, 0, begin, end, 0,
-    this->Moments.size() };
+    this->Moments.size(), {} };
+  std::vector<std::pair<double, double>> heights;
   this->Moments.resize(this->Moments.size() + MostTerms);
   for (std::size_t i = begin; i < end; ++i)
   {
-    const Complex offset = this->Direction(this->Places[i].Place, node.Center);
+    const auto& [place, count] = this->Places[i];
+    const Complex offset =
+      this->Direction({ place[0] - node.Center[0], place[1] - node.Center[1] });
+    heights.emplace_back(place[1], count);
     node.Radius = std::max(node.Radius, std::abs(offset));
-    node.Count += this->Places[i].Count;
-    Complex power = this->Places[i].Count;
+    node.Count += count;
+    Complex power = count;
     for (std::size_t k = 0; k < MostTerms; ++k)
     {
       power *= -offset;
       this->Moments[node.Moments + k] -= power / static_cast<double>(k + 1);
     }
   }
-  this->Nodes.push_back(node);
+  node.Above = CountsAbove(std::move(heights));
+  this->Nodes.push_back(std::move(node));
   if (end - begin > LeafSize)
   {
     const int axis = high[0] - low[0] > high[1] - low[1] ? 0 : 1;
@@ -88,7 +101,24 @@ void ArgumentSum::Build(std::size_t begin, std::size_t end)
   this->Nodes[index].Next = this->Nodes.size();
 }
 
-/** Of a node whose center is in a direction. */
+/** How many terms a node's series needs, whose center is in a direction; 0 where it is too near. */
+int ArgumentSum::TermsFor(const Node& node, const Complex& center)
+{
+  const double distance = std::sqrt(std::norm(center));
+  const auto precision = std::find_if(Precisions.begin(), Precisions.end(),
+    [&](const Precision& one)
+    { return distance > std::max(one.Radii * node.Radius, LeastDistance); });
+  return precision == Precisions.end() ? 0 : precision->Terms;
+}
+
+/** Whether a node that is far away surely does not meet the ray. One that may is all to the left.
+ */
+bool ArgumentSum::IsBesideRay(const Node& node, const Complex& center)
+{
+  return center.real() > 0 || std::abs(center.imag()) > 2 * node.Radius;
+}
+
+/** Of a node whose center is in a direction, as if its arguments were near that of the center. */
 double ArgumentSum::FarField(const Node& node, const Complex& center, int terms) const
 {
   const Complex inverse = std::conj(center) / std::norm(center);
@@ -103,36 +133,5 @@ double ArgumentSum::FarField(const Node& node, const Complex& center, int terms)
     im = x * inverse.imag() + y * inverse.real();
   }
   return node.Count * std::atan2(center.imag(), center.real()) + im;
-}
-
-double ArgumentSum::At(const PlanarPoint& p) const
-{
-  double sum = 0;
-  for (std::size_t n = 0; n < this->Nodes.size();)
-  {
-    const Node& node = this->Nodes[n];
-    const Complex center = this->Direction(node.Center, p);
-    const double distance = std::sqrt(std::norm(center));
-    const bool isAwayFromJump = center.real() > 0 || std::abs(center.imag()) > node.Radius;
-    const auto precision = std::find_if(Precisions.begin(), Precisions.end(),
-      [&](const Precision& one)
-      { return distance > std::max(one.Radii * node.Radius, LeastDistance); });
-    if (isAwayFromJump && precision != Precisions.end())
-    {
-      sum += this->FarField(node, center, precision->Terms);
-      n = node.Next;
-      continue;
-    }
-    if (node.Next == n + 1) // a leaf
-    {
-      for (std::size_t i = node.Begin; i < node.End; ++i)
-      {
-        const Complex direction = this->Direction(this->Places[i].Place, p);
-        sum += this->Places[i].Count * std::atan2(direction.imag(), direction.real());
-      }
-    }
-    ++n;
-  }
-  return sum / (2 * Pi);
 }
 } // namespace insideout

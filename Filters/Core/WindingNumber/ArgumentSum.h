@@ -2,8 +2,12 @@
 #pragma once
 
 #include "Common/PlanarPoint.h"
+#include "WindingNumber/Pi.h"
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
 
 namespace insideout
@@ -15,14 +19,37 @@ struct CountedPlace
   double Count;
 };
 
+/** Heights, and how much counts at and above each: for rays to the left, which go between them. */
+class CountsAbove
+{
+public:
+  CountsAbove() = default;
+
+  /** @param[in] counted heights and counts */
+  explicit CountsAbove(std::vector<std::pair<double, double>> counted);
+
+  /** What counts at or above a place, by place.IsAtOrAbove(height), exactly. */
+  template <typename Place>
+  double At(const Place& place) const
+  {
+    const auto first = std::partition_point(this->Counted.begin(), this->Counted.end(),
+      [&](const std::pair<double, double>& one) { return !place.IsAtOrAbove(one.first); });
+    return first == this->Counted.end() ? 0 : first->second;
+  }
+
+private:
+  std::vector<std::pair<double, double>> Counted; ///< ascending, with the sum from there on
+};
+
 /**
  * The sum of counted arguments of the directions to places, each in (-pi, pi] and 0 where the place
  * is the point itself, over 2 pi.
  *
  * The argument is the imaginary part of the logarithm, whose far field is a series in the inverse
  * of the distance (Greengard and Rokhlin 1987). In a tree of places, one that is far from the point
- * and does not meet the ray to its left, where the argument jumps, is such a series, cut off behind
- * a double's last digit. What is near is summed place by place.
+ * is such a series, cut off behind a double's last digit. Where it meets the ray to the left, on
+ * which the argument jumps, the places on the one side of the ray are a whole turn off: how many
+ * these are is found among their heights. What is near is summed place by place.
  */
 class ArgumentSum
 {
@@ -31,8 +58,42 @@ public:
   ArgumentSum() = default;
   ArgumentSum(std::vector<CountedPlace> places, const PlanarMetric& metric);
 
-  /** Safe to call from several threads. */
-  double At(const PlanarPoint& p) const;
+  /**
+   * Safe to call from several threads.
+   *
+   * @param[in] from where to: from.Offset(p) is from there to p, each coordinate but for its own
+   *   rounding, and from.IsAtOrAbove(y) whether a height is, exactly
+   */
+  template <typename From>
+  double At(const From& from) const
+  {
+    double sum = 0;
+    double turns = 0;
+    for (std::size_t n = 0; n < this->Nodes.size();)
+    {
+      const Node& node = this->Nodes[n];
+      const Complex center = this->Direction(from.Offset(node.Center));
+      if (const int terms = TermsFor(node, center); terms > 0)
+      {
+        sum += this->FarField(node, center, terms);
+        turns += IsBesideRay(node, center) ? 0
+          : center.imag() >= 0             ? node.Above.At(from) - node.Count
+                                           : node.Above.At(from);
+        n = node.Next;
+        continue;
+      }
+      if (node.Next == n + 1) // a leaf
+      {
+        for (std::size_t i = node.Begin; i < node.End; ++i)
+        {
+          const Complex direction = this->Direction(from.Offset(this->Places[i].Place));
+          sum += this->Places[i].Count * std::atan2(direction.imag(), direction.real());
+        }
+      }
+      ++n;
+    }
+    return sum / (2 * Pi) + turns;
+  }
 
 private:
   using Complex = std::complex<double>;
@@ -46,10 +107,13 @@ private:
     std::size_t End;
     std::size_t Next;    ///< the node to go on with where this one is passed over
     std::size_t Moments; ///< of the series, where they begin
+    CountsAbove Above;   ///< of all places
   };
 
   void Build(std::size_t begin, std::size_t end);
-  Complex Direction(const PlanarPoint& to, const PlanarPoint& from) const;
+  Complex Direction(const PlanarPoint& offset) const;
+  static int TermsFor(const Node& node, const Complex& center);
+  static bool IsBesideRay(const Node& node, const Complex& center);
   double FarField(const Node& node, const Complex& center, int terms) const;
 
   std::vector<CountedPlace> Places;

@@ -2,6 +2,7 @@
 #include "WindingNumber/PolylineWindingNumber.h"
 
 #include "Common/ChunkedLoop.h"
+#include "Common/DoubleDouble.h"
 #include "Common/Numbers.h"
 #include "Common/PointPredicates.h"
 #include "Common/Stages.h"
@@ -24,7 +25,11 @@ struct RoundPlace
 
   PlanarPoint Low() const { return this->Rounded; }
   PlanarPoint High() const { return this->Rounded; }
-  bool IsAtOrAbove(const PlanarPoint& a) const { return a[1] >= this->Rounded[1]; }
+  bool IsAtOrAbove(double height) const { return height >= this->Rounded[1]; }
+  PlanarPoint Offset(const PlanarPoint& a) const
+  {
+    return { a[0] - this->Rounded[0], a[1] - this->Rounded[1] };
+  }
   int Side(const PlanarPoint& a, const PlanarPoint& b) const
   {
     return Orient2D(a, b, this->Rounded);
@@ -35,6 +40,67 @@ struct RoundPlace
     return std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
       std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]);
   }
+};
+
+/** A place in twice the digits of a double: nearer to the mean of three points than any open end.
+ */
+struct FinePlace
+{
+  explicit FinePlace(const std::array<PlanarPoint, 3>& points)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      const DoubleDouble sum = TwoSum(points[0][k], points[1][k]) + DoubleDouble(points[2][k]);
+      const double third = sum.High / 3;
+      const DoubleDouble rest = sum - DoubleDouble(third) * DoubleDouble(3);
+      const DoubleDouble mean = QuickTwoSum(third, rest.High / 3);
+      this->Rounded[k] = mean.High;
+      this->Rest[k] = mean.Low;
+    }
+  }
+
+  PlanarPoint Low() const { return this->Next(-1); }
+  PlanarPoint High() const { return this->Next(1); }
+  PlanarPoint Next(double sign) const
+  {
+    const double far = sign * std::numeric_limits<double>::infinity();
+    return { std::nextafter(this->Rounded[0], far), std::nextafter(this->Rounded[1], far) };
+  }
+  PlanarPoint Offset(const PlanarPoint& a) const
+  {
+    return { this->Beyond(a[0], 0), this->Beyond(a[1], 1) };
+  }
+
+  /** How far a coordinate is beyond this place's: near it the first difference is exact. */
+  double Beyond(double a, int k) const { return (a - this->Rounded[k]) - this->Rest[k]; }
+  bool IsAtOrAbove(double height) const { return this->Beyond(height, 1) >= 0; }
+  int Side(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const double along = (b[0] - a[0]) * this->Beyond(a[1], 1);
+    const double across = (b[1] - a[1]) * this->Beyond(a[0], 0);
+    // Of seven roundings, each half a unit in the last place; and where products underflow.
+    const double bound =
+      8 * std::numeric_limits<double>::epsilon() * (std::abs(along) + std::abs(across)) +
+      std::numeric_limits<double>::min();
+    if (std::abs(across - along) > bound)
+    {
+      return across > along ? 1 : -1;
+    }
+    const auto beyond = [&](int k)
+    { return DyadicNumber(a[k]) - this->Rounded[k] - DyadicNumber(this->Rest[k]); };
+    return CGAL::sign(
+      (DyadicNumber(b[1]) - a[1]) * beyond(0) - (DyadicNumber(b[0]) - a[0]) * beyond(1));
+  }
+  bool IsInBox(const PlanarPoint& a, const PlanarPoint& b) const
+  {
+    const PlanarPoint u = this->Offset(a);
+    const PlanarPoint v = this->Offset(b);
+    return std::min(u[0], v[0]) <= 0 && std::max(u[0], v[0]) >= 0 && std::min(u[1], v[1]) <= 0 &&
+      std::max(u[1], v[1]) >= 0;
+  }
+
+  PlanarPoint Rounded;
+  PlanarPoint Rest;
 };
 
 /** The mean of three points, exactly: everything is asked of three times it. */
@@ -63,24 +129,27 @@ struct MeanPlace
     return { this->Rounded[0] + sign * (few * this->Size + least),
       this->Rounded[1] + sign * (few * this->Size + least) };
   }
-  bool IsAtOrAbove(const PlanarPoint& a) const { return this->Compare(a, 1) >= 0; }
+  bool IsAtOrAbove(double height) const { return this->Compare(height, 1) >= 0; }
+  PlanarPoint Offset(const PlanarPoint& a) const
+  {
+    return { CGAL::to_double(this->Beyond(a[0], 0)) / 3,
+      CGAL::to_double(this->Beyond(a[1], 1)) / 3 };
+  }
   int Side(const PlanarPoint& a, const PlanarPoint& b) const
   {
-    const auto beyond = [&](int k) { return this->Sum[k] - DyadicNumber(a[k]) * 3; };
     const auto along = [&](int k) { return DyadicNumber(b[k]) - a[k]; };
-    return CGAL::sign(along(0) * beyond(1) - along(1) * beyond(0));
+    return CGAL::sign(along(1) * this->Beyond(a[0], 0) - along(0) * this->Beyond(a[1], 1));
   }
   bool IsInBox(const PlanarPoint& a, const PlanarPoint& b) const
   {
-    return this->Compare(a, 0) * this->Compare(b, 0) <= 0 &&
-      this->Compare(a, 1) * this->Compare(b, 1) <= 0;
+    return this->Compare(a[0], 0) * this->Compare(b[0], 0) <= 0 &&
+      this->Compare(a[1], 1) * this->Compare(b[1], 1) <= 0;
   }
 
-  /** The sign of a coordinate of a point less that of the mean. */
-  int Compare(const PlanarPoint& a, int k) const
-  {
-    return CGAL::sign(DyadicNumber(a[k]) * 3 - this->Sum[k]);
-  }
+  int Compare(double a, int k) const { return CGAL::sign(this->Beyond(a, k)); }
+
+  /** Three times how far a coordinate of a point is beyond that of the mean. */
+  DyadicNumber Beyond(double a, int k) const { return DyadicNumber(a) * 3 - this->Sum[k]; }
 
   PlanarPoint Rounded;
   std::array<DyadicNumber, 2> Sum;
@@ -161,8 +230,13 @@ void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
   node.Begin = begin;
   node.End = end;
   node.Right = 0;
-  node.LooseEnds = this->LooseEndsOf(begin, end);
-  this->Nodes.push_back(node);
+  std::vector<std::pair<double, double>> heights;
+  for (const LooseEnd& loose : this->LooseEndsOf(begin, end))
+  {
+    heights.emplace_back(this->Points[loose.Point][1], static_cast<double>(loose.Count));
+  }
+  node.LooseEnds = CountsAbove(std::move(heights));
+  this->Nodes.push_back(std::move(node));
   if (end - begin <= LeafSize)
   {
     return;
@@ -181,24 +255,13 @@ void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
   this->Build(middle, end);
 }
 
-/** Of the direction from p to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal. */
-double PolylineWindingNumber::Argument(Id point, const PlanarPoint& p) const
-{
-  const PlanarPoint& a = this->Points[point];
-  const PlanarPoint direction = this->Metric.Map({ a[0] - p[0], a[1] - p[1] });
-  return std::atan2(direction[1] + 0.0, direction[0] + 0.0) / (2 * Pi); // adding 0: no -0
-}
-
-/** The crossings of segments that all pass to the left of p follow from their loose ends. */
+/** Of the direction from a place to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal.
+ */
 template <typename Place>
-double PolylineWindingNumber::WhollyLeft(const Node& node, const Place& place) const
+double PolylineWindingNumber::Argument(Id point, const Place& place) const
 {
-  std::int64_t sum = 0;
-  for (const LooseEnd& end : node.LooseEnds)
-  {
-    sum -= place.IsAtOrAbove(this->Points[end.Point]) ? end.Count : 0;
-  }
-  return static_cast<double>(sum);
+  const PlanarPoint direction = this->Metric.Map(place.Offset(this->Points[point]));
+  return std::atan2(direction[1] + 0.0, direction[0] + 0.0) / (2 * Pi); // adding 0: no -0
 }
 
 /** What the segment adds to the differences of arguments; where p lies on it, these cancel. */
@@ -207,8 +270,8 @@ double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Plac
 {
   const PlanarPoint& a = this->Points[segment.From];
   const PlanarPoint& b = this->Points[segment.To];
-  const bool fromAbove = place.IsAtOrAbove(a);
-  const bool toAbove = place.IsAtOrAbove(b);
+  const bool fromAbove = place.IsAtOrAbove(a[1]);
+  const bool toAbove = place.IsAtOrAbove(b[1]);
   const bool inBox = place.IsInBox(a, b);
   if (fromAbove == toAbove && !inBox)
   {
@@ -217,8 +280,8 @@ double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Plac
   const int side = place.Side(a, b);
   if (side == 0 && inBox)
   {
-    const PlanarPoint& p = place.Rounded;
-    return -segment.Count * (this->Argument(segment.To, p) - this->Argument(segment.From, p));
+    return -segment.Count *
+      (this->Argument(segment.To, place) - this->Argument(segment.From, place));
   }
   if (fromAbove && !toAbove && side > 0)
   {
@@ -232,7 +295,7 @@ double PolylineWindingNumber::AtPlace(const Place& place) const
 {
   const PlanarPoint low = place.Low();
   const PlanarPoint high = place.High();
-  double w = this->Arguments.At(place.Rounded);
+  double w = this->Arguments.At(place);
   std::vector<std::size_t> stack;
   if (!this->Nodes.empty())
   {
@@ -247,9 +310,9 @@ double PolylineWindingNumber::AtPlace(const Place& place) const
     {
       continue;
     }
-    if (node.High[0] < low[0] && node.LooseEnds.size() < 2 * (node.End - node.Begin))
+    if (node.High[0] < low[0] && node.Right != 0)
     {
-      w += this->WhollyLeft(node, place);
+      w -= node.LooseEnds.At(place); // all to the left: their crossings follow from loose ends
     }
     else if (node.Right == 0)
     {
@@ -275,7 +338,10 @@ double PolylineWindingNumber::At(const PlanarPoint& p) const
 double PolylineWindingNumber::AtMean(
   const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const
 {
-  return this->AtPlace(MeanPlace(std::array<PlanarPoint, 3>{ { a, b, c } }));
+  const std::array<PlanarPoint, 3> corners{ { a, b, c } };
+  const FinePlace place(corners);
+  const bool isWithin = place.Side(a, b) > 0 && place.Side(b, c) > 0 && place.Side(c, a) > 0;
+  return isWithin ? this->AtPlace(place) : this->AtPlace(MeanPlace(corners));
 }
 
 std::vector<double> PolylineWindingNumber::At(

@@ -44,7 +44,11 @@ public:
   /** At one finite point. Safe to call from several threads. */
   double At(const PlanarPoint& p) const;
 
-  /** At the mean of three finite points, the exact one, which may be no double. Slower. */
+  /**
+   * At the mean of three finite points that run counter-clockwise, which need not be a double: on
+   * the right side of each segment, exactly, and in angles but for rounding, however near open ends
+   * are.
+   */
   double AtMean(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const;
 
   /**
@@ -70,14 +74,13 @@ private:
     std::size_t Begin; ///< of its segments
     std::size_t End;
     std::size_t Right; ///< its second child, 0 for a leaf; the first one is the next node
-    std::vector<LooseEnd> LooseEnds;
+    CountsAbove LooseEnds;
   };
 
   void Build(std::size_t begin, std::size_t end);
   std::vector<LooseEnd> LooseEndsOf(std::size_t begin, std::size_t end) const;
-  double Argument(Id point, const PlanarPoint& p) const;
   template <typename Place>
-  double WhollyLeft(const Node& node, const Place& place) const;
+  double Argument(Id point, const Place& place) const;
   template <typename Place>
   double Crossing(const CountedSegment& segment, const Place& place) const;
   template <typename Place>

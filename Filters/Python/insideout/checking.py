@@ -9,7 +9,7 @@ from typing import Any, Mapping, Optional, Sequence
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .data import AnySurface, as_surface
-from .defects import DEFECTS, Defect
+from .defects import DEFECTS, PLANAR_DEFECTS, Defect
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, run, statistics_of
 from .results import Result
@@ -36,13 +36,15 @@ class Check(Result):
     surface: vtkPolyData
     """The surface with what is wrong marked per cell."""
     lines: vtkPolyData
-    """Open, non-manifold and inconsistent edges and intersection curves, told apart by DefectType."""
+    """Open, non-manifold and inconsistent edges and intersection curves, told apart by DefectType; of lines their open ends,
+    crossings and T-junctions, as vertices."""
     statistics: dict[str, float]
     """Counts by name."""
     findings: list[Finding]
     """What is wrong, with what matters first; empty when nothing is."""
     shell_volumes: list[float]
-    """What each shell of the surface encloses: negative for a cavity, 0 for a sheet. The cell array ShellId tells them apart."""
+    """What each shell of the surface encloses: negative for a cavity, 0 for a sheet. The cell array ShellId tells them apart.
+    Empty for lines."""
     verdict: str
     """Whether it bounds a solid, in one sentence: "bounds a solid of volume 2 after turning 1 of 2 shells over"."""
     warnings: list[str]
@@ -68,7 +70,7 @@ def check(
     merge_tolerance: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
-    """What is wrong with a surface. Nothing is changed or cut; what would be turned over is marked.
+    """What is wrong with a surface, or with lines in a plane. Nothing is changed or cut; what would be turned over is marked.
 
     surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     progress  called with the stage and the fraction of all the work that is done
@@ -81,8 +83,6 @@ def check(
     options = Options.among(locals())
     marker = options.set_on(vtkSurfaceDefects())
     polygons, warnings = as_surface(surface, options.scale)
-    if polygons.GetNumberOfLines() > 0 and polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0:
-        raise Error("the surface has no polygons, only lines, whose defects the class vtkSurfaceDefects marks")
     marker.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(marker, progress))
     add_statistic("Scale", options.factor(), marker.GetOutput())
@@ -94,7 +94,7 @@ def check(
         lines=marker.GetLines(),
         statistics=statistics,
         findings=findings,
-        shell_volumes=[volumes.GetValue(shell) for shell in range(volumes.GetNumberOfValues())],
+        shell_volumes=[volumes.GetValue(shell) for shell in range(volumes.GetNumberOfValues())] if volumes else [],
         verdict=verdict(statistics),
         warnings=warnings,
     )
@@ -102,6 +102,8 @@ def check(
 
 def find(statistics: Mapping[str, float]) -> list[Finding]:
     """What is wrong by the counts of vtkSurfaceDefects, with what matters first."""
+    if statistics.get("Dimension", 3) == 2:
+        return find_among(PLANAR_DEFECTS, statistics)
     planar = Finding("the surface lies in one plane", True, "it bounds no volume: it becomes triangles in two dimensions")
     return [*([planar] if statistics["Planar"] else []), *find_among(DEFECTS, statistics)]
 

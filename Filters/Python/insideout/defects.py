@@ -63,11 +63,22 @@ DEFECTS = (
 
 # In two dimensions.
 PLANAR_DEFECTS = (
-    Defect("OpenEnds", "open end", "open ends"),
-    Defect("IntersectingPairs", "intersecting pair", "intersecting pairs"),
-    Defect("TurnedSegments", "segment that runs the wrong way", "segments that run the wrong way"),
-    Defect("DuplicateSegments", "duplicate segment", "duplicate segments"),
-    Defect("CancelledSegments", "segment cancelled by its opposite", "segments cancelled by their opposites"),
-    Defect("DegenerateSegments", "degenerate segment", "degenerate segments"),
+    Defect(
+        *("OpenEnds", "open end", "open ends"),
+        "gaps are closed where the winding number passes 1/2; look at the result where they are large",
+    ),
+    Defect("IntersectingPairs", "intersecting pair", "intersecting pairs", "segments are cut where they meet, exactly"),
+    Defect("Crossings", "crossing", "crossings", "each becomes a point of the mesh"),
+    Defect("TJunctions", "T-junction", "T-junctions", "the segment that the point lies within is cut there"),
+    Defect(
+        *("TurnedSegments", "segment that runs the wrong way", "segments that run the wrong way"),
+        "turned over, as far as can be told from what they enclose; holes are left",
+    ),
+    Defect("DuplicateSegments", "duplicate segment", "duplicate segments", "segments count once per direction"),
+    Defect(
+        *("CancelledSegments", "segment cancelled by its opposite", "segments cancelled by their opposites"),
+        "such segments shape the mesh but bound nothing",
+    ),
+    Defect("DegenerateSegments", "degenerate segment", "degenerate segments", "without length, and left out"),
     Defect("LeftOutSegments", "segment that could not be resolved", "segments that could not be resolved"),
 )

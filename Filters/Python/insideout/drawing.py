@@ -25,6 +25,7 @@ def draw(
     picture: Path,
     *,
     up: Optional[str] = None,
+    row: bool = False,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
@@ -36,6 +37,7 @@ def draw(
     picture  the file's name
     up       which axis is up, "x", "y" or "z"; if it is not given z for a .stl file, otherwise y, or z where
              the surface is longer along it by a tenth
+    row      a whole row of a contact sheet: the solid's boundary, and its tetrahedra in slices, as well
 
     {options}
 
@@ -55,7 +57,7 @@ def draw(
         _write_panels(picture, curve=as_surface(surface, scale)[0], hull=hull, up=up)
         return
     checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
-    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up)
+    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up, row=row)
 
 
 def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:

@@ -19,6 +19,9 @@ PHYSICAL, GEOMETRICAL, ENTITIES = "gmsh:physical", "gmsh:geometrical", "gmsh:dim
 EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
 """Of a tetrahedron, in the order in which its midpoints stand."""
 
+FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
+"""Of a tetrahedron, as VTK numbers them."""
+
 
 def import_meshio() -> Any:
     """The module. Raises `Error` that says what to do where it is not installed."""
@@ -50,7 +53,7 @@ def mesh_of_solid(solid: Tetrahedra, boundary: TriangleSurface) -> Any:
     """Tetrahedra and the triangles of their boundary as one meshio.Mesh: see Tetrahedralization.to_meshio."""
     meshio = import_meshio()
     kind, nodes = solid.kind(), solid.cells
-    triangles = _points_there(solid.points, boundary.points)[boundary.triangles]
+    triangles = _triangles_there(solid, boundary)
     if kind == "tetra10":
         triangles = np.hstack([triangles, _midpoints(nodes, triangles)])
     groups = (
@@ -110,6 +113,23 @@ def _points_there(points: NDArray[np.float64], others: NDArray[np.float64]) -> N
     if (found < 0).any():
         raise Error(f"point {int(np.argmax(found < 0))} of the boundary is no point of the solid")
     return found
+
+
+def _triangles_there(solid: Tetrahedra, boundary: TriangleSurface) -> NDArray[np.int64]:
+    """The boundary's triangles by points of the solid. Where several stand in a place those are taken that a face of one cell has."""
+    triangles = _points_there(solid.points, boundary.points)[boundary.triangles]
+    lowest = _points_there(solid.points, solid.points)
+    if (lowest == np.arange(len(lowest))).all():
+        return triangles
+    faces = solid.cells[:, np.array(FACES)].reshape(-1, 3)
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    alone = faces[first[count == 1]]
+    outer = {tuple(sorted(places)): dict(zip(places, face)) for places, face in zip(lowest[alone].tolist(), alone.tolist())}
+    for triangle in triangles:
+        points = outer.get(tuple(sorted(triangle.tolist())))
+        if points is not None:
+            triangle[:] = [points[place] for place in triangle.tolist()]
+    return triangles
 
 
 def _midpoints(nodes: NDArray[np.int64], triangles: NDArray[np.int64]) -> NDArray[np.int64]:

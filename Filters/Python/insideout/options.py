@@ -22,6 +22,7 @@ Engine = Literal["automatic", "exact", "tetgen"]
 DataTerm = Literal["uniform", "volume-weighted"]
 Dimension = Literal["automatic", "2", "3", 2, 3]
 SurfaceTreatment = Literal["kept", "split", "remeshed"]
+NonManifold = Literal["keep", "fill", "split"]
 QuadratureOrder = Literal[1, 2, 3, 4, 5]
 Seeds = Union[DataSetOfPoints, str, Iterable[Tuple[Tuple[float, float, float], bool]]]
 Filter = TypeVar("Filter")
@@ -252,8 +253,21 @@ class Options:
             "; or, by the name of a cell array, those where it is not 0",
         )
     )
-    constrain_manifold: bool = _is(
-        Switch("ConstrainManifold", "make the solid's boundary a 2-manifold by adding cells where it is none")
+    non_manifold: NonManifold = _is(
+        Choice(
+            "NonManifold",
+            'what becomes of the solid\'s boundary where it is no 2-manifold: "keep" leaves it, "fill" adds cells, and "split" '
+            "copies points in their place, so that parts that touch share none",
+            default="keep",
+            choices=get_args(NonManifold),
+            prefix="NON_MANIFOLD_",
+        )
+    )
+    separate_overlaps: bool = _is(
+        Switch(
+            "SeparateOverlaps",
+            "where two layers of the solid overlap give each cells of its own, so that a limb can be pulled out of another",
+        )
     )
     non_participating: Optional[str] = _is(
         Option(
@@ -287,7 +301,7 @@ class Options:
     refine: bool = _is(
         Switch(
             "Refine",
-            "better tetrahedra of the same solid; the seven options below imply it",
+            "better tetrahedra of the same solid, or in a plane better triangles; the seven options below imply it",
         )
     )
     edge_length: Optional[float] = _is(
@@ -297,7 +311,7 @@ class Options:
         Number("Grading", "by how much edges may grow per unit of distance from the boundary", least=1e-6)
     )
     maximum_volume: Optional[float] = _is(
-        Number("MaximumVolume", "how large tetrahedra are to be at most, in the surface's units; 0 is any size")
+        Number("MaximumVolume", "how large tetrahedra, or in a plane triangles, are to be at most, in the surface's units; 0 is any size")
     )
     surface_treatment: SurfaceTreatment = _is(
         Choice(
@@ -336,6 +350,10 @@ class Options:
     def refines(self) -> bool:
         """Whether the solid is to be refined: by an option that has no other meaning, too."""
         return self.refine or any(getattr(self, name) is not OPTIONS[name].default for name in REFINING_OPTIONS)
+
+    def parts(self) -> bool:
+        """Whether the solid has more points or cells than the hull has of it."""
+        return self.non_manifold == "split" or self.separate_overlaps
 
     def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
         """Set what is given on a filter, which is returned: all, or some. Raises `Error` for what is out of range."""

@@ -28,6 +28,7 @@ def draw_panels(
     curve: Optional[vtkPolyData] = None,
     quality: Optional[vtkUnstructuredGrid] = None,
     up: Optional[str] = None,
+    row: bool = False,
     timeout: Optional[float] = None,
 ) -> bytes:
     """The content of a .png file that shows what there is of these: a surface with its defects; a slice and the solid of a hull;
@@ -37,6 +38,7 @@ def draw_panels(
     curve           in a plane, of whose hull the hull's triangles are
     quality         as `check_solid` measures it
     up              "x", "y" or "z"
+    row             the solid's boundary, and its tetrahedra in slices, as well
     timeout         seconds
 
     Raises `Error` with one line.
@@ -63,6 +65,8 @@ def draw_panels(
             command += ["--quality", files[3]]
         if up is not None:
             command += ["--up", up]
+        if row:
+            command.append("--row")
         _run(command, folder, timeout)
         with open(picture, "rb") as file:
             return file.read()

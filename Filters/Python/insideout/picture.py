@@ -2,11 +2,11 @@
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
     python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--curve CURVE.vtp]
-        [--up z] [--quality FIGURES.vtu]
+        [--up z] [--row] [--quality FIGURES.vtu]
 
 Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
-slice of the winding number w through the hull, and the tetrahedra inside, cut open. Without one of the
-two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
+slice of the winding number w through the hull, and the tetrahedra inside, cut open; in a whole row the solid's boundary and
+its tetrahedra in slices, too. Without one of the two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
 of dihedral angles that `check_solid` puts into the field data of a solid. With a curve the hull is triangles in a plane:
 the curve, w in all of them, and those inside.
 """
@@ -64,6 +64,8 @@ TURNED: Colour = (0.10, 0.30, 0.85)
 OPEN: Colour = (0.50, 0.05, 0.05)
 NON_MANIFOLD: Colour = (0.50, 0.15, 0.65)
 SOLID: Colour = (0.45, 0.66, 0.80)
+EDGES: Colour = (0.12, 0.25, 0.36)
+SLICES = 6  # of a solid, with gaps as wide between them
 
 
 # --- What is seen ---
@@ -108,6 +110,29 @@ def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
     extract.ExtractBoundaryCellsOn()
     faces = vtkGeometryFilter()
     faces.SetInputConnection(extract.GetOutputPort())
+    faces.Update()
+    return faces.GetOutput()
+
+
+def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPolyData:
+    """The faces of the cells in every other of equal slices along a direction."""
+    if solid.GetNumberOfCells() == 0:
+        return vtkPolyData()
+    points = vtk_to_numpy(solid.GetPoints().GetData())
+    places = points[corners_of(solid.GetCells(), 4)].mean(axis=1) @ along
+    share = (places - places.min()) / max(np.ptp(places), np.finfo(float).tiny)
+    chosen = vtkUnstructuredGrid()
+    chosen.CopyStructure(solid)
+    kept = vtk_array((share * (2 * SLICES - 1)).astype(np.int32) % 2)
+    kept.SetName("Slice")
+    chosen.GetCellData().AddArray(kept)
+    threshold = vtkThreshold()
+    threshold.SetInputData(chosen)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Slice")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_LOWER)
+    threshold.SetLowerThreshold(0.5)
+    faces = vtkGeometryFilter()
+    faces.SetInputConnection(threshold.GetOutputPort())
     faces.Update()
     return faces.GetOutput()
 
@@ -253,7 +278,21 @@ def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     solid = inside_cells(hull)
     count = f"{solid.GetNumberOfCells():,} tetrahedra"
     title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
-    return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=(0.12, 0.25, 0.36)), title, words(count, 0.085)]
+    return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=EDGES), title, words(count, 0.085)]
+
+
+def boundary_panel(hull: vtkUnstructuredGrid) -> list[vtkProp]:
+    boundary = surface_of(inside_cells(hull))
+    count = f"{boundary.GetNumberOfCells():,} triangles"
+    return [actor(boundary, SOLID), words("The solid's boundary", 0.95, size=30, bold=True), words(count, 0.085)]
+
+
+def slices_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
+    """As a hot dog is cut: every other of equal slices, from left to right."""
+    solid = inside_cells(hull)
+    count = f"every other of {2 * SLICES - 1} slices"
+    title = words("Its tetrahedra, in slices", 0.95, size=30, bold=True)
+    return [actor(some_slices(solid, view.right), SOLID, edge_colour=EDGES), title, words(count, 0.085)]
 
 
 def flat_panels(curve: vtkPolyData, hull: vtkUnstructuredGrid) -> list[list[vtkProp]]:
@@ -266,7 +305,7 @@ def flat_panels(curve: vtkPolyData, hull: vtkUnstructuredGrid) -> list[list[vtkP
         [given, words("The curve and its defects", 0.95, size=30, bold=True), *lines],
         [slice_actor(surface_of(hull)), words("Winding number w", 0.95, size=30, bold=True), colour_bar()],
         [
-            actor(surface_of(solid), SOLID, edge_colour=(0.12, 0.25, 0.36)),
+            actor(surface_of(solid), SOLID, edge_colour=EDGES),
             words("The triangles inside", 0.95, size=30, bold=True),
             words(f"{solid.GetNumberOfCells():,} triangles", 0.085),
         ],
@@ -373,8 +412,9 @@ def draw_flat(picture: str, curve_file: str, hull_file: str, up: Optional[str]) 
     render(flat_panels(curve, hull), ViewFromAbove(surface_of(hull), up), picture, description)
 
 
-def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], up: Optional[str], quality: Optional[str]) -> None:
-    hull = read(vtkXMLUnstructuredGridReader(), hull_file) if hull_file else None
+def main(options: argparse.Namespace) -> None:
+    surface, quality, up = options.surface, options.quality, options.up
+    hull = read(vtkXMLUnstructuredGridReader(), options.hull) if options.hull else None
     panels, description = [], ""
     view: Optional[View] = None
     if surface:
@@ -388,12 +428,14 @@ def main(picture: str, surface: Optional[list[str]], hull_file: Optional[str], u
     if hull:
         view = view or View(triangles_of(outside_of(hull)), up)
         panels += [slice_panel(hull, view), solid_panel(hull, view)]
+        if options.row:
+            panels += [boundary_panel(hull), slices_panel(hull, view)]
     if quality:
         figures = read(vtkXMLUnstructuredGridReader(), quality)
         panels.append(histogram_panel(figures))
         description = "; ".join(([description] if description else []) + texts_of(figures))
     if panels:
-        render(panels, view, picture, description)
+        render(panels, view, options.picture, description)
 
 
 if __name__ == "__main__":
@@ -403,12 +445,13 @@ if __name__ == "__main__":
     parser.add_argument("--hull")
     parser.add_argument("--curve")
     parser.add_argument("--up", choices="xyz")
+    parser.add_argument("--row", action="store_true")
     parser.add_argument("--quality")
     options = parser.parse_args()
     try:
         if options.curve:
             draw_flat(options.picture, options.curve, options.hull, options.up)
         else:
-            main(options.picture, options.surface, options.hull, options.up, options.quality)
+            main(options)
     except Error as error:
         sys.exit(str(error))

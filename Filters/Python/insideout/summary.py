@@ -88,6 +88,30 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
     return lines
 
 
+def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
+    """The same of triangles in a plane."""
+    if "RefinedCells" not in statistics:
+        return []
+    cells, added, cuts = (_count(statistics[key]) for key in ("RefinedCells", "AddedPoints", "SurfacePoints"))
+    angles = (f"{statistics[prefix + 'Angle1Percent']:.3g}" for prefix in ("Before", ""))
+    return [
+        f"  refined to {cells} triangles: {added} points added, {cuts} of them on lines",
+        f"  one of a hundred angles is below {' degrees before, '.join(angles)} after; the least is {statistics['MinAngle']:.3g}",
+    ]
+
+
+def _parted(statistics: Mapping[str, float]) -> list[str]:
+    """Where the solid was given copies of points or cells, if that was asked for."""
+    lines = []
+    if "Overlaps" in statistics:
+        separated, overlaps, cells = (_count(statistics[key]) for key in ("SeparatedOverlaps", "Overlaps", "CopiedCells"))
+        lines.append(f"  {separated} of {overlaps} overlaps separated, by copies of {cells} tetrahedra")
+    if "SplitPoints" in statistics:
+        shared = f", {_count(statistics['SharedPoints'])} more on the boundary alone" if statistics.get("SharedPoints") else ""
+        lines.append(f"  {_count(statistics['SplitPoints'])} copies of points where it touches itself{shared}")
+    return lines
+
+
 def _scaled(statistics: Mapping[str, float]) -> list[str]:
     """By what the coordinates were multiplied, if they were."""
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
@@ -125,6 +149,7 @@ def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float]
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        *_parted(statistics),
         *_refined(statistics),
         *_mass(statistics),
         *_regions(volumes),
@@ -149,6 +174,7 @@ def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} triangles inside, of {count['HullCells']} in the convex hull",
+        *_refined_triangles(statistics),
         *([f"  area {statistics['Area']:.6g}, center of mass ({center})"] if statistics["Area"] else []),
         *([f"  {len(areas):,} regions, of area {_first(f'{area:.6g}' for area in areas)}"] if len(areas) > 1 else []),
         f"  {count['OutlierSegments']} outlier segments",
@@ -168,6 +194,8 @@ def seams(statistics: Mapping[str, float]) -> list[str]:
 
 def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], volumes: Sequence[float]) -> list[str]:
     """The lines that `--check` prints: the columns of the thesis's table 8.1, and what they mean."""
+    if statistics.get("Dimension", 3) == 2:
+        return _planar_check_summary(name, statistics, findings)
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
     return [
         f"Surface {name}: {verdict(statistics)}",
@@ -177,6 +205,17 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
         *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),
+        f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+    ]
+
+
+def _planar_check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding]) -> list[str]:
+    """The same in two dimensions."""
+    return [
+        f"Curve {name}: {verdict(statistics)}",
+        f"  {_count(statistics['InputPoints'])} points, {_count(statistics['InputSegments'])} segments in {_count(statistics['Components'])} components",
+        *_scaled(statistics),
+        *_listed("Wrong, but does not matter here", findings),
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
     ]
 

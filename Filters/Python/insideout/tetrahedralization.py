@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .data import AnySurface, Polylines, Tetrahedra, Triangles, TriangleSurface, as_surface, as_type
 from .exporting import mesh_of_solid
-from .options import DataTerm, Dimension, Engine, Options, Orientation, QuadratureOrder, Seeds, SurfaceTreatment, describe_options, in_words_of_python
+from .options import DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, Seeds, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
 from .stages import TETRAHEDRALIZE
@@ -40,7 +40,7 @@ class Tetrahedralization(Result):
     """
 
     solid: Union[Tetrahedra, Triangles]
-    """The tetrahedra inside, with `w` and `RegionId` per cell, refined where that was asked for. Empty, with a warning, when
+    """The tetrahedra inside, with `w` and `RegionId` per cell, parted and refined where that was asked for. Empty, with a warning, when
     nothing is inside."""
     boundary: Union[TriangleSurface, Polylines]
     """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle."""
@@ -134,7 +134,8 @@ def tetrahedralize(
     engine: Engine = "automatic",
     data_term: DataTerm = "uniform",
     constrain_facets: Union[bool, str] = False,
-    constrain_manifold: bool = False,
+    non_manifold: NonManifold = "keep",
+    separate_overlaps: bool = False,
     non_participating: Optional[str] = None,
     quadrature_order: Optional[QuadratureOrder] = None,
     merge_coplanar_pieces: bool = False,
@@ -164,9 +165,13 @@ def tetrahedralize(
     """
     options = Options.among(locals())
     tetrahedralizer = options.set_on(vtkRobustTetrahedralize())
-    # The hull comes out too: of the solid alone, which is refined, a second run is made of what is there.
+    # The hull comes out too: of the solid alone, which is parted or refined, a second run is made of what is there.
     tetrahedralizer.RefineOff()
-    shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if options.refines() else 1
+    tetrahedralizer.SeparateOverlapsOff()
+    if options.non_manifold == "split":
+        tetrahedralizer.SetNonManifoldToKeep()
+    runs_again = options.parts() or options.refines()
+    shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if runs_again else 1
     polygons, before = as_surface(surface, options.scale)
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.ExtractInsideOff()
@@ -180,12 +185,11 @@ def tetrahedralize(
     solid = inside_cells(hull)
     statistics = statistics_of(hull)
     is_planar = statistics.get("Dimension") == 2
-    if is_planar and options.refines():
-        raise Error("the input lies in a plane, where refine cannot make better cells: it refines tetrahedra")
     cells, faces = (Triangles, Polylines) if is_planar else (Tetrahedra, TriangleSurface)
-    if options.refines() and solid.GetNumberOfCells() > 0:
+    if runs_again and solid.GetNumberOfCells() > 0:
         tetrahedralizer.ExtractInsideOn()
-        tetrahedralizer.RefineOn()
+        tetrahedralizer.SetRefine(options.refines())
+        options.set_on(tetrahedralizer, ("non_manifold", "separate_overlaps"))
         warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, shares, 1)))
         solid = tetrahedralizer.GetOutput()
         statistics.update(statistics_of(solid))

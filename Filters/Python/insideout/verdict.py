@@ -9,12 +9,12 @@ from typing import Mapping, Sequence
 def verdict(statistics: Mapping[str, float]) -> str:
     """In one sentence, by the statistics of vtkSurfaceDefects or of a filter that finds winding numbers."""
     if statistics.get("Dimension", 3) == 2:
-        area = statistics["Area"]
-        return f"bounds an area of {area:.6g} in a plane" if area > 0 else "bounds no area in its plane"
+        return verdict_in_a_plane(statistics)
     solids = statistics["ClosedShells"] + statistics["HoledShells"]
     sheets = counted(statistics["SheetShells"], "sheet")
     if statistics.get("Planar", 0):
-        return "bounds no solid: it lies in one plane"
+        area = statistics.get("Area", 0)
+        return "bounds no solid: it lies in one plane" + (f", where it covers an area of {area:.6g}" if area > 0 else "")
     if statistics["Shells"] == 0:
         return "bounds no solid: its facets cancel in pairs or do not count"
     if solids == 0:
@@ -36,6 +36,18 @@ def verdict(statistics: Mapping[str, float]) -> str:
     if statistics["SheetShells"] > 0:
         verb = "encloses" if statistics["SheetShells"] == 1 else "enclose"
         sentence += f"; {sheets} {verb} nothing"
+    return sentence
+
+
+def verdict_in_a_plane(statistics: Mapping[str, float]) -> str:
+    """The same of lines."""
+    if statistics["Area"] <= 0:
+        return "bounds no area in its plane"
+    sentence = f"bounds an area of {statistics['Area']:.6g} in a plane"
+    if statistics["TurnedSegments"] > 0:
+        sentence += f" after turning {int(statistics['TurnedSegments']):,} of {counted(statistics['InputSegments'], 'segment')} over"
+    if statistics["OpenEnds"] > 0:
+        sentence += ", once its gaps are closed"
     return sentence
 
 

@@ -235,13 +235,16 @@ TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
 TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
 {
   vtkNew<TypeParam> filter;
-  const auto [cut, constrainFacets, constrainManifold] = SegmentMeshParameters();
+  const auto [cut, constrainFacets, fillNonManifold] = SegmentMeshParameters();
   const auto [gamma, sigma, dataTerm] = cut;
   EXPECT_EQ(filter->GetGamma(), gamma);
   EXPECT_EQ(filter->GetSigma(), sigma);
   EXPECT_EQ(filter->GetDataTerm(), static_cast<int>(dataTerm));
   EXPECT_EQ(filter->GetConstrainFacets(), constrainFacets);
-  EXPECT_EQ(filter->GetConstrainManifold(), constrainManifold);
+  EXPECT_EQ(filter->GetNonManifold() == TypeParam::NON_MANIFOLD_FILL, fillNonManifold);
+  EXPECT_EQ(filter->GetNonManifold(), TypeParam::NON_MANIFOLD_KEEP);
+  EXPECT_EQ(SET(filter, NonManifold, -1), TypeParam::NON_MANIFOLD_KEEP);
+  EXPECT_EQ(SET(filter, NonManifold, 99), TypeParam::NON_MANIFOLD_SPLIT);
 
   for (const double value : { -1.0, Infinity })
   {

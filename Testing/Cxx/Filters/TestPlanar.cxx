@@ -298,14 +298,89 @@ TEST(vtkRobustTetrahedralizeInAPlane, RefusesWhatIsNotFlatAndWhatItCannotRefine)
 
   FilterRun second(TwoSquares());
   second.Filter->RefineOn();
+  second.Filter->SetSurface(vtkRobustTetrahedralize::REMESHED);
   second.Filter->Update();
   ASSERT_EQ(second.Errors.size(), 1u);
-  EXPECT_NE(second.Errors[0].find("Refine"), std::string::npos);
+  EXPECT_NE(second.Errors[0].find("not remeshed"), std::string::npos);
+  second.Filter->SetSurface(vtkRobustTetrahedralize::SPLIT);
+  second.Filter->QuadraticCellsOn();
+  second.Filter->Update();
+  ASSERT_EQ(second.Errors.size(), 2u);
+  EXPECT_NE(second.Errors[1].find("QuadraticCells"), std::string::npos);
 
   FilterRun third(TwoSquares(), 1);
   third.Filter->Update();
   ASSERT_EQ(third.Errors.size(), 1u);
   EXPECT_NE(third.Errors[0].find("Dimension is 2, 3, or 0"), std::string::npos);
+}
+
+TEST(vtkRobustTetrahedralizeInAPlane, RefinesTheTrianglesAndCarriesTheirData)
+{
+  FilterRun run(TwoSquares(), 2);
+  run.Filter->RefineOn();
+  run.Filter->SetSurface(vtkRobustTetrahedralize::SPLIT);
+  run.Filter->SetEdgeLength(0.2);
+  run.Filter->Update();
+  vtkUnstructuredGrid* grid = run.Filter->GetOutput();
+  EXPECT_GT(grid->GetNumberOfCells(), 300);
+  EXPECT_EQ(run.Statistic("RefinedCells"), static_cast<double>(grid->GetNumberOfCells()));
+  EXPECT_LT(run.Statistic("InsideCells"), 20);
+  EXPECT_GT(run.Statistic("MinAngle"), 20.7);
+  EXPECT_NEAR(AreaOf(grid), 7, 1e-12);
+  EXPECT_DOUBLE_EQ(run.Statistic("Area"), 7);
+  vtkDataArray* original = grid->GetPointData()->GetArray("vtkOriginalPointIds");
+  vtkDataArray* linear = grid->GetPointData()->GetArray("Linear");
+  std::set<double> kept;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    Place place;
+    grid->GetPoint(p, place.data());
+    EXPECT_EQ(place[2], 5);
+    EXPECT_NEAR(linear->GetTuple1(p), 1 + 2 * place[0] - 3 * place[1], 1e-12);
+    if (original->GetTuple1(p) >= 0)
+    {
+      kept.insert(original->GetTuple1(p));
+    }
+  }
+  EXPECT_EQ(kept.size(), 8u);
+  // w is 2 where both squares are, and no triangle is in two of the three parts.
+  double area = 0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    Place middle{ { 0, 0, 0 } };
+    for (int k = 0; k < 3; ++k)
+    {
+      Place place;
+      grid->GetPoint(grid->GetCell(c)->GetPointId(k), place.data());
+      middle[0] += place[0] / 3;
+      middle[1] += place[1] / 3;
+    }
+    const bool isInBoth = 1 < middle[0] && middle[0] < 2 && 1 < middle[1] && middle[1] < 2;
+    EXPECT_EQ(grid->GetCellData()->GetArray("w")->GetTuple1(c), isInBoth ? 2 : 1);
+    EXPECT_EQ(grid->GetCellData()->GetArray("RegionId")->GetTuple1(c), 0);
+  }
+  vtkPolyData* boundary = run.Filter->GetBoundary();
+  EXPECT_EQ(boundary->GetNumberOfLines(), 2); // one per square
+  EXPECT_GT(boundary->GetNumberOfPoints(), 40);
+  EXPECT_EQ(boundary->GetPointData()->GetArray("Linear")->GetNumberOfTuples(),
+    boundary->GetNumberOfPoints());
+  for (vtkIdType line = 0; line < boundary->GetNumberOfLines(); ++line)
+  {
+    vtkCell* cell = boundary->GetCell(line);
+    for (vtkIdType k = 0; k + 1 < cell->GetNumberOfPoints(); ++k)
+    {
+      Place p, q;
+      boundary->GetPoint(cell->GetPointId(k), p.data());
+      boundary->GetPoint(cell->GetPointId(k + 1), q.data());
+      area += (p[0] * q[1] - p[1] * q[0]) / 2;
+    }
+  }
+  EXPECT_NEAR(area, 7, 1e-12);
+
+  run.Filter->SetSurface(vtkRobustTetrahedralize::KEPT);
+  run.Filter->Update();
+  EXPECT_EQ(run.Filter->GetBoundary()->GetNumberOfPoints(), 8);
+  EXPECT_GT(run.Filter->GetOutput()->GetNumberOfCells(), 100);
 }
 
 TEST(StagesInAPlane, GiveTheSameTrianglesAsAllAtOnce)

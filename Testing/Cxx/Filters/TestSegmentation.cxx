@@ -244,7 +244,7 @@ TEST(vtkGraphCutSegmentation, MakesTheBoundaryAManifold)
     auto grid = Cubes(3, filled);
     Cut cut(grid);
     const Labels before = cut.Inside();
-    cut.Filter->ConstrainManifoldOn();
+    cut.Filter->SetNonManifoldToFill();
     const Labels after = cut.Inside();
     EXPECT_EQ(CountBadEdges(grid, before) > 0, filled.count(13) == 0);
     EXPECT_EQ(CountBadEdges(grid, after), 0);
@@ -328,7 +328,7 @@ TEST(vtkGraphCutSegmentation, RefusesWhatItsOptionsCannotWorkOn)
     EXPECT_TRUE(cut.Says(words)) << cut.Said;
   };
   const auto keepFacets = [](vtkGraphCutSegmentation* cut) { cut->ConstrainFacetsOn(); };
-  const auto beManifold = [](vtkGraphCutSegmentation* cut) { cut->ConstrainManifoldOn(); };
+  const auto beManifold = [](vtkGraphCutSegmentation* cut) { cut->SetNonManifoldToFill(); };
   const auto addSeed = [](vtkGraphCutSegmentation* cut) {
     cut->SetSeedsData(Seeds({ { 0, 0, 0 } }, { 1 }));
   };

@@ -80,7 +80,7 @@ MeshSegmentation Solve(const Case& made, bool facets, bool manifold,
   Monitor monitor;
   SegmentMeshParameters parameters;
   parameters.ConstrainFacets = facets;
-  parameters.ConstrainManifold = manifold;
+  parameters.FillNonManifold = manifold;
   return SegmentMesh(
     made.Mesh, made.W, pieces ? *pieces : PiecesOfFacets(made.Mesh), seeds, parameters, monitor);
 }
@@ -339,7 +339,7 @@ TEST(SegmentMesh, StopsAtEveryCheck)
   const Case made = RandomCase(1, 3);
   const std::vector<FacetPiece> pieces = PiecesOfFacets(made.Mesh);
   SegmentMeshParameters parameters;
-  parameters.ConstrainFacets = parameters.ConstrainManifold = true;
+  parameters.ConstrainFacets = parameters.FillNonManifold = true;
   Stopping all;
   const MeshSegmentation whole = SegmentMesh(made.Mesh, made.W, pieces, {}, parameters, all);
   EXPECT_EQ(all.Last, 1);

@@ -31,6 +31,8 @@ TEST(CurveDefects, FindsNothingWrongWithASquare)
     DefectsOf(Lines({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, { { 0, 1, 2, 3, 0 } }));
   EXPECT_TRUE(defects.Points.empty());
   EXPECT_EQ(defects.IntersectingPairs, 0u);
+  EXPECT_EQ(defects.Area, 1);
+  EXPECT_TRUE(defects.TurnedSegments.empty());
   for (const SegmentDefects& segment : defects.Segments)
   {
     EXPECT_EQ(segment.Component, 0);
@@ -61,5 +63,15 @@ TEST(CurveDefects, NamesThePointsWhereSegmentsOverlap)
   EXPECT_EQ(defects.Counts.CancelledSegments, 1);
   EXPECT_TRUE(defects.Segments.back().Degenerate);
   EXPECT_TRUE(defects.Segments[3].Duplicate);
+}
+
+TEST(CurveDefects, MeasuresWhatIsEnclosedOnceLinesAreTurned)
+{
+  // A square of 16, a clockwise one of 1 beside it, a line that encloses nothing.
+  const CurveDefects defects = DefectsOf(Lines({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 5, 0 },
+                                                 { 5, 1 }, { 6, 1 }, { 6, 0 }, { 8, 0 }, { 9, 3 } },
+    { { 0, 1, 2, 3, 0 }, { 4, 5, 6, 7, 4 }, { 8, 9 } }));
+  EXPECT_EQ(defects.Area, 17);
+  EXPECT_EQ(defects.TurnedSegments, (std::vector<Id>{ 4, 5, 6, 7 }));
 }
 } // namespace

@@ -84,6 +84,53 @@ TEST(PlanarHull, ResolvesAThousandRandomSegments)
   EXPECT_EQ(resolved.Curve.Segments.size(), 1000 + 2 * resolved.IntersectingPairs);
 }
 
+/** Points some units in the last place apart: rounding turns what there is between them, and w is
+ * that of what it has become. */
+TEST(PlanarHull, GivesTheWindingNumberOfTheResolvedImageInTheThinnestTriangles)
+{
+  std::size_t cells = 0;
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    std::mt19937 random(seed);
+    const std::array<double, 3> near{ { 0.5 + random() * 0x1p-34, 0.5 + random() * 0x1p-34,
+      0.5 + random() * 0x1p-34 } };
+    SegmentSoup soup = Lines({ { 0.95, 0.9 }, { 0.9, 0.1 } }, { { 0, 1 } });
+    for (Id i = 0; i < 10; ++i)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        const double x = near[random() % 3] + 0x1p-53 * (random() % 5);
+        soup.Points.push_back({ { x, near[random() % 3] + 0x1p-53 * (random() % 5), 0 } });
+      }
+      soup.Segments.push_back({ { 2 * i + 2, 2 * i + 3 } });
+    }
+    const PlanarHull hull = MeshHullOf(soup);
+    const SegmentComplex& curve = hull.Curve;
+    SegmentSoup image; // each segment as often as it counts
+    for (const PlanarPoint& p : curve.Points)
+    {
+      image.Points.push_back({ { p[0], p[1], 0 } });
+    }
+    for (std::size_t c = 0; c < hull.Mesh.Cells.size(); ++c, ++cells)
+    {
+      std::array<__float128, 2> middle{ { 0, 0 } };
+      for (const Id p : hull.Mesh.Cells[c])
+      {
+        middle[0] += static_cast<__float128>(curve.Points[p][0]) / 3;
+        middle[1] += static_cast<__float128>(curve.Points[p][1]) / 3;
+      }
+      double wanted = 0;
+      for (Id s = 0; s < curve.NumberOfSegments(); ++s)
+      {
+        image.Segments = { curve.Segments[s] };
+        wanted += curve.Multiplicity[s] * WindingNumberInQuads(image, middle);
+      }
+      EXPECT_NEAR(hull.W[c], wanted, 1e-12) << "seed " << seed << ", cell " << c;
+    }
+  }
+  EXPECT_GT(cells, 1000u);
+}
+
 TEST(PlanarHull, CountsTwoWhereACurveOverlapsItself)
 {
   // Twice around: a large square and a smaller one within, in one stroke.

@@ -138,7 +138,7 @@ TEST(SegmentTriangles, KeepsEverySegmentAndMakesTheBoundaryAManifold)
     parameters.ConstrainFacets = true;
     EXPECT_TRUE(
       OutlierSegments(hull.Curve, hull.Mesh, SegmentHull(hull, parameters).Inside).empty());
-    parameters.ConstrainManifold = true;
+    parameters.FillNonManifold = true;
     const MeshSegmentation both = SegmentHull(hull, parameters);
     EXPECT_TRUE(OutlierSegments(hull.Curve, hull.Mesh, both.Inside).empty());
     EXPECT_LE(WorstPoint(hull, both.Inside), 2) << "seed " << seed;
@@ -153,7 +153,7 @@ TEST(SegmentTriangles, GivesNoManifoldUnlessAskedTo)
       { { 0, 1, 2, 3, 0 }, { 2, 4, 5, 6, 2 } }));
   EXPECT_EQ(WorstPoint(hull, SegmentHull(hull).Inside), 4);
   SegmentMeshParameters parameters;
-  parameters.ConstrainManifold = true;
+  parameters.FillNonManifold = true;
   EXPECT_EQ(WorstPoint(hull, SegmentHull(hull, parameters).Inside), 2);
 }
 

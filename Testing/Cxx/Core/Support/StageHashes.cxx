@@ -103,7 +103,7 @@ Hashes HashStages(const TriangleSoup& soup)
   for (const bool constrain : { true, false })
   {
     SegmentMeshParameters constraints;
-    constraints.ConstrainFacets = constraints.ConstrainManifold = constrain;
+    constraints.ConstrainFacets = constraints.FillNonManifold = constrain;
     inside = SegmentMesh(hull.Mesh, hull.W, pieces, {}, constraints, monitor).Inside;
     add(constrain ? "labels with constraints" : "labels", inside);
   }

@@ -111,6 +111,26 @@ TEST(PolylineWindingNumber, IsAskedAtTheExactMeanOfThreePoints)
   EXPECT_EQ(w.AtMean({ 0, 0 }, { 1, 1 }, { 1, up }), 1);
 }
 
+/** Open ends nearer than the rounding of the mean: where they are from there is found exactly. */
+TEST(PolylineWindingNumber, IsAskedAtTheExactMeanBesideOpenEnds)
+{
+  const double x = 0.3, y = 0.7;
+  const double up = std::nextafter(y, 1), right = std::nextafter(x, 1);
+  const std::vector<PlanarPoint> points = { { x, y }, { right, y }, { x, up }, { 0.9, 0.1 } };
+  const std::vector<CountedSegment> segments = { { 3, 0, 1 }, { 1, 3, 2 }, { 2, 3, 1 } };
+  const PolylineWindingNumber w(points, segments);
+  Quad sum = 0;
+  const std::array<Quad, 2> mean{ { (Quad(x) + right + x) / 3, (Quad(y) + y + up) / 3 } };
+  for (const CountedSegment& s : segments)
+  {
+    const Quad ux = points[s.From][0] - mean[0], uy = points[s.From][1] - mean[1];
+    const Quad vx = points[s.To][0] - mean[0], vy = points[s.To][1] - mean[1];
+    sum += s.Count * atan2q(ux * vy - uy * vx, ux * vx + uy * vy);
+  }
+  EXPECT_NEAR(
+    w.AtMean(points[0], points[1], points[2]), static_cast<double>(sum / (8 * atanq(1))), 1e-13);
+}
+
 TEST(PolylineWindingNumber, IsAWholeNumberOffClosedPolylines)
 {
   std::mt19937 random(1);

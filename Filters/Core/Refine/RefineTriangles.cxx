@@ -1,0 +1,751 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/RefineTriangles.h"
+
+#include "Common/Error.h"
+#include "Common/LoopProgress.h"
+#include "Common/Stages.h"
+#include "Output/Regions.h"
+#include "Planar/TriangleLocator.h"
+#include "Refine/RefinableTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace insideout
+{
+namespace
+{
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double Pi = 3.14159265358979323846;
+
+/** Of the length that edges are to have there: the largest radius, that of a regular triangle being
+ * 0.58, and the longest constraint. */
+constexpr double LargestRadius = 0.7;
+constexpr double LongestConstraint = 4.0 / 3;
+
+/** The square of the largest radius over the shortest edge, for which Ruppert's proof holds: no
+ * angle is below 20.7 degrees. */
+constexpr double LargestSquaredRatio = 2;
+
+/** Corners of the curve below this angle get shells. */
+constexpr double SharpCorner = 60;
+
+/** Two cuts are on one shell whose distances from the corner differ by less, as a part. */
+constexpr double SameShell = 1e-6;
+
+/** Kept: how near other points may be, of the length there, and constraints, of that. */
+constexpr double LeastSpacing = 0.7;
+constexpr double LeastHeight = 0.5;
+
+/** Points that there may be, per point of the input and per cell that sizes ask for: only against
+ * two curves side by side, whose gap would be filled with triangles as small as it. Long edges come
+ * first, so that what is left is small. */
+constexpr double PointsPerPoint = 100;
+constexpr double PointsPerCell = 4;
+
+double EdgeOfArea(double area)
+{
+  return std::sqrt(area * 4 / std::sqrt(3.0));
+}
+
+double AreaOfEdge(double edge)
+{
+  return edge * edge * std::sqrt(3.0) / 4;
+}
+
+/** Of triangles, in degrees. */
+struct Angles
+{
+  double Least = 0;
+  double Quantile = 0; ///< the least that is no less than a hundredth of all
+  double Most = 0;
+};
+
+Angles AnglesOf(const std::vector<PlanarPoint>& points, const std::vector<Triangle>& cells,
+  const PlanarMetric& metric)
+{
+  std::vector<double> all;
+  for (const Triangle& cell : cells)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const PlanarPoint &p = points[cell[k]], &q = points[cell[(k + 1) % 3]],
+                        &r = points[cell[(k + 2) % 3]];
+      const PlanarPoint u = metric.Map({ q[0] - p[0], q[1] - p[1] });
+      const PlanarPoint v = metric.Map({ r[0] - p[0], r[1] - p[1] });
+      all.push_back(
+        std::atan2(std::abs(u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]) * 180 / Pi);
+    }
+  }
+  if (all.empty())
+  {
+    return {};
+  }
+  std::sort(all.begin(), all.end());
+  return { all.front(), all[(all.size() - 1) / 100], all.back() };
+}
+
+/** Delaunay refinement of triangles. */
+class Refiner
+{
+public:
+  Refiner(const SegmentComplex& curve, const PlanarMesh& mesh,
+    const std::vector<unsigned char>& inside, const Plane& plane,
+    const RefinementParameters& parameters, Monitor& monitor)
+    : Input(mesh)
+    , Mesh(curve.Points, mesh, inside, plane.Metric)
+    , Parameters(parameters)
+    , Watch(monitor)
+    , IsSplit(parameters.Surface == SurfaceTreatment::Split)
+    , MostArea(ScaledArea(parameters.Sizes.MaximumVolume, plane.Exponent))
+    , InputEdges(curve.Points.size(), None)
+  {
+    const double length = std::ldexp(parameters.Sizes.EdgeLength, -plane.Exponent);
+    this->Most =
+      std::min(parameters.Sizes.EdgeLength > 0 ? length : Infinite, EdgeOfArea(this->MostArea));
+    this->FindSizes();
+    this->FindSharpCorners();
+  }
+
+  void Run();
+
+  const RefinableTriangles& Result() const { return this->Mesh; }
+  Id CountLargeCells() const;
+  bool RanOut() const { return this->HasRunOut; }
+  Id SurfacePoints() const
+  {
+    return static_cast<Id>(std::count_if(
+      this->InputEdges.begin(), this->InputEdges.end(), [](Id edge) { return edge != None; }));
+  }
+
+private:
+  using Place = RefinableTriangles::Place;
+
+  /** What is to be looked at: a triangle, or one of its constraints. */
+  struct Task
+  {
+    double Length; ///< the longest come first
+    Place At;
+    Id Version;
+    bool operator<(const Task& other) const
+    {
+      return std::tie(this->Length, other.At.Cell, other.At.Edge) <
+        std::tie(other.Length, this->At.Cell, this->At.Edge);
+    }
+  };
+
+  static double ScaledArea(double area, int exponent)
+  {
+    return area > 0 ? std::ldexp(area, -2 * exponent) : Infinite;
+  }
+
+  double Length(Id a, Id b) const
+  {
+    return this->Mesh.Metric().Distance(this->Mesh.Points()[a], this->Mesh.Points()[b]);
+  }
+  Segment EndsOf(const Place& edge) const
+  {
+    return EdgeOf(this->Mesh.Cells()[edge.Cell].Corners, edge.Edge);
+  }
+
+  void FindSizes();
+  void FindSharpCorners();
+  double SizeAt(Id cell, const PlanarPoint& place) const;
+  double EstimatedCells() const;
+  void Push(Id cell);
+  void PushChanged();
+  void LookAtConstraint(const Task& task);
+  void LookAtTriangle(const Task& task);
+  void Insert(Id cell, const PlanarPoint& place);
+  bool IsEncroached(const Segment& ends, const PlanarPoint& place) const;
+  bool IsRoomy(Id cell, const PlanarPoint& place, double spacing) const;
+  bool IsAcrossSharpCorner(Id u, Id v) const;
+  bool SplitConstraint(const Place& edge, double leastPiece);
+  bool MakeWay(const Place& at, const PlanarPoint& center, double leastPiece, bool& isBlocked);
+  Id InputEdge(Id source) const;
+  Segment EndsOfInputEdge(Id edge) const { return EdgeOf(this->Input.Cells[edge / 3], edge % 3); }
+  bool IsSharp(Id point) const
+  {
+    return point < static_cast<Id>(this->Sharp.size()) && this->Sharp[point] != 0;
+  }
+
+  const PlanarMesh& Input;
+  RefinableTriangles Mesh;
+  const RefinementParameters& Parameters;
+  Monitor& Watch;
+  const bool IsSplit;
+  const double MostArea;
+  double Most = Infinite;     ///< that edges may be long
+  std::vector<double> Sizes;  ///< per point, how long edges are to be there
+  std::vector<char> Sharp;    ///< per point of the input
+  std::vector<Id> InputEdges; ///< per point, the constraint of the input that it cuts
+  std::priority_queue<Task> Tasks;
+  bool HasRunOut = false;
+};
+
+/** The lower of the names that an edge of the input has on its two sides. */
+Id Refiner::InputEdge(Id source) const
+{
+  const Id cell = source / 3;
+  const Id beyond = this->Input.Neighbors[cell][source % 3];
+  if (beyond == None)
+  {
+    return source;
+  }
+  const auto& back = this->Input.Neighbors[beyond];
+  const Id k = static_cast<Id>(std::find(back.begin(), back.end(), cell) - back.begin());
+  return std::min(source, 3 * beyond + k);
+}
+
+/** As long as the constraints at a point are at the mean, growing from there (Dijkstra 1959). */
+void Refiner::FindSizes()
+{
+  std::vector<double> sums(this->Mesh.Points().size(), 0);
+  std::vector<int> counts(sums.size(), 0);
+  std::vector<std::vector<Id>> around(sums.size());
+  for (const RefinableTriangles::Cell& cell : this->Mesh.Cells())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [a, b] = EdgeOf(cell.Corners, k);
+      around[a].push_back(b);
+      around[b].push_back(a);
+      for (const Id p : { a, b })
+      {
+        sums[p] += cell.Sources[k] == None ? 0 : this->Length(a, b);
+        counts[p] += cell.Sources[k] == None ? 0 : 1;
+      }
+    }
+  }
+  using Entry = std::pair<double, Id>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (std::size_t p = 0; p < sums.size(); ++p)
+  {
+    this->Sizes.push_back(counts[p] > 0 ? std::min(sums[p] / counts[p], this->Most) : this->Most);
+    queue.push({ this->Sizes.back(), static_cast<Id>(p) });
+  }
+  while (!queue.empty())
+  {
+    const auto [size, point] = queue.top();
+    queue.pop();
+    if (size > this->Sizes[point])
+    {
+      continue;
+    }
+    for (const Id other : around[point])
+    {
+      const double grown = size + this->Parameters.Sizes.Grading * this->Length(point, other);
+      if (grown < this->Sizes[other])
+      {
+        this->Sizes[other] = grown;
+        queue.push({ grown, other });
+      }
+    }
+  }
+}
+
+/** Where two constraints make a sharp angle, on whichever side. */
+void Refiner::FindSharpCorners()
+{
+  std::vector<std::vector<double>> directions(this->Mesh.Points().size());
+  for (const RefinableTriangles::Cell& cell : this->Mesh.Cells())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (cell.Sources[k] == None)
+      {
+        continue;
+      }
+      const auto [a, b] = EdgeOf(cell.Corners, k);
+      const PlanarPoint &from = this->Mesh.Points()[a], &to = this->Mesh.Points()[b];
+      const PlanarPoint d = this->Mesh.Metric().Map({ to[0] - from[0], to[1] - from[1] });
+      directions[a].push_back(std::atan2(d[1], d[0]));
+      directions[b].push_back(std::atan2(-d[1], -d[0]));
+    }
+  }
+  constexpr double sharp = SharpCorner / 180 * Pi;
+  constexpr double same = 1e-12; // a constraint seen from both sides
+  for (std::vector<double>& all : directions)
+  {
+    std::sort(all.begin(), all.end());
+    bool isSharp = false;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      const bool isLast = i + 1 == all.size();
+      const double gap = isLast ? all[0] + 2 * Pi - all[i] : all[i + 1] - all[i];
+      isSharp = isSharp || (gap > same && gap < sharp);
+    }
+    this->Sharp.push_back(isSharp);
+  }
+}
+
+double Refiner::SizeAt(Id cell, const PlanarPoint& place) const
+{
+  double size = this->Most;
+  for (const Id p : this->Mesh.Cells()[cell].Corners)
+  {
+    size = std::min(size,
+      this->Sizes[p] +
+        this->Parameters.Sizes.Grading *
+          this->Mesh.Metric().Distance(this->Mesh.Points()[p], place));
+  }
+  return size;
+}
+
+double Refiner::EstimatedCells() const
+{
+  double cells = 0;
+  for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
+  {
+    const auto& points = this->Mesh.Points();
+    const auto& [a, b, d] = this->Mesh.Cells()[c].Corners;
+    const PlanarPoint middle = { (points[a][0] + points[b][0] + points[d][0]) / 3,
+      (points[a][1] + points[b][1] + points[d][1]) / 3 };
+    cells += 1 +
+      AreaOf(points[a], points[b], points[d], this->Mesh.Metric()) /
+        AreaOfEdge(this->SizeAt(c, middle));
+  }
+  return cells;
+}
+
+/** A triangle and its constraints are to be looked at. */
+void Refiner::Push(Id cell)
+{
+  const RefinableTriangles::Cell& here = this->Mesh.Cells()[cell];
+  double longest = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto [a, b] = EdgeOf(here.Corners, k);
+    const double length = this->Length(a, b);
+    longest = std::max(longest, length);
+    if (this->IsSplit && here.Sources[k] != None)
+    {
+      this->Tasks.push({ length, { cell, k }, here.Version });
+    }
+  }
+  this->Tasks.push({ longest, { cell, None }, here.Version });
+}
+
+void Refiner::PushChanged()
+{
+  for (const Id cell : this->Mesh.Changed())
+  {
+    this->Push(cell);
+  }
+}
+
+/** Whether a place is within the circle around a segment. */
+bool Refiner::IsEncroached(const Segment& ends, const PlanarPoint& place) const
+{
+  const PlanarPoint &a = this->Mesh.Points()[ends[0]], &b = this->Mesh.Points()[ends[1]];
+  const PlanarPoint u = this->Mesh.Metric().Map({ a[0] - place[0], a[1] - place[1] });
+  const PlanarPoint v = this->Mesh.Metric().Map({ b[0] - place[0], b[1] - place[1] });
+  return u[0] * v[0] + u[1] * v[1] < 0;
+}
+
+/** Whether all points that a place within a cell sees are at least so far away, and constraints not
+ * much nearer. */
+bool Refiner::IsRoomy(Id cell, const PlanarPoint& place, double spacing) const
+{
+  const auto& points = this->Mesh.Points();
+  const RefinableTriangles::View view = this->Mesh.ViewFrom(cell, place);
+  return view.Spacing >= spacing &&
+    std::all_of(view.Constraints.begin(), view.Constraints.end(),
+      [&](const Place& edge)
+      {
+        const auto [a, b] = this->EndsOf(edge);
+        const double height =
+          2 * AreaOf(points[a], points[b], place, this->Mesh.Metric()) / this->Length(a, b);
+        return height >= LeastHeight * spacing;
+      });
+}
+
+/** Whether two points cut constraints with a sharp corner between them, on one shell: then the edge
+ * between them is short for that corner, and no point can help. */
+bool Refiner::IsAcrossSharpCorner(Id u, Id v) const
+{
+  const Id first = this->InputEdges[u], second = this->InputEdges[v];
+  if (first == None || second == None || first == second)
+  {
+    return false;
+  }
+  for (const Id p : this->EndsOfInputEdge(first))
+  {
+    const Segment other = this->EndsOfInputEdge(second);
+    if (this->IsSharp(p) && (p == other[0] || p == other[1]))
+    {
+      const double ofU = this->Length(p, u), ofV = this->Length(p, v);
+      return std::abs(ofU - ofV) <= SameShell * std::max(ofU, ofV);
+    }
+  }
+  return false;
+}
+
+/** @param[in] leastPiece no piece may be shorter. @return whether it was split */
+bool Refiner::SplitConstraint(const Place& edge, double leastPiece)
+{
+  Segment ends = this->EndsOf(edge);
+  std::sort(ends.begin(), ends.end()); // the same from both sides
+  const double length = this->Length(ends[0], ends[1]);
+  double part = 0.5;
+  if (this->IsSharp(ends[0]) != this->IsSharp(ends[1]))
+  {
+    // A power of two that leaves a third at least.
+    const double shell = std::exp2(std::floor(std::log2(length * 2 / 3))) / length;
+    part = this->IsSharp(ends[0]) ? shell : 1 - shell;
+  }
+  if (std::min(part, 1 - part) * length < leastPiece)
+  {
+    return false;
+  }
+  const PlanarPoint &a = this->Mesh.Points()[ends[0]], &b = this->Mesh.Points()[ends[1]];
+  const PlanarPoint place = { a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]) };
+  const double size = this->SizeAt(edge.Cell, place);
+  const Id source = this->Mesh.Cells()[edge.Cell].Sources[edge.Edge];
+  if (this->Mesh.Split(edge, place) == None)
+  {
+    return false;
+  }
+  this->Sizes.push_back(size);
+  this->InputEdges.push_back(this->InputEdge(source));
+  this->PushChanged();
+  return true;
+}
+
+void Refiner::LookAtConstraint(const Task& task)
+{
+  const Segment ends = this->EndsOf(task.At);
+  const Id apex = this->Mesh.Cells()[task.At.Cell].Corners[(task.At.Edge + 2) % 3];
+  const PlanarPoint &a = this->Mesh.Points()[ends[0]], &b = this->Mesh.Points()[ends[1]];
+  const double size =
+    this->SizeAt(task.At.Cell, { a[0] + (b[0] - a[0]) / 2, a[1] + (b[1] - a[1]) / 2 });
+  if (task.Length > LongestConstraint * size || this->IsEncroached(ends, this->Mesh.Points()[apex]))
+  {
+    this->SplitConstraint(task.At, 0);
+  }
+}
+
+/** Split what a new point would be too near to. @return whether something was split */
+bool Refiner::MakeWay(
+  const Place& at, const PlanarPoint& center, double leastPiece, bool& isBlocked)
+{
+  std::vector<Place> blocking;
+  if (at.Edge != None)
+  {
+    blocking.push_back(at);
+  }
+  else
+  {
+    for (const Place& edge : this->Mesh.ViewFrom(at.Cell, center).Constraints)
+    {
+      if (this->IsEncroached(this->EndsOf(edge), center))
+      {
+        blocking.push_back(edge);
+      }
+    }
+  }
+  isBlocked = !blocking.empty();
+  // One after the other: a split changes the cells around it.
+  return std::any_of(blocking.begin(), blocking.end(),
+    [&](const Place& edge) { return this->SplitConstraint(edge, leastPiece); });
+}
+
+void Refiner::LookAtTriangle(const Task& task)
+{
+  const auto [a, b, c] = this->Mesh.Cells()[task.At.Cell].Corners;
+  const auto& points = this->Mesh.Points();
+  const PlanarMetric& metric = this->Mesh.Metric();
+  // The centre from c, in perpendicular coordinates.
+  const PlanarPoint u = metric.Map({ points[a][0] - points[c][0], points[a][1] - points[c][1] });
+  const PlanarPoint v = metric.Map({ points[b][0] - points[c][0], points[b][1] - points[c][1] });
+  const double twice = 2 * (u[0] * v[1] - u[1] * v[0]);
+  const double uu = u[0] * u[0] + u[1] * u[1], vv = v[0] * v[0] + v[1] * v[1];
+  const PlanarPoint offset = { (v[1] * uu - u[1] * vv) / twice, (u[0] * vv - v[0] * uu) / twice };
+  const double radius = std::hypot(offset[0], offset[1]);
+  const double y = offset[1] / metric.YY;
+  const PlanarPoint center = { points[c][0] + (offset[0] - metric.XY * y) / metric.XX,
+    points[c][1] + y };
+  if (!std::isfinite(center[0]) || !std::isfinite(center[1]))
+  {
+    return;
+  }
+  Segment shortest = { { a, b } };
+  for (const Segment& edge : { Segment{ { b, c } }, Segment{ { c, a } } })
+  {
+    shortest =
+      this->Length(edge[0], edge[1]) < this->Length(shortest[0], shortest[1]) ? edge : shortest;
+  }
+  const double least = this->Length(shortest[0], shortest[1]);
+  const bool isLarge =
+    radius > LargestRadius * this->SizeAt(task.At.Cell, center) || twice > 4 * this->MostArea;
+  const bool isThin = radius * radius > LargestSquaredRatio * least * least &&
+    !this->IsAcrossSharpCorner(shortest[0], shortest[1]);
+  if (!isLarge && !isThin)
+  {
+    return;
+  }
+  if (!this->IsSplit)
+  {
+    const PlanarPoint middle = { (points[a][0] + points[b][0] + points[c][0]) / 3,
+      (points[a][1] + points[b][1] + points[c][1]) / 3 };
+    for (const PlanarPoint& place : { center, middle })
+    {
+      const Place at = this->Mesh.Locate(task.At.Cell, place);
+      if (at.Cell != None && at.Edge == None &&
+        this->IsRoomy(
+          at.Cell, place, isLarge ? LeastSpacing * this->SizeAt(at.Cell, place) : least))
+      {
+        this->Insert(at.Cell, place);
+        return;
+      }
+    }
+    return;
+  }
+  const Place at = this->Mesh.Locate(task.At.Cell, center);
+  bool isBlocked = at.Cell == None;
+  // Of a thin triangle no piece becomes shorter than its shortest edge: so it ends.
+  if (!isBlocked && this->MakeWay(at, center, isLarge ? 0 : least, isBlocked) &&
+    this->Mesh.Cells()[task.At.Cell].Version == task.Version)
+  {
+    this->Tasks.push(task);
+  }
+  if (!isBlocked)
+  {
+    this->Insert(at.Cell, center);
+  }
+}
+
+void Refiner::Insert(Id cell, const PlanarPoint& place)
+{
+  const double size = this->SizeAt(cell, place);
+  if (this->Mesh.Insert(cell, place) != None)
+  {
+    this->Sizes.push_back(size);
+    this->InputEdges.push_back(None);
+    this->PushChanged();
+  }
+}
+
+void Refiner::Run()
+{
+  const double estimate = this->EstimatedCells();
+  const double most =
+    PointsPerPoint * static_cast<double>(this->Mesh.Points().size()) + PointsPerCell * estimate;
+  if (most > std::numeric_limits<Id>::max() / 16.0)
+  {
+    throw Error(ErrorCode::TooLarge,
+      "there would be some " + std::to_string(estimate) + " triangles, more than can be counted");
+  }
+  for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+  {
+    this->Push(cell);
+  }
+  const LoopProgress progress(this->Watch, { Stages::Refining, 0, 0.8 },
+    static_cast<std::size_t>(6 * estimate) + 6 * this->Mesh.Cells().size());
+  for (std::size_t turn = 0; !this->Tasks.empty() && !this->HasRunOut; ++turn)
+  {
+    progress.Check(turn);
+    const Task task = this->Tasks.top();
+    this->Tasks.pop();
+    if (this->Mesh.Cells()[task.At.Cell].Version == task.Version)
+    {
+      task.At.Edge == None ? this->LookAtTriangle(task) : this->LookAtConstraint(task);
+      this->HasRunOut = static_cast<double>(this->Mesh.Points().size()) > most;
+    }
+  }
+}
+Id Refiner::CountLargeCells() const
+{
+  const auto& points = this->Mesh.Points();
+  return static_cast<Id>(std::count_if(this->Mesh.Cells().begin(), this->Mesh.Cells().end(),
+    [&](const RefinableTriangles::Cell& cell)
+    {
+      const auto& [a, b, c] = cell.Corners;
+      return AreaOf(points[a], points[b], points[c], this->Mesh.Metric()) > this->MostArea;
+    }));
+}
+
+/** Finds cells of the input for places, on the same side of all segments as another cell. */
+class InputCells
+{
+public:
+  InputCells(const SegmentComplex& curve, const PlanarMesh& mesh,
+    const std::vector<unsigned char>& inside, Monitor& monitor)
+    : Locator(curve.Points, mesh)
+  {
+    std::vector<std::array<Id, 3>> neighbors = mesh.Neighbors; // not across segments
+    for (std::size_t c = 0; c < neighbors.size(); ++c)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        neighbors[c][k] = mesh.Segments[c][k] == None ? neighbors[c][k] : None;
+      }
+    }
+    this->Sides = FindRegions(neighbors, inside, monitor, { Stages::Refining, 0.8, 0.85 });
+  }
+
+  /** The other cell itself where rounding has put the place beside them all. */
+  Id Find(const PlanarPoint& place, Id near) const
+  {
+    const Id found = this->Locator.Find(
+      place, [&](Id cell) { return this->Sides.OfCell[cell] == this->Sides.OfCell[near]; });
+    return found == None ? near : found;
+  }
+
+private:
+  const TriangleLocator Locator;
+  SolidRegions Sides;
+};
+
+/** The points that cells use, and the cells with these. */
+void TakeCells(const SegmentComplex& curve, const RefinableTriangles& mesh, const InputCells& cells,
+  RefinedTriangles& result)
+{
+  const auto given = static_cast<Id>(curve.Points.size());
+  std::vector<Id> nearPoints(mesh.Points().size(), None);
+  for (const RefinableTriangles::Cell& cell : mesh.Cells())
+  {
+    for (const Id p : cell.Corners)
+    {
+      nearPoints[p] = cell.Near;
+    }
+  }
+  std::vector<Id> numbers(nearPoints.size(), None);
+  for (Id p = 0; p < static_cast<Id>(nearPoints.size()); ++p)
+  {
+    if (nearPoints[p] != None)
+    {
+      const PlanarPoint& place = mesh.Points()[p];
+      numbers[p] = static_cast<Id>(result.Curve.Points.size());
+      result.Curve.Points.push_back(place);
+      result.Curve.Origins.push_back(p < given ? curve.Origins[p] : PointOrigin());
+      result.OriginalPoints.push_back(p < given ? p : None);
+      result.CellsOfPoints.push_back(cells.Find(place, nearPoints[p]));
+    }
+  }
+  for (const RefinableTriangles::Cell& cell : mesh.Cells())
+  {
+    PlanarPoint middle = { 0, 0 };
+    Triangle corners = cell.Corners;
+    for (Id& p : corners)
+    {
+      middle[0] += mesh.Points()[p][0] / 3;
+      middle[1] += mesh.Points()[p][1] / 3;
+      p = numbers[p];
+    }
+    result.Mesh.Cells.push_back(corners);
+    result.Mesh.Neighbors.push_back(cell.Neighbors);
+    result.OriginalCells.push_back(cells.Find(middle, cell.Near));
+  }
+}
+
+/** The pieces of segments that edges of cells are, each once. */
+void TakeSegments(const SegmentComplex& curve, const PlanarMesh& input,
+  const RefinableTriangles& mesh, RefinedTriangles& result)
+{
+  PlanarMesh& made = result.Mesh;
+  SegmentComplex& pieces = result.Curve;
+  made.Segments.assign(made.Cells.size(), { { None, None, None } });
+  made.SegmentSides.assign(made.Cells.size(), { { 0, 0, 0 } });
+  for (Id c = 0; c < made.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id source = mesh.Cells()[c].Sources[k];
+      const Id segment = source == None ? None : input.Segments[source / 3][source % 3];
+      if (segment == None || made.Segments[c][k] != None)
+      {
+        continue;
+      }
+      const std::int8_t side = input.SegmentSides[source / 3][source % 3];
+      const auto [a, b] = EdgeOf(made.Cells[c], k);
+      const Id piece = pieces.NumberOfSegments();
+      pieces.Segments.push_back(side > 0 ? Segment{ { a, b } } : Segment{ { b, a } });
+      pieces.Multiplicity.push_back(curve.Multiplicity[segment]);
+      pieces.Sources.insert(pieces.Sources.end(),
+        curve.Sources.begin() + curve.SourceOffsets[segment],
+        curve.Sources.begin() + curve.SourceOffsets[segment + 1]);
+      pieces.SourceOffsets.push_back(static_cast<Id>(pieces.Sources.size()));
+      made.Segments[c][k] = piece;
+      made.SegmentSides[c][k] = side;
+      const Id beyond = made.Neighbors[c][k];
+      if (beyond != None)
+      {
+        const auto& back = made.Neighbors[beyond];
+        const auto j = std::find(back.begin(), back.end(), c) - back.begin();
+        made.Segments[beyond][j] = piece;
+        made.SegmentSides[beyond][j] = static_cast<std::int8_t>(-side);
+      }
+    }
+  }
+  pieces.NumberOfConstraints = pieces.NumberOfSegments();
+}
+
+void AddStatistics(const SegmentComplex& curve, const PlanarMesh& mesh,
+  const std::vector<unsigned char>& inside, const Plane& plane, RefinedTriangles& result)
+{
+  std::vector<Triangle> before;
+  for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+  {
+    if (inside[c] != 0)
+    {
+      before.push_back(mesh.Cells[c]);
+    }
+  }
+  for (const auto& [angles, prefix] :
+    { std::pair(AnglesOf(curve.Points, before, plane.Metric), std::string("Before")),
+      std::pair(AnglesOf(result.Curve.Points, result.Mesh.Cells, plane.Metric), std::string()) })
+  {
+    result.Statistics.emplace_back(prefix + "MinAngle", angles.Least);
+    result.Statistics.emplace_back(prefix + "Angle1Percent", angles.Quantile);
+    result.Statistics.emplace_back(prefix + "MaxAngle", angles.Most);
+  }
+  result.Statistics.emplace_back("RefinedCells", result.Mesh.NumberOfCells());
+}
+} // namespace
+
+RefinedTriangles RefineTriangles(const SegmentComplex& curve, const PlanarMesh& mesh,
+  const std::vector<unsigned char>& inside, const Plane& plane,
+  const RefinementParameters& parameters, Monitor& monitor)
+{
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "in a plane the boundary can be kept or split where triangles are refined, not remeshed");
+  }
+  Refiner refiner(curve, mesh, inside, plane, parameters, monitor);
+  refiner.Run();
+
+  RefinedTriangles result;
+  TakeCells(curve, refiner.Result(), InputCells(curve, mesh, inside, monitor), result);
+  monitor.Check(Stages::Refining, 0.95);
+  TakeSegments(curve, mesh, refiner.Result(), result);
+  const auto added = std::count(result.OriginalPoints.begin(), result.OriginalPoints.end(), None);
+  result.Statistics.emplace_back("AddedPoints", added);
+  result.Statistics.emplace_back("SurfacePoints", refiner.SurfacePoints());
+  if (parameters.Sizes.MaximumVolume > 0)
+  {
+    const Id large = refiner.CountLargeCells();
+    result.Statistics.emplace_back("CellsAboveMaximumVolume", large);
+    if (large > 0)
+    {
+      result.Warnings.push_back(std::to_string(large) + " of " +
+        std::to_string(result.Mesh.NumberOfCells()) +
+        " triangles are larger than MaximumVolume: edges that stay as they are may allow no "
+        "smaller "
+        "ones");
+    }
+  }
+  AddStatistics(curve, mesh, inside, plane, result);
+  if (refiner.RanOut())
+  {
+    result.Warnings.push_back("refining ended at " + std::to_string(added) +
+      " new points, with thin triangles left: parts of the curve lie too close to each other");
+  }
+  monitor.Check(Stages::Refining, 1);
+  return result;
+}
+} // namespace insideout

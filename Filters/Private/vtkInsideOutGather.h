@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * A surface whose pieces several processes (ranks) hold, whole on each of them.
+ *
+ * Which facets count, and which way they face, is a matter of the whole surface: duplicates cancel,
+ * points are merged and shells are turned across the border of pieces. So the surface is gathered
+ * and broadcast, whatever its size; what is large and stays where it is are the places to evaluate.
+ */
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkInformation;
+class vtkMultiProcessController;
+class vtkPolyData;
+
+/**
+ * Whether each rank is asked for its own piece of an output, so that all of them come to the same
+ * calls. A single process that works on its own, as rank 0 of pvbatch in its script, is not.
+ */
+bool vtkInsideOutAllRanksWork(vtkMultiProcessController* controller, vtkInformation* output);
+
+/**
+ * The pieces of all ranks, one after the other, without their ghost cells. All ranks have to call
+ * it.
+ *
+ * @param arrays the names of the cell arrays that matter; no other data go along
+ */
+vtkSmartPointer<vtkPolyData> vtkInsideOutGather(vtkPolyData* piece,
+  const std::vector<std::string>& arrays, vtkMultiProcessController* controller);

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each rank holds a piece of the surface and of the places, and has the winding numbers of the whole there.
+
+    mpirun -np 3 pvbatch --symmetric TestPieces.py
+"""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+from insideout import vtkProbeWindingNumber
+
+controller = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+DUPLICATECELL = 1
+
+
+def ball(steps, turned):
+    """Triangles of a ball; of the southern half in the other direction where it is turned."""
+    longitudes, latitudes = np.arange(2 * steps) * np.pi / steps, np.linspace(-np.pi / 2, np.pi / 2, steps + 1)
+    points = [(np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)) for b in latitudes for a in longitudes]
+    triangles = []
+    for row in range(steps):
+        for column in range(2 * steps):
+            p, q = row * 2 * steps + column, row * 2 * steps + (column + 1) % (2 * steps)
+            for triangle in ((p, q, q + 2 * steps), (p, q + 2 * steps, p + 2 * steps)):
+                triangles.append(triangle[::-1] if turned and row < steps // 2 else triangle)
+    return np.round(points, 9), np.array(triangles)  # so that all points of a pole are one
+
+
+def polydata(points, triangles, is_ghost=None):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    data.SetPolys(vtkCellArray())
+    for triangle in triangles:
+        data.GetPolys().InsertNextCell(3, [int(p) for p in triangle])
+    if is_ghost is not None:
+        ghosts = numpy_to_vtk(np.where(is_ghost, DUPLICATECELL, 0).astype(np.uint8), deep=True, array_type=VTK_UNSIGNED_CHAR)
+        ghosts.SetName("vtkGhostType")
+        data.GetCellData().AddArray(ghosts)
+    return data
+
+
+def image(low, high):
+    places = vtkImageData()
+    places.SetExtent(0, 12, 0, 12, low, high)
+    places.SetOrigin(-1.2, -1.2, -1.2)
+    places.SetSpacing(0.2, 0.2, 0.2)
+    return places
+
+
+def winding_numbers(surface, places, pieces):
+    probe = vtkProbeWindingNumber()
+    probe.SetInputData(places)
+    probe.SetSurfaceData(surface)
+    probe.UpdatePiece(RANK if pieces > 1 else 0, pieces, 0)
+    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w"))
+
+
+for name, steps, turned, hole in (("closed", 12, True, 0), ("open", 12, False, 9), ("sparse", 2, False, 0)):
+    points, triangles = ball(steps, turned)
+    triangles = triangles[hole:]
+    # Every so many triangles are a rank's own, and every third of the others a ghost of it.
+    owner = np.arange(len(triangles)) * 7 // 3 % RANKS
+    held = (owner == RANK) | (np.arange(len(triangles)) % 3 == 0)
+    piece = polydata(points, triangles[held], owner[held] != RANK)
+    slabs = np.linspace(-1, 12, RANKS + 1).astype(int)
+    places = image(slabs[RANK] + 1, slabs[RANK + 1])
+    found = winding_numbers(piece, places, RANKS)
+    serial = winding_numbers(polydata(points, triangles), places, 1)
+    assert RANKS == 1 or piece.GetNumberOfCells() < len(triangles)
+    assert len(found) == places.GetNumberOfPoints() > 0
+    assert np.abs(found - serial).max() < 1e-12, (name, RANK, np.abs(found - serial).max())
+    if not hole:
+        away = (serial == 0) | (serial == 1) # on the surface itself it is the mean of both sides
+        assert away.mean() > 0.9 and (found[away] == serial[away]).all(), (name, RANK)
+
+# Where a script works on one rank alone nobody waits for the others.
+if RANK == 0:
+    points, triangles = ball(4, False)
+    assert set(winding_numbers(polydata(points, triangles), image(6, 6), 1)) >= {0, 1}
+controller.Barrier()
+if RANK == 0:
+    print("the same on all ranks")
