@@ -235,9 +235,8 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
   const std::vector<BoundaryFace> faces = BoundaryFaces(
     mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
   // Of the hull's cells: those of a parted solid overlap.
-  const std::vector<BoundaryFace> unparted = parted
-    ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 })
-    : faces;
+  const std::vector<BoundaryFace> unparted =
+    parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
   AppendTopology(
     FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }),
     surfaces.Counts);
