@@ -6,6 +6,7 @@
 #include "NothingInside.h"
 #include "Output/MassProperties.h"
 #include "Output/MergePieces.h"
+#include "Output/Topology.h"
 #include "Private/vtkInsideOutBodies.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
@@ -353,6 +354,12 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
   const TetrahedralMesh& mesh = parted ? parted->Solid.Mesh : hull.Mesh;
   const std::vector<BoundaryFace> faces = BoundaryFaces(
     mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
+  // Of the hull's cells: those of a parted solid overlap.
+  const std::vector<BoundaryFace> unparted =
+    parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
+  AppendTopology(
+    FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }),
+    surfaces.Counts);
   std::vector<BoundaryTriangle> boundary =
     BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
   if (options.MergePieces)

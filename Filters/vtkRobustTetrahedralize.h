@@ -83,7 +83,9 @@
  * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area). Of
  * the solid: Regions; with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and
  * the inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x
- * y).
+ * y); and its topology: SolidComponents, SolidTunnels and SolidCavities, the Betti numbers of its
+ * cells with all that they touch in, SolidEulerCharacteristic, the same of its boundary
+ * (BoundaryComponents and so on), and Genus, half of BoundaryTunnels.
  *
  * With Refine the solid's cells are others of the same solid: see vtkRefineTetrahedra, which says
  * what becomes of its arrays, too. InsideCells then counts the cells before. Where Surface is not

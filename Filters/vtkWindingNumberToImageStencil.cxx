@@ -39,6 +39,11 @@ void vtkWindingNumberToImageStencil::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
 }
 
+void vtkWindingNumberToImageStencil::SetInputData(vtkPolyData* surface)
+{
+  this->SetInputDataObject(0, surface);
+}
+
 int vtkWindingNumberToImageStencil::FillInputPortInformation(
   int vtkNotUsed(port), vtkInformation* info)
 {
@@ -78,18 +83,17 @@ void AddRuns(const double* w, double threshold, int y, int z, vtkImageStencilDat
 }
 } // namespace
 
-int vtkWindingNumberToImageStencil::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Superclass::RequestData(request, inputVector, outputVector);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  vtkImageStencilData* stencil =
-    this->AllocateOutputData(outInfo->Get(vtkDataObject::DATA_OBJECT()),
-      outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   return vtkInsideOutRun(this, outputVector,
     [&]()
     {
+      vtkImageStencilData* stencil =
+        this->AllocateOutputData(outInfo->Get(vtkDataObject::DATA_OBJECT()),
+          outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
       vtkInsideOutMonitor monitor(
         this, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
       std::vector<std::string> warnings;

@@ -22,12 +22,19 @@
 
 #include <string>
 
+class vtkPolyData;
+
 class VTKFILTERSINSIDEOUT_EXPORT vtkWindingNumberToImageStencil : public vtkImageStencilSource
 {
 public:
   static vtkWindingNumberToImageStencil* New();
   vtkTypeMacro(vtkWindingNumberToImageStencil, vtkImageStencilSource)
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The surface: polygons and strips. Lines and vertices are ignored with a warning.
+   */
+  void SetInputData(vtkPolyData* surface);
 
   ///@{
   /**

@@ -34,13 +34,13 @@ MODEL, FACETS = "mannequin-devil.off", 1500
 SHOWN = 6  # of the angles
 
 
-def corners_of(surface: Path) -> np.ndarray:
-    """The three places of each triangle of a coarse copy."""
+def corners_of(surface: Path, facets: int = FACETS) -> np.ndarray:
+    """The three places of each triangle of a copy with about so many facets."""
     raw = insideout.check(surface).surface
     triangles, coarse = vtkTriangleFilter(), vtkQuadricDecimation()
     triangles.SetInputData(raw)
     coarse.SetInputConnection(triangles.GetOutputPort())
-    coarse.SetTargetReduction(1 - FACETS / raw.GetNumberOfCells())
+    coarse.SetTargetReduction(1 - facets / raw.GetNumberOfCells())
     coarse.Update()
     found = coarse.GetOutput()
     points = vtk_to_numpy(found.GetPoints().GetData()).astype(float)

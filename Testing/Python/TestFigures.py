@@ -45,6 +45,15 @@ class TestFigures(unittest.TestCase):
         for row in rows[3:]:  # behind 75 degrees
             self.assertLess(float(row[2]), -95)
 
+    def test_soups_hold_their_volume_to_a_quarter_and_repaired_ones_beyond(self):
+        said = self.run_figure("soups.py", "soups.png", "3", "300")
+        rows = [list(map(float, row.split())) for row in re.findall(r"% turned over(.*)", said)]
+        self.assertEqual(len(rows), 3)  # none, a quarter, a half
+        for row in rows:
+            self.assertLess(abs(row[1]), 0.1)  # whole, and repaired
+        self.assertLess(max(map(abs, rows[0])), 2)
+        self.assertLess(max(rows[2][0], *rows[2][2:]), -90)
+
     def test_a_hand_within_a_chest_swings_out_when_overlaps_are_separated(self):
         said = self.run_figure("overlap.py", "overlap.png")
         separated, overlaps, copied = map(int, re.search(r"(\d+) of (\d+) overlaps separated, (\d+) cells copied", said).groups())

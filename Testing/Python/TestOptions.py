@@ -20,9 +20,11 @@ PLUGIN = ROOT / "Plugin"
 
 NOT_IN_PARAVIEW = {
     "vtkImplicitWindingNumber": "an implicit function: ParaView's filters choose among their own",
+    "vtkWindingNumberToImageStencil": "image stencils are no data of ParaView's",
     "vtkSurfaceWriter": "ParaView's own writers save what the filters give",
 }
 
+QUERIES = (insideout.winding_number, insideout.inside, insideout.distance, insideout.voxels)
 HUGE = 1e200
 
 
@@ -259,14 +261,14 @@ class Python(unittest.TestCase):
         self.assertEqual({one.kind for one in found}, {inspect.Parameter.KEYWORD_ONLY})
 
     def test_other_functions_that_have_them_have_the_same(self):
-        for function in (insideout.check, insideout.resolve, insideout.winding_number, insideout.inside, insideout.draw):
+        for function in (insideout.check, insideout.resolve, *QUERIES, insideout.draw):
             self.assertIn("scale", inspect.signature(function).parameters)
             for parameter in inspect.signature(function).parameters.values():
                 if parameter.name in OPTIONS:
                     self.assertEqual(parameter.default, OPTIONS[parameter.name].default, parameter.name)
 
     def test_the_help_tells_all_and_leaves_no_gap(self):
-        for function in (insideout.check, insideout.resolve, insideout.tetrahedralize, insideout.winding_number):
+        for function in (insideout.check, insideout.resolve, insideout.tetrahedralize, insideout.winding_number, insideout.distance, insideout.voxels):
             self.assertNotIn("{", function.__doc__)
         words = " ".join(insideout.tetrahedralize.__doc__.split())
         for name, option in OPTIONS.items():

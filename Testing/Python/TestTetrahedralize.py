@@ -75,6 +75,30 @@ class Laws(unittest.TestCase):
         for name in ("Volume", "CenterOfMassX", "InertiaXX", "InertiaYZ"):
             self.assertAlmostEqual(found[0][name], found[1][name], 12)
 
+    def test_statistics_tell_how_the_solid_hangs_together(self):
+        u, v = (angles.ravel() for angles in np.meshgrid(np.arange(12) * np.pi / 6, np.arange(8) * np.pi / 4, indexing="ij"))
+        ring = np.array([(3 + np.cos(v)) * np.cos(u), (3 + np.cos(v)) * np.sin(u), np.sin(v)]).T
+        corner = [[8 * (i % 12) + j % 8 for j in range(9)] for i in range(13)]
+        quads = [(corner[i][j], corner[i + 1][j], corner[i + 1][j + 1], corner[i][j + 1]) for i in range(12) for j in range(8)]
+        around = [triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))]
+        outward, inward = np.array(surfaces.BOX_FACETS), np.array(surfaces.BOX_FACETS)[:, ::-1]
+
+        def two_boxes(low, size, second):
+            return np.array(surfaces.box_points() + surfaces.box_points(low, size)), np.vstack([outward, second + 8])
+
+        for surface, components, tunnels, cavities, genus in (
+            (surfaces.box(), 1, 0, 0, 0),
+            ((ring, around), 1, 1, 0, 1),
+            (two_boxes((0.25, 0.25, 0.25), 0.5, inward), 1, 0, 1, 0),
+            (two_boxes((5, 0, 0), 1, outward), 2, 0, 0, 0),
+            (two_boxes((1, 1, 1), 1, outward), 1, 0, 0, 0),
+        ):
+            found = insideout.tetrahedralize(surface).statistics
+            names = ("SolidComponents", "SolidTunnels", "SolidCavities", "Genus")
+            self.assertEqual([found[name] for name in names], [components, tunnels, cavities, genus])
+            self.assertEqual(found["SolidEulerCharacteristic"], components - tunnels + cavities)
+            self.assertEqual(found["BoundaryCavities"], found["Regions"] + cavities)
+
     def test_a_box_is_filled(self):
         result = insideout.tetrahedralize(surfaces.box())
         self.check(result, 1)

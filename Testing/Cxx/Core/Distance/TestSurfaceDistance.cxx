@@ -73,13 +73,13 @@ std::vector<FacetComplex> Surfaces()
 {
   Monitor monitor;
   std::vector<FacetComplex> surfaces;
-  for (const double flat : { 1.0, 1e-4, 1e-7 })
+  for (const double flat : { 1.0, 1e-3, 1e-5 })
   {
     TriangleSoup soup = testmeshes::GridSoup(3, 80, 16);
     for (Point& p : soup.Points)
     {
       p[0] *= flat;
-      p[1] += p[2] * flat;
+      p[1] *= flat;
     }
     surfaces.push_back(CountFacets(soup, {}, monitor).Surface);
   }
@@ -118,6 +118,38 @@ TEST(SurfaceDistance, IsThatInTwiceTheDigits)
       EXPECT_NEAR(nearest.Distance, Distance(nearest.Place, place), 1e-13);
       EXPECT_NEAR(DistanceInQuads(surface, nearest.Facet, nearest.Place), 0, 1e-13);
     }
+  }
+}
+
+/** Whose normal doubles do not know. */
+TEST(SurfaceDistance, FindsTheFootOnANeedle)
+{
+  Monitor monitor;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 50; ++round)
+  {
+    TriangleSoup soup;
+    const Point a = { uniform(random), uniform(random), uniform(random) };
+    const Point b = { uniform(random), uniform(random), uniform(random) };
+    Point c;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      c[axis] = (a[axis] + b[axis]) / 2 + 1e-5 * uniform(random);
+    }
+    soup.Points = { a, b, c };
+    soup.Triangles = { { { 0, 1, 2 } } };
+    const FacetComplex surface = CountFacets(soup, {}, monitor).Surface;
+    const Quad normal = Cross(Difference(QuadOf(b), QuadOf(a)), Difference(QuadOf(c), QuadOf(a)));
+    Point place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[axis] = (a[axis] + b[axis] + 2 * c[axis]) / 4 +
+        static_cast<double>(3 * normal[axis] / sqrtq(Dot(normal, normal)));
+    }
+    const SurfaceDistance::Nearest nearest = SurfaceDistance(surface).At(place);
+    EXPECT_NEAR(nearest.Distance, DistanceInQuads(surface, 0, place), 1e-13);
+    EXPECT_NEAR(DistanceInQuads(surface, 0, nearest.Place), 0, 1e-13);
   }
 }
 

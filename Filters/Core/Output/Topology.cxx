@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output/Topology.h"
+
+#include "Common/Buckets.h"
+#include "Common/DisjointSets.h"
+#include "Common/ParallelLoop.h"
+#include "Output/Regions.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace insideout
+{
+namespace
+{
+constexpr double NanosecondsPerPoint = 400;
+
+/** How many different edges triangles or tetrahedra have. */
+template <std::size_t Size>
+Id CountEdges(std::size_t points, const std::vector<std::array<Id, Size>>& cells)
+{
+  Buckets<Id> ends(points,
+    [&](const auto& visit)
+    {
+      for (const std::array<Id, Size>& cell : cells)
+      {
+        for (std::size_t i = 0; i < Size; ++i)
+        {
+          for (std::size_t j = i + 1; j < Size; ++j)
+          {
+            const auto [low, high] = std::minmax(cell[i], cell[j]);
+            visit(static_cast<std::size_t>(low), high);
+          }
+        }
+      }
+    });
+  std::atomic<Id> edges{ 0 };
+  ParallelLoop(points, NanosecondsPerPoint,
+    [&](std::size_t p)
+    {
+      ends.Sort(p, std::less<Id>());
+      const auto higher = ends[p];
+      Id different = 0;
+      for (const Id* end = higher.begin(); end != higher.end(); ++end)
+      {
+        different += end == higher.begin() || *end != end[-1];
+      }
+      edges += different;
+    });
+  return edges;
+}
+
+struct PointCounts
+{
+  Id Used = 0;
+  Id Components = 0; ///< of the points that cells use, joined by these
+};
+
+template <std::size_t Size>
+PointCounts CountPoints(std::size_t points, const std::vector<std::array<Id, Size>>& cells)
+{
+  DisjointSets sets(points);
+  std::vector<unsigned char> isUsed(points, 0);
+  for (const std::array<Id, Size>& cell : cells)
+  {
+    for (const Id p : cell)
+    {
+      isUsed[p] = 1;
+      sets.Join(cell[0], p);
+    }
+  }
+  PointCounts counts;
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    const Id id = static_cast<Id>(p);
+    counts.Used += isUsed[p];
+    counts.Components += isUsed[p] && sets.Find(id) == id;
+  }
+  return counts;
+}
+
+/** The parts of the outside, joined through faces, that do not reach beyond the hull. */
+Id CountCavities(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress)
+{
+  std::vector<unsigned char> outside(inside.size());
+  std::transform(inside.begin(), inside.end(), outside.begin(),
+    [](unsigned char label) { return label == 0 ? 1 : 0; });
+  const SolidRegions parts = FindRegions(mesh, outside, monitor, progress);
+  std::vector<unsigned char> isOpen(static_cast<std::size_t>(parts.Count), 0);
+  for (std::size_t cell = 0; cell < outside.size(); ++cell)
+  {
+    const std::array<Id, 4>& neighbors = mesh.Neighbors[cell];
+    if (outside[cell] && std::find(neighbors.begin(), neighbors.end(), None) != neighbors.end())
+    {
+      isOpen[parts.OfCell[cell]] = 1;
+    }
+  }
+  return static_cast<Id>(std::count(isOpen.begin(), isOpen.end(), 0));
+}
+
+void Append(const std::string& prefix, const BettiNumbers& numbers, Statistics& statistics)
+{
+  statistics.emplace_back(prefix + "Components", numbers.Components);
+  statistics.emplace_back(prefix + "Tunnels", numbers.Tunnels);
+  statistics.emplace_back(prefix + "Cavities", numbers.Cavities);
+  statistics.emplace_back(prefix + "EulerCharacteristic", numbers.EulerCharacteristic());
+}
+} // namespace
+
+SolidTopology FindTopology(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
+  const std::vector<BoundaryFace>& boundary, Monitor& monitor, const ProgressRange& progress)
+{
+  const Id regions =
+    FindRegions(mesh, inside, monitor, { progress.Stage, progress.Begin, progress.At(0.3) }).Count;
+  std::vector<Tetrahedron> cells;
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    if (inside[cell])
+    {
+      cells.push_back(mesh.Cells[cell]);
+    }
+  }
+  std::vector<Triangle> faces;
+  for (const BoundaryFace& face : boundary)
+  {
+    faces.push_back(face.Corners);
+  }
+  const std::size_t points = mesh.Points.size();
+  SolidTopology topology;
+  topology.Solid.Cavities =
+    CountCavities(mesh, inside, monitor, { progress.Stage, progress.At(0.3), progress.At(0.6) });
+  const PointCounts ofSolid = CountPoints(points, cells);
+  const Id tetrahedra = static_cast<Id>(cells.size());
+  const Id triangles = static_cast<Id>(faces.size());
+  topology.Solid.Components = ofSolid.Components;
+  // Each face of a cell is another's, too, or on the boundary.
+  const Id eulerOfSolid =
+    ofSolid.Used - CountEdges(points, cells) + (4 * tetrahedra + triangles) / 2 - tetrahedra;
+  topology.Solid.Tunnels = topology.Solid.Components + topology.Solid.Cavities - eulerOfSolid;
+  monitor.Check(progress, 0.8);
+
+  const PointCounts ofBoundary = CountPoints(points, faces);
+  topology.Boundary.Components = ofBoundary.Components;
+  topology.Boundary.Cavities = regions + topology.Solid.Cavities;
+  const Id eulerOfBoundary = ofBoundary.Used - CountEdges(points, faces) + triangles;
+  topology.Boundary.Tunnels =
+    topology.Boundary.Components + topology.Boundary.Cavities - eulerOfBoundary;
+  monitor.Check(progress, 1);
+  return topology;
+}
+
+void AppendTopology(const SolidTopology& topology, Statistics& statistics)
+{
+  Append("Solid", topology.Solid, statistics);
+  Append("Boundary", topology.Boundary, statistics);
+  statistics.emplace_back("Genus", topology.Boundary.Tunnels / 2.0);
+}
+} // namespace insideout
