@@ -120,3 +120,9 @@ vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm)
   const vtkInsideOutBlocks blocks = BlocksOf(algorithm, 0);
   return blocks.AreThere() ? blocks : vtkInsideOutBlocks();
 }
+
+void vtkInsideOutVisitBlocks(
+  vtkDataObject* data, const std::function<void(vtkDataObject*, const std::string&)>& visit)
+{
+  VisitLeaves(data, std::string(), visit);
+}

@@ -6,10 +6,12 @@
  */
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkInformation;
 
 /** Call when an input's extent is requested: VTK has not taken it to blocks yet. */
@@ -33,3 +35,10 @@ struct vtkInsideOutBlocks
 
 /** Those of an algorithm's first input; none where it is not composite. */
 vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm);
+
+/**
+ * Visit what of a data object has no blocks of its own as (data, name): itself, with no name, where
+ * it has none. A block that is not there is passed over.
+ */
+void vtkInsideOutVisitBlocks(
+  vtkDataObject* data, const std::function<void(vtkDataObject*, const std::string&)>& visit);
