@@ -6,6 +6,7 @@
 #include "NothingInside.h"
 #include "Output/MassProperties.h"
 #include "Output/MergePieces.h"
+#include "Private/vtkInsideOutBodies.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMakeTriangles.h"
@@ -36,29 +37,63 @@ vtkStandardNewMacro(vtkRobustTetrahedralize);
 
 namespace
 {
+/** What of an input decides about the hull: the names of arrays, and when blocks were modified. */
+struct ArrayNames
+{
+  std::string NonParticipating;
+  std::string Bodies;
+  vtkMTimeType BlocksTime = 0;
+};
+
+/** When the last one was modified: a composite data set does not tell. */
+vtkMTimeType TimeOfBlocks(vtkDataObject* blocks)
+{
+  vtkMTimeType time = 0;
+  vtkInsideOutVisitBlocks(blocks,
+    [&](vtkDataObject* block, const std::string&) { time = std::max(time, block->GetMTime()); });
+  return time;
+}
+
 /** What decides about the hull, to be compared. Does not compile once a parameter is added: it may
  * not be missing here. */
-auto AsTuple(const HullMeshParameters& parameters, const std::string& nonParticipating)
+auto AsTuple(const HullMeshParameters& parameters, const ArrayNames& names)
 {
   const auto& [chain, orientation, thicken, budgets, quadratureOrder] = parameters;
   const auto& [mergeTolerance, countDuplicates] = chain;
   const auto& [width, all] = thicken;
   const auto& [seconds, mebibytes, engine] = budgets;
+  const auto& [nonParticipating, bodies, blocksTime] = names;
   return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
-    mebibytes, engine, quadratureOrder, nonParticipating);
+    mebibytes, engine, quadratureOrder, nonParticipating, bodies, blocksTime);
 }
 } // namespace
 
 /** The hull of an input, which the segmentation does not change. */
 struct vtkRobustTetrahedralize::HullOfInput
 {
-  HullOfInput(vtkPolyData* input, const HullMeshParameters& parameters,
-    const std::string& nonParticipating, Monitor& monitor)
-    : Surface(vtkInsideOutReadSurface(ShallowCopyOf(input), nonParticipating))
+  HullOfInput(vtkPolyData* input, const HullMeshParameters& parameters, const ArrayNames& names,
+    Monitor& monitor)
+    : Surface(vtkInsideOutReadSurface(ShallowCopyOf(input), names.NonParticipating))
     , Outputs(this->Surface)
-    , Hull(MeshHull(this->Surface.Soup, parameters, monitor))
-    , Grid(this->Outputs.MakeGrid(this->Hull))
+    , Bodies(vtkInsideOutReadBodies(this->Surface, names.Bodies))
   {
+    if (this->Bodies.AreThere())
+    {
+      HullOfBodies hull = MeshBodies(
+        SplitBodies(this->Surface.Soup, this->Bodies.OfTriangle, this->Bodies.Names), parameters,
+        monitor);
+      this->Hull = std::move(hull.Whole);
+      this->WOfBodies = std::move(hull.W);
+    }
+    else
+    {
+      this->Hull = MeshHull(this->Surface.Soup, parameters, monitor);
+    }
+    this->Grid = this->Outputs.MakeGrid(this->Hull);
+    if (this->Bodies.AreThere())
+    {
+      vtkInsideOutAddBodyW(this->WOfBodies, this->Bodies.Names, this->Grid);
+    }
   }
 
   static vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
@@ -70,12 +105,22 @@ struct vtkRobustTetrahedralize::HullOfInput
 
   vtkInsideOutSurface Surface;
   vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
+  vtkInsideOutBodies Bodies;
   HullMesh Hull;
+  std::vector<std::vector<double>> WOfBodies; ///< where there are bodies
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
 };
 
+/** What is inside, and the regions of that. */
+struct vtkRobustTetrahedralize::Segmented
+{
+  MeshSegmentation All;                            ///< inside any body
+  std::vector<std::vector<unsigned char>> InBodies; ///< where there are bodies
+  BodyRegions Regions;
+};
+
 class vtkRobustTetrahedralize::Cache
-  : public vtkInsideOutCache<decltype(AsTuple(std::declval<HullMeshParameters>(), std::string())),
+  : public vtkInsideOutCache<decltype(AsTuple(std::declval<HullMeshParameters>(), ArrayNames())),
       HullOfInput>
 {
 };
@@ -132,6 +177,15 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
   os << indent << "SplitSeams: " << this->SplitSeams << "\n";
   os << indent << "TagArrayName: " << this->TagArrayName << "\n";
+  os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
+  os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
+  os << indent << "RegionRule: " << this->RegionRule << "\n";
+  os << indent << "Priority:";
+  for (const std::string& body : this->Priority)
+  {
+    os << " " << body;
+  }
+  os << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
@@ -149,6 +203,39 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
 {
   return vtkInsideOutFillPort(port, info, "vtkPolyData");
+}
+
+void vtkRobustTetrahedralize::SetBlocksAreBodies(bool blocksAreBodies)
+{
+  if (this->BlocksAreBodies == blocksAreBodies)
+  {
+    return;
+  }
+  this->BlocksAreBodies = blocksAreBodies;
+  // VTK takes a composite data set to blocks where the filter does not take it as it is.
+  vtkInformation* port = this->GetInputPortInformation(0);
+  port->Remove(INPUT_REQUIRED_DATA_TYPE());
+  port->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (blocksAreBodies)
+  {
+    port->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  }
+  this->Modified();
+}
+
+void vtkRobustTetrahedralize::AddPriority(const char* body)
+{
+  this->Priority.emplace_back(body ? body : "");
+  this->Modified();
+}
+
+void vtkRobustTetrahedralize::ClearPriority()
+{
+  if (!this->Priority.empty())
+  {
+    this->Priority.clear();
+    this->Modified();
+  }
 }
 
 void vtkRobustTetrahedralize::SetSeedsData(vtkPointSet* seeds)
@@ -215,11 +302,11 @@ void CountOutliers(
   statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
 }
 
-Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  bool mergePieces, bool splitSeams, const TriangleSoup& soup, vtkInsideOutMakeOutputs& outputs,
-  Monitor& monitor)
+/** The solid's boundary, of one body. */
+vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
+  const std::vector<unsigned char>& inside, bool mergePieces, bool splitSeams,
+  const TriangleSoup& soup, vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
 {
-  Surfaces surfaces;
   const std::vector<BoundaryFace> faces =
     BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0, 0.05 });
   std::vector<BoundaryTriangle> boundary =
@@ -230,21 +317,35 @@ Surfaces MakeSurfaces(const HullMesh& hull, const std::vector<unsigned char>& in
       { Stages::Extracting, 0.1, 0.2 });
   }
   monitor.Check(Stages::Extracting, 0.2);
-  surfaces.Boundary = splitSeams
+  return splitSeams
     ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
     : outputs.MakeBoundary(hull, boundary);
-  monitor.Check(Stages::Extracting, 0.3);
-  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
+}
 
-  const std::vector<OutlierPiece> outliers =
-    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 });
+/** The boundary of several bodies and the interfaces between their regions, with tags. */
+vtkSmartPointer<vtkPolyData> MakeBoundaryOfBodies(const HullMesh& hull, const BodyRegions& regions,
+  const std::vector<std::string>& names, const vtkInsideOutTags* tags,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const RegionBoundaries boundaries =
+    FindRegionBoundaries(hull.Mesh, regions.Regions, monitor, { Stages::Extracting, 0, 0.1 });
+  vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull,
+    BoundaryTriangles(
+      hull.Surface, hull.Mesh, boundaries.Faces, monitor, { Stages::Extracting, 0.1, 0.2 }));
+  vtkInsideOutAddRegionTags(boundaries, NamesOfRegions(regions, names), tags, boundary);
+  return boundary;
+}
+
+/** Output 2, and what is lost. */
+void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor, Surfaces& surfaces)
+{
   monitor.Check(Stages::Extracting, 0.35);
   surfaces.Outliers = outputs.MakeOutliers(hull, outliers);
   monitor.Check(Stages::Extracting, 0.4);
   CountOutliers(hull, outliers, surfaces.Counts);
   surfaces.Lost = MeasureLostArea(hull, outliers);
   surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
-  return surfaces;
 }
 
 /** The solid's cells with their regions, and what it and each of these weigh. */
@@ -256,27 +357,74 @@ struct Solid
   Statistics Counts;
 };
 
+/** @param[in] add what puts more arrays on the grid of the hull */
+template <typename Add>
 Solid MakeSolid(const HullMesh& hull, const std::vector<unsigned char>& inside,
-  vtkUnstructuredGrid* hullGrid, bool extractInside, Monitor& monitor)
+  const SolidRegions& regions, vtkUnstructuredGrid* hullGrid, bool extractInside, const Add& add,
+  Monitor& monitor)
 {
-  const SolidRegions regions =
-    FindRegions(hull.Mesh, inside, monitor, { Stages::Extracting, 0.4, 0.45 });
   Solid solid;
   solid.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   solid.Grid->ShallowCopy(hullGrid);
   vtkInsideOutAddInside(inside, solid.Grid);
   vtkInsideOutAddRegions(regions, solid.Grid);
+  add(solid.Grid);
   if (extractInside)
   {
     solid.Grid = vtkInsideOutExtractInside(solid.Grid, monitor, { Stages::Extracting, 0.45, 1 });
   }
-  solid.Masses = MeasureRegions(hull.Mesh, regions);
-  solid.Counts.emplace_back("InsideCells", std::count(inside.begin(), inside.end(), 1));
+  const auto insideCells = std::count(inside.begin(), inside.end(), 1);
+  if (insideCells > 0)
+  {
+    solid.Masses = MeasureRegions(hull.Mesh, regions);
+  }
+  solid.Counts.emplace_back("InsideCells", insideCells);
   solid.Counts.emplace_back("Regions", regions.Count);
-  solid.Mass = regions.Count == 1 ? solid.Masses.front() : MeasureMass(hull.Mesh, inside);
+  solid.Mass = regions.Count == 1 ? MeasureRegions(hull.Mesh, regions).front()
+                                  : MeasureMass(hull.Mesh, inside);
   return solid;
 }
 } // namespace
+
+vtkRobustTetrahedralize::Segmented vtkRobustTetrahedralize::Segment(
+  const HullOfInput& kept, const std::vector<Seed>& given, vtkPointSet* points, Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  const std::vector<unsigned char> chosen =
+    vtkInsideOutReadChosenFacets(kept.Surface, this->ConstrainedFacetsArrayName, hull.Surface);
+  const SegmentMeshParameters parameters = vtkInsideOutSegmentMeshParameters(this);
+  const ProgressRange findingRegions = { Stages::Extracting, 0.4, 0.45 };
+  Segmented segmented;
+  if (!kept.Bodies.AreThere())
+  {
+    segmented.All = SegmentMesh(hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen),
+      given, parameters, monitor);
+    segmented.Regions.Regions =
+      FindRegions(hull.Mesh, segmented.All.Inside, monitor, findingRegions);
+    return segmented;
+  }
+  const std::vector<std::string>& names = kept.Bodies.Names;
+  const std::vector<Id> priority = PriorityOf(names, this->Priority);
+  const std::vector<std::vector<Seed>> seeds = vtkInsideOutSeedsOfBodies(given, points, names);
+  const std::vector<std::vector<FacetPiece>> pieces =
+    vtkInsideOutPiecesOfBodies(hull, kept.Bodies, chosen);
+  std::vector<BodyToSegment> bodies;
+  for (std::size_t b = 0; b < names.size(); ++b)
+  {
+    bodies.push_back({ names[b], kept.WOfBodies[b], pieces[b], seeds[b] });
+  }
+  BodySegmentation found = SegmentBodies(hull.Mesh, bodies, parameters, monitor);
+  segmented.InBodies = std::move(found.Inside);
+  segmented.All.Statistics = std::move(found.Statistics);
+  segmented.All.Warnings = std::move(found.Warnings);
+  segmented.Regions = FindBodyRegions(segmented.InBodies,
+    static_cast<insideout::RegionRule>(this->RegionRule), priority, monitor, findingRegions);
+  for (const Id region : segmented.Regions.Regions.OfCell)
+  {
+    segmented.All.Inside.push_back(region != None);
+  }
+  return segmented;
+}
 
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -343,14 +491,50 @@ void vtkRobustTetrahedralize::CheckRefinement()
   }
 }
 
+void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
+{
+  using insideout::RegionRule;
+  static_assert(BY_PRIORITY == static_cast<int>(RegionRule::Priority));
+  static_assert(ALL == static_cast<int>(RegionRule::All));
+  const bool areThere = this->BlocksAreBodies || !this->BodyArrayName.empty();
+  const std::string option = this->BlocksAreBodies ? "BlocksAreBodies" : "BodyArrayName";
+  if (this->BlocksAreBodies && !this->BodyArrayName.empty())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "BlocksAreBodies and BodyArrayName both say what is a body: set one of them");
+  }
+  if (areThere && isPlanar)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the input lies in a plane, where " + option + " has no meaning: bodies are in space");
+  }
+  if (areThere && (this->MergeCoplanarPieces || this->SplitSeams))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::string(this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams") +
+        " takes one body: it would part interfaces from their cells");
+  }
+}
+
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      if (vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2)
+      vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
+      vtkSmartPointer<vtkPolyData> input = vtkPolyData::SafeDownCast(given);
+      ArrayNames names = { this->NonParticipatingArrayName, this->BodyArrayName, 0 };
+      if (this->BlocksAreBodies)
+      {
+        input = vtkInsideOutJoinBlocks(given);
+        names.Bodies = vtkInsideOutBodyIds;
+        names.BlocksTime = TimeOfBlocks(given);
+      }
+      const bool isPlanar =
+        vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2;
+      this->CheckBodies(isPlanar);
+      if (isPlanar)
       {
         this->MakeTriangles(inputVector, outputVector);
         return;
@@ -358,14 +542,16 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
       this->CheckRefinement();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
+      if (!names.Bodies.empty())
+      {
+        PriorityOf(vtkInsideOutReadTags(input, names.Bodies, {}).Names, this->Priority); // or throw
+      }
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
-      const std::string& nonParticipating = this->NonParticipatingArrayName;
       const std::shared_ptr<HullOfInput> kept =
-        this->Hulls->Get(input, AsTuple(parameters, nonParticipating),
-          [&]()
-          { return std::make_shared<HullOfInput>(input, parameters, nonParticipating, monitor); });
+        this->Hulls->Get(given, AsTuple(parameters, names),
+          [&]() { return std::make_shared<HullOfInput>(input, parameters, names, monitor); });
       if (this->GetReleaseDataFlag())
       {
         this->Hulls->Forget();
@@ -374,15 +560,42 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutMakeOutputs outputs = kept->Outputs;
 
       Stopwatch stopwatch;
-      const std::vector<unsigned char> chosen =
-        vtkInsideOutReadChosenFacets(kept->Surface, this->ConstrainedFacetsArrayName, hull.Surface);
-      const MeshSegmentation segmentation = SegmentMesh(hull.Mesh, hull.W,
-        PiecesOfFacets(hull.Mesh, chosen), seeds, vtkInsideOutSegmentMeshParameters(this), monitor);
+      const Segmented segmented = this->Segment(*kept, seeds, vtkPointSet::GetData(inputVector[1]), monitor);
+      const MeshSegmentation& segmentation = segmented.All;
       const double cutSeconds = stopwatch.Lap();
-      Surfaces surfaces = MakeSurfaces(hull, segmentation.Inside, this->MergeCoplanarPieces,
-        this->SplitSeams, kept->Surface.Soup, outputs, monitor);
-      vtkInsideOutAddTags(tags, surfaces.Boundary);
-      Solid solid = MakeSolid(hull, segmentation.Inside, kept->Grid, this->ExtractInside, monitor);
+      const ProgressRange findingOutliers = { Stages::Extracting, 0.3, 0.35 };
+      Surfaces surfaces;
+      if (kept->Bodies.AreThere())
+      {
+        surfaces.Boundary = MakeBoundaryOfBodies(hull, segmented.Regions, kept->Bodies.Names,
+          this->TagArrayName.empty() ? nullptr : &tags, outputs, monitor);
+        AddOutliers(hull,
+          OutlierPieces(hull.Surface, hull.Mesh,
+            vtkInsideOutIsInOwnBody(hull, kept->Bodies, segmented.InBodies), monitor,
+            findingOutliers),
+          outputs, monitor, surfaces);
+      }
+      else
+      {
+        surfaces.Boundary = MakeBoundary(hull, segmentation.Inside, this->MergeCoplanarPieces,
+          this->SplitSeams, kept->Surface.Soup, outputs, monitor);
+        vtkInsideOutAddTags(tags, surfaces.Boundary);
+        AddOutliers(hull,
+          OutlierPieces(hull.Surface, hull.Mesh, segmentation.Inside, monitor, findingOutliers),
+          outputs, monitor, surfaces);
+      }
+      surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
+      Solid solid = MakeSolid(
+        hull, segmentation.Inside, segmented.Regions.Regions, kept->Grid, this->ExtractInside,
+        [&](vtkUnstructuredGrid* grid)
+        {
+          if (kept->Bodies.AreThere())
+          {
+            vtkInsideOutAddBodies(
+              kept->Bodies, segmented.InBodies, segmented.Regions, hull.Mesh, grid);
+          }
+        },
+        monitor);
 
       vtkInsideOutRefinement refinement;
       if (this->Refine && !solid.Masses.empty())

@@ -34,6 +34,22 @@
  * the last, and called hole (hole_2 where the input has such a name). Slabs, and the rims around
  * them, have the tag of the sheet's facet that they belong to (see Thicken).
  *
+ * Several bodies become one mesh where BodyArrayName or BlocksAreBodies says which facets are whose:
+ * organs, parts of an assembly, fibres and what is around them. Each body is oriented, has its
+ * winding number and is cut as if it were alone; all are resolved together, so that every cell is
+ * in or out of each as a whole. Cells inside any are the solid, and w is the sum over the bodies.
+ * RegionId follows from RegionRule; what faces connect is then no matter. Added are the cell arrays
+ * BodyW (double, w of each body) and InBody (unsigned char, 1 in each body that has the cell), of a
+ * component for each body, which has its name; and the field arrays BodyNames, BodyVolume,
+ * RegionNames (the bodies of each region, joined by "+") and RegionBodies (unsigned char, a tuple
+ * for each region and a component for each body, 1 where the region is of it). Output 1 is the
+ * boundary of all, and behind that the interfaces between regions, each triangle once; RegionIds
+ * (int, 2 components) are the regions behind and before a triangle, -1 for outside. BoundaryTag is
+ * then by both, as in "bone|fat" and "fat|outside", but where TagArrayName says what lies outside.
+ * Facets that no cell of their own bodies touches are outliers. Seeds are of the body that their
+ * point array Body (a string, or a number that is a body's name) names; those to be outside may
+ * name none, and are outside all. MergeCoplanarPieces, SplitSeams and two dimensions are errors.
+ *
  * In two dimensions (Dimension) it takes lines and polylines, closed or open, whose direction
  * counts, or polygons in one plane, whose edges all count; their interiors may overlap. It gives
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
@@ -72,9 +88,16 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkPointSet;
 class vtkPolyData;
+
+namespace insideout
+{
+class Monitor;
+struct Seed;
+}
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkRobustTetrahedralize : public vtkUnstructuredGridAlgorithm
 {
@@ -313,6 +336,58 @@ public:
 
   ///@{
   /**
+   * Name of a cell array of the input, of one integer or string per cell, as TagArrayName: which
+   * body each cell is of. Bodies are numbered and called as tags are: those of an OBJ file by
+   * GroupIds, of an STL file of several solids too. Default empty: all is one body.
+   */
+  vtkSetStdStringFromCharMacro(BodyArrayName);
+  vtkGetCharFromStdStringMacro(BodyArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * What becomes of a composite input. Off: each block is a surface by itself, and becomes a solid
+   * by itself. On: each block is a body, called by the name of the block, and all become one mesh.
+   * vtkOriginalCellIds and vtkOriginalPointIds then count the cells and points of all blocks, one
+   * block after the other. Default off.
+   */
+  void SetBlocksAreBodies(bool blocksAreBodies);
+  vtkGetMacro(BlocksAreBodies, bool);
+  vtkBooleanMacro(BlocksAreBodies, bool);
+  ///@}
+
+  /** What becomes a region where there are bodies. */
+  enum RegionRuleType
+  {
+    BY_PRIORITY = 0, ///< a region for each body; where several are, the one that comes first
+    ALL = 1          ///< a region for each combination of bodies that occurs
+  };
+
+  ///@{
+  /**
+   * What becomes a region where there are bodies. BY_PRIORITY (0): each body is a region with the
+   * body's number; where bodies overlap the first in Priority has the cell, and a body that others
+   * cover whole has none. ALL (1): each combination of bodies that occurs is a region; the field
+   * array RegionBodies says which bodies it is of. Default BY_PRIORITY.
+   */
+  vtkSetClampMacro(RegionRule, int, BY_PRIORITY, ALL);
+  vtkGetMacro(RegionRule, int);
+  ///@}
+
+  ///@{
+  /**
+   * The names of bodies, from the one that has cells before all others; those that are not named
+   * come after these, in their own order. Default none: in their own order. It is an error to name
+   * what is no body, or one twice.
+   */
+  void AddPriority(const char* body);
+  void ClearPriority();
+  int GetNumberOfPriorities() const { return static_cast<int>(this->Priority.size()); }
+  const char* GetPriority(int i) const { return this->Priority.at(i).c_str(); }
+  ///@}
+
+  ///@{
+  /**
    * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
    * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
    * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
@@ -481,6 +556,10 @@ protected:
   bool MergeCoplanarPieces = false;
   bool SplitSeams = false;
   std::string TagArrayName;
+  std::string BodyArrayName;
+  bool BlocksAreBodies = false;
+  int RegionRule = BY_PRIORITY;
+  std::vector<std::string> Priority;
   int QuadratureOrder;
   int Engine;
   double TimeBudget;
@@ -497,8 +576,12 @@ protected:
 private:
   void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void CheckRefinement();
+  void CheckBodies(bool isPlanar);
 
   struct HullOfInput;
+  struct Segmented;
+  Segmented Segment(const HullOfInput& kept, const std::vector<insideout::Seed>& given,
+    vtkPointSet* points, insideout::Monitor& monitor);
   class Cache;
   std::unique_ptr<Cache> Hulls;
 

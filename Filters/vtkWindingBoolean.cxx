@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkWindingBoolean.h"
 
+#include "Boolean/CellsOfExpression.h"
 #include "Boolean/SurfaceOfExpression.h"
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutReadBodies.h"
+#include "Private/vtkInsideOutReadInputs.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
@@ -23,6 +24,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <optional>
 
 using namespace insideout;
 
@@ -55,26 +57,10 @@ void vtkWindingBoolean::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
 }
 
-void vtkWindingBoolean::SetBodyName(int body, const char* name)
+void vtkWindingBoolean::AddBodyName(const char* name)
 {
-  const std::string given = name ? name : "";
-  if (body < 0 || given == this->GetBodyName(body))
-  {
-    return;
-  }
-  this->BodyNames.resize(std::max<std::size_t>(this->BodyNames.size(), body + 1));
-  this->BodyNames[body] = given;
+  this->BodyNames.emplace_back(name ? name : "");
   this->Modified();
-}
-
-const char* vtkWindingBoolean::GetBodyName(int body) const
-{
-  return body >= 0 && body < this->GetNumberOfBodyNames() ? this->BodyNames[body].c_str() : "";
-}
-
-int vtkWindingBoolean::GetNumberOfBodyNames() const
-{
-  return static_cast<int>(this->BodyNames.size());
 }
 
 void vtkWindingBoolean::ClearBodyNames()
@@ -122,7 +108,21 @@ BodyParameters ParametersOf(vtkWindingBoolean* filter)
   return parameters;
 }
 
-SetExpression ExpressionOf(vtkWindingBoolean* filter, const vtkInsideOutBodies& bodies)
+/** The inputs, called as the user calls them. */
+std::vector<vtkInsideOutNamedSurface> NamedSurfaces(
+  vtkWindingBoolean* filter, vtkInformationVector* inputs)
+{
+  std::vector<vtkInsideOutNamedSurface> surfaces = vtkInsideOutFindInputs(inputs);
+  const std::size_t named = static_cast<std::size_t>(filter->GetNumberOfBodyNames());
+  for (std::size_t body = 0; body < std::min(named, surfaces.size()); ++body)
+  {
+    const std::string name = filter->GetBodyName(static_cast<int>(body));
+    surfaces[body].Name = name.empty() ? surfaces[body].Name : name;
+  }
+  return surfaces;
+}
+
+SetExpression ExpressionOf(vtkWindingBoolean* filter, const std::vector<std::string>& names)
 {
   static_assert(vtkWindingBoolean::UNION == static_cast<int>(SetOperation::Union));
   static_assert(vtkWindingBoolean::INTERSECTION == static_cast<int>(SetOperation::Intersection));
@@ -132,14 +132,24 @@ SetExpression ExpressionOf(vtkWindingBoolean* filter, const vtkInsideOutBodies& 
   const std::string text = filter->GetExpression();
   if (text.empty())
   {
-    return { static_cast<SetOperation>(filter->GetOperation()),
-      static_cast<Id>(bodies.Bodies.size()) };
+    return { static_cast<SetOperation>(filter->GetOperation()), static_cast<Id>(names.size()) };
   }
-  return { text, bodies.Names() };
+  return { text, names };
+}
+
+std::vector<std::string> NamesIn(
+  const SetExpression& expression, const std::vector<std::string>& names)
+{
+  std::vector<std::string> named;
+  for (const Id body : expression.Bodies())
+  {
+    named.push_back(names[body]);
+  }
+  return named;
 }
 
 /** Those that the expression names. The others' soups are gone then. */
-std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOutBodies& bodies)
+std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOutInputs& bodies)
 {
   std::vector<Body> named;
   std::vector<char> isNamed(bodies.Bodies.size(), 0);
@@ -175,6 +185,36 @@ void SplitIds(const char* name, const std::vector<vtkIdType>& first, vtkDataSetA
   }
   data->AddArray(bodies);
 }
+Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryTriangle>& boundary,
+  const std::vector<Point>& points)
+{
+  const FacetComplex& surface = resolved.Surface;
+  Statistics statistics;
+  statistics.emplace_back("Bodies", resolved.NumberOfBodies());
+  statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
+  statistics.emplace_back("ResolvedPoints", surface.Points.size());
+  statistics.emplace_back("ResolvedFacets", surface.NumberOfFacets());
+  statistics.emplace_back("LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
+  statistics.emplace_back("BoundaryFaces", boundary.size());
+  statistics.emplace_back("Volume", VolumeWithin(points, boundary));
+  return statistics;
+}
+
+/** The cells of the result with the parts that they make up: RegionId. */
+vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(const ResolvedBodies& resolved,
+  const CellsOfExpression& cells, const vtkInsideOutInputs& inputs,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const auto hull = outputs.MakeGrid(resolved.Surface, cells.Mesh);
+  hull->GetCellData()->RemoveArray("FacetIds"); // they would number the cells of all inputs
+  hull->GetCellData()->RemoveArray("FacetMultiplicity"); // which is a sum over bodies
+  hull->GetFieldData()->Initialize();
+  SplitIds("vtkOriginalPointIds", inputs.FirstPoint, hull->GetPointData());
+  vtkInsideOutAddInside(cells.Inside, hull);
+  vtkInsideOutAddRegions(
+    FindRegions(cells.Mesh, cells.Inside, monitor, { Stages::Extracting, 1, 1 }), hull);
+  return vtkInsideOutExtractInside(hull, monitor, { Stages::Extracting, 1, 1 });
+}
 } // namespace
 
 int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
@@ -186,37 +226,43 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
     {
       vtkInsideOutMonitor monitor(this,
         { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
-          Stages::WindingNumbers, Stages::Extracting });
+          Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
+          Stages::Extracting });
       Stopwatch stopwatch;
-      std::vector<vtkInsideOutNamedSurface> surfaces = vtkInsideOutFindBodies(inputVector[0]);
-      for (std::size_t b = 0; b < surfaces.size() && b < this->BodyNames.size(); ++b)
-      {
-        surfaces[b].Name = this->BodyNames[b].empty() ? surfaces[b].Name : this->BodyNames[b];
-      }
-      vtkInsideOutBodies bodies = vtkInsideOutReadBodies(surfaces);
-      const std::vector<std::string> names = bodies.Names();
-      const insideout::SetExpression expression = ExpressionOf(this, bodies);
+      vtkInsideOutInputs inputs = vtkInsideOutReadInputs(NamedSurfaces(this, inputVector[0]));
+      const std::vector<std::string> names = inputs.Names();
+      const insideout::SetExpression expression = ExpressionOf(this, names);
       const ResolvedBodies resolved =
-        ResolveBodies(TakeNamed(expression, bodies), ParametersOf(this), monitor);
-      const auto triangles = SurfaceOfExpression(resolved, expression, monitor);
-      if (!triangles)
+        ResolveBodies(TakeNamed(expression, inputs), ParametersOf(this), monitor);
+      std::optional<std::vector<BoundaryTriangle>> surface;
+      std::optional<CellsOfExpression> cells;
+      if (!this->Tetrahedra)
       {
-        throw Error(ErrorCode::InvalidParameter, "a body is open");
+        surface = SurfaceOfExpression(resolved, expression, monitor);
       }
-      vtkInsideOutMakeOutputs outputs(bodies.Surface);
-      output->ShallowCopy(outputs.MakeBoundary(
-        resolved.Surface.Points, resolved.Surface.Origins, *triangles, resolved.TurnedTriangles));
-      SplitIds("vtkOriginalCellIds", bodies.FirstCell, output->GetCellData());
-      SplitIds("vtkOriginalPointIds", bodies.FirstPoint, output->GetPointData());
-      output->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BodyNames", names));
+      if (!surface)
+      {
+        cells = FindCellsOfExpression(resolved, NamesIn(expression, names), expression, monitor);
+      }
 
-      Statistics statistics;
-      statistics.emplace_back("Bodies", resolved.NumberOfBodies());
-      statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
-      statistics.emplace_back("ResolvedFacets", resolved.Surface.NumberOfFacets());
-      statistics.emplace_back("Tetrahedra", 0);
-      statistics.emplace_back("BoundaryFaces", triangles->size());
-      statistics.emplace_back("Volume", VolumeWithin(resolved.Surface.Points, *triangles));
+      vtkInsideOutMakeOutputs outputs(inputs.Surface);
+      const auto& boundary = surface ? *surface : cells->Boundary;
+      const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;
+      const auto& origins = cells ? cells->Mesh.Origins : resolved.Surface.Origins;
+      output->ShallowCopy(
+        outputs.MakeBoundary(points, origins, boundary, resolved.TurnedTriangles));
+      SplitIds("vtkOriginalCellIds", inputs.FirstCell, output->GetCellData());
+      SplitIds("vtkOriginalPointIds", inputs.FirstPoint, output->GetPointData());
+      output->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BodyNames", names));
+      Statistics statistics = FiguresOf(resolved, boundary, points);
+      statistics.emplace_back("Tetrahedra", cells ? 1 : 0);
+      if (cells)
+      {
+        statistics.insert(statistics.end(), cells->Statistics.begin(), cells->Statistics.end());
+        vtkUnstructuredGrid::GetData(outputVector, 1)
+          ->ShallowCopy(MakeSolid(resolved, *cells, inputs, outputs, monitor));
+        vtkInsideOutWarn(this, cells->Warnings);
+      }
       statistics.emplace_back("SecondsBoolean", stopwatch.Lap());
       vtkInsideOutAddStatistics(statistics, output);
       vtkInsideOutWarn(this, resolved.Warnings);

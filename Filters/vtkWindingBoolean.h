@@ -10,7 +10,7 @@
  * number is above 1/2.
  *
  * Inputs are connected to port 0, one or several; of a composite data set each block is a body.
- * Bodies are called by the names of blocks or by SetBodyName; others by a letter, A the first.
+ * Bodies are called by the names of blocks or by AddBodyName; others by a letter, A the first.
  *
  * There are two ways to the result, and Statistics_Tetrahedra says which was taken (0 or 1). Where
  * all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes by
@@ -27,7 +27,9 @@
  * that a body has not is NaN there, 0 in arrays of integers. Field data: Statistics_NAME, a double
  * each; BodyNames, by BodyId.
  *
- * Output 1 is the tetrahedra of the result where they were made, else it is empty.
+ * Output 1 is the tetrahedra of the result where they were made, else it is empty: with the cell
+ * array RegionId (int), which numbers the parts that faces connect, the point arrays as above, NaN
+ * at Steiner points, and Inside, which is 1.
  *
  * A body without polygons is empty, with a warning, and so is one that the expression does not
  * name. An error in the expression names its column; a point that is not finite or a cell with a
@@ -95,13 +97,13 @@ public:
 
   ///@{
   /**
-   * What a body is called in Expression and in BodyNames, by its index from 0 on. Default empty:
-   * the name of its block, or a letter. A name of none is an empty string.
+   * What bodies are called in Expression and in BodyNames, one after the other. A body without a name,
+   * or with an empty one, has that of its block, or a letter. Default none.
    */
-  void SetBodyName(int body, const char* name);
-  const char* GetBodyName(int body) const;
-  int GetNumberOfBodyNames() const;
+  void AddBodyName(const char* name);
   void ClearBodyNames();
+  int GetNumberOfBodyNames() const { return static_cast<int>(this->BodyNames.size()); }
+  const char* GetBodyName(int body) const { return this->BodyNames.at(body).c_str(); }
   ///@}
 
   ///@{

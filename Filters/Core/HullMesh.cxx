@@ -30,35 +30,50 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
   const double validateSeconds = stopwatch.Lap();
 
   Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);
-  hull.Surface = std::move(resolution.Surface);
-  const Id leftOut = hull.Surface.NumberOfFacets() - hull.Surface.NumberOfConstraints;
-  statistics.emplace_back("IntersectingPairs", resolution.IntersectingPairs.size());
-  statistics.emplace_back("ResolvedPoints", hull.Surface.Points.size());
-  statistics.emplace_back("ResolvedFacets", hull.Surface.NumberOfFacets());
-  statistics.emplace_back("LeftOutFacets", leftOut);
-  if (leftOut > 0)
-  {
-    hull.Warnings.push_back(std::to_string(leftOut) +
-      " facets still cross others after rounding: they count, but do not shape the mesh");
-  }
+  TakeResolved(std::move(resolution.Surface), resolution.IntersectingPairs.size(), hull);
   const double resolveSeconds = stopwatch.Lap();
 
-  Tetrahedralization result = ConstrainedDelaunay(hull.Surface, parameters.Budgets, monitor);
-  AddMeshCounts(result, statistics);
-  AddWarnings(result, hull.Warnings);
-  hull.Mesh = std::move(result.Mesh);
+  FillHull(parameters.Budgets, hull, monitor);
   const double meshSeconds = stopwatch.Lap();
 
   hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, parameters.QuadratureOrder);
-  const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
-  statistics.emplace_back("Closed", IsClosed(hull.Surface));
-  statistics.emplace_back("MinimumW", *least);
-  statistics.emplace_back("MaximumW", *most);
+  AddRangeOfW(IsClosed(hull.Surface), hull);
 
   statistics.emplace_back("SecondsValidate", validateSeconds);
   statistics.emplace_back("SecondsPre", resolveSeconds);
   statistics.emplace_back("SecondsCDT", meshSeconds);
   statistics.emplace_back("SecondsW", stopwatch.Lap());
   return hull;
+}
+
+void TakeResolved(FacetComplex surface, std::size_t intersectingPairs, HullMesh& hull)
+{
+  hull.Surface = std::move(surface);
+  const Id leftOut = hull.Surface.NumberOfFacets() - hull.Surface.NumberOfConstraints;
+  hull.Statistics.emplace_back("IntersectingPairs", intersectingPairs);
+  hull.Statistics.emplace_back("ResolvedPoints", hull.Surface.Points.size());
+  hull.Statistics.emplace_back("ResolvedFacets", hull.Surface.NumberOfFacets());
+  hull.Statistics.emplace_back("LeftOutFacets", leftOut);
+  if (leftOut > 0)
+  {
+    hull.Warnings.push_back(std::to_string(leftOut) +
+      " facets still cross others after rounding: they count, but do not shape the mesh");
+  }
+}
+
+void FillHull(const ConstrainedDelaunayParameters& budgets, HullMesh& hull, Monitor& monitor)
+{
+  Tetrahedralization result = ConstrainedDelaunay(hull.Surface, budgets, monitor);
+  AddMeshCounts(result, hull.Statistics);
+  AddWarnings(result, hull.Warnings);
+  hull.Mesh = std::move(result.Mesh);
+}
+
+void AddRangeOfW(bool isClosed, HullMesh& hull)
+{
+  const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
+  hull.Statistics.emplace_back("Closed", isClosed);
+  hull.Statistics.emplace_back("MinimumW", *least);
+  hull.Statistics.emplace_back("MaximumW", *most);
 }
 } // namespace insideout

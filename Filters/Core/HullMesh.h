@@ -41,4 +41,13 @@ struct HullMesh
  * @throws Error whatever the stages throw
  */
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
+
+/** Take what resolving made of the surface, with the figures about it. */
+void TakeResolved(FacetComplex surface, std::size_t intersectingPairs, HullMesh& hull);
+
+/** Tetrahedralize the hull of its resolved surface. */
+void FillHull(const ConstrainedDelaunayParameters& budgets, HullMesh& hull, Monitor& monitor);
+
+/** The figures about w. @param[in] isClosed whether w is an integer everywhere */
+void AddRangeOfW(bool isClosed, HullMesh& hull);
 } // namespace insideout

@@ -36,9 +36,7 @@ struct vtkInsideOutBlocks
 /** Those of an algorithm's first input; none where it is not composite. */
 vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm);
 
-/**
- * Visit what of a data object has no blocks of its own as (data, name): itself, with no name, where
- * it has none. A block that is not there is passed over.
- */
+/** Visit the blocks of a composite data set that have no blocks of their own, as (data, name); what
+ * is not composite is the only one, and has no name. */
 void vtkInsideOutVisitBlocks(
   vtkDataObject* data, const std::function<void(vtkDataObject*, const std::string&)>& visit);

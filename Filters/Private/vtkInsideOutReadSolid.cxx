@@ -218,10 +218,14 @@ SolidMesh vtkInsideOutReadSolid(vtkDataObject* input, vtkPolyData* boundary)
   solid.Points = vtkInsideOutReadPoints(parts.Solid, "the solid");
   ReadCells(parts.Solid, solid);
   solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId", None);
+  auto* names =
+    vtkStringArray::SafeDownCast(parts.Solid->GetFieldData()->GetAbstractArray("RegionNames"));
   solid.Regions = MakeGroups(solid.RegionOfCell,
-    [](Id region, bool isAlone)
+    [names](Id region, bool isAlone)
     {
+      const bool isNamed = names && region >= 0 && region < names->GetNumberOfValues();
       return region == None ? std::string("outside")
+        : isNamed           ? std::string(names->GetValue(region))
         : isAlone           ? std::string("solid")
                             : "region_" + std::to_string(region);
     });

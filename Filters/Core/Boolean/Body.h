@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Error.h"
 #include "Common/FacetComplex.h"
 
 #include <string>
@@ -27,4 +28,28 @@ Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriang
  */
 std::vector<Body> SplitBodies(const TriangleSoup& soup, const std::vector<Id>& bodyOfTriangle,
   const std::vector<std::string>& names);
+
+/** What is said of a body. */
+inline std::string WordsOf(const std::string& body, const std::string& words)
+{
+  return "body " + body + ": " + words;
+}
+
+/** Do something with a body; of what it throws the message names the body. */
+template <typename Work>
+void InTheNameOf(const std::string& body, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    if (error.Code == ErrorCode::Stopped)
+    {
+      throw;
+    }
+    throw Error(error.Code, WordsOf(body, error.what()));
+  }
+}
 } // namespace insideout

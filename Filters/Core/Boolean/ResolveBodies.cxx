@@ -3,6 +3,7 @@
 
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
+#include "Common/PartMonitor.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Resolve/ResolveSelfIntersections.h"
@@ -17,46 +18,6 @@ namespace insideout
 {
 namespace
 {
-/** Passes on what is reported of one of several parts of a stage. */
-class PartMonitor : public Monitor
-{
-public:
-  PartMonitor(Monitor& whole, std::size_t part, std::size_t parts)
-    : Whole(whole)
-    , Part(static_cast<double>(part))
-    , Parts(static_cast<double>(parts))
-  {
-  }
-
-  bool Continue(const char* stage, double fraction) override
-  {
-    return this->Whole.Continue(stage, (this->Part + fraction) / this->Parts);
-  }
-
-private:
-  Monitor& Whole;
-  const double Part;
-  const double Parts;
-};
-
-/** Do something with a body; of what it throws the message names the body. */
-template <typename Work>
-void InTheNameOf(const Body& body, const Work& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const Error& error)
-  {
-    if (error.Code == ErrorCode::Stopped)
-    {
-      throw;
-    }
-    throw Error(error.Code, "body " + body.Name + ": " + error.what());
-  }
-}
-
 /** @throws Error TooLarge */
 void SetMultiplicity(const std::vector<int>& multiplicity, FacetComplex& surface)
 {
@@ -154,7 +115,7 @@ void BodyResolver::Warn(const Body& body, const std::vector<std::string>& warnin
 {
   for (const std::string& warning : warnings)
   {
-    this->Result.Warnings.push_back("body " + body.Name + ": " + warning);
+    this->Result.Warnings.push_back(WordsOf(body.Name, warning));
   }
 }
 
@@ -191,7 +152,7 @@ void BodyResolver::CountFacetsOfBodies()
     const Body& body = this->Given[b];
     PartMonitor monitor(this->Watch, b, this->Given.size());
     CountedChain chain;
-    InTheNameOf(body,
+    InTheNameOf(body.Name,
       [&]()
       {
         try
@@ -238,7 +199,7 @@ void BodyResolver::OrientBodies()
     }
     PartMonitor monitor(this->Watch, b, this->Given.size());
     FacetTurns& turns = this->Result.Bodies[b].Turns;
-    InTheNameOf(body,
+    InTheNameOf(body.Name,
       [&]()
       {
         turns = OrientFacets(chain, this->Parameters.Orientation, monitor);

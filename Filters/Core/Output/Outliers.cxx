@@ -44,6 +44,13 @@ std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const Tetra
   const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress)
 {
   CheckLabels(mesh, inside);
+  return OutlierPieces(
+    surface, mesh, [&](Id, Id cell) { return inside[cell] != 0; }, monitor, progress);
+}
+
+std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::function<bool(Id, Id)>& isInside, Monitor& monitor, const ProgressRange& progress)
+{
   const std::vector<char> isInMesh = FacetsInMesh(surface, mesh);
   std::vector<OutlierPiece> pieces;
   const LoopProgress cells(monitor, progress, mesh.Cells.size());
@@ -55,8 +62,8 @@ std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const Tetra
       const Id facet = mesh.Facets[cell][k];
       const Id beyond = mesh.Neighbors[cell][k];
       const bool isFirstSide = beyond == None || cell < beyond;
-      if (facet != None && isInMesh[facet] && isFirstSide && inside[cell] == 0 &&
-        (beyond == None || inside[beyond] == 0))
+      if (facet != None && isInMesh[facet] && isFirstSide && !isInside(facet, cell) &&
+        (beyond == None || !isInside(facet, beyond)))
       {
         pieces.push_back({ AlongFacet(mesh, cell, k), facet, OutlierReason::Energy });
       }

@@ -6,6 +6,7 @@
 #include "Common/TetrahedralMesh.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace insideout
@@ -44,4 +45,12 @@ struct OutlierPiece
  */
 std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
   const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
+
+/**
+ * The same where it depends on the facet which cells are inside, as with several bodies.
+ *
+ * @param[in] isInside asked for (facet, cell)
+ */
+std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::function<bool(Id, Id)>& isInside, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

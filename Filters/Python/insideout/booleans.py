@@ -92,10 +92,10 @@ def boolean(
     named = list(surfaces.items()) if isinstance(surfaces, Mapping) else [("", surface) for surface in surfaces]
     if not named:
         raise Error("there are no surfaces: a boolean takes one at least")
-    for index, (name, surface) in enumerate(named):
+    for name, surface in named:
         polygons, more = as_surface(surface, options.scale)
         algorithm.AddInputDataObject(0, polygons)
-        algorithm.SetBodyName(index, str(name))
+        algorithm.AddBodyName(str(name))
         warnings += more
     warnings += in_words_of_python(run(algorithm, progress))
     output = algorithm.GetOutput()

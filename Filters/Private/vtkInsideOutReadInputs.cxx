@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtkInsideOutReadBodies.h"
+#include "vtkInsideOutReadInputs.h"
 
 #include "vtkInsideOutAttributes.h"
 #include "vtkInsideOutBlock.h"
@@ -16,7 +16,7 @@ using insideout::Error;
 using insideout::ErrorCode;
 using insideout::Id;
 
-std::vector<vtkInsideOutNamedSurface> vtkInsideOutFindBodies(vtkInformationVector* inputs)
+std::vector<vtkInsideOutNamedSurface> vtkInsideOutFindInputs(vtkInformationVector* inputs)
 {
   std::vector<vtkInsideOutNamedSurface> surfaces;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
@@ -68,7 +68,7 @@ vtkInsideOutSurface ReadBody(vtkPolyData* data, const std::string& name)
   }
 }
 
-void Append(const vtkInsideOutSurface& body, vtkInsideOutBodies& bodies)
+void Append(const vtkInsideOutSurface& body, vtkInsideOutInputs& bodies)
 {
   insideout::TriangleSoup& all = bodies.Surface.Soup;
   const Id firstPoint = static_cast<Id>(bodies.FirstPoint.back());
@@ -90,7 +90,7 @@ void Append(const vtkInsideOutSurface& body, vtkInsideOutBodies& bodies)
 /** A data set of the bodies' point and cell data, with as many points and cells, but no geometry.
  */
 vtkSmartPointer<vtkPolyData> DataOf(
-  const std::vector<vtkInsideOutNamedSurface>& surfaces, vtkInsideOutBodies& bodies)
+  const std::vector<vtkInsideOutNamedSurface>& surfaces, vtkInsideOutInputs& bodies)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -116,7 +116,7 @@ vtkSmartPointer<vtkPolyData> DataOf(
 }
 } // namespace
 
-std::vector<std::string> vtkInsideOutBodies::Names() const
+std::vector<std::string> vtkInsideOutInputs::Names() const
 {
   std::vector<std::string> names;
   for (const insideout::Body& body : this->Bodies)
@@ -126,9 +126,9 @@ std::vector<std::string> vtkInsideOutBodies::Names() const
   return names;
 }
 
-vtkInsideOutBodies vtkInsideOutReadBodies(const std::vector<vtkInsideOutNamedSurface>& surfaces)
+vtkInsideOutInputs vtkInsideOutReadInputs(const std::vector<vtkInsideOutNamedSurface>& surfaces)
 {
-  vtkInsideOutBodies bodies;
+  vtkInsideOutInputs bodies;
   bodies.FirstPoint = { 0 };
   bodies.FirstCell = { 0 };
   for (const vtkInsideOutNamedSurface& surface : surfaces)

@@ -18,10 +18,10 @@ struct vtkInsideOutNamedSurface
 };
 
 /** The inputs of a port, in order; of one that is composite its blocks, with their names. */
-std::vector<vtkInsideOutNamedSurface> vtkInsideOutFindBodies(vtkInformationVector* inputs);
+std::vector<vtkInsideOutNamedSurface> vtkInsideOutFindInputs(vtkInformationVector* inputs);
 
 /** Bodies, and all their points and cells as those of one surface, one body after the other. */
-struct vtkInsideOutBodies
+struct vtkInsideOutInputs
 {
   /** Its Input has the point and cell data of all: an array that a body has not is NaN there, 0 in
    * integer arrays. Only the data are there, no geometry. */
@@ -41,4 +41,4 @@ struct vtkInsideOutBodies
  *
  * @throws insideout::Error that names the body, and the cell or point at fault
  */
-vtkInsideOutBodies vtkInsideOutReadBodies(const std::vector<vtkInsideOutNamedSurface>& surfaces);
+vtkInsideOutInputs vtkInsideOutReadInputs(const std::vector<vtkInsideOutNamedSurface>& surfaces);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "GraphCut/SegmentMesh.h"
+
+namespace insideout
+{
+/** What a body's cut goes by, beside the parameters that all have in common. */
+struct BodyToSegment
+{
+  std::string Name;               ///< for messages
+  std::vector<double> W;          ///< one finite value per cell
+  std::vector<FacetPiece> Pieces; ///< of the body, those that have to be kept; for ConstrainFacets
+  std::vector<Seed> Seeds;
+};
+
+/** Where each body is. */
+struct BodySegmentation
+{
+  std::vector<std::vector<unsigned char>> Inside; ///< of each body, 1 or 0 per cell
+  insideout::Statistics Statistics;               ///< SegmentMesh's, summed over the bodies
+  std::vector<std::string> Warnings;              ///< with the body's name before them
+};
+
+/**
+ * Stage cut for several bodies on one mesh: each is segmented as if it were alone (SegmentMesh), so
+ * that several may have a cell.
+ *
+ * @throws Error whatever SegmentMesh throws, with the body's name before it; Stopped
+ */
+BodySegmentation SegmentBodies(const TetrahedralMesh& mesh,
+  const std::vector<BodyToSegment>& bodies, const SegmentMeshParameters& parameters,
+  Monitor& monitor);
+} // namespace insideout

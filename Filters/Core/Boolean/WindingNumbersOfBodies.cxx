@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boolean/WindingNumbersOfBodies.h"
+
+#include "Common/PartMonitor.h"
+#include "WindingNumber/WindingNumberOfCells.h"
+
+namespace insideout
+{
+std::vector<std::vector<double>> WindingNumbersOfBodies(
+  const ResolvedBodies& bodies, const TetrahedralMesh& mesh, int quadratureOrder, Monitor& monitor)
+{
+  std::vector<std::vector<double>> w;
+  for (Id b = 0; b < bodies.NumberOfBodies(); ++b)
+  {
+    PartMonitor part(monitor, b, bodies.NumberOfBodies());
+    w.push_back(WindingNumberOfCells(ComplexOfBody(bodies, b), mesh, part, quadratureOrder));
+  }
+  return w;
+}
+} // namespace insideout

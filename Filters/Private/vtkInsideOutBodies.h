@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Several bodies in one input: which triangles are whose, and the arrays that tell of them.
+ */
+#pragma once
+
+#include "Boolean/BodyRegions.h"
+#include "Boolean/SegmentBodies.h"
+#include "HullOfBodies.h"
+#include "Output/RegionBoundaries.h"
+#include "vtkInsideOutReadSurface.h"
+#include "vtkInsideOutTags.h"
+
+class vtkDataObject;
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+/** The bodies of a surface. */
+struct vtkInsideOutBodies
+{
+  std::vector<insideout::Id> OfTriangle; ///< one per triangle, by the names
+  std::vector<std::string> Names;
+
+  bool AreThere() const { return !this->Names.empty(); }
+};
+
+/** The array that vtkInsideOutJoinBlocks adds. */
+constexpr const char* vtkInsideOutBodyIds = "BodyIds";
+
+/**
+ * All blocks of a composite data set as one surface, in their order, with the data that all of them
+ * have; the cell array BodyIds numbers the blocks, and the field array BodyNames has what they are
+ * called, by what leads to them (vtkInsideOutBlock).
+ *
+ * @throws insideout::Error InvalidParameter that names a block which is no vtkPolyData
+ */
+vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(vtkDataObject* blocks);
+
+/** The bodies by a cell array, as vtkInsideOutReadTags reads it; none where the name is empty. */
+vtkInsideOutBodies vtkInsideOutReadBodies(
+  const vtkInsideOutSurface& surface, const std::string& arrayName);
+
+/**
+ * The seeds of each body: those whose array Body has its name; and those outside that name none.
+ *
+ * @param[in] points that the seeds were read from
+ * @throws insideout::Error InvalidParameter for a name that is no body's, and for a seed inside
+ * that names none
+ */
+std::vector<std::vector<insideout::Seed>> vtkInsideOutSeedsOfBodies(
+  const std::vector<insideout::Seed>& seeds, vtkPointSet* points,
+  const std::vector<std::string>& names);
+
+/**
+ * The pieces of each body's facets, of those that are chosen.
+ *
+ * @param[in] chosen one per facet; empty for all
+ */
+std::vector<std::vector<insideout::FacetPiece>> vtkInsideOutPiecesOfBodies(
+  const insideout::HullMesh& hull, const vtkInsideOutBodies& bodies,
+  const std::vector<unsigned char>& chosen);
+
+/** Whether a facet's own bodies have a cell: what keeps it from being an outlier. */
+std::function<bool(insideout::Id, insideout::Id)> vtkInsideOutIsInOwnBody(
+  const insideout::HullMesh& hull, const vtkInsideOutBodies& bodies,
+  const std::vector<std::vector<unsigned char>>& inside);
+
+/** The winding number of each body on a grid of all cells: its cell array BodyW. */
+void vtkInsideOutAddBodyW(const std::vector<std::vector<double>>& w,
+  const std::vector<std::string>& names, vtkUnstructuredGrid* grid);
+
+/** Where bodies are, on a grid of all cells, as its cell array InBody, and the field arrays
+ * BodyNames, BodyVolume, RegionNames and RegionBodies. */
+void vtkInsideOutAddBodies(const vtkInsideOutBodies& bodies,
+  const std::vector<std::vector<unsigned char>>& inside, const insideout::BodyRegions& regions,
+  const insideout::TetrahedralMesh& mesh, vtkUnstructuredGrid* grid);
+
+/**
+ * Tag the triangles of a boundary of regions: the cell arrays RegionIds, and BoundaryTag by the two
+ * regions. With tags of the surface what has no region beyond has those.
+ *
+ * @param[in] tags of the surface, or nullptr
+ */
+void vtkInsideOutAddRegionTags(const insideout::RegionBoundaries& boundaries,
+  const std::vector<std::string>& regionNames, const vtkInsideOutTags* tags,
+  vtkPolyData* boundary);
