@@ -3,8 +3,11 @@
 
 #include "Boolean/SegmentBodies.h"
 #include "Boolean/WindingNumbersOfBodies.h"
+#include "Common/PointPredicates.h"
 #include "Common/Stages.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
+
+#include <algorithm>
 
 namespace insideout
 {
@@ -22,12 +25,27 @@ BodySegmentation Segment(const ResolvedBodies& bodies, const std::vector<std::st
   }
   return SegmentBodies(mesh, toSegment, {}, monitor);
 }
+
+/** Whether all facets lie in one plane, where no body has a volume. */
+bool ArePlanar(const FacetComplex& surface)
+{
+  const std::vector<Point>& points = surface.Points;
+  const Triangle& first = surface.Facets.front();
+  return std::all_of(points.begin(), points.end(),
+    [&](const Point& p)
+    { return Orient3D(points[first[0]], points[first[1]], points[first[2]], p) == 0; });
+}
 } // namespace
 
 CellsOfExpression FindCellsOfExpression(const ResolvedBodies& bodies,
   const std::vector<std::string>& names, const SetExpression& expression, Monitor& monitor)
 {
   CellsOfExpression cells;
+  if (ArePlanar(bodies.Surface))
+  {
+    cells.Warnings.push_back("all facets lie in one plane: nothing is inside");
+    return cells;
+  }
   Tetrahedralization result = ConstrainedDelaunay(bodies.Surface, {}, monitor);
   AddMeshCounts(result, cells.Statistics);
   AddWarnings(result, cells.Warnings);

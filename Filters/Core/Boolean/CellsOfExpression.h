@@ -23,7 +23,7 @@ struct CellsOfExpression
  * (SegmentBodies).
  *
  * Where all bodies are closed their boundary is SurfaceOfExpression, but for points that the mesh
- * adds.
+ * adds. Where all facets lie in one plane there are no cells, with a warning.
  *
  * @param[in] bodies one for each of expression.Bodies()
  * @param[in] names of these, for messages
