@@ -180,12 +180,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
-  os << indent << "Priority:";
-  for (const std::string& body : this->Priority)
-  {
-    os << " " << body;
-  }
-  os << "\n";
+  os << indent << "Priority: " << this->Priority << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
@@ -221,21 +216,6 @@ void vtkRobustTetrahedralize::SetBlocksAreBodies(bool blocksAreBodies)
     port->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   }
   this->Modified();
-}
-
-void vtkRobustTetrahedralize::AddPriority(const char* body)
-{
-  this->Priority.emplace_back(body ? body : "");
-  this->Modified();
-}
-
-void vtkRobustTetrahedralize::ClearPriority()
-{
-  if (!this->Priority.empty())
-  {
-    this->Priority.clear();
-    this->Modified();
-  }
 }
 
 void vtkRobustTetrahedralize::SetSeedsData(vtkPointSet* seeds)
@@ -404,7 +384,7 @@ vtkRobustTetrahedralize::Segmented vtkRobustTetrahedralize::Segment(
     return segmented;
   }
   const std::vector<std::string>& names = kept.Bodies.Names;
-  const std::vector<Id> priority = PriorityOf(names, this->Priority);
+  const std::vector<Id> priority = PriorityOf(names, vtkInsideOutSplitNames(this->Priority));
   const std::vector<std::vector<Seed>> seeds = vtkInsideOutSeedsOfBodies(given, points, names);
   const std::vector<std::vector<FacetPiece>> pieces =
     vtkInsideOutPiecesOfBodies(hull, kept.Bodies, chosen);
@@ -544,7 +524,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
       if (!names.Bodies.empty())
       {
-        PriorityOf(vtkInsideOutReadTags(input, names.Bodies, {}).Names, this->Priority); // or throw
+        PriorityOf(vtkInsideOutReadTags(input, names.Bodies, {}).Names,
+          vtkInsideOutSplitNames(this->Priority)); // it throws before the work begins
       }
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
@@ -607,6 +588,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         if (this->Surface == REMESHED)
         {
           solid.Masses = refinement.Masses;
+          solid.Masses.resize(segmented.Regions.Regions.Count);
           solid.Mass = refinement.Mass;
         }
       }

@@ -376,14 +376,13 @@ public:
 
   ///@{
   /**
-   * The names of bodies, from the one that has cells before all others; those that are not named
-   * come after these, in their own order. Default none: in their own order. It is an error to name
-   * what is no body, or one twice.
+   * The names of bodies, parted by commas, from the one that has cells before all others; those
+   * that are not named come after these, in their own order. A comma within a name is written \,
+   * and a backslash \\. Default empty: in their own order. It is an error to name what is no body,
+   * or one twice.
    */
-  void AddPriority(const char* body);
-  void ClearPriority();
-  int GetNumberOfPriorities() const { return static_cast<int>(this->Priority.size()); }
-  const char* GetPriority(int i) const { return this->Priority.at(i).c_str(); }
+  vtkSetStdStringFromCharMacro(Priority);
+  vtkGetCharFromStdStringMacro(Priority);
   ///@}
 
   ///@{
@@ -559,7 +558,7 @@ protected:
   std::string BodyArrayName;
   bool BlocksAreBodies = false;
   int RegionRule = BY_PRIORITY;
-  std::vector<std::string> Priority;
+  std::string Priority;
   int QuadratureOrder;
   int Engine;
   double TimeBudget;

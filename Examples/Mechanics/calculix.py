@@ -52,6 +52,13 @@ def total_force(folder: Path) -> np.ndarray:
     return np.array([float(number) for number in next(line for line in lines[at + 1 :] if line.strip()).split()])
 
 
+def total_heat(folder: Path) -> float:
+    """What `*NODE PRINT, TOTALS=ONLY` wrote of RFL into job.dat, of the last step: positive where heat comes in."""
+    lines = (folder / "job.dat").read_text().splitlines()
+    at = max(k for k, line in enumerate(lines) if "total heat generation" in line)
+    return float(next(line for line in lines[at + 1 :] if line.strip()).split()[0])
+
+
 def printed_displacements(folder: Path) -> np.ndarray:
     """What `*NODE PRINT` wrote of U into job.dat, with one digit more than job.frd has: a row for each point of its set."""
     rows = [line.split() for line in (folder / "job.dat").read_text().splitlines() if re.match(r" +\d+ ", line)]

@@ -128,6 +128,24 @@ vtkInsideOutBodies vtkInsideOutReadBodies(
   return bodies;
 }
 
+std::vector<std::string> vtkInsideOutSplitNames(const std::string& names)
+{
+  std::vector<std::string> split;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    if (split.empty() || names[i] == ',')
+    {
+      split.emplace_back();
+    }
+    if (names[i] != ',')
+    {
+      i += names[i] == '\\' && i + 1 < names.size();
+      split.back() += names[i];
+    }
+  }
+  return split;
+}
+
 std::vector<std::vector<Seed>> vtkInsideOutSeedsOfBodies(
   const std::vector<Seed>& seeds, vtkPointSet* points, const std::vector<std::string>& names)
 {

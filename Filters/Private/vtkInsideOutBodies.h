@@ -41,6 +41,9 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(vtkDataObject* blocks);
 vtkInsideOutBodies vtkInsideOutReadBodies(
   const vtkInsideOutSurface& surface, const std::string& arrayName);
 
+/** Names that are parted by commas; what follows a backslash is part of a name. */
+std::vector<std::string> vtkInsideOutSplitNames(const std::string& names);
+
 /**
  * The seeds of each body: those whose array Body has its name; and those outside that name none.
  *

@@ -198,15 +198,16 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
 }
 /** Of a solid that is no longer quite the same. */
 void MeasureMasses(
-  const RefinedMesh& refined, const std::vector<Id>& regions, vtkInsideOutRefinement& result)
+  const RefinedMesh& refined, vtkUnstructuredGrid* grid, vtkInsideOutRefinement& result)
 {
+  vtkDataArray* regions = grid->GetCellData()->GetArray("RegionId");
   TetrahedralMesh mesh;
   mesh.Points = refined.Points;
   mesh.Cells = refined.Cells;
   SolidRegions after;
   for (const Id cell : refined.OriginalCells)
   {
-    after.OfCell.push_back(regions.empty() ? 0 : regions[cell]);
+    after.OfCell.push_back(regions ? static_cast<Id>(regions->GetComponent(cell, 0)) : 0);
     after.Count = std::max(after.Count, after.OfCell.back() + 1);
   }
   result.Masses = MeasureRegions(mesh, after);
@@ -258,7 +259,7 @@ vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData
   RefinementParameters parameters = given;
   if (boundary && parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    parameters.Labels = vtkInsideOutLabelsOf(mesh, boundary);
+    parameters.Labels = vtkInsideOutLabelsOf(mesh, regions, boundary);
   }
   const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
   QuadraticCells secondOrder;
@@ -279,12 +280,12 @@ vtkInsideOutRefinement vtkInsideOutRefine(vtkUnstructuredGrid* grid, vtkPolyData
   result.Boundary = boundary;
   if (boundary && parameters.Surface != SurfaceTreatment::Kept)
   {
-    result.Boundary = vtkInsideOutRefineBoundary(mesh, refined, boundary, result.Warnings);
+    result.Boundary = vtkInsideOutRefineBoundary(mesh, regions, refined, boundary, result.Warnings);
   }
 
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    MeasureMasses(refined, regions, result);
+    MeasureMasses(refined, grid, result);
   }
   result.Statistics = refined.Statistics;
   const ProgressRange end = { Stages::Refining, 1, 1 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutRefineBoundary.h"
 
-#include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "Refine/TriangleTree.h"
 #include "vtkInsideOutArrays.h"
@@ -20,20 +19,33 @@ using namespace insideout;
 
 namespace
 {
-/** The faces of a mesh that have no cell behind them, 4 * cell + face: as a boundary has them. */
-std::vector<Id> FacesOnBoundary(const TetrahedralMesh& mesh)
+/** A face of a cell, 4 * cell + face, and the same one from behind: None where that is outside. */
+using BothSides = std::array<Id, 2>;
+
+/** The faces on the boundary, then those between regions from the side of the lower one: in the
+ * order in which a boundary has them. */
+std::vector<BothSides> FacesOnBoundary(const TetrahedralMesh& mesh, const std::vector<Id>& regions)
 {
-  std::vector<Id> faces;
+  std::vector<BothSides> faces;
+  std::vector<BothSides> interfaces;
   for (Id c = 0; c < mesh.NumberOfCells(); ++c)
   {
     for (int k = 0; k < 4; ++k)
     {
-      if (mesh.Neighbors[c][k] == None)
+      const Id behind = mesh.Neighbors[c][k];
+      if (behind == None)
       {
-        faces.push_back(4 * c + k);
+        faces.push_back({ { 4 * c + k, None } });
+      }
+      else if (!regions.empty() && regions[c] < regions[behind])
+      {
+        const auto& back = mesh.Neighbors[behind];
+        const auto side = std::find(back.begin(), back.end(), c) - back.begin();
+        interfaces.push_back({ { 4 * c + k, 4 * behind + static_cast<Id>(side) } });
       }
     }
   }
+  faces.insert(faces.end(), interfaces.begin(), interfaces.end());
   return faces;
 }
 
@@ -114,23 +126,36 @@ private:
 } // namespace
 
 std::vector<std::array<Id, 4>> vtkInsideOutLabelsOf(
-  const TetrahedralMesh& mesh, vtkPolyData* boundary)
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
 {
   vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
   std::vector<std::array<Id, 4>> labels(mesh.Cells.size(), { { 0, 0, 0, 0 } });
-  const std::vector<Id> faces = FacesOnBoundary(mesh);
-  for (std::size_t i = 0; i < faces.size() && tags; ++i)
+  const std::vector<BothSides> faces = FacesOnBoundary(mesh, regions);
+  const std::size_t there = std::min<std::size_t>(faces.size(), boundary->GetNumberOfCells());
+  for (std::size_t i = 0; i < there && tags; ++i)
   {
-    labels[faces[i] / 4][faces[i] % 4] =
-      static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
+    for (const Id face : faces[i])
+    {
+      if (face != None)
+      {
+        labels[face / 4][face % 4] =
+          static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
+      }
+    }
   }
   return labels;
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutRefineBoundary(const TetrahedralMesh& mesh,
-  const RefinedMesh& refined, vtkPolyData* before, std::vector<std::string>& warnings)
+  const std::vector<Id>& regions, const RefinedMesh& refined, vtkPolyData* before,
+  std::vector<std::string>& warnings)
 {
-  const std::vector<Id> faces = FacesOnBoundary(mesh);
+  std::vector<std::array<Id, 2>> triangleOfFace; // (face, triangle), from one side of each
+  for (const BothSides& face : FacesOnBoundary(mesh, regions))
+  {
+    triangleOfFace.push_back({ { face[0], static_cast<Id>(triangleOfFace.size()) } });
+  }
+  std::sort(triangleOfFace.begin(), triangleOfFace.end());
   const SurfaceMixer mixer(before);
   std::vector<Id> numbers(refined.Points.size(), None);
   std::vector<Point> points;
@@ -141,11 +166,14 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutRefineBoundary(const TetrahedralMesh& m
   {
     for (int k = 0; k < 4; ++k)
     {
-      if (refined.OriginalFaces[c][k] == None)
+      const Id face = refined.OriginalFaces[c][k];
+      const auto found = std::lower_bound(
+        triangleOfFace.begin(), triangleOfFace.end(), std::array<Id, 2>{ { face, 0 } });
+      if (face == None || found == triangleOfFace.end() || (*found)[0] != face)
       {
-        continue;
+        continue; // within, or seen from behind
       }
-      sources.push_back(IndexIn(faces, refined.OriginalFaces[c][k]));
+      sources.push_back((*found)[1]);
       triangles.push_back(FaceOf(refined.Cells[c], k));
       for (Id& corner : triangles.back())
       {

@@ -16,20 +16,23 @@
 class vtkPolyData;
 
 /**
- * The tags of the faces of cells that are on the boundary.
+ * The tags of the faces of cells that are on the boundary, or between regions.
  *
- * @param[in] boundary a triangle for each of these faces, in their order, and its tag in the cell
- *   array BoundaryTag
+ * @param[in] regions one per cell; empty where there is but one
+ * @param[in] boundary a triangle for each of these faces, in the order of FindRegionBoundaries, and
+ *   its tag in the cell array BoundaryTag
  */
 std::vector<std::array<insideout::Id, 4>> vtkInsideOutLabelsOf(
-  const insideout::TetrahedralMesh& mesh, vtkPolyData* boundary);
+  const insideout::TetrahedralMesh& mesh, const std::vector<insideout::Id>& regions,
+  vtkPolyData* boundary);
 
 /**
  * The boundary of a refined mesh. Each triangle has the cell data of the one that it is a piece of,
  * or nearest to; point data are interpolated in the nearest triangle.
  *
- * @param[in] mesh before
+ * @param[in] mesh, regions before
  * @param[in] before its boundary, as above
  */
 vtkSmartPointer<vtkPolyData> vtkInsideOutRefineBoundary(const insideout::TetrahedralMesh& mesh,
-  const insideout::RefinedMesh& refined, vtkPolyData* before, std::vector<std::string>& warnings);
+  const std::vector<insideout::Id>& regions, const insideout::RefinedMesh& refined,
+  vtkPolyData* before, std::vector<std::string>& warnings);

@@ -124,6 +124,7 @@ class Success(CommandLine):
                         **{"thicken": 0, "thicken_all": False},
                         **{"constrain_facets": False, "constrain_manifold": False},
                         **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
+                        **{"bodies": None, "region_rule": "by-priority", "priority": None},
                         **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "surface_treatment": "kept"},
                         **{"surface_tolerance": 0, "feature_angle": 30, "quadratic": False},
                     },

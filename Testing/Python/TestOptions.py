@@ -238,6 +238,7 @@ class Python(unittest.TestCase):
     NO_OPTIONS = {
         "ExtractInside": "a result has both the solid and the hull",
         "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
+        "BlocksAreBodies": "what a dict of surfaces is",
     }
 
     def setUp(self):

@@ -34,6 +34,10 @@ examples:
       several; {} is each one's name without ending, and a table comes at the end
   python3 -m insideout broken.ply solid.vtu --edge-length 0.05 --quadratic
       refined, with cells of second order
+  python3 -m insideout --together bone.stl fat.ply limb.msh --priority bone
+      several bodies in one mesh that conforms: a region for each, where both are that of the bone
+  python3 -m insideout parts.obj parts.inp --bodies GroupIds --region-rule all
+      the groups of one file as bodies, and a region for each combination
   zcat broken.obj.gz | python3 -m insideout - solid.vtu --format obj
       standard input; a .gz is read as it is, too
   python3 -m insideout --winding grid.vti broken.ply w.vti
@@ -47,7 +51,7 @@ CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
 WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 """Those that make sense without a mesh: of `check`, and of `winding_number`."""
 
-MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", "msh_version", *OPTIONS)
+MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", "msh_version", "together", *OPTIONS)
 
 
 @dataclass(frozen=True)
@@ -55,6 +59,7 @@ class Files:
     """The files that belong to one surface, or to one solid that is checked."""
 
     surface: str
+    others: tuple[str, ...] = ()  # surfaces that are bodies of one mesh with it
     output: Optional[str] = None
     hull: Optional[str] = None
     boundary: Optional[str] = None
@@ -64,7 +69,24 @@ class Files:
 
     def name(self) -> str:
         """What messages call the surface."""
-        return STANDARD_INPUT if self.surface == "-" else self.surface
+        name = STANDARD_INPUT if self.surface == "-" else self.surface
+        return f"{name} and {len(self.others)} more" if self.others else name
+
+    def surfaces(self) -> list[str]:
+        """Those that are read."""
+        return [self.surface, *self.others]
+
+    def bodies(self) -> dict[str, str]:
+        """Surfaces by the names of bodies: those of the files, and numbers behind where several are called so."""
+        named: dict[str, str] = {}
+        for surface in self.surfaces():
+            stem = _stem_of(surface)
+            number = 2
+            name = stem
+            while name in named:
+                name, number = f"{stem}_{number}", number + 1
+            named[name] = surface
+        return named
 
     def is_solid(self) -> bool:
         """Whether it is a solid that is read, by its name."""
@@ -76,7 +98,7 @@ class Files:
         return [path for path in paths if path is not None]
 
 
-FILE_OPTIONS = [field.name for field in fields(Files) if field.name != "surface"]
+FILE_OPTIONS = [field.name for field in fields(Files) if field.name not in ("surface", "others")]
 
 
 def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace, list[Files]]:
@@ -98,6 +120,8 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         parser.error("- is named twice: standard input can be read once")
     if options.format is not None and "-" not in surfaces:
         parser.error("--format is for standard input: it goes with - as SURFACE")
+    if options.together and getattr(options, "bodies", None) is not None:
+        parser.error("--together makes a body of each surface: it goes without --bodies")
     if options.msh_version is not None and ".msh" not in (ending(options.output), ending(options.hull or "")):
         parser.error("--msh-version is for .msh files, and none is to be written")
     if options.threads is not None and options.threads < 1:
@@ -129,16 +153,24 @@ def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surface
     patterns = {name: getattr(options, name) for name in FILE_OPTIONS if getattr(options, name) is not None}
     seen: dict[str, str] = {}
     all_files = []
+    others: tuple[str, ...] = ()
+    if options.together:
+        surfaces, others = surfaces[:1], tuple(surfaces[1:])
     for surface in surfaces:
-        stem = "stdin" if surface == "-" else _stem(surface)
+        stem = _stem_of(surface)
         named = {name: pattern.replace("{}", stem) for name, pattern in patterns.items()}
         for name, path in named.items():
             if path in seen and identity(path) is not None:
                 way = "write {} in it for the surface's name" if "{}" not in patterns[name] else "rename one"
                 parser.error(f"{seen[path]} and {surface} would both be written to {path}: {way}")
         seen.update({path: surface for path in named.values() if len(surfaces) > 1})
-        all_files.append(Files(surface, **named))
+        all_files.append(Files(surface, others, **named))
     return all_files
+
+
+def _stem_of(surface: str) -> str:
+    """What {} stands for."""
+    return "stdin" if surface == "-" else _stem(surface)
 
 
 def _stem(surface: str) -> str:
@@ -197,6 +229,12 @@ def _parser() -> argparse.ArgumentParser:
     how = parser.add_argument_group("how")
     for name, option in OPTIONS.items():
         how.add_argument(flag_of(name), dest=name, help=option.help(), default=argparse.SUPPRESS, **option.argument())
+    how.add_argument(
+        *("--together",),
+        action="store_true",
+        default=None,
+        help="make one mesh of all surfaces, which conforms: each is a body, called like its file without folder and ending",
+    )
     how.add_argument(
         *("--constrained-array",),
         dest="constrain_facets",

@@ -20,6 +20,7 @@ from typing import Any, Callable, Iterator, Optional, Sequence
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .arguments import CHECK_OPTIONS, WINDING_OPTIONS, Files, parse
+from .bodies import BODY_IDS, join, outer_boundary
 from .checking import Finding, check
 from .data import Tetrahedra
 from .drawing import draw, draw_quality, up_of
@@ -86,7 +87,7 @@ def job_of(options: argparse.Namespace, files: Files) -> Job:
 
 def check_names(options: argparse.Namespace, all_files: Sequence[Files]) -> None:
     """Raise `Error` where a file would be written that is read too, or written twice, under whatever names."""
-    read = [*(files.surface for files in all_files), options.winding, getattr(options, "seeds", None)]
+    read = [*(surface for files in all_files for surface in files.surfaces()), options.winding, getattr(options, "seeds", None)]
     inputs = {identity(path): path for path in read if path not in (None, "-")}
     outputs: dict[object, str] = {}
     for path in (path for files in all_files for path in files.outputs()):
@@ -107,7 +108,7 @@ class Job:
     def __init__(self, options: argparse.Namespace, files: Files):
         self.options = options
         self.files = files
-        self.settings = Options.among(vars(options))
+        self.settings = Options.among({**vars(options), **({"bodies": BODY_IDS} if options.together else {})})
         self.bars = StageBars(None if options.quiet else sys.stderr)
         self.report_is_writable = False
         self.parameters: dict[str, Any] = {}
@@ -156,8 +157,9 @@ class Job:
             check_output(files.report, (".json",))
             self.report_is_writable = True
         self.parameters = self.check_parameters()
-        if files.surface != "-":
-            check_input(files.surface, self.readable)
+        for surface in files.surfaces():
+            if surface != "-":
+                check_input(surface, self.readable)
         for name, endings in self.endings().items():
             path = getattr(files, name)
             if path is not None:
@@ -196,10 +198,15 @@ class Job:
         def show(_: str, fraction: float) -> None:
             self.show((READING,), READING, fraction)
 
-        if self.files.surface == "-":
-            surface, self.warnings = read_standard_input(self.options.format, show)
+        def read_one(path: str) -> vtkPolyData:
+            surface, warnings = read_standard_input(self.options.format, show) if path == "-" else read_surface(path, show)
+            self.warnings = self.warnings + warnings
+            return surface
+
+        if self.options.together:
+            surface, _ = join({name: read_one(path) for name, path in self.files.bodies().items()})
         else:
-            surface, self.warnings = read_surface(self.files.surface, show)
+            surface = read_one(self.files.surface)
         self.bars.finish()
         self.seconds_read = time.monotonic() - began
         return surface
@@ -243,7 +250,7 @@ class Job:
     def print_error(self, message: str) -> None:
         """One line, which says of which surface it is where there are several."""
         surface = self.files.surface
-        several = len(self.options.files) > (1 if self.options.check else 2)
+        several = len(self.options.files) > (1 if self.options.check else 2) and not self.options.together
         _print_error(f"{surface}: {message}" if several and surface not in message else message)
 
     def notes(self) -> list[str]:
@@ -265,6 +272,7 @@ class MeshJob(Job):
     left_out_cells: list[int] = []
     lost_cells: list[int] = []
     regions: list[Region] = []
+    bodies: dict[str, float] = {}
     tags: dict[str, int] = {}
 
     def check_parameters(self) -> dict[str, Any]:
@@ -300,6 +308,7 @@ class MeshJob(Job):
         self.left_out_cells = result.left_out_cells
         self.lost_cells = result.lost_cells
         self.regions = result.regions
+        self.bodies = result.bodies
         self.tags = {name: len(triangles) for name, triangles in result.tags.items()}
         try:
             self.write(surface, result)
@@ -339,7 +348,7 @@ class MeshJob(Job):
             yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)
         if len(result.solid.cells) > 0:
             if ending(files.output or "") in WRITABLE_SURFACES:
-                yield "surface", result.boundary, files.output, write_surface
+                yield "surface", outer_boundary(result.boundary), files.output, write_surface
             else:
                 yield "solid", result.solid, files.output, write_with_boundary
             if files.boundary is not None:
@@ -355,12 +364,14 @@ class MeshJob(Job):
             "left_out_cells": self.left_out_cells,
             "lost_cells": self.lost_cells,
             "regions": [vars(region) for region in self.regions],
+            "bodies": self.bodies,
             "tags": self.tags,
         }
 
     def summary(self) -> list[str]:
         volumes = [region.volume for region in self.regions]
-        return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags)
+        regions = ["+".join(region.bodies) for region in self.regions] if self.bodies else []
+        return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags, regions)
 
     def notes(self) -> list[str]:
         return [] if self.settings.split_seams else seams(self.statistics)

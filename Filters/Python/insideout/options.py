@@ -7,9 +7,9 @@ import inspect
 import re
 import textwrap
 from dataclasses import dataclass, field, fields
-from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Tuple, TypeVar, Union, get_args
+from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Sequence, Tuple, TypeVar, Union, get_args
 
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
 from .data import DataSetOfPoints
@@ -23,7 +23,9 @@ DataTerm = Literal["uniform", "volume-weighted"]
 Dimension = Literal["automatic", "2", "3", 2, 3]
 SurfaceTreatment = Literal["kept", "split", "remeshed"]
 QuadratureOrder = Literal[1, 2, 3, 4, 5]
-Seeds = Union[DataSetOfPoints, str, Iterable[Tuple[Tuple[float, float, float], bool]]]
+RegionRule = Literal["by-priority", "all"]
+Seed = Union[Tuple[Tuple[float, float, float], bool], Tuple[Tuple[float, float, float], bool, str]]
+Seeds = Union[DataSetOfPoints, str, Iterable[Seed]]
 Filter = TypeVar("Filter")
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -163,6 +165,20 @@ class Scale(Option):
         return {"metavar": "FACTOR", "type": float}
 
 
+class Names(Option):
+    """A list of names, or these as one text, parted by commas."""
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> str:
+        if isinstance(value, str):
+            return value
+        if not all(isinstance(one, str) for one in value):
+            raise Error(f"{name} is {value!r}; it must be a list of names")
+        return ",".join(re.sub(r"([\\\\,])", r"\\\1", one) for one in value)
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "NAME,NAME..."}
+
+
 class Places(Option):
     def checked(self, algorithm: Any, name: str, value: Any) -> vtkPointSet:
         if isinstance(value, vtkPointSet):
@@ -284,6 +300,25 @@ class Options:
             "materials or solids do",
         )
     )
+    bodies: Optional[str] = _is(
+        Option(
+            "BodyArrayName",
+            "the name of a cell array of the surface, of integers or strings, that says which body each facet is of: all become "
+            "one mesh, of a region for each",
+        )
+    )
+    region_rule: RegionRule = _is(
+        Choice(
+            "RegionRule",
+            'what becomes a region where there are bodies: "by-priority", each body, of several in a place the one that comes '
+            'first; "all", each combination of bodies that occurs',
+            default="by-priority",
+            choices=get_args(RegionRule),
+        )
+    )
+    priority: Union[str, Sequence[str], None] = _is(
+        Names("Priority", "the names of bodies, parted by commas, from the one that comes first; the others follow in their own order", "; or a list of them")
+    )
     refine: bool = _is(
         Switch(
             "Refine",
@@ -319,8 +354,9 @@ class Options:
     seeds: Optional[Seeds] = _is(
         Places(
             "SeedsData",
-            "what has to be inside or outside: a table of x, y, z, inside (1 or 0)",
-            "; or pairs of a point and a bool, or a vtkPointSet with the point array Inside (1 or 0)",
+            "what has to be inside or outside: a table of x, y, z, inside (1 or 0), and body where there are bodies",
+            "; or pairs of a point and a bool, and a body's name behind them, or a vtkPointSet with the point arrays Inside (1 or 0) "
+            "and Body (a name)",
         )
     )
 
@@ -364,7 +400,7 @@ def in_words_of_python(texts: Iterable[str]) -> list[str]:
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
     """Texts that name Python's options, with those of the command line."""
-    return _renamed(texts, {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds")})
+    return _renamed(texts, {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "bodies", "priority")})
 
 
 def flag_of(name: str) -> str:
@@ -394,18 +430,22 @@ def describe_options(function: Function) -> Function:
     return function
 
 
-def _seed_points(seeds: Iterable[tuple[tuple[float, float, float], bool]]) -> vtkPolyData:
-    points, inside = vtkPoints(), vtkUnsignedCharArray()
+def _seed_points(seeds: Iterable[Seed]) -> vtkPolyData:
+    points, inside, bodies = vtkPoints(), vtkUnsignedCharArray(), vtkStringArray()
     points.SetDataType(VTK_DOUBLE)
     inside.SetName("Inside")
+    bodies.SetName("Body")
     try:
-        for place, is_inside in seeds:
+        for place, is_inside, *body in seeds:
             x, y, z = map(float, place)
+            name = "".join(body)
             points.InsertNextPoint(x, y, z)
             inside.InsertNextValue(bool(is_inside))
+            bodies.InsertNextValue(name)
     except (TypeError, ValueError):
         raise Error(f"seed {inside.GetNumberOfValues()} is no pair of a point and a bool") from None
     data = vtkPolyData()
     data.SetPoints(points)
     data.GetPointData().AddArray(inside)
+    data.GetPointData().AddArray(bodies)
     return data

@@ -41,15 +41,19 @@ def read_places(path: str) -> Places:
     return _Image(path)
 
 
-def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool]]:
-    """Points that have to be inside or outside, from a .csv file whose fourth column says which, by 1 or 0."""
+def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool, str]]:
+    """Points that have to be inside or outside, from a .csv file whose fourth column says which, by 1 or 0.
+
+    A fifth column, if it is called body or has no name, is the body that a seed is of.
+    """
     check_input(path, (".csv",))
     table = _Table(path)
+    has_bodies = len(table.names) < 5 or table.names[4].strip().lower() == "body"
     seeds = []
     for row in table.rows:
         if len(row) < 4 or row[3].strip() not in ("0", "1"):
             raise Error(f"{path}: a seed is x, y, z and 1 (inside) or 0 (outside), not {', '.join(row)}")
-        seeds.append(((float(row[0]), float(row[1]), float(row[2])), row[3].strip() == "1"))
+        seeds.append(((float(row[0]), float(row[1]), float(row[2])), row[3].strip() == "1", row[4].strip() if has_bodies and len(row) > 4 else ""))
     return seeds
 
 

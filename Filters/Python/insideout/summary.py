@@ -93,8 +93,10 @@ def _scaled(statistics: Mapping[str, float]) -> list[str]:
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
 
 
-def _regions(volumes: Sequence[float]) -> list[str]:
-    """The volumes of the solid's parts in words, if it has several."""
+def _regions(volumes: Sequence[float], names: Sequence[str]) -> list[str]:
+    """The volumes of the solid's parts in words, if it has several or they have names."""
+    if names:
+        return [f"  {len(volumes):,} regions, of volume {_first(f'{volume:.6g} ({name})' for volume, name in zip(volumes, names))}"]
     return [f"  {len(volumes):,} regions, of volume {_first(f'{volume:.6g}' for volume in volumes)}"] if len(volumes) > 1 else []
 
 
@@ -109,8 +111,11 @@ def _first(words: Iterable[str]) -> str:
     return ", ".join(every[:MOST_LISTED]) + (f" and {len(every) - MOST_LISTED:,} more" if len(every) > MOST_LISTED else "")
 
 
-def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float], tags: Mapping[str, int]) -> list[str]:
-    """The lines that the command ends with: volumes are those of the regions, tags are told with how many triangles have each."""
+def summary(
+    name: str, statistics: Mapping[str, float], volumes: Sequence[float], tags: Mapping[str, int], regions: Sequence[str] = ()
+) -> list[str]:
+    """The lines that the command ends with: volumes are those of the regions, which have names where there are bodies; tags are
+    told with how many triangles have each."""
     if statistics.get("Dimension", 3) == 2:
         return _planar_summary(name, statistics, volumes, tags)
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
@@ -127,7 +132,7 @@ def summary(name: str, statistics: Mapping[str, float], volumes: Sequence[float]
         f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
         *_refined(statistics),
         *_mass(statistics),
-        *_regions(volumes),
+        *_regions(volumes, regions),
         f"  by {tetrahedralizer(statistics)}",
         f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
         f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple, Union
+from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +12,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
-from .data import AnySurface, Polylines, Tetrahedra, Triangles, TriangleSurface, as_surface, as_type
+from .bodies import AnyBodies, as_bodies
+from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import mesh_of_solid
-from .options import DataTerm, Dimension, Engine, Options, Orientation, QuadratureOrder, Seeds, SurfaceTreatment, describe_options, in_words_of_python
+from .options import DataTerm, Dimension, Engine, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
 from .stages import TETRAHEDRALIZE
@@ -30,6 +31,8 @@ class Region:
     center_of_mass: Tuple[float, float, float]
     inertia: Tuple[float, float, float, float, float, float]
     """xx, yy, zz, xy, yz and xz about its own center of mass: xx is the integral of y^2 + z^2, xy that of -x y."""
+    bodies: Tuple[str, ...] = ()
+    """The names of the bodies that it is of, where there are bodies."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -43,7 +46,8 @@ class Tetrahedralization(Result):
     """The tetrahedra inside, with `w` and `RegionId` per cell, refined where that was asked for. Empty, with a warning, when
     nothing is inside."""
     boundary: Union[TriangleSurface, Polylines]
-    """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle."""
+    """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle. Of
+    bodies behind that the interfaces between regions: see `RegionIds`."""
     outliers: Union[TriangleSurface, Polylines]
     """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
     hull: Union[Tetrahedra, Triangles]
@@ -65,7 +69,7 @@ class Tetrahedralization(Result):
 
     @property
     def regions(self) -> list[Region]:
-        """The parts of the solid that faces connect, by their `RegionId`."""
+        """By their `RegionId`: the parts of the solid that faces connect; where there are bodies, what `region_rule` says."""
         if self.is_planar():
             fields = self.hull.GetFieldData()
             areas, centers = (vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Area", "CenterOfMass"))
@@ -75,18 +79,34 @@ class Tetrahedralization(Result):
         volumes, centers, inertias = (
             vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")
         )
+        bodies = self._bodies_of_regions() or [()] * len(volumes)
         return [
-            Region(volume, (x, y, z), (xx, yy, zz, xy, yz, xz))
-            for volume, (x, y, z), (xx, yy, zz, xy, yz, xz) in zip(volumes, centers, inertias)
+            Region(volume, (x, y, z), (xx, yy, zz, xy, yz, xz), of)
+            for volume, (x, y, z), (xx, yy, zz, xy, yz, xz), of in zip(volumes, centers, inertias, bodies)
         ]
+
+    @property
+    def bodies(self) -> dict[str, float]:
+        """The volumes of the bodies by their names, each as if it were alone; before any refinement. Empty without bodies."""
+        names, volumes = (self.hull.GetFieldData().GetAbstractArray(name) for name in ("BodyNames", "BodyVolume"))
+        return {} if volumes is None else dict(zip(strings_of(names), vtk_to_numpy(volumes).tolist()))
+
+    def _bodies_of_regions(self) -> list[Tuple[str, ...]]:
+        fields = self.hull.GetFieldData()
+        of = fields.GetArray("RegionBodies")
+        if of is None:
+            return []
+        names = np.array(strings_of(fields.GetAbstractArray("BodyNames")))
+        return [tuple(names[row != 0].tolist()) for row in vtk_to_numpy(of).reshape(-1, len(names))]
 
     @property
     def tags(self) -> dict[str, NDArray[np.int64]]:
         """The triangles of the boundary that have each tag, by its name: groups, materials or solids of the surface, or
-        what `tag_array` says; those that close a hole are called "hole"."""
-        names = self.boundary.GetFieldData().GetAbstractArray("BoundaryTagNames")
+        what `tag_array` says; those that close a hole are called "hole". Of bodies by the regions on both sides, as
+        "bone|fat" and "fat|outside"."""
+        names = strings_of(self.boundary.GetFieldData().GetAbstractArray("BoundaryTagNames"))
         of_triangle = vtk_to_numpy(self.boundary.GetCellData().GetArray("BoundaryTag"))
-        return {names.GetValue(tag): np.flatnonzero(of_triangle == tag) for tag in range(names.GetNumberOfValues())}
+        return {name: np.flatnonzero(of_triangle == tag) for tag, name in enumerate(names)}
 
     def figures(self) -> list[tuple[str, str]]:
         least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
@@ -94,6 +114,7 @@ class Tetrahedralization(Result):
             ("triangles inside" if self.is_planar() else "tetrahedra inside", counted(int(self.statistics["InsideCells"]))),
             *([("refined to", counted(int(self.statistics["RefinedCells"])))] if "RefinedCells" in self.statistics else []),
             ("in the convex hull", counted(self.hull.GetNumberOfCells())),
+            *([("bodies", counted(len(self.bodies)))] if self.bodies else []),
             ("regions", counted(len(self.regions))),
             ("boundary lines" if self.is_planar() else "boundary triangles", counted(self.boundary.GetNumberOfCells())),
             ("outliers", counted(self.outliers.GetNumberOfCells())),
@@ -118,7 +139,7 @@ class Tetrahedralization(Result):
 
 @describe_options
 def tetrahedralize(
-    surface: AnySurface,
+    surface: AnyBodies,
     *,
     scale: Optional[float] = None,
     dimension: Dimension = "automatic",
@@ -140,6 +161,9 @@ def tetrahedralize(
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
     tag_array: Optional[str] = None,
+    bodies: Optional[str] = None,
+    region_rule: RegionRule = "by-priority",
+    priority: Union[str, Sequence[str], None] = None,
     refine: bool = False,
     edge_length: Optional[float] = None,
     grading: Optional[float] = None,
@@ -153,7 +177,8 @@ def tetrahedralize(
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means; or, of lines or polygons in a plane, triangles.
 
-    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...;
+              or a dict of such by their names, which are the bodies of one mesh
     progress  called with the stage and the fraction of all the work that is done; what it
               raises stops the work and is raised
 
@@ -167,8 +192,9 @@ def tetrahedralize(
     # The hull comes out too: of the solid alone, which is refined, a second run is made of what is there.
     tetrahedralizer.RefineOff()
     shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if options.refines() else 1
-    polygons, before = as_surface(surface, options.scale)
+    polygons, before, body_array = as_bodies(surface, options.scale, bodies)
     tetrahedralizer.SetInputData(polygons)
+    tetrahedralizer.SetBodyArrayName(body_array or "")
     tetrahedralizer.ExtractInsideOff()
     warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
 
@@ -200,6 +226,11 @@ def tetrahedralize(
         lost_cells=cells_of(hull, "LostCellIds"),
         warnings=warnings,
     )
+
+
+def strings_of(array: Any) -> list[str]:
+    """What a vtkStringArray holds."""
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
 def part_of(progress: Optional[Progress], begin: float, end: float) -> Optional[Progress]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
+from .bodies import outer_boundary
 from .data import Tetrahedra, Triangles, as_type, is_flat
 from .exporting import import_meshio, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
@@ -46,7 +47,7 @@ def write(
                        triangles by tags, with their names (the VTK class vtkSolidWriter says how)
     .xdmf              tetrahedra with all arrays, by meshio; FacetIds and the like as FacetIds_0 to _3
     .vtp, .ply, .stl, .obj, .off
-                       a surface; of a result the solid's watertight boundary
+                       a surface; of a result the solid's watertight boundary, without interfaces between bodies
 
     Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
 
@@ -54,7 +55,7 @@ def write(
     """
     if isinstance(data, Tetrahedralization):
         if ending(path) in WRITABLE_SURFACES:
-            write_surface(data.boundary, path)
+            write_surface(outer_boundary(data.boundary), path)
         else:
             write_solid(data.solid, path, boundary or data.boundary, msh_version)
     elif isinstance(data, vtkUnstructuredGrid):

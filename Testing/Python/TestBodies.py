@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Several bodies in one mesh, from Python, as blocks and on the command line; and the example in Examples/Bodies."""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import insideout
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+
+
+def box(low, high):
+    """Points and triangles, which face outward."""
+    corners = np.array([[(low, high)[i >> k & 1][k] for k in range(3)] for i in range(8)], float)
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return corners, np.array([triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))])
+
+
+def volume_of(region) -> float:
+    return round(region.volume, 12)
+
+
+LEFT, RIGHT = box((0, 0, 0), (2, 2, 2)), box((1, 0, 0), (4, 2, 2))
+
+
+def polygons(surface) -> vtkPolyData:
+    """Without any data."""
+    bare = vtkPolyData()
+    bare.CopyStructure(insideout.resolve(surface).surface)
+    return bare
+
+
+class TestBodies(unittest.TestCase):
+    def test_the_first_in_priority_has_what_bodies_share(self):
+        for priority, volumes in ((None, [8, 8]), (["right"], [4, 12]), ("right,left", [4, 12])):
+            result = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, priority=priority)
+            self.assertEqual([region.bodies for region in result.regions], [("left",), ("right",)])
+            self.assertEqual([volume_of(region) for region in result.regions], volumes)
+            self.assertEqual({name: round(volume, 12) for name, volume in result.bodies.items()}, {"left": 8, "right": 12})
+            self.assertEqual(result.warnings, [])
+
+    def test_of_all_each_combination_is_a_region(self):
+        result = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, region_rule="all")
+        self.assertEqual([(region.bodies, volume_of(region)) for region in result.regions], [(("left",), 4), (("left", "right"), 4), (("right",), 8)])
+        in_body = result.solid.cell_arrays["InBody"]
+        np.testing.assert_array_equal(in_body, result.solid.cell_arrays["BodyW"])
+        np.testing.assert_array_equal(in_body.sum(axis=1), result.solid.w)
+
+    def test_each_interface_is_there_once_and_the_boundary_is_tagged_by_both_regions(self):
+        for refined in ({}, {"edge_length": 1}, {"surface_treatment": "split"}, {"edge_length": 0.8, "surface_treatment": "remeshed"}):
+            with self.subTest(refined):
+                result = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, region_rule="all", **refined)
+                boundary, solid = result.boundary, result.solid
+                self.assertEqual(list(result.tags), ["left|outside", "left|left+right", "left+right|outside", "left+right|right", "right|outside"])
+                ids = {tuple(point): number for number, point in enumerate(solid.points.tolist())}
+                triangles = [tuple(sorted(ids[tuple(point)] for point in boundary.points[corners].tolist())) for corners in boundary.triangles]
+                self.assertEqual(len(set(triangles)), len(triangles))
+                regions = boundary.cell_arrays["RegionIds"]
+                expected = {triangle: tuple(pair) for triangle, pair in zip(triangles, regions.tolist())}
+                beside = {}
+                for cell, region in zip(solid.cells.tolist(), solid.cell_arrays["RegionId"].tolist()):
+                    for k in range(4):
+                        beside.setdefault(tuple(sorted(cell[:k] + cell[k + 1 :])), []).append(region)
+                parting = {face: tuple(sorted(of)) if len(of) == 2 else (of[0], -1) for face, of in beside.items() if len(of) == 1 or of[0] != of[1]}
+                self.assertEqual(parting, expected)
+                area = {pair: self.area(boundary, np.all(regions == pair, axis=1)) for pair in ((0, 1), (1, 2))}
+                self.assertAlmostEqual(area[0, 1], 4, delta=1e-6)
+                self.assertAlmostEqual(area[1, 2], 4, delta=1e-6)
+
+    def area(self, surface, which) -> float:
+        a, b, c = (surface.points[surface.triangles[which, k]] for k in range(3))
+        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+    def test_bodies_by_an_array_of_names(self):
+        surface = polygons((np.vstack([LEFT[0], RIGHT[0] + (3, 0, 0)]), np.vstack([LEFT[1], RIGHT[1] + 8])))
+        names = vtkStringArray()
+        names.SetName("Organ")
+        for cell in range(surface.GetNumberOfCells()):
+            names.InsertNextValue("spleen" if cell < 12 else "liver")
+        surface.GetCellData().AddArray(names)
+        result = insideout.tetrahedralize(surface, bodies="Organ")
+        self.assertEqual({name: round(volume, 12) for name, volume in result.bodies.items()}, {"spleen": 8, "liver": 12})
+        self.assertEqual(insideout.tetrahedralize(surface).bodies, {})
+
+    def test_blocks_are_bodies_or_surfaces_by_themselves(self):
+        blocks = vtkMultiBlockDataSet()
+        for k, (name, surface) in enumerate((("left", LEFT), ("right", RIGHT))):
+            blocks.SetBlock(k, polygons(surface))
+            blocks.GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), name)
+        made = insideout.vtkRobustTetrahedralize()
+        made.SetInputDataObject(0, blocks)
+        made.Update()
+        self.assertTrue(made.GetOutputDataObject(0).IsA("vtkMultiBlockDataSet"))
+        made.BlocksAreBodiesOn()
+        made.Update()
+        self.assertTrue(made.GetOutputDataObject(0).IsA("vtkUnstructuredGrid"))
+        by_name = insideout.tetrahedralize({"left": LEFT, "right": RIGHT})
+        cells = vtk_to_numpy(made.GetOutput().GetCells().GetConnectivityArray()).reshape(-1, 4)
+        np.testing.assert_array_equal(cells, by_name.solid.cells)
+        made.BlocksAreBodiesOff()
+        made.Update()
+        self.assertTrue(made.GetOutputDataObject(0).IsA("vtkMultiBlockDataSet"))
+
+    def test_a_gap_below_the_tolerance_closes_and_a_larger_one_stays(self):
+        upper = box((0, 0, 2 + 1e-4), (2, 2, 3))
+        for tolerance, count in ((0, 0), (9e-5, 0), (1.1e-4, 2)):
+            result = insideout.tetrahedralize({"lower": LEFT, "upper": upper}, merge_tolerance=tolerance)
+            self.assertEqual(len(result.tags.get("lower|upper", ())), count)
+
+    def test_seeds_are_of_the_body_that_they_name(self):
+        outside = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, seeds=[((0.5, 1.1, 0.9), False, "left")])
+        self.assertLess(outside.bodies["left"], 8)
+        self.assertEqual(round(outside.bodies["right"], 12), 12)
+
+    def test_what_is_wrong_is_named(self):
+        bodies = {"left": LEFT, "right": RIGHT}
+        for wrong, words in (
+            ({"priority": ["nose"]}, "Priority names nose, which is no body; there are left, right"),
+            ({"priority": ["left", "left"]}, "Priority names left twice"),
+            ({"seeds": [((1, 1, 1), True)]}, "seed 0 is to be inside, but its point array Body does not say which body"),
+            ({"seeds": [((1, 1, 1), True, "nose")]}, "seed 0 names nose, which is no body"),
+            ({"split_seams": True}, "SplitSeams takes one body"),
+            ({"bodies": "Organ"}, "bodies names an array of one surface"),
+        ):
+            with self.subTest(wrong), self.assertRaisesRegex(insideout.Error, words):
+                insideout.tetrahedralize(bodies, **wrong)
+        with self.assertRaisesRegex(insideout.Error, "no cell array Organ"):
+            insideout.tetrahedralize(LEFT, bodies="Organ")
+        with self.assertRaisesRegex(insideout.Error, "body right: "):
+            insideout.tetrahedralize({"left": LEFT, "right": "missing.ply"})
+
+
+class TestCommand(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for name, surface in (("left", LEFT), ("right", RIGHT)):
+            insideout.write(polygons(surface), self.folder / f"{name}.ply")
+
+    def run_command(self, *arguments):
+        return subprocess.run([sys.executable, "-m", "insideout", *arguments], cwd=self.folder, capture_output=True, text=True, check=False)
+
+    def test_several_surfaces_become_one_mesh_with_a_group_for_each(self):
+        done = self.run_command("--together", "left.ply", "right.ply", "both.msh", "--priority", "right", "--report", "both.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 regions, of volume 4 (left), 12 (right)", done.stdout)
+        text = (self.folder / "both.msh").read_text(encoding="latin-1")
+        for group in ('"left"', '"right"', '"left|right"', '"right|outside"'):
+            self.assertIn(group, text)
+        bodies = json.loads((self.folder / "both.json").read_text())["bodies"]
+        self.assertEqual({name: round(volume, 12) for name, volume in bodies.items()}, {"left": 8, "right": 12})
+
+    def test_a_surface_of_them_is_what_encloses_them_all(self):
+        done = self.run_command("--together", "left.ply", "right.ply", "both.ply")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(insideout.check(self.folder / "both.ply").verdict, "bounds a solid of volume 16")
+
+    def test_what_makes_no_sense_is_said(self):
+        for arguments, words in (
+            (("--together", "left.ply", "right.ply", "both.vtu", "--bodies", "Part"), "it goes without --bodies"),
+            (("--together", "--check", "left.ply", "right.ply"), "--check meshes nothing: it goes without --together"),
+            (("--together", "left.ply", "missing.ply", "both.vtu"), "missing.ply"),
+        ):
+            done = self.run_command(*arguments)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(words, done.stderr)
+
+
+class TestHeart(unittest.TestCase):
+    def test_all_heat_of_the_blood_leaves_through_the_skin(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                [sys.executable, ROOT / "Examples" / "Bodies" / "heart.py", folder, "0.8"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                text=True, check=False,
+            )
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertGreater((Path(folder) / "heart.png").stat().st_size, 0)
+        made, left, apart = (float(found) for found in re.search(r"within (\S+) mW, heat that leaves (\S+) mW: (\S+)", done.stdout).groups())
+        self.assertGreater(made, 500)
+        self.assertAlmostEqual(left, made, delta=1e-5 * made)
+        self.assertLess(abs(apart), 1e-6)
+        chamber, wall = (float(found) for found in re.search(r"chamber (\S+), of its wall (\S+) degrees", done.stdout).groups())
+        self.assertGreater(chamber, wall)
+        self.assertGreater(wall, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
