@@ -97,8 +97,8 @@ public:
 
   ///@{
   /**
-   * What bodies are called in Expression and in BodyNames, one after the other. A body without a name,
-   * or with an empty one, has that of its block, or a letter. Default none.
+   * What bodies are called in Expression and in BodyNames, one after the other. A body without a
+   * name, or with an empty one, has that of its block, or a letter. Default none.
    */
   void AddBodyName(const char* name);
   void ClearBodyNames();
