@@ -165,7 +165,7 @@ def answer(command: list[str]) -> Optional[list[float]]:
         volumes = [float(word) for word in done.stdout.split()]
         return volumes if len(volumes) == 3 else None
     except (subprocess.SubprocessError, ValueError):
-        return None
+        return None  # it died, took too long or gave up
 
 
 def by_vtk(paths: list[str]) -> None:
@@ -199,6 +199,8 @@ def main() -> int:
     if options.vtk:
         by_vtk(options.surfaces)
         return 0
+    if options.peer and not Path(options.peer).exists():
+        parser.error(f"there is no {options.peer}: build JudgeBooleanPeers")
     models = []
     for path in options.surfaces:
         try:
