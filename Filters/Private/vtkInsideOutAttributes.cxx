@@ -7,6 +7,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -318,4 +319,104 @@ std::vector<insideout::Id> vtkInsideOutAttributes::AlikePoints(
     }
   }
   return alike;
+}
+
+namespace
+{
+/** An array of the type that holds both, with room for `size` tuples that have no value. */
+vtkSmartPointer<vtkAbstractArray> MakeAlike(
+  const std::vector<vtkAbstractArray*>& arrays, vtkIdType size)
+{
+  vtkSmartPointer<vtkAbstractArray> result;
+  result.TakeReference(arrays.front()->NewInstance());
+  for (vtkAbstractArray* array : arrays)
+  {
+    if (array->GetDataType() != result->GetDataType())
+    {
+      result = vtkSmartPointer<vtkDoubleArray>::New();
+    }
+  }
+  vtkAbstractArray* first = arrays.front();
+  vtkInsideOutRequireMemory(size * first->GetNumberOfComponents() * result->GetDataTypeSize());
+  result->SetName(first->GetName());
+  result->SetNumberOfComponents(first->GetNumberOfComponents());
+  for (int k = 0; k < first->GetNumberOfComponents(); ++k)
+  {
+    if (const char* component = first->GetComponentName(k))
+    {
+      result->SetComponentName(k, component);
+    }
+  }
+  result->SetNumberOfTuples(size);
+  if (auto* numbers = vtkDataArray::SafeDownCast(result))
+  {
+    const double none = IsReal(numbers) ? std::numeric_limits<double>::quiet_NaN() : 0;
+    for (int k = 0; k < numbers->GetNumberOfComponents(); ++k)
+    {
+      numbers->FillComponent(k, none);
+    }
+  }
+  return result;
+}
+
+/** Whether two arrays of a name can be one. */
+bool FitTogether(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  const bool areNumbers = vtkDataArray::SafeDownCast(a) && vtkDataArray::SafeDownCast(b);
+  return a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+    (areNumbers || a->GetDataType() == b->GetDataType());
+}
+} // namespace
+
+void vtkInsideOutAttributes::Append(const std::vector<vtkDataSetAttributes*>& inputs,
+  const std::vector<vtkIdType>& first, vtkDataSetAttributes* output, Warnings& warnings)
+{
+  std::vector<vtkSmartPointer<vtkDataSetAttributes>> usable;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    usable.push_back(UsableArrays(inputs[i], first[i + 1] - first[i], {}, warnings));
+    for (int k = 0; k < usable[i]->GetNumberOfArrays(); ++k)
+    {
+      const char* name = usable[i]->GetAbstractArray(k)->GetName();
+      if (name && std::find(names.begin(), names.end(), name) == names.end())
+      {
+        names.emplace_back(name);
+      }
+    }
+  }
+  for (const std::string& name : names)
+  {
+    std::vector<vtkAbstractArray*> arrays;
+    std::vector<std::size_t> owners;
+    for (std::size_t i = 0; i < usable.size(); ++i)
+    {
+      vtkAbstractArray* array = usable[i]->GetAbstractArray(name.c_str());
+      if (array && !arrays.empty() && !FitTogether(arrays.front(), array))
+      {
+        WarnOnce("the array " + name + " of input " + std::to_string(i + 1) +
+            " has another type or number of components than an earlier one's: it is left out",
+          warnings);
+      }
+      else if (array)
+      {
+        arrays.push_back(array);
+        owners.push_back(i);
+      }
+    }
+    const vtkSmartPointer<vtkAbstractArray> all = MakeAlike(arrays, first.back());
+    for (std::size_t k = 0; k < arrays.size(); ++k)
+    {
+      all->InsertTuples(first[owners[k]], arrays[k]->GetNumberOfTuples(), 0, arrays[k]);
+    }
+    const int index = output->AddArray(all);
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    {
+      vtkAbstractArray* active = usable[owners.front()]->GetAbstractAttribute(type);
+      if (active == arrays.front() && !output->GetAbstractAttribute(type))
+      {
+        output->SetActiveAttribute(index, type);
+      }
+    }
+  }
 }

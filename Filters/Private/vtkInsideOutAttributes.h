@@ -16,6 +16,7 @@
 
 class vtkCellData;
 class vtkDataSet;
+class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkPointData;
 
@@ -85,4 +86,16 @@ void PassAll(vtkDataSet* input, std::initializer_list<const char*> added, vtkDat
  */
 std::vector<insideout::Id> AlikePoints(
   vtkDataSet* input, const std::vector<insideout::Id>& mergedInto);
+
+/**
+ * The data of several data sets, one behind the other. An array that one of them has not is NaN
+ * there (0 in integer arrays, empty in others); numbers of different types become doubles. What is
+ * active in the first that has it is active.
+ *
+ * @param[in] first the first tuple of each, and the end
+ * @param[in,out] warnings gains a line per array that is left out: it has not one tuple per point
+ * or cell, or as many components as one of the same name
+ */
+void Append(const std::vector<vtkDataSetAttributes*>& inputs, const std::vector<vtkIdType>& first,
+  vtkDataSetAttributes* output, std::vector<std::string>& warnings);
 } // namespace vtkInsideOutAttributes

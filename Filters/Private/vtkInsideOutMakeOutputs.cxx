@@ -133,12 +133,19 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSurface(
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(const insideout::HullMesh& hull,
   const TetrahedralMesh& mesh, const std::vector<insideout::BoundaryTriangle>& boundary)
 {
+  return this->MakeBoundary(mesh.Points, mesh.Origins, boundary, hull.TurnedTriangles);
+}
+
+vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
+  const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
+  const std::vector<insideout::BoundaryTriangle>& boundary, const std::vector<Id>& turned)
+{
   std::vector<insideout::Triangle> triangles;
   for (const insideout::BoundaryTriangle& triangle : boundary)
   {
     triangles.push_back(triangle.Corners);
   }
-  return this->MakeBoundary(mesh.Points, mesh.Origins, triangles, hull, boundary);
+  return this->MakeBoundary(points, origins, triangles, boundary, turned);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeManifoldBoundary(
@@ -153,7 +160,7 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeManifoldBoundary(
     points.push_back(mesh.Points[place]);
     origins.push_back(mesh.Origins[place]);
   }
-  return this->MakeBoundary(points, origins, manifold.Triangles, hull, boundary);
+  return this->MakeBoundary(points, origins, manifold.Triangles, boundary, hull.TurnedTriangles);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
@@ -172,25 +179,25 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
   {
     points.push_back(hull.Mesh.Points[place]);
   }
-  return this->MakeBoundary(points, seamed.Origins, seamed.Triangles, hull, boundary);
+  return this->MakeBoundary(
+    points, seamed.Origins, seamed.Triangles, boundary, hull.TurnedTriangles);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
   const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
-  const std::vector<insideout::Triangle>& triangles, const insideout::HullMesh& hull,
-  const std::vector<insideout::BoundaryTriangle>& boundary)
+  const std::vector<insideout::Triangle>& triangles,
+  const std::vector<insideout::BoundaryTriangle>& boundary, const std::vector<Id>& turned)
 {
   std::vector<vtkIdType> cells;
-  std::vector<unsigned char> turned;
+  std::vector<unsigned char> isTurned;
   for (const insideout::BoundaryTriangle& triangle : boundary)
   {
     cells.push_back(
       triangle.Source == insideout::None ? -1 : this->Surface->CellOfTriangle[triangle.Source]);
-    turned.push_back(std::binary_search(
-      hull.TurnedTriangles.begin(), hull.TurnedTriangles.end(), triangle.Source));
+    isTurned.push_back(std::binary_search(turned.begin(), turned.end(), triangle.Source));
   }
   auto output = this->MakeSurface(points, origins, triangles, cells, { "Turned", "BoundaryTag" });
-  output->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", turned));
+  output->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", isTurned));
   return output;
 }
 

@@ -51,6 +51,13 @@ public:
     const insideout::TetrahedralMesh& mesh, const insideout::ManifoldSurface& manifold,
     const std::vector<insideout::BoundaryTriangle>& boundary);
 
+  /** The same of triangles by points that have origins. @param[in] turned the input triangles that
+   * were turned over, ascending */
+  vtkSmartPointer<vtkPolyData> MakeBoundary(const std::vector<insideout::Point>& points,
+    const std::vector<insideout::PointOrigin>& origins,
+    const std::vector<insideout::BoundaryTriangle>& boundary,
+    const std::vector<insideout::Id>& turned);
+
   /** The same with several points in a place where the input's triangles differ in texture
    * coordinates or normals, or where triangles cross that have point data at all. Can be stopped.
    */
@@ -84,8 +91,9 @@ private:
   std::vector<insideout::Id> AlikePoints(const insideout::HullMesh& hull) const;
   vtkSmartPointer<vtkPolyData> MakeBoundary(const std::vector<insideout::Point>& points,
     const std::vector<insideout::PointOrigin>& origins,
-    const std::vector<insideout::Triangle>& triangles, const insideout::HullMesh& hull,
-    const std::vector<insideout::BoundaryTriangle>& boundary);
+    const std::vector<insideout::Triangle>& triangles,
+    const std::vector<insideout::BoundaryTriangle>& boundary,
+    const std::vector<insideout::Id>& turned);
   /** A field array of the input cells that facets are pieces of, each once, ascending. */
   void AddCellsOfFacets(const char* name, const insideout::FacetComplex& surface,
     const std::vector<insideout::Id>& facets, vtkDataSet* output) const;

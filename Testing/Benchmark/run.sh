@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy BenchmarkPlanar"
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy BenchmarkPlanar BenchmarkBoolean"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -85,6 +85,7 @@ for surface; do
   esac
 done
 "$bin/BenchmarkPlanar"
+"$bin/BenchmarkBoolean"
 "$bin/BenchmarkBusy" "$figures/surfaces/pig.off"
 "$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*

@@ -21,7 +21,8 @@ simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
            "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
-           "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality", "VoxelFractions", "DistributeParts"]
+           "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality", "VoxelFractions", "DistributeParts",
+           "WindingBoolean"]
 
 
 def volume(proxy, port=0):
@@ -124,6 +125,15 @@ class TestPlugin(unittest.TestCase):
         probe.InsideOut = 1
         probe.UpdatePipeline()
         self.assertEqual(probe.PointData["Inside"].GetRange(), (0, 0))
+
+    def test_an_expression_of_several_inputs(self):
+        box, hole = simple.Box(), simple.Box(XLength=0.5, YLength=0.5, ZLength=2)
+        left = simple.WindingBoolean(Input=[box, hole], Expression="A - B")
+        left.UpdatePipeline()
+        self.assertAlmostEqual(left.FieldData["Statistics_Volume"].GetRange()[0], 0.75, 12)
+        self.assertEqual(left.CellData["BodyId"].GetRange(), (0, 1))
+        left.Tetrahedra = 1
+        self.assertAlmostEqual(volume(left, 1), 0.75, 12)
 
     def test_a_property_changes_the_result(self):
         solid = simple.RobustTetrahedralize(Input=self.surface, ExtractInside=0)

@@ -2,6 +2,7 @@
 #include "Boolean/ResolveBodies.h"
 
 #include "Common/Buckets.h"
+#include "Common/DisjointSets.h"
 #include "Common/PartMonitor.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
@@ -51,6 +52,20 @@ void SetSources(const std::vector<FacetSource>& places, FacetComplex& surface)
   }
 }
 
+/** The numbers of points are below this. */
+Id NumberOfPointIds(const std::vector<Body>& bodies)
+{
+  Id number = 0;
+  for (const Body& body : bodies)
+  {
+    for (const Id id : body.PointIds)
+    {
+      number = std::max(number, id + 1);
+    }
+  }
+  return number;
+}
+
 class BodyResolver
 {
 public:
@@ -58,6 +73,8 @@ public:
     : Given(std::move(bodies))
     , Parameters(parameters)
     , Watch(monitor)
+    , NumberOfIds(NumberOfPointIds(this->Given))
+    , SamePoints(static_cast<std::size_t>(this->NumberOfIds))
     , Chains(this->Given.size())
   {
     this->Result.Bodies.resize(this->Given.size());
@@ -76,7 +93,7 @@ private:
     std::vector<Id> First;            ///< of each chain
     std::vector<Id> Merged;
   };
-  ChainPoints PointsOfChains() const;
+  ChainPoints PointsOfChains();
   FacetComplex Together();
   void TakeResolved(FacetComplex resolved);
   Id BodyOf(Id chainFacet) const;
@@ -85,6 +102,9 @@ private:
   std::vector<Body> Given;
   const BodyParameters& Parameters;
   Monitor& Watch;
+
+  const Id NumberOfIds;    ///< of points
+  DisjointSets SamePoints; ///< by their numbers
 
   std::vector<FacetComplex> Chains; ///< one per body, by the body's own points and triangles
   std::vector<Id> FirstFacet;       ///< of each chain, if the facets of all are numbered in a row
@@ -110,21 +130,13 @@ void BodyResolver::MergeGivenPoints()
     ids.insert(ids.end(), body.PointIds.begin(), body.PointIds.end());
   }
   const std::vector<Id> merged = MergePoints(points, this->Parameters.Chain.MergeTolerance);
-  Id numberOfIds = 0;
-  for (const Id id : ids)
-  {
-    numberOfIds = std::max(numberOfIds, id + 1);
-  }
-  std::vector<Id>& mergedInto = this->Result.MergedInto;
-  mergedInto.resize(static_cast<std::size_t>(numberOfIds));
-  std::iota(mergedInto.begin(), mergedInto.end(), 0);
   std::size_t i = 0;
   for (Body& body : this->Given)
   {
     for (Point& p : body.Soup.Points)
     {
       p = points[merged[i]];
-      mergedInto[ids[i]] = ids[merged[i]];
+      this->SamePoints.Join(ids[i], ids[merged[i]]);
       ++i;
     }
   }
@@ -133,7 +145,7 @@ void BodyResolver::MergeGivenPoints()
 void BodyResolver::CountFacetsOfBodies()
 {
   CountedChainParameters parameters = this->Parameters.Chain;
-  parameters.MergeTolerance = 0; // it has been seen to
+  parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // it has been seen to
   bool isAnyThere = false;
   for (std::size_t b = 0; b < this->Given.size(); ++b)
   {
@@ -157,6 +169,10 @@ void BodyResolver::CountFacetsOfBodies()
         }
       });
     isAnyThere |= !chain.Surface.Facets.empty();
+    for (std::size_t p = 0; p < chain.MergedInto.size(); ++p)
+    {
+      this->SamePoints.Join(body.PointIds[p], body.PointIds[chain.MergedInto[p]]);
+    }
     for (const Id t : chain.DegenerateTriangles)
     {
       this->Result.DegenerateTriangles.push_back(body.TriangleIds[t]);
@@ -202,7 +218,7 @@ void BodyResolver::OrientBodies()
 }
 
 /** The points of all chains, and for each the lowest with its coordinates. */
-BodyResolver::ChainPoints BodyResolver::PointsOfChains() const
+BodyResolver::ChainPoints BodyResolver::PointsOfChains()
 {
   ChainPoints all;
   for (std::size_t b = 0; b < this->Chains.size(); ++b)
@@ -214,12 +230,27 @@ BodyResolver::ChainPoints BodyResolver::PointsOfChains() const
     {
       for (Id& p : origin.Points)
       {
-        p = this->Result.MergedInto[this->Given[b].PointIds[p]];
+        p = this->Given[b].PointIds[p];
       }
       all.Origins.push_back(origin);
     }
   }
   all.Merged = MergePoints(all.Points, 0);
+  for (std::size_t p = 0; p < all.Merged.size(); ++p)
+  {
+    const PointOrigin& lowest = all.Origins[all.Merged[p]];
+    if (all.Origins[p].IsInput() && lowest.IsInput())
+    {
+      this->SamePoints.Join(all.Origins[p].Points[0], lowest.Points[0]);
+    }
+  }
+  for (PointOrigin& origin : all.Origins)
+  {
+    for (Id& p : origin.Points)
+    {
+      p = this->SamePoints.Find(p);
+    }
+  }
   return all;
 }
 
@@ -335,7 +366,10 @@ Id BodyResolver::BodyOf(Id chainFacet) const
 
 ResolvedBodies BodyResolver::Resolve()
 {
-  this->MergeGivenPoints();
+  if (this->Parameters.Chain.MergeTolerance > 0)
+  {
+    this->MergeGivenPoints();
+  }
   this->CountFacetsOfBodies();
   this->OrientBodies();
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
@@ -344,6 +378,10 @@ ResolvedBodies BodyResolver::Resolve()
   Resolution resolution = ResolveSelfIntersections(this->Together(), this->Watch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   this->TakeResolved(std::move(resolution.Surface));
+  for (Id p = 0; p < this->NumberOfIds; ++p)
+  {
+    this->Result.MergedInto.push_back(this->SamePoints.Find(p));
+  }
   return std::move(this->Result);
 }
 } // namespace

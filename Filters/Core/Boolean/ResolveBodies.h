@@ -45,7 +45,7 @@ struct ResolvedBodies
   std::vector<BodyCount> Counts;
 
   std::vector<CountedBody> Bodies;
-  std::vector<Id> MergedInto;          ///< per point the one that it became, or itself
+  std::vector<Id> MergedInto;          ///< per point the lowest that it became one with, or itself
   std::vector<Id> DegenerateTriangles; ///< left out; ascending
   std::vector<Id> TurnedTriangles;     ///< turned over; ascending
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace insideout
 {
@@ -27,6 +26,14 @@ std::size_t NumberOfNodes(Id count)
 }
 } // namespace
 
+/** A box on its way to its place: moved with its number, for boxes that are near in memory are
+ * looked at much faster. */
+struct BoxTree::NumberedBox
+{
+  Box Bounds;
+  Id Number;
+};
+
 /** Of the order, and where its node stands, which follows from the sizes of those before it. */
 struct BoxTree::Part
 {
@@ -45,15 +52,19 @@ struct BoxTree::Part
   }
 };
 
-BoxTree::BoxTree(std::vector<Box> boxes)
-  : Order(boxes.size())
+BoxTree::BoxTree(std::vector<Box> given)
 {
-  std::iota(this->Order.begin(), this->Order.end(), 0);
-  if (boxes.empty())
+  if (given.empty())
   {
     return;
   }
-  const Id count = static_cast<Id>(boxes.size());
+  const Id count = static_cast<Id>(given.size());
+  std::vector<NumberedBox> boxes;
+  boxes.reserve(given.size());
+  for (Id i = 0; i < count; ++i)
+  {
+    boxes.push_back({ given[i], i });
+  }
   this->Nodes.resize(NumberOfNodes(count));
   std::vector<Part> level = { { 0, count, 0 } };
   const auto forEach = [&](double cost, const auto& body)
@@ -73,20 +84,22 @@ BoxTree::BoxTree(std::vector<Box> boxes)
   }
   const double levels = std::log2(static_cast<double>(level.front().Size())) + 1;
   forEach(cost * levels, [&](std::size_t i) { this->Build(boxes, level[i]); });
-  this->Boxes.reserve(boxes.size());
-  for (const Id i : this->Order)
+  this->Order.reserve(boxes.size());
+  this->Boxes = std::move(given);
+  for (Id i = 0; i < count; ++i)
   {
-    this->Boxes.push_back(boxes[i]);
+    this->Order.push_back(boxes[i].Number);
+    this->Boxes[i] = boxes[i].Bounds;
   }
 }
 
 /** Makes a part's node, and puts the boxes in order of its halves. @return false for a leaf */
-bool BoxTree::Divide(const std::vector<Box>& boxes, const Part& part)
+bool BoxTree::Divide(std::vector<NumberedBox>& boxes, const Part& part)
 {
-  Box bounds = boxes[this->Order[part.Begin]];
+  Box bounds = boxes[part.Begin].Bounds;
   for (Id k = part.Begin + 1; k < part.End; ++k)
   {
-    bounds.Add(boxes[this->Order[k]]);
+    bounds.Add(boxes[k].Bounds);
   }
   const std::size_t next = part.Node + NumberOfNodes(part.Size());
   const bool isLeaf = part.Size() <= LeafSize;
@@ -96,19 +109,19 @@ bool BoxTree::Divide(const std::vector<Box>& boxes, const Part& part)
     return false;
   }
   const int axis = bounds.LongestAxis();
-  const auto first = this->Order.begin();
+  const auto first = boxes.begin();
   std::nth_element(first + part.Begin, first + part.Middle(), first + part.End,
-    [&](Id a, Id b)
+    [&](const NumberedBox& a, const NumberedBox& b)
     {
-      const double x = boxes[a].Low[axis] / 2 + boxes[a].High[axis] / 2;
-      const double y = boxes[b].Low[axis] / 2 + boxes[b].High[axis] / 2;
-      return x != y ? x < y : a < b;
+      const double x = a.Bounds.Low[axis] / 2 + a.Bounds.High[axis] / 2;
+      const double y = b.Bounds.Low[axis] / 2 + b.Bounds.High[axis] / 2;
+      return x != y ? x < y : a.Number < b.Number;
     });
   return true;
 }
 
 /** Builds the subtree over a part. */
-void BoxTree::Build(const std::vector<Box>& boxes, const Part& part)
+void BoxTree::Build(std::vector<NumberedBox>& boxes, const Part& part)
 {
   if (this->Divide(boxes, part))
   {

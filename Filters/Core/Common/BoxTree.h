@@ -145,8 +145,9 @@ private:
   }
 
   struct Part;
-  bool Divide(const std::vector<Box>& boxes, const Part& part);
-  void Build(const std::vector<Box>& boxes, const Part& part);
+  struct NumberedBox;
+  bool Divide(std::vector<NumberedBox>& boxes, const Part& part);
+  void Build(std::vector<NumberedBox>& boxes, const Part& part);
 
   std::vector<Id> Order;  ///< of the boxes in the leaves
   std::vector<Box> Boxes; ///< in that order

@@ -23,6 +23,29 @@ std::vector<BoundaryTriangle> BoundaryTriangles(const FacetComplex& surface,
   return triangles;
 }
 
+double VolumeWithin(
+  const std::vector<Point>& points, const std::vector<BoundaryTriangle>& triangles)
+{
+  long double sixfold = 0;
+  for (const auto& [corners, source] : triangles)
+  {
+    // From a corner of the surface, so that a solid far from the origin loses no digits.
+    std::array<std::array<long double, 3>, 3> v;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        v[k][axis] = static_cast<long double>(points[corners[k]][axis]) -
+          points[triangles.front().Corners[0]][axis];
+      }
+    }
+    sixfold += v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+      v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+      v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+  }
+  return static_cast<double>(sixfold / 6);
+}
+
 std::vector<Triangle> TrianglesInMesh(
   const TriangleSoup& soup, const std::vector<Id>& mergedInto, const TetrahedralMesh& mesh)
 {

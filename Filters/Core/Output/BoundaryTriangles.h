@@ -23,6 +23,14 @@ std::vector<BoundaryTriangle> BoundaryTriangles(const FacetComplex& surface,
   const ProgressRange& progress);
 
 /**
+ * The volume that a watertight surface encloses, to some units in the last place.
+ *
+ * @param[in] points that its corners are
+ */
+double VolumeWithin(
+  const std::vector<Point>& points, const std::vector<BoundaryTriangle>& triangles);
+
+/**
  * The input triangles by points of the mesh.
  *
  * @param[in] mergedInto as CountedChain's

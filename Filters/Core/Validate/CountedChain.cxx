@@ -2,6 +2,8 @@
 #include "Validate/CountedChain.h"
 
 #include "Common/Box.h"
+#include "Common/Buckets.h"
+#include "Common/FirstOfEqual.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace insideout
 {
@@ -61,21 +62,14 @@ bool Participates(const TriangleSoup& soup, Id triangle)
   return soup.NonParticipating.empty() || soup.NonParticipating[triangle] == 0;
 }
 
-/** A triangle of the soup, by its merged corners. */
-struct GivenTriangle
-{
-  SortedTriangle Sorted;
-  Id Index;
-};
-
-/** One facet per set of three corners, in the order of their first triangles. */
-void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool countDuplicates,
-  CountedChain& chain)
+/** One facet per set of three corners, in the order of their first triangles, with its sources. */
+void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, CountedChain& chain)
 {
   FacetComplex& surface = chain.Surface;
-  SurfaceCounts& counts = chain.Counts;
-  std::vector<GivenTriangle> triangles;
-  triangles.reserve(soup.Triangles.size());
+  FirstOfEqual equal(soup.Triangles.size());
+  std::vector<SortedTriangle> leaders; // of the facets
+  std::vector<FacetSource> places;     // per triangle its facet, None for degenerate ones
+  places.reserve(soup.Triangles.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
   {
     const Triangle& given = soup.Triangles[t];
@@ -83,64 +77,76 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, bool
     if (IsDegenerate(soup.Points, corners))
     {
       chain.DegenerateTriangles.push_back(t);
+      places.push_back({ None, false });
+      continue;
     }
-    else
+    const SortedTriangle sorted(corners);
+    const Id next = surface.NumberOfFacets();
+    const Id facet = equal.Find(next, HashOfTriangle()(sorted.Points),
+      [&](Id other) { return leaders[other].Points == sorted.Points; });
+    if (facet == next)
     {
-      triangles.push_back({ SortedTriangle(corners), t });
+      surface.Facets.push_back(corners);
+      leaders.push_back(sorted);
     }
+    places.push_back({ facet, sorted.Turned != leaders[facet].Turned });
   }
 
+  const Buckets<FacetSource> sources(surface.Facets.size(),
+    [&](auto visit)
+    {
+      for (std::size_t t = 0; t < places.size(); ++t)
+      {
+        if (places[t].Triangle != None)
+        {
+          visit(static_cast<std::size_t>(places[t].Triangle),
+            FacetSource{ static_cast<Id>(t), places[t].Reversed });
+        }
+      }
+    });
+  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
+  {
+    surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
+    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
+  }
+  surface.NumberOfConstraints = surface.NumberOfFacets();
+}
+
+/** How often each facet counts, by its sources. */
+void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& chain)
+{
+  FacetComplex& surface = chain.Surface;
+  SurfaceCounts& counts = chain.Counts;
   counts.DegenerateFacets = static_cast<Id>(chain.DegenerateTriangles.size());
-
-  const auto byCorners = [](const GivenTriangle& a, const GivenTriangle& b)
-  { return std::tie(a.Sorted.Points, a.Index) < std::tie(b.Sorted.Points, b.Index); };
-  std::sort(triangles.begin(), triangles.end(), byCorners);
-  std::vector<std::array<std::size_t, 2>> groups;
-  for (std::size_t first = 0, last = 0; first < triangles.size(); first = last)
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
-    while (
-      last < triangles.size() && triangles[last].Sorted.Points == triangles[first].Sorted.Points)
-    {
-      ++last;
-    }
-    groups.push_back({ { first, last } });
-  }
-  std::sort(groups.begin(), groups.end(),
-    [&](const auto& a, const auto& b) { return triangles[a[0]].Index < triangles[b[0]].Index; });
-
-  for (const auto& [first, last] : groups)
-  {
-    const GivenTriangle& leader = triangles[first];
-    const Triangle& given = soup.Triangles[leader.Index];
-    surface.Facets.push_back({ { merged[given[0]], merged[given[1]], merged[given[2]] } });
+    const Id first = surface.SourceOffsets[f];
+    const Id last = surface.SourceOffsets[f + 1];
     std::array<long, 2> count{ { 0, 0 } }; // along the facet's orientation, and against it
     Id participants = 0;
-    for (std::size_t i = first; i < last; ++i)
+    for (Id s = first; s < last; ++s)
     {
-      const bool reversed = triangles[i].Sorted.Turned != leader.Sorted.Turned;
-      if (Participates(soup, triangles[i].Index))
+      const auto [triangle, reversed] = surface.Sources[s];
+      if (Participates(soup, triangle))
       {
-        count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangles[i].Index];
+        count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangle];
         ++participants;
       }
-      surface.Sources.push_back({ triangles[i].Index, reversed });
     }
-    surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
     const bool oncePerOrientation = soup.Multiplicity.empty() && !countDuplicates;
     const long multiplicity =
       oncePerOrientation ? (count[0] > 0) - (count[1] > 0) : count[0] - count[1];
     if (std::abs(multiplicity) > std::numeric_limits<std::int16_t>::max())
     {
       throw Error(ErrorCode::TooLarge,
-        "triangle " + std::to_string(leader.Index) + " is given " + std::to_string(last - first) +
-          " times, more than can be counted");
+        "triangle " + std::to_string(surface.Sources[first].Triangle) + " is given " +
+          std::to_string(last - first) + " times, more than can be counted");
     }
     surface.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
-    counts.DuplicateFacets += static_cast<Id>(last - first - 1);
+    counts.DuplicateFacets += last - first - 1;
     counts.CancelledFacets += participants > 1 && multiplicity == 0;
     counts.NonParticipatingFacets += participants == 0;
   }
-  surface.NumberOfConstraints = surface.NumberOfFacets();
 }
 
 /** Keep the points that facets use, in the input's order. */
@@ -264,7 +270,8 @@ CountedChain CountFacets(
   const std::vector<Id>& merged = chain.MergedInto;
 
   monitor.Check(Stages::Validating, 0.4);
-  CollectFacets(soup, merged, parameters.CountDuplicates, chain);
+  CollectFacets(soup, merged, chain);
+  CountSources(soup, parameters.CountDuplicates, chain);
   if (chain.Surface.Facets.empty())
   {
     throw Error(ErrorCode::AllDegenerate,

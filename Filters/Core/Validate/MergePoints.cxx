@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/MergePoints.h"
 
+#include "Common/FirstOfEqual.h"
 #include "Common/Vectors.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <map>
-#include <numeric>
-#include <tuple>
 
 namespace insideout
 {
 namespace
 {
-/** For each point the lowest point with equal coordinates. */
+/** The same for equal coordinates, so that 0 and -0 have one. */
+std::size_t HashOf(const Point& point)
+{
+  std::uint64_t hash = 0;
+  for (const double x : point)
+  {
+    const double value = x + 0.0; // -0 becomes 0
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+/** For each point the lowest point with equal coordinates; NaN equals nothing. */
 std::vector<Id> MergeEqualPoints(const std::vector<Point>& points)
 {
-  std::vector<Id> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  // NaN, which only an unused point can hold here, would break the order: those stand aside.
-  const auto isNaN = [&](Id p)
-  { return std::isnan(points[p][0]) || std::isnan(points[p][1]) || std::isnan(points[p][2]); };
-  order.erase(std::remove_if(order.begin(), order.end(), isNaN), order.end());
-  std::sort(order.begin(), order.end(),
-    [&](Id a, Id b) { return std::tie(points[a], a) < std::tie(points[b], b); });
-
-  std::vector<Id> merged(points.size());
-  std::iota(merged.begin(), merged.end(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i)
+  FirstOfEqual equal(points.size());
+  std::vector<Id> merged;
+  merged.reserve(points.size());
+  for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
   {
-    if (points[order[i]] == points[order[i - 1]])
-    {
-      merged[order[i]] = merged[order[i - 1]];
-    }
+    // Points that are not finite, which no facet uses, would fill the table where they are many.
+    const bool isFinite = IsFinite(points[p]);
+    merged.push_back(isFinite
+        ? equal.Find(p, HashOf(points[p]), [&](Id other) { return points[other] == points[p]; })
+        : p);
   }
   return merged;
 }

@@ -23,6 +23,10 @@ What is wrong with tetrahedra, and how good they are::
     print(insideout.check_solid(result.solid).verdict)
     insideout.draw_quality(result.solid, "angles.png")
 
+Set operations of bodies, however broken their surfaces are::
+
+    insideout.boolean({"liver": "liver.stl", "tumour": "tumour.ply"}, "liver - tumour").surface
+
 Without a mesh: the surface cut where it crosses itself, its winding number at any points, and which of
 them are inside::
 
@@ -47,6 +51,7 @@ SURFACES
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
     resolve         Resolution: surface, statistics
+    boolean         Boolean: surface, solid where tetrahedra were made, names, statistics
     check_solid     SolidCheck: findings, verdict, statistics, histogram, the solid with the quality of each cell
     tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, statistics
     refine          Refinement: solid, statistics
@@ -77,7 +82,7 @@ COMMAND
     python3 -m insideout broken.ply solid.vtu
 
 MODULES
-    `checking`, `quality`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options`
+    `booleans`, `checking`, `quality`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options`
     what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files`
     reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
     exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command.
@@ -91,6 +96,7 @@ import vtkmodules.vtkImagingCore
 import vtkmodules.vtkIOCore  # noqa: F401
 
 from . import vtkFiltersInsideOut as _classes
+from .booleans import Boolean, boolean
 from .checking import Check, Finding, check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
 from .drawing import draw, draw_quality
@@ -108,6 +114,7 @@ _class_names = [name for name in dir(_classes) if name.startswith("vtk")]
 
 __all__ = [
     *_class_names,
+    "Boolean",
     "Check",
     "Error",
     "Finding",
@@ -121,6 +128,7 @@ __all__ = [
     "TriangleSurface",
     "Triangles",
     "__version__",
+    "boolean",
     "check",
     "check_solid",
     "distance",

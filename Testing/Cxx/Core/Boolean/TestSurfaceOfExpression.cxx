@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boolean/CellsOfExpression.h"
 #include "Boolean/SurfaceOfExpression.h"
 
 #include "Resolve/FindIntersections.h"
@@ -239,6 +240,42 @@ TEST(SurfaceOfExpression, KnowsTheInputTriangleOfEachOfItsOwn)
     const Point& corner = made.Bodies.Surface.Points[triangle.Corners[0]];
     EXPECT_EQ(isOfB, corner[0] >= 1 && corner[0] <= 2);
   }
+}
+
+TEST(SurfaceOfExpression, IsTheBoundaryOfTheCells)
+{
+  for (unsigned seed = 60; seed < 62; ++seed)
+  {
+    std::vector<TriangleSoup> soups = GridBodies(seed, 2);
+    soups[1] = Turned(soups[1], seed % 2 * 0.4);
+    for (const char* text : { "A | B", "A - B", "A ^ B" })
+    {
+      const Made made = Make(soups, text);
+      Monitor monitor;
+      const CellsOfExpression cells =
+        FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(text, Letters(2)), monitor);
+      const double volume = VolumeWithin(made.Bodies.Surface.Points, *made.Triangles);
+      EXPECT_NEAR(VolumeWithin(cells.Mesh.Points, cells.Boundary), volume, 1e-9 * volume);
+      TriangleSoup boundary = { cells.Mesh.Points, {} };
+      for (const BoundaryTriangle& triangle : cells.Boundary)
+      {
+        boundary.Triangles.push_back(triangle.Corners);
+      }
+      ExpectSound(boundary);
+    }
+  }
+}
+
+TEST(CellsOfExpression, AreNoneInAPlane)
+{
+  const TriangleSoup flat = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  const Made made = Make({ flat, flat }, "A | B");
+  EXPECT_FALSE(made.Triangles);
+  Monitor monitor;
+  const CellsOfExpression cells =
+    FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(SetOperation::Union, 2), monitor);
+  EXPECT_TRUE(cells.Boundary.empty());
+  EXPECT_EQ(cells.Warnings.size(), 1u);
 }
 
 TEST(SurfaceOfExpression, IsNotMadeOfOpenBodies)

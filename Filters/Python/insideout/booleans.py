@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`boolean`: set operations of bodies whose surfaces may be broken."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Iterable, Literal, Mapping, Optional, Union, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .checking import check
+from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
+from .options import Options, Orientation, describe_options, in_words_of_python
+from .pipeline import Error, Progress, add_statistic, one_of, run, statistics_of
+from .results import Result, counted
+from .vtkFiltersInsideOut import vtkWindingBoolean
+
+Operation = Literal["union", "intersection", "difference", "symmetric-difference"]
+
+
+@dataclass(frozen=True, repr=False)
+class Boolean(Result):
+    """What `boolean` made. The VTK class vtkWindingBoolean describes the arrays."""
+
+    surface: TriangleSurface
+    """The result's boundary: watertight, oriented outward, no two of its triangles cross; with the data of all bodies."""
+    solid: Tetrahedra
+    """The result in tetrahedra where these were made, for a body was open or `tetrahedra` asked for them; else empty."""
+    names: list[str]
+    """What the bodies are called, by their `BodyId`."""
+    statistics: dict[str, float]
+    """Counts, the volume and seconds, by name."""
+    warnings: list[str]
+    """What is worth knowing about the bodies, one line each."""
+
+    @property
+    def bodies(self) -> NDArray[np.int32]:
+        """Per triangle of the surface the body that it is a piece of, by its place in `names`; -1 where a hole was closed."""
+        return vtk_to_numpy(self.surface.GetCellData().GetArray("BodyId"))
+
+    def figures(self) -> list[tuple[str, str]]:
+        made = f" in {counted(self.solid.GetNumberOfCells())} tetrahedra" if self.statistics["Tetrahedra"] else ", without tetrahedra"
+        return [
+            ("bodies", ", ".join(self.names)),
+            ("triangles", counted(self.surface.GetNumberOfCells()) + made),
+            ("volume", f"{self.statistics['Volume']:.6g}"),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+    def seen(self) -> dict[str, Any]:
+        return check(self.surface).seen() if self.surface.GetNumberOfCells() > 0 else {}
+
+
+@describe_options
+def boolean(
+    surfaces: Union[Mapping[str, AnySurface], Iterable[AnySurface]],
+    expression: Optional[str] = None,
+    *,
+    operation: Operation = "union",
+    tetrahedra: bool = False,
+    scale: Optional[float] = None,
+    orientation: Orientation = "automatic",
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> Boolean:
+    """The surface of what a set expression makes of several bodies, however broken their surfaces are.
+
+    surfaces    several of what `insideout` takes for one; by names, as in {"liver": "liver.stl", "tumour": ...}, or in a
+                row, as A, B, C ...
+    expression  such as "A - (B | C) ^ D". Operators are | or + (union), & (intersection), - (difference) and ^ (symmetric
+                difference), with the precedence that they have in Python: + and - first, then &, then ^, then |. A name
+                that is more than letters, digits and underscores stands in quotes; #1 is the first body
+    operation   without an expression, what to make of all: "union", "intersection", "difference" (the first less the
+                others) or "symmetric-difference"
+    tetrahedra  make the result's tetrahedra, too; without it they are made only where a body is open
+    progress    called with the stage and the fraction of all the work that is done; what it
+                raises stops the work and is raised
+
+    {options}
+
+    Returns a `Boolean`. Raises `Error` with one line that names what is wrong: of an expression, its column.
+    """
+    options = Options.among(locals())
+    algorithm = options.set_on(vtkWindingBoolean())
+    algorithm.SetOperation(get_args(Operation).index(one_of(get_args(Operation), "operation", operation)))
+    algorithm.SetExpression(expression or "")
+    algorithm.SetTetrahedra(bool(tetrahedra))
+    warnings: list[str] = []
+    named = list(surfaces.items()) if isinstance(surfaces, Mapping) else [("", surface) for surface in surfaces]
+    if not named:
+        raise Error("there are no surfaces: a boolean takes one at least")
+    for name, surface in named:
+        polygons, more = as_surface(surface, options.scale)
+        algorithm.AddInputDataObject(0, polygons)
+        algorithm.AddBodyName(str(name))
+        warnings += more
+    warnings += in_words_of_python(run(algorithm, progress))
+    output = algorithm.GetOutput()
+    add_statistic("Scale", options.factor(), output)
+    names = output.GetFieldData().GetAbstractArray("BodyNames")
+    return Boolean(
+        surface=as_type(TriangleSurface, output),
+        solid=as_type(Tetrahedra, algorithm.GetTetrahedraOutput()),
+        names=[names.GetValue(index) for index in range(names.GetNumberOfValues())],
+        statistics=statistics_of(output),
+        warnings=warnings,
+    )

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkWindingBoolean.h"
+
+#include "Boolean/CellsOfExpression.h"
+#include "Boolean/SurfaceOfExpression.h"
+#include "Common/Stages.h"
+#include "Private/vtkInsideOutArrays.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
+#include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadInputs.h"
+#include "Private/vtkInsideOutRun.h"
+#include "Private/vtkInsideOutWholeInput.h"
+
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <optional>
+
+using namespace insideout;
+
+vtkStandardNewMacro(vtkWindingBoolean);
+
+vtkWindingBoolean::vtkWindingBoolean()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->Operation = static_cast<int>(SetOperation::Union);
+  const BodyParameters parameters;
+  this->Orientation = static_cast<int>(parameters.Orientation);
+  this->MergeTolerance = parameters.Chain.MergeTolerance;
+  this->CountDuplicates = parameters.Chain.CountDuplicates;
+}
+
+void vtkWindingBoolean::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Expression: " << this->Expression << "\n";
+  os << indent << "Operation: " << this->Operation << "\n";
+  os << indent << "BodyNames:";
+  for (const std::string& name : this->BodyNames)
+  {
+    os << " \"" << name << "\"";
+  }
+  os << "\n";
+  os << indent << "Tetrahedra: " << this->Tetrahedra << "\n";
+  os << indent << "Orientation: " << this->Orientation << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
+}
+
+void vtkWindingBoolean::AddBodyName(const char* name)
+{
+  this->BodyNames.emplace_back(name ? name : "");
+  this->Modified();
+}
+
+void vtkWindingBoolean::ClearBodyNames()
+{
+  if (!this->BodyNames.empty())
+  {
+    this->BodyNames.clear();
+    this->Modified();
+  }
+}
+
+int vtkWindingBoolean::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+int vtkWindingBoolean::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkUnstructuredGrid");
+  return 1;
+}
+
+vtkUnstructuredGrid* vtkWindingBoolean::GetTetrahedraOutput()
+{
+  return vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkWindingBoolean::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInsideOutRequestWhole(inputVector, outputVector);
+  return 1;
+}
+
+namespace
+{
+BodyParameters ParametersOf(vtkWindingBoolean* filter)
+{
+  BodyParameters parameters;
+  parameters.Chain = vtkInsideOutChainParameters(filter);
+  parameters.Orientation = vtkInsideOutOrientation(filter);
+  return parameters;
+}
+
+/** The inputs, called as the user calls them. */
+std::vector<vtkInsideOutNamedSurface> NamedSurfaces(
+  vtkWindingBoolean* filter, vtkInformationVector* inputs)
+{
+  std::vector<vtkInsideOutNamedSurface> surfaces = vtkInsideOutFindInputs(inputs);
+  const std::size_t named = static_cast<std::size_t>(filter->GetNumberOfBodyNames());
+  for (std::size_t body = 0; body < std::min(named, surfaces.size()); ++body)
+  {
+    const std::string name = filter->GetBodyName(static_cast<int>(body));
+    surfaces[body].Name = name.empty() ? surfaces[body].Name : name;
+  }
+  return surfaces;
+}
+
+SetExpression ExpressionOf(vtkWindingBoolean* filter, const std::vector<std::string>& names)
+{
+  static_assert(vtkWindingBoolean::UNION == static_cast<int>(SetOperation::Union));
+  static_assert(vtkWindingBoolean::INTERSECTION == static_cast<int>(SetOperation::Intersection));
+  static_assert(vtkWindingBoolean::DIFFERENCE == static_cast<int>(SetOperation::Difference));
+  static_assert(
+    vtkWindingBoolean::SYMMETRIC_DIFFERENCE == static_cast<int>(SetOperation::SymmetricDifference));
+  const std::string text = filter->GetExpression();
+  if (text.empty())
+  {
+    return { static_cast<SetOperation>(filter->GetOperation()), static_cast<Id>(names.size()) };
+  }
+  return { text, names };
+}
+
+std::vector<std::string> NamesIn(
+  const SetExpression& expression, const std::vector<std::string>& names)
+{
+  std::vector<std::string> named;
+  for (const Id body : expression.Bodies())
+  {
+    named.push_back(names[body]);
+  }
+  return named;
+}
+
+/** Those that the expression names. The others' soups are gone then. */
+std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOutInputs& bodies)
+{
+  std::vector<Body> named;
+  std::vector<char> isNamed(bodies.Bodies.size(), 0);
+  for (const Id b : expression.Bodies())
+  {
+    isNamed[b] = 1;
+    named.push_back(std::move(bodies.Bodies[b]));
+    bodies.Bodies[b].Name = named.back().Name;
+  }
+  for (std::size_t b = 0; b < isNamed.size(); ++b)
+  {
+    if (!isNamed[b])
+    {
+      bodies.Surface.Warnings.push_back(
+        "body " + bodies.Bodies[b].Name + " is not in the expression");
+    }
+  }
+  return named;
+}
+
+/** Say of an id in the row of all bodies' of which body it is and which of that; -1 stays. */
+void SplitIds(const char* name, const std::vector<vtkIdType>& first, vtkDataSetAttributes* data)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
+  const auto bodies = vtkInsideOutMakeArray<vtkIntArray>("BodyId", ids->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    const vtkIdType id = ids->GetValue(i);
+    const auto next = std::upper_bound(first.begin(), first.end(), id);
+    const auto body = id < 0 ? -1 : next - first.begin() - 1;
+    bodies->SetValue(i, static_cast<int>(body));
+    ids->SetValue(i, id < 0 ? -1 : id - first[body]);
+  }
+  data->AddArray(bodies);
+}
+Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryTriangle>& boundary,
+  const std::vector<Point>& points)
+{
+  const FacetComplex& surface = resolved.Surface;
+  Statistics statistics;
+  statistics.emplace_back("Bodies", resolved.NumberOfBodies());
+  statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
+  statistics.emplace_back("ResolvedPoints", surface.Points.size());
+  statistics.emplace_back("ResolvedFacets", surface.NumberOfFacets());
+  statistics.emplace_back("LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
+  statistics.emplace_back("BoundaryFaces", boundary.size());
+  statistics.emplace_back("Volume", VolumeWithin(points, boundary));
+  return statistics;
+}
+
+/** The cells of the result with the parts that they make up: RegionId. */
+vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(const ResolvedBodies& resolved,
+  const CellsOfExpression& cells, const vtkInsideOutInputs& inputs,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const auto hull = outputs.MakeGrid(resolved.Surface, cells.Mesh);
+  hull->GetCellData()->RemoveArray("FacetIds"); // they would number the cells of all inputs
+  hull->GetCellData()->RemoveArray("FacetMultiplicity"); // which is a sum over bodies
+  hull->GetFieldData()->Initialize();
+  SplitIds("vtkOriginalPointIds", inputs.FirstPoint, hull->GetPointData());
+  vtkInsideOutAddInside(cells.Inside, hull);
+  vtkInsideOutAddRegions(
+    FindRegions(cells.Mesh, cells.Inside, monitor, { Stages::Extracting, 1, 1 }), hull);
+  return vtkInsideOutExtractInside(hull, monitor, { Stages::Extracting, 1, 1 });
+}
+} // namespace
+
+int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return vtkInsideOutRunOnWhole(this, outputVector,
+    [&]()
+    {
+      vtkInsideOutMonitor monitor(this,
+        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
+          Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
+          Stages::Extracting });
+      Stopwatch stopwatch;
+      vtkInsideOutInputs inputs = vtkInsideOutReadInputs(NamedSurfaces(this, inputVector[0]));
+      const std::vector<std::string> names = inputs.Names();
+      const insideout::SetExpression expression = ExpressionOf(this, names);
+      const ResolvedBodies resolved =
+        ResolveBodies(TakeNamed(expression, inputs), ParametersOf(this), monitor);
+      std::optional<std::vector<BoundaryTriangle>> surface;
+      std::optional<CellsOfExpression> cells;
+      if (!this->Tetrahedra)
+      {
+        surface = SurfaceOfExpression(resolved, expression, monitor);
+      }
+      if (!surface)
+      {
+        cells = FindCellsOfExpression(resolved, NamesIn(expression, names), expression, monitor);
+      }
+
+      vtkInsideOutMakeOutputs outputs(inputs.Surface);
+      const auto& boundary = surface ? *surface : cells->Boundary;
+      const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;
+      const auto& origins = cells ? cells->Mesh.Origins : resolved.Surface.Origins;
+      output->ShallowCopy(
+        outputs.MakeBoundary(points, origins, boundary, resolved.TurnedTriangles));
+      SplitIds("vtkOriginalCellIds", inputs.FirstCell, output->GetCellData());
+      SplitIds("vtkOriginalPointIds", inputs.FirstPoint, output->GetPointData());
+      output->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BodyNames", names));
+      Statistics statistics = FiguresOf(resolved, boundary, points);
+      statistics.emplace_back("Tetrahedra", cells ? 1 : 0);
+      if (cells)
+      {
+        statistics.insert(statistics.end(), cells->Statistics.begin(), cells->Statistics.end());
+        vtkUnstructuredGrid::GetData(outputVector, 1)
+          ->ShallowCopy(MakeSolid(resolved, *cells, inputs, outputs, monitor));
+        vtkInsideOutWarn(this, cells->Warnings);
+      }
+      statistics.emplace_back("SecondsBoolean", stopwatch.Lap());
+      vtkInsideOutAddStatistics(statistics, output);
+      vtkInsideOutWarn(this, resolved.Warnings);
+      vtkInsideOutWarn(this, outputs.Warnings);
+    });
+}

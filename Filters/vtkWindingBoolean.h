@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkWindingBoolean
+ * @brief   set operations of bodies whose surfaces may be broken
+ *
+ * Takes several polygonal surfaces, each of which means a body, and gives the surface of what a set
+ * expression makes of them, such as `A - (B | C) ^ D`. Each surface may cross itself, have parts
+ * that overlap, face the wrong way or be there twice, and may touch, overlap and share faces with
+ * the others. It is first turned the way that is meant; a place is in a body where its winding
+ * number is above 1/2.
+ *
+ * Inputs are connected to port 0, one or several; of a composite data set each block is a body.
+ * Bodies are called by the names of blocks or by AddBodyName; others by a letter, A the first.
+ *
+ * There are two ways to the result, and Statistics_Tetrahedra says which was taken (0 or 1). Where
+ * all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes by
+ * the winding numbers of all bodies on its two sides: no tetrahedra are made. Where one is open, or
+ * with Tetrahedra on, all become one mesh of tetrahedra, in which each body has a cut of its own
+ * (vtkRobustTetrahedralize says how), and the cells where the expression holds are the result.
+ *
+ * Output 0 is the surface: watertight, oriented outward, its triangles meet in shared points and
+ * edges only. Cells carry BodyId (int: the body that the triangle is a piece of, of several the
+ * lowest that faces outward there; -1 where a hole was closed), vtkOriginalCellIds (the cell of
+ * that body's input; -1 likewise) and Turned (unsigned char, 1 where the orientation turned the
+ * input's cell over; what a difference cuts out is not counted). Points carry BodyId and
+ * vtkOriginalPointIds (-1 for a new one). Point and cell data of all inputs are passed on: an array
+ * that a body has not is NaN there, 0 in arrays of integers. Field data: Statistics_NAME, a double
+ * each; BodyNames, by BodyId.
+ *
+ * Output 1 is the tetrahedra of the result where they were made, else it is empty: with the cell
+ * array RegionId (int), which numbers the parts that faces connect, the point arrays as above, NaN
+ * at Steiner points, and Inside, which is 1.
+ *
+ * A body without polygons is empty, with a warning, and so is one that the expression does not
+ * name. An error in the expression names its column; a point that is not finite or a cell with a
+ * point out of range is an error that names the body. The outputs are then empty.
+ *
+ * @sa vtkRobustTetrahedralize vtkResolveSelfIntersections
+ */
+#ifndef vtkWindingBoolean_h
+#define vtkWindingBoolean_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the expression
+#include <vector> // for the names
+
+class vtkUnstructuredGrid;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkWindingBoolean : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkWindingBoolean* New();
+  vtkTypeMacro(vtkWindingBoolean, vtkPolyDataAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum OperationType
+  {
+    UNION = 0,               ///< what is in one body at least
+    INTERSECTION = 1,        ///< what is in all of them
+    DIFFERENCE = 2,          ///< what is in the first and in no other
+    SYMMETRIC_DIFFERENCE = 3 ///< what is in an odd number of them
+  };
+
+  enum OrientationType
+  {
+    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to face outward, within others too
+  };
+
+  ///@{
+  /**
+   * What to make of the bodies. Operators are | or + (union), & (intersection), - (difference) and
+   * ^ (symmetric difference), with the precedence that they have in Python and C++: + and - first,
+   * then
+   * &, then ^, then |; of equal ones the left first. Parentheses go before all. A body is called by
+   * its name, in quotes where that is more than letters, digits and underscores; by its number, #1
+   * the first; or by a letter, A the first, where none has that name. Default empty: Operation says
+   * it.
+   */
+  vtkSetStdStringFromCharMacro(Expression);
+  vtkGetCharFromStdStringMacro(Expression);
+  ///@}
+
+  ///@{
+  /**
+   * What to make of all bodies where Expression is empty: what is in one of them at least (Union,
+   * 0, the default), in all of them (Intersection, 1), in the first and no other (Difference, 2),
+   * or in an odd number of them (SymmetricDifference, 3).
+   */
+  vtkSetClampMacro(Operation, int, UNION, SYMMETRIC_DIFFERENCE);
+  vtkGetMacro(Operation, int);
+  ///@}
+
+  ///@{
+  /**
+   * What bodies are called in Expression and in BodyNames, one after the other. A body without a
+   * name, or with an empty one, has that of its block, or a letter. Default none.
+   */
+  void AddBodyName(const char* name);
+  void ClearBodyNames();
+  int GetNumberOfBodyNames() const { return static_cast<int>(this->BodyNames.size()); }
+  const char* GetBodyName(int body) const { return this->BodyNames.at(body).c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Make tetrahedra even where all bodies are closed, and give those of the result as output 1.
+   * Default off: they are made only where a body is open.
+   */
+  vtkSetMacro(Tetrahedra, bool);
+  vtkGetMacro(Tetrahedra, bool);
+  vtkBooleanMacro(Tetrahedra, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Which way the polygons of each body are meant to face. Automatic (0, the default) turns what
+   * disagrees or is inside out; AsGiven (1) turns nothing; Reverse (2) everything; Outward (3) each
+   * part that faces inward. See vtkRobustTetrahedralize.
+   */
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the surfaces, also those of different
+   * bodies: a smaller gap between these closes. Default 0: only points with equal coordinates are
+   * merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a polygon as often as its body has it. Default off: triangles with the same three points
+   * count once per orientation, and opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+  /** The tetrahedra of the result, where they were made: output 1. */
+  vtkUnstructuredGrid* GetTetrahedraOutput();
+
+protected:
+  vtkWindingBoolean();
+  ~vtkWindingBoolean() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  std::string Expression;
+  int Operation;
+  std::vector<std::string> BodyNames;
+  bool Tetrahedra = false;
+  int Orientation;
+  double MergeTolerance;
+  bool CountDuplicates;
+
+private:
+  vtkWindingBoolean(const vtkWindingBoolean&) = delete;
+  void operator=(const vtkWindingBoolean&) = delete;
+};
+
+#endif
