@@ -359,7 +359,7 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
     parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
   AppendTopology(
     FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }),
-    surfaces.Counts);
+    counts);
   std::vector<BoundaryTriangle> boundary =
     BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
   if (options.MergePieces)
