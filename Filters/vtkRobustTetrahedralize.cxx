@@ -358,8 +358,7 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
   const std::vector<BoundaryFace> unparted =
     parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
   AppendTopology(
-    FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }),
-    counts);
+    FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }), counts);
   std::vector<BoundaryTriangle> boundary =
     BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
   if (options.MergePieces)
