@@ -21,7 +21,8 @@ def main(folder: str) -> None:
     generate_pyi.main(["generate_pyi", "-p", "insideout", "-o", folder, MODULE])
     stub = Path(folder, MODULE + ".pyi")
     text = stub.read_text(encoding="utf-8")
-    modules = re.findall(r"^import (vtkmodules\.\w+)$", text, re.MULTILINE)
+    # Those of the base classes; the controller's is of no base class.
+    modules = [*re.findall(r"^import (vtkmodules\.\w+)$", text, re.MULTILINE), "vtkmodules.vtkParallelCore"]
     foreign = set(re.findall(r"'(vtk\w+)'", text)) - set(re.findall(r"^class (\w+)", text, re.MULTILINE))
     imports = [
         f"from {module} import {name}" for name in sorted(foreign) for module in modules if hasattr(import_module(module), name)

@@ -24,6 +24,8 @@ NOT_IN_PARAVIEW = {
     "vtkSurfaceWriter": "ParaView's own writers save what the filters give",
 }
 
+NO_OPTIONS = {"Controller": "the processes that work together: all that ParaView or mpirun began, and rarely others"}
+
 QUERIES = (insideout.winding_number, insideout.inside, insideout.distance, insideout.voxels)
 HUGE = 1e200
 
@@ -35,7 +37,7 @@ def properties(class_name: str) -> dict[str, object]:
     """What a user of a class can set, with the defaults."""
     made = getattr(insideout, class_name)()
     own = vars(type(made))
-    names = [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own]
+    names = [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own and name[3:] not in NO_OPTIONS]
     defaults = {name: getattr(made, "Get" + name)() for name in names}
     return {name: "" if value is None else value for name, value in defaults.items()}
 
