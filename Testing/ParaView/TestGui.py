@@ -320,8 +320,8 @@ class TestGui(unittest.TestCase):
             add("RobustTetrahedralize"),
             APPLY,
             do("pqClientMainWindow/1QTabBar1", "set_tab_with_text", "Information"),
-            check(arrays, "modelItemData", "10.0,Statistics_BoundaryFaces"),
-            check(arrays, "modelItemData", "10.2,[40, 40]"),
+            check(arrays, "modelItemData", "13.0,Statistics_BoundaryFaces"),
+            check(arrays, "modelItemData", "13.2,[40, 40]"),
         ]
         window = Window("information", events=events)
         self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
