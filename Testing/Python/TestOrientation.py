@@ -164,7 +164,7 @@ class Verdict(unittest.TestCase):
             (HOLLOW, "bounds a solid of volume 26"),
             (HOLLOW_INSIDE_OUT, "bounds a solid of volume 26 after it is turned over as a whole"),
             (ABOVE_GROUND, "bounds a solid of volume 2; a sheet encloses nothing"),
-            (boxes(None), "bounds no solid: it lies in one plane"),
+            (boxes(None), "bounds no solid: it lies in one plane, where it covers an area of 400"),
             (boxes(((0, 0, 0), 1, False)), "bounds a solid of volume 1 after it is turned over as a whole"),
         ):
             verdict = insideout.check(surface).verdict
