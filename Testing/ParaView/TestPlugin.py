@@ -233,7 +233,7 @@ class TestPlugin(unittest.TestCase):
                     self.assertEqual(prop.GetElement(0), "", "and none of them at first")
                     seen.append((name, key))
         self.assertIn(("RobustTetrahedralize", "ConstrainedFacetsArrayName"), seen)
-        self.assertEqual(len(seen), 7)
+        self.assertEqual(len(seen), 8)
 
     def test_tags_are_chosen_among_strings_too(self):
         """And what ParaView's own readers call groups is known."""
