@@ -288,6 +288,46 @@ TEST(RefineTetrahedra, TakesATinyDetailOfALargeSolid)
   EXPECT_LT(refined.Cells.size(), 5000U);
 }
 
+/** Cells that were to be regular beside such an edge would be as small as it is, without number. */
+TEST(RefineTetrahedra, EndsBesideTwoPointsThatAreAllButOne)
+{
+  TetrahedralMesh cube = Cube(2);
+  // An edge on the cube's top, from the middle of the face to that of a side, in three.
+  const Point from = { 0.5, 0.5, 1 };
+  const Point to = { 1, 0.5, 1 };
+  const auto at = [&](const Point& place)
+  {
+    return static_cast<Id>(
+      std::find(cube.Points.begin(), cube.Points.end(), place) - cube.Points.begin());
+  };
+  const std::array<Id, 4> along = { at(from), static_cast<Id>(cube.Points.size()),
+    static_cast<Id>(cube.Points.size()) + 1, at(to) };
+  cube.Points.push_back({ 0.75, 0.5, 1 });
+  cube.Points.push_back({ 0.75 + 0x1p-50, 0.5, 1 });
+  std::vector<Tetrahedron> cells;
+  for (const Tetrahedron& cell : cube.Cells)
+  {
+    const auto first = std::find(cell.begin(), cell.end(), along[0]);
+    const auto last = std::find(cell.begin(), cell.end(), along[3]);
+    if (first == cell.end() || last == cell.end())
+    {
+      cells.push_back(cell);
+      continue;
+    }
+    for (std::size_t piece = 0; piece < 3; ++piece)
+    {
+      cells.push_back(cell);
+      cells.back()[first - cell.begin()] = along[piece];
+      cells.back()[last - cell.begin()] = along[piece + 1];
+    }
+  }
+  ASSERT_GT(cells.size(), cube.Cells.size());
+  const TetrahedralMesh mesh = ConnectCells(cube.Points, cells);
+  const RefinedMesh refined = Refined(mesh);
+  ExpectRefinementLaws(mesh, {}, refined);
+  EXPECT_LT(refined.Cells.size(), 1000U);
+}
+
 TEST(RefineTetrahedra, StopsAtEveryReport)
 {
   const testthreads::Allowed one(1); // with more, chance has it how often the caller reports
