@@ -72,6 +72,11 @@ void vtkWindingBoolean::ClearBodyNames()
   }
 }
 
+const char* vtkWindingBoolean::GetBodyName(int body) const
+{
+  return body >= 0 && body < this->GetNumberOfBodyNames() ? this->BodyNames[body].c_str() : nullptr;
+}
+
 int vtkWindingBoolean::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -185,6 +190,7 @@ void SplitIds(const char* name, const std::vector<vtkIdType>& first, vtkDataSetA
   }
   data->AddArray(bodies);
 }
+
 Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryTriangle>& boundary,
   const std::vector<Point>& points)
 {

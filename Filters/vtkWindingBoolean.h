@@ -75,11 +75,10 @@ public:
   /**
    * What to make of the bodies. Operators are | or + (union), & (intersection), - (difference) and
    * ^ (symmetric difference), with the precedence that they have in Python and C++: + and - first,
-   * then
-   * &, then ^, then |; of equal ones the left first. Parentheses go before all. A body is called by
-   * its name, in quotes where that is more than letters, digits and underscores; by its number, #1
-   * the first; or by a letter, A the first, where none has that name. Default empty: Operation says
-   * it.
+   * then &, then ^, then |; of equal ones the left first. Parentheses go before all. A body is
+   * called by its name, in quotes where that is more than letters, digits and underscores; by its
+   * number, #1 the first; or by a letter, A the first, where none has that name. Default empty:
+   * Operation says it.
    */
   vtkSetStdStringFromCharMacro(Expression);
   vtkGetCharFromStdStringMacro(Expression);
@@ -98,12 +97,13 @@ public:
   ///@{
   /**
    * What bodies are called in Expression and in BodyNames, one after the other. A body without a
-   * name, or with an empty one, has that of its block, or a letter. Default none.
+   * name, or with an empty one, has that of its block, or a letter. GetBodyName counts from 0, and
+   * gives nullptr where no name was added. Default none.
    */
   void AddBodyName(const char* name);
   void ClearBodyNames();
   int GetNumberOfBodyNames() const { return static_cast<int>(this->BodyNames.size()); }
-  const char* GetBodyName(int body) const { return this->BodyNames.at(body).c_str(); }
+  const char* GetBodyName(int body) const;
   ///@}
 
   ///@{

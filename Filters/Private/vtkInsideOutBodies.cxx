@@ -30,6 +30,13 @@ std::vector<Id> BodiesOfSeeds(vtkPointSet* points, const std::vector<std::string
 {
   std::vector<Id> bodies(points->GetNumberOfPoints(), None);
   vtkAbstractArray* array = points->GetPointData()->GetAbstractArray("Body");
+  if (array &&
+    (array->GetNumberOfComponents() != 1 ||
+      array->GetNumberOfTuples() != points->GetNumberOfPoints()))
+  {
+    throw Error(
+      ErrorCode::InvalidParameter, "the seeds' point array Body has not one value per point");
+  }
   for (std::size_t p = 0; array && p < bodies.size(); ++p)
   {
     const std::string name = array->GetVariantValue(static_cast<vtkIdType>(p)).ToString();

@@ -48,8 +48,8 @@ std::vector<std::string> vtkInsideOutSplitNames(const std::string& names);
  * The seeds of each body: those whose array Body has its name; and those outside that name none.
  *
  * @param[in] points that the seeds were read from
- * @throws insideout::Error InvalidParameter for a name that is no body's, and for a seed inside
- * that names none
+ * @throws insideout::Error InvalidParameter for a name that is no body's, for a seed inside that
+ * names none, and for an array that has not one value per point
  */
 std::vector<std::vector<insideout::Seed>> vtkInsideOutSeedsOfBodies(
   const std::vector<insideout::Seed>& seeds, vtkPointSet* points,

@@ -68,20 +68,19 @@ void vtkInsideOutRequestWhole(
   bool areParts = false;
   for (int port = 0; port < numberOfPorts; ++port)
   {
-    vtkInformation* input = inputVector[port]->GetInformationObject(0);
-    if (!input)
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
-      continue;
+      vtkInformation* input = inputVector[port]->GetInformationObject(i);
+      vtkInsideOutRememberBlocks(input);
+      areParts = areParts || (port == 0 && AreSpreadParts(input));
+      if (areParts && port == 0)
+      {
+        continue; // each process asks for its own
+      }
+      const bool isIdle = vtkInsideOutIsFurtherPiece(outputVector) && !areParts;
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isIdle ? 0 : 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
-    vtkInsideOutRememberBlocks(input);
-    areParts = areParts || (port == 0 && AreSpreadParts(input));
-    if (areParts && port == 0)
-    {
-      continue; // each process asks for its own
-    }
-    const bool isIdle = vtkInsideOutIsFurtherPiece(outputVector) && !areParts;
-    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isIdle ? 0 : 1);
-    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
 }

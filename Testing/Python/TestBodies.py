@@ -11,7 +11,7 @@ from pathlib import Path
 
 import insideout
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
@@ -120,6 +120,20 @@ class TestBodies(unittest.TestCase):
         outside = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, seeds=[((0.5, 1.1, 0.9), False, "left")])
         self.assertLess(outside.bodies["left"], 8)
         self.assertEqual(round(outside.bodies["right"], 12), 12)
+
+    def test_seeds_name_a_body_each(self):
+        seeds = insideout.tetrahedralize(LEFT).boundary
+        names = vtkStringArray()
+        names.SetName("Body")
+        names.InsertNextValue("left")  # of the first alone
+        points = vtkPolyData()
+        points.SetPoints(seeds.GetPoints())
+        inside = numpy_to_vtk(np.zeros(points.GetNumberOfPoints(), np.uint8), deep=True)
+        inside.SetName("Inside")
+        points.GetPointData().AddArray(inside)
+        points.GetPointData().AddArray(names)
+        with self.assertRaisesRegex(insideout.Error, "the seeds' point array Body has not one value per point"):
+            insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, seeds=points)
 
     def test_what_is_wrong_is_named(self):
         bodies = {"left": LEFT, "right": RIGHT}

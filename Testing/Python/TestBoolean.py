@@ -137,6 +137,24 @@ class Data(unittest.TestCase):
         self.assertLess(insideout.pipeline.statistics_of(boolean.GetOutput())["Volume"], before / 4)
 
 
+    def test_a_piece_is_of_whole_bodies(self):
+        cube, sphere = vtkCubeSource(), vtkSphereSource()
+        boolean = insideout.vtkWindingBoolean()
+        boolean.AddInputConnection(cube.GetOutputPort())
+        boolean.AddInputConnection(sphere.GetOutputPort())
+        boolean.SetOperation(boolean.DIFFERENCE)
+        boolean.Update()
+        whole = insideout.pipeline.statistics_of(boolean.GetOutput())["Volume"]
+        boolean.Modified()
+        boolean.UpdatePiece(0, 2, 0)  # of a sphere's source that would be half of it
+        self.assertEqual(insideout.pipeline.statistics_of(boolean.GetOutput())["Volume"], whole)
+
+    def test_a_name_that_is_not_there_is_none(self):
+        boolean = insideout.vtkWindingBoolean()
+        boolean.AddBodyName("liver")
+        self.assertEqual([boolean.GetBodyName(body) for body in (-1, 0, 1, 3)], [None, "liver", None, None])
+
+
 class Errors(unittest.TestCase):
     def test_an_expression_names_its_column(self):
         with self.assertRaisesRegex(insideout.Error, r'"A - \(B", column 5: this parenthesis is never closed'):

@@ -128,6 +128,16 @@ class Overlapping(unittest.TestCase):
         self.assertEqual(len(result.regions), 1)
         self.assertRegex("\n".join(result.warnings), "1 of 1 overlaps stay glued, the first at ")
 
+    def test_an_overlap_part_of_which_is_outside_stays_glued(self):
+        surface = surfaces.two_boxes()
+        hull = insideout.tetrahedralize(surface).hull
+        places = hull.points[hull.cells[hull.w == 2]].mean(axis=1)
+        self.assertGreater(len(places), 1)
+        result = insideout.tetrahedralize(surface, separate_overlaps=True, gamma=0, seeds=[(tuple(places[0]), False)])
+        self.assertEqual([result.statistics[name] for name in ("Overlaps", "SeparatedOverlaps")], [1, 0])
+        self.assertTrue(surfaces.is_watertight(result.boundary))
+        self.assertRegex("\n".join(result.warnings), "1 of 1 overlaps stay glued, the first at ")
+
     def test_it_is_refined_as_it_is(self):
         result = insideout.tetrahedralize(surfaces.two_boxes(), separate_overlaps=True, edge_length=0.3)
         self.assertEqual(min(surfaces.exact_volumes(result.solid)) > 0, True)

@@ -74,6 +74,14 @@ class Function(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "vtkTriangle; only tetrahedra"):
             insideout.refine(result.solid)
 
+    def test_duplicates_that_do_not_cancel_count(self):
+        ring = (0, 1, 2, 3, 0)
+        for forth, back, w in ((3, 1, 2), (4, 1, 3), (2, 2, 1)):
+            curve = surfaces.polydata(SQUARE, [])
+            curve.SetLines(surfaces.polydata([], [ring] * forth + [ring[::-1]] * back).GetPolys())
+            result = insideout.tetrahedralize(curve, count_duplicates=True, orientation="as-given")
+            self.assertEqual(set(result.hull.w), {w})
+
     def test_a_flat_mesh_gives_its_triangles(self):
         triangles = [(0, 1, 2), (0, 2, 3)]
         result = insideout.tetrahedralize((SQUARE, triangles))

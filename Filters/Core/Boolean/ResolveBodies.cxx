@@ -142,6 +142,18 @@ void BodyResolver::MergeGivenPoints()
   }
 }
 
+/** Of a soup no triangle of which has an area. */
+CountedChain AllDegenerateChain(const TriangleSoup& soup)
+{
+  CountedChain chain;
+  chain.Counts.InputPoints = static_cast<Id>(soup.Points.size());
+  chain.Counts.InputTriangles = static_cast<Id>(soup.Triangles.size());
+  chain.Counts.DegenerateFacets = chain.Counts.InputTriangles;
+  chain.DegenerateTriangles.resize(soup.Triangles.size());
+  std::iota(chain.DegenerateTriangles.begin(), chain.DegenerateTriangles.end(), 0);
+  return chain;
+}
+
 void BodyResolver::CountFacetsOfBodies()
 {
   CountedChainParameters parameters = this->Parameters.Chain;
@@ -164,6 +176,10 @@ void BodyResolver::CountFacetsOfBodies()
           if (error.Code != ErrorCode::EmptySurface && error.Code != ErrorCode::AllDegenerate)
           {
             throw;
+          }
+          if (error.Code == ErrorCode::AllDegenerate)
+          {
+            chain = AllDegenerateChain(body.Soup);
           }
           chain.Warnings = { std::string(error.what()) + ": the body is empty" };
         }

@@ -26,7 +26,7 @@ struct BodyCount
 /** What validation and orientation made of one body, before it met the others. */
 struct CountedBody
 {
-  SurfaceCounts Counts; ///< all 0 of a body without facets, which is empty
+  SurfaceCounts Counts; ///< of a body without facets, which is empty, of what was given alone
   FacetTurns Turns;     ///< by facets of the body's own chain
 };
 

@@ -112,6 +112,10 @@ bool Separator::FindWalls(const std::vector<Id>& cells)
     for (int face = 0; face < 4; ++face)
     {
       const Id next = this->Mesh.Neighbors[cell][face];
+      if (this->LayersIn(next) >= TwoLayers && this->Solid.Inside[next] == 0)
+      {
+        return false; // the layers end where no facet says so
+      }
       const int step = TwoLayers - this->LayersIn(next);
       if (step != 0 && MultiplicityOnEntering(this->Surface, this->Mesh, cell, face) != step)
       {

@@ -12,8 +12,8 @@ struct OverlapCounts
   Id Overlaps = 0;    ///< regions where w is near 2 or more
   Id Separated = 0;   ///< of these
   Id CopiedCells = 0; ///< one for each cell of those
-  Point Left = { { 0, 0,
-    0 } }; ///< a corner of the first overlap that stays glued, where there is one
+  /** A corner of the first overlap that stays glued, where there is one. */
+  Point Left = { { 0, 0, 0 } };
 };
 
 /**
@@ -27,9 +27,9 @@ struct OverlapCounts
  * and both bound the same layer. Or w is near 1, 0 and 1 again: there two sheets cross, and each
  * bounds another layer. An overlap is separated where this says of all its faces which of at most
  * two layers they bound, and no face contradicts. It stays as it is, glued, where w is near 3 or
- * more in it, where a face of its boundary is no facet or steps by more than 1, where sheets meet
- * in an edge in other ways than these, and where faces are not connected through edges, so that
- * nothing tells which of two layers they bound.
+ * more in it, where part of it is outside the solid, where a face of its boundary is no facet or
+ * steps by more than 1, where sheets meet in an edge in other ways than these, and where faces are
+ * not connected through edges, so that nothing tells which of two layers they bound.
  *
  * Points of overlaps that are separated are parted (PartPoints), so that the layers have no more in
  * common than what connects them elsewhere. The cells' copies come after all cells, in their order.

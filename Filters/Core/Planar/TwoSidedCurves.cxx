@@ -13,7 +13,7 @@ enum class Directions
 {
   None,
   One,
-  Both
+  Both ///< and cancel
 };
 
 Directions DirectionsOf(const SegmentSoup& soup, const SegmentComplex& curve, Id segment)
@@ -27,9 +27,10 @@ Directions DirectionsOf(const SegmentSoup& soup, const SegmentComplex& curve, Id
       isGiven[isReversed ? 1 : 0] = true;
     }
   }
-  return isGiven[0] && isGiven[1] ? Directions::Both
-    : isGiven[0] || isGiven[1]    ? Directions::One
-                                  : Directions::None;
+  // Where duplicates count, one way may be given more often than the other.
+  return isGiven[0] && isGiven[1] && curve.Multiplicity[segment] == 0 ? Directions::Both
+    : isGiven[0] || isGiven[1]                                        ? Directions::One
+                                                                      : Directions::None;
 }
 
 /** The segments of components in which all that participate were given both ways. */

@@ -12,10 +12,10 @@ struct TwoSidedCurves
 };
 
 /**
- * Find the components in which every segment that participates was given both ways. Of these a
- * chain (segments joined through points of exactly two) that encloses an area when each segment is
- * kept once gets multiplicities of +1 and -1 that turn it counter-clockwise: as KeepTwoSidedSolids
- * does it with facets. The others are sheets, and stay at 0.
+ * Find the components in which every segment that participates was given both ways, as often one as
+ * the other. Of these a chain (segments joined through points of exactly two) that encloses an area
+ * when each segment is kept once gets multiplicities of +1 and -1 that turn it counter-clockwise:
+ * as KeepTwoSidedSolids does it with facets. The others are sheets, and stay at 0.
  *
  * @param[in,out] curve counted and not yet resolved; Multiplicity changes
  */

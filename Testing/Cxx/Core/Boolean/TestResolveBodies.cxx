@@ -181,6 +181,18 @@ TEST(ResolveBodies, TakeABodyWithoutFacetsForEmpty)
   EXPECT_THROW(Resolved({ {}, {} }), Error);
 }
 
+TEST(ResolveBodies, CountWhatHasNoArea)
+{
+  const TriangleSoup needles = { { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } },
+    { { 0, 1, 2 }, { 0, 0, 1 } } };
+  const ResolvedBodies bodies = Resolved({ Cube(0, 1), needles });
+  EXPECT_EQ(bodies.Bodies[1].Counts.InputPoints, 3);
+  EXPECT_EQ(bodies.Bodies[1].Counts.InputTriangles, 2);
+  EXPECT_EQ(bodies.Bodies[1].Counts.DegenerateFacets, 2);
+  EXPECT_EQ(bodies.Bodies[1].Counts.Facets, 0);
+  EXPECT_EQ(bodies.DegenerateTriangles, (std::vector<Id>{ 12, 13 }));
+}
+
 TEST(ResolveBodies, NameTheBodyThatIsWrong)
 {
   TriangleSoup wrong = Cube(0, 1);
