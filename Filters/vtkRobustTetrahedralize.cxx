@@ -39,22 +39,15 @@ vtkStandardNewMacro(vtkRobustTetrahedralize);
 
 namespace
 {
-/** What of an input decides about the hull: the names of arrays, and when blocks were modified. */
+/** What of an input decides about the hull: the names of arrays; of blocks that are bodies their
+ * names, and when the last was modified, which a composite data set does not tell. */
 struct ArrayNames
 {
   std::string NonParticipating;
   std::string Bodies;
+  std::vector<std::string> BlockNames;
   vtkMTimeType BlocksTime = 0;
 };
-
-/** When the last one was modified: a composite data set does not tell. */
-vtkMTimeType TimeOfBlocks(vtkDataObject* blocks)
-{
-  vtkMTimeType time = 0;
-  vtkInsideOutVisitBlocks(blocks,
-    [&](vtkDataObject* block, const std::string&) { time = std::max(time, block->GetMTime()); });
-  return time;
-}
 
 /** What decides about the hull, to be compared. Does not compile once a parameter is added: it may
  * not be missing here. */
@@ -64,9 +57,9 @@ auto AsTuple(const HullMeshParameters& parameters, const ArrayNames& names)
   const auto& [mergeTolerance, countDuplicates] = chain;
   const auto& [width, all] = thicken;
   const auto& [seconds, mebibytes, engine] = budgets;
-  const auto& [nonParticipating, bodies, blocksTime] = names;
+  const auto& [nonParticipating, bodies, blockNames, blocksTime] = names;
   return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
-    mebibytes, engine, quadratureOrder, nonParticipating, bodies, blocksTime);
+    mebibytes, engine, quadratureOrder, nonParticipating, bodies, blockNames, blocksTime);
 }
 
 /** An input as one surface, and what of it decides about the hull. */
@@ -74,17 +67,25 @@ struct OneSurface
 {
   vtkSmartPointer<vtkPolyData> Polygons;
   ArrayNames Names;
+  std::vector<std::string> Warnings;
 };
 
 OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
 {
   OneSurface input = { vtkPolyData::SafeDownCast(given),
-    { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), 0 } };
+    { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), {}, 0 }, {} };
   if (filter->GetBlocksAreBodies())
   {
-    input.Polygons = vtkInsideOutJoinBlocks(given);
-    input.Names.Bodies = vtkInsideOutBodyIds;
-    input.Names.BlocksTime = TimeOfBlocks(given);
+    vtkInsideOutRefuseSpreadParts(filter);
+    input.Polygons = vtkInsideOutJoinBlocks(given, input.Warnings);
+    ArrayNames& names = input.Names;
+    names.Bodies = vtkInsideOutBodyIds;
+    vtkInsideOutVisitBlocks(given,
+      [&](vtkDataObject* block, const std::string& name)
+      {
+        names.BlockNames.push_back(name);
+        names.BlocksTime = std::max(names.BlocksTime, block->GetMTime());
+      });
   }
   return input;
 }
@@ -386,9 +387,10 @@ vtkSmartPointer<vtkPolyData> MakeBoundaryOfBodies(const HullMesh& hull, const Bo
 {
   const RegionBoundaries boundaries =
     FindRegionBoundaries(hull.Mesh, regions.Regions, monitor, { Stages::Extracting, 0, 0.1 });
-  vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull, hull.Mesh,
+  vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull.Mesh.Points, hull.Mesh.Origins,
     BoundaryTriangles(
-      hull.Surface, hull.Mesh, boundaries.Faces, monitor, { Stages::Extracting, 0.1, 0.2 }));
+      hull.Surface, hull.Mesh, boundaries.Faces, monitor, { Stages::Extracting, 0.1, 0.2 }),
+    hull.TurnedTriangles, { "Turned", "BoundaryTag", "RegionIds" });
   vtkInsideOutAddRegionTags(boundaries, NamesOfRegions(regions, names), tags, boundary);
   return boundary;
 }
@@ -526,7 +528,13 @@ Surfaces MakeSurfacesOfBodies(const HullOfInput& kept, const Segmented& segmente
   const vtkInsideOutTags* tags, vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
 {
   const HullMesh& hull = kept.Hull;
+  const std::vector<unsigned char>& inside = segmented.All.Inside;
+  const ProgressRange lookingAtTopology = { Stages::Extracting, 0, 0 };
   Surfaces surfaces;
+  AppendTopology(
+    FindTopology(hull.Mesh, inside, BoundaryFaces(hull.Mesh, inside, monitor, lookingAtTopology),
+      monitor, lookingAtTopology),
+    surfaces.Counts);
   surfaces.Boundary =
     MakeBoundaryOfBodies(hull, segmented.Regions, kept.Bodies.Names, tags, outputs, monitor);
   surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
@@ -724,7 +732,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
-      const auto [input, names] = ReadInput(this, given);
+      const auto [input, names, inputWarnings] = ReadInput(this, given);
       const bool isPlanar =
         vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2;
       this->CheckBodies(isPlanar);
@@ -800,6 +808,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAddStatistics(statistics, vtkUnstructuredGrid::GetData(outputVector, 0));
       outputs.AddLeftOutCells(hull.Surface, vtkUnstructuredGrid::GetData(outputVector, 0));
       vtkInsideOutAddMasses(solid.Masses, vtkUnstructuredGrid::GetData(outputVector, 0));
+      vtkInsideOutWarn(this, inputWarnings);
       vtkInsideOutWarn(this, hull.Warnings);
       vtkInsideOutWarn(this, segmentation.Warnings);
       vtkInsideOutWarn(this, parting.Warnings);

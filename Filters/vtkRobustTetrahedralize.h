@@ -49,7 +49,7 @@
  * lies outside. Facets that no cell of their own bodies touches are outliers. Seeds are of the body
  * that their point array Body (a string, or a number that is a body's name) names; those to be
  * outside may name none, and are outside all. MergeCoplanarPieces, SplitSeams, SeparateOverlaps,
- * NON_MANIFOLD_SPLIT and two dimensions are errors. BodyVolume is of each body as if it were alone,
+ * NONMANIFOLD_SPLIT and two dimensions are errors. BodyVolume is of each body as if it were alone,
  * before any refinement; Statistics_Bodies counts them.
  *
  * In two dimensions (Dimension) it takes lines and polylines, closed or open, whose direction
@@ -76,16 +76,13 @@
  * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts. Of
  * NonManifold of the kind Split: SplitPoints (copies that the solid has), SharedPoints (those that
  * only the boundary has), NonManifoldEdges (0 but in overlaps). Of SeparateOverlaps: Overlaps,
- * SeparatedOverlaps, CopiedCells. Of
- * NonManifold of the kind Split: SplitPoints (copies that the solid has), SharedPoints (that only
- * the boundary has), NonManifoldEdges (0 but in overlaps). Of SeparateOverlaps: Overlaps,
- * SeparatedOverlaps, CopiedCells. Of
- * the outliers: OutlierFacets and how many for each reason, LostShare (of the surface's area). Of
- * the solid: Regions; with density 1 and in the units of the input: Volume, CenterOfMassX to Z, and
- * the inertia tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x
- * y); and its topology: SolidComponents, SolidTunnels and SolidCavities, the Betti numbers of its
- * cells with all that they touch in, SolidEulerCharacteristic, the same of its boundary
- * (BoundaryComponents and so on), and Genus, half of BoundaryTunnels.
+ * SeparatedOverlaps, CopiedCells. Of the outliers: OutlierFacets and how many for each reason,
+ * LostShare (of the surface's area). Of the solid: Regions; with density 1 and in the units of the
+ * input: Volume, CenterOfMassX to Z, and the inertia tensor about it, InertiaXX to InertiaXZ (XX is
+ * the integral of y^2 + z^2, XY of -x y); and, in space, its topology: SolidComponents,
+ * SolidTunnels and SolidCavities, the Betti numbers of its cells with all that they touch in,
+ * SolidEulerCharacteristic, the same of its boundary (BoundaryComponents and so on), and Genus,
+ * half of BoundaryTunnels.
  *
  * With Refine the solid's cells are others of the same solid: see vtkRefineTetrahedra, which says
  * what becomes of its arrays, too. InsideCells then counts the cells before. Where Surface is not
@@ -96,7 +93,6 @@
  * set. Errors, which name the culprit, leave all outputs empty.
  *
  * @sa vtkGeneralizedWindingNumber vtkGraphCutSegmentation vtkRefineTetrahedra
- *
  */
 #ifndef vtkRobustTetrahedralize_h
 #define vtkRobustTetrahedralize_h
@@ -225,8 +221,8 @@ public:
    * stay the same but for the points' ids, and vtkOriginalPointIds are those of the points that
    * were copied. Where cells join all around what touches, as around two cavities, the boundary
    * (output 1) alone has several points in a place, whose cells share one; a warning counts them.
-   * NONMANIFOLD_SPLIT takes ExtractInside and neither MergeCoplanarPieces nor SplitSeams. Default
-   * NONMANIFOLD_KEEP.
+   * NONMANIFOLD_SPLIT takes ExtractInside, one body and, with Refine, Surface KEPT; and neither
+   * MergeCoplanarPieces nor SplitSeams. Default NONMANIFOLD_KEEP.
    */
   vtkSetClampMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
   vtkGetMacro(NonManifold, int);
@@ -241,8 +237,8 @@ public:
    * are glued to that layer alone, so that a limb that overlaps another can be pulled out; both
    * have the arrays of the cells that they are copies of. Overlaps that do not tell which of their
    * faces belong to which layer, or have more than two, stay glued, and a warning counts them.
-   * Takes ExtractInside and neither MergeCoplanarPieces nor SplitSeams. Default off: the solid has
-   * every place once.
+   * Takes ExtractInside, one body and, with Refine, Surface KEPT; and neither MergeCoplanarPieces
+   * nor SplitSeams. Default off: the solid has every place once.
    */
   vtkSetMacro(SeparateOverlaps, bool);
   vtkGetMacro(SeparateOverlaps, bool);
@@ -391,8 +387,9 @@ public:
   /**
    * What becomes of a composite input. Off: each block is a surface by itself, and becomes a solid
    * by itself. On: each block is a body, called by the name of the block, and all become one mesh.
-   * vtkOriginalCellIds and vtkOriginalPointIds then count the cells and points of all blocks, one
-   * block after the other. Default off.
+   * vtkOriginalPointIds then count the points of all blocks, one block after the other, and
+   * vtkOriginalCellIds their cells: those of all blocks that are vertices, then lines, polygons and
+   * strips. Default off.
    */
   void SetBlocksAreBodies(bool blocksAreBodies);
   vtkGetMacro(BlocksAreBodies, bool);

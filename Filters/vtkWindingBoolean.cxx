@@ -5,6 +5,7 @@
 #include "Boolean/SurfaceOfExpression.h"
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutArrays.h"
+#include "Private/vtkInsideOutAttributes.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
@@ -234,6 +235,7 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
         { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
           Stages::Extracting });
+      vtkInsideOutRefuseSpreadParts(this);
       Stopwatch stopwatch;
       vtkInsideOutInputs inputs = vtkInsideOutReadInputs(NamedSurfaces(this, inputVector[0]));
       const std::vector<std::string> names = inputs.Names();
@@ -251,12 +253,14 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
         cells = FindCellsOfExpression(resolved, NamesIn(expression, names), expression, monitor);
       }
 
+      vtkInsideOutAttributes::RenameArrays(
+        inputs.Surface.Input->GetPointData(), { "BodyId" }, inputs.Surface.Warnings);
       vtkInsideOutMakeOutputs outputs(inputs.Surface);
       const auto& boundary = surface ? *surface : cells->Boundary;
       const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;
       const auto& origins = cells ? cells->Mesh.Origins : resolved.Surface.Origins;
-      output->ShallowCopy(
-        outputs.MakeBoundary(points, origins, boundary, resolved.TurnedTriangles));
+      output->ShallowCopy(outputs.MakeBoundary(
+        points, origins, boundary, resolved.TurnedTriangles, { "Turned", "BodyId" }));
       SplitIds("vtkOriginalCellIds", inputs.FirstCell, output->GetCellData());
       SplitIds("vtkOriginalPointIds", inputs.FirstPoint, output->GetPointData());
       output->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BodyNames", names));

@@ -63,6 +63,16 @@ SurfaceCounts SumOf(const std::vector<CountedBody>& bodies)
   return sum;
 }
 
+Id ThickenedFacetsOf(const std::vector<CountedBody>& bodies)
+{
+  Id sum = 0;
+  for (const CountedBody& body : bodies)
+  {
+    sum += body.ThickenedFacets;
+  }
+  return sum;
+}
+
 /** How the bodies were turned, each alone: counts are sums, shares those of the area of all. */
 Statistics TurnsOf(const ResolvedBodies& resolved, const std::vector<double>& areas)
 {
@@ -102,13 +112,14 @@ HullOfBodies MeshBodies(
   hull.Statistics.emplace_back("Bodies", resolved.NumberOfBodies());
   AddCounts(hull.Counts, hull.Statistics);
   AddUp(TurnsOf(resolved, areas), hull.Statistics);
+  hull.Statistics.emplace_back("ThickenedFacets", ThickenedFacetsOf(resolved.Bodies));
   hull.Warnings = std::move(resolved.Warnings);
   hull.MergedInto = std::move(resolved.MergedInto);
   hull.DegenerateTriangles = std::move(resolved.DegenerateTriangles);
   hull.TurnedTriangles = std::move(resolved.TurnedTriangles);
   hull.SheetTriangles = std::move(resolved.SheetTriangles);
   TakeResolved(resolved.Surface, static_cast<std::size_t>(resolved.IntersectingPairs), hull);
-  const double resolveSeconds = stopwatch.Lap();
+  const double resolveSeconds = stopwatch.Lap() - resolved.SecondsValidate;
 
   FillHull(parameters.Budgets, hull, monitor);
   const double meshSeconds = stopwatch.Lap();
@@ -123,6 +134,7 @@ HullOfBodies MeshBodies(
     FindClosedBodies(resolved, SortedFacetEdges(resolved.Surface.Facets));
   AddRangeOfW(std::all_of(isClosed.begin(), isClosed.end(), [](char c) { return c != 0; }), hull);
 
+  hull.Statistics.emplace_back("SecondsValidate", resolved.SecondsValidate);
   hull.Statistics.emplace_back("SecondsPre", resolveSeconds);
   hull.Statistics.emplace_back("SecondsCDT", meshSeconds);
   hull.Statistics.emplace_back("SecondsW", stopwatch.Lap());

@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 #include "Output/MassProperties.h"
 #include "vtkInsideOutArrays.h"
+#include "vtkInsideOutAttributes.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
@@ -25,6 +26,11 @@ using namespace insideout;
 
 namespace
 {
+bool HasPolygons(vtkPolyData* surface)
+{
+  return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+}
+
 /** The body that each seed names: None for none. */
 std::vector<Id> BodiesOfSeeds(vtkPointSet* points, const std::vector<std::string>& names)
 {
@@ -86,7 +92,8 @@ std::vector<std::vector<unsigned char>> RegionsOfBodies(
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(vtkDataObject* blocks)
+vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(
+  vtkDataObject* blocks, std::vector<std::string>& warnings)
 {
   vtkNew<vtkAppendPolyData> append;
   std::vector<std::string> names;
@@ -102,6 +109,16 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(vtkDataObject* blocks)
       }
       auto copy = vtkSmartPointer<vtkPolyData>::New();
       copy->ShallowCopy(surface);
+      std::vector<std::string> ofBody;
+      if (!HasPolygons(surface))
+      {
+        ofBody.emplace_back("the surface has no polygons: the body is empty");
+      }
+      vtkInsideOutAttributes::RenameArrays(copy->GetCellData(), { vtkInsideOutBodyIds }, ofBody);
+      for (const std::string& warning : ofBody)
+      {
+        warnings.push_back(WordsOf(name, warning));
+      }
       copy->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkIntArray>(vtkInsideOutBodyIds,
         std::vector<int>(surface->GetNumberOfCells(), static_cast<int>(names.size()))));
       append->AddInputData(copy);
@@ -114,6 +131,10 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(vtkDataObject* blocks)
   append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   append->Update();
   vtkSmartPointer<vtkPolyData> joined = append->GetOutput();
+  if (!HasPolygons(joined))
+  {
+    throw Error(ErrorCode::EmptySurface, "none of the blocks has polygons");
+  }
   joined->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BodyNames", names));
   return joined;
 }

@@ -33,9 +33,12 @@ constexpr const char* vtkInsideOutBodyIds = "BodyIds";
  * have; the cell array BodyIds numbers the blocks, and the field array BodyNames has what they are
  * called, by what leads to them (vtkInsideOutBlock).
  *
- * @throws insideout::Error InvalidParameter that names a block which is no vtkPolyData
+ * @param[in,out] warnings gains a line per block without polygons, and per array that is renamed
+ * @throws insideout::Error InvalidParameter that names a block which is no vtkPolyData;
+ *   EmptySurface where none has polygons
  */
-vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(vtkDataObject* blocks);
+vtkSmartPointer<vtkPolyData> vtkInsideOutJoinBlocks(
+  vtkDataObject* blocks, std::vector<std::string>& warnings);
 
 /** The bodies by a cell array, as vtkInsideOutReadTags reads it; none where the name is empty. */
 vtkInsideOutBodies vtkInsideOutReadBodies(

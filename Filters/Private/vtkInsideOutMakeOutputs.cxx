@@ -32,6 +32,9 @@ using insideout::FacetComplex;
 using insideout::Id;
 using insideout::TetrahedralMesh;
 
+/** Cell arrays that are added to the boundary of a solid. */
+constexpr std::initializer_list<const char*> AddedToBoundary = { "Turned", "BoundaryTag" };
+
 vtkInsideOutMakeOutputs::vtkInsideOutMakeOutputs(const vtkInsideOutSurface& surface)
   : Warnings(surface.Warnings)
   , Surface(&surface)
@@ -133,19 +136,21 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSurface(
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(const insideout::HullMesh& hull,
   const TetrahedralMesh& mesh, const std::vector<insideout::BoundaryTriangle>& boundary)
 {
-  return this->MakeBoundary(mesh.Points, mesh.Origins, boundary, hull.TurnedTriangles);
+  return this->MakeBoundary(
+    mesh.Points, mesh.Origins, boundary, hull.TurnedTriangles, AddedToBoundary);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
   const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
-  const std::vector<insideout::BoundaryTriangle>& boundary, const std::vector<Id>& turned)
+  const std::vector<insideout::BoundaryTriangle>& boundary, const std::vector<Id>& turned,
+  std::initializer_list<const char*> added)
 {
   std::vector<insideout::Triangle> triangles;
   for (const insideout::BoundaryTriangle& triangle : boundary)
   {
     triangles.push_back(triangle.Corners);
   }
-  return this->MakeBoundary(points, origins, triangles, boundary, turned);
+  return this->MakeBoundary(points, origins, triangles, boundary, turned, added);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeManifoldBoundary(
@@ -160,7 +165,8 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeManifoldBoundary(
     points.push_back(mesh.Points[place]);
     origins.push_back(mesh.Origins[place]);
   }
-  return this->MakeBoundary(points, origins, manifold.Triangles, boundary, hull.TurnedTriangles);
+  return this->MakeBoundary(
+    points, origins, manifold.Triangles, boundary, hull.TurnedTriangles, AddedToBoundary);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
@@ -180,13 +186,14 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeSeamedBoundary(
     points.push_back(hull.Mesh.Points[place]);
   }
   return this->MakeBoundary(
-    points, seamed.Origins, seamed.Triangles, boundary, hull.TurnedTriangles);
+    points, seamed.Origins, seamed.Triangles, boundary, hull.TurnedTriangles, AddedToBoundary);
 }
 
 vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
   const std::vector<insideout::Point>& points, const std::vector<insideout::PointOrigin>& origins,
   const std::vector<insideout::Triangle>& triangles,
-  const std::vector<insideout::BoundaryTriangle>& boundary, const std::vector<Id>& turned)
+  const std::vector<insideout::BoundaryTriangle>& boundary, const std::vector<Id>& turned,
+  std::initializer_list<const char*> added)
 {
   std::vector<vtkIdType> cells;
   std::vector<unsigned char> isTurned;
@@ -196,7 +203,7 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutMakeOutputs::MakeBoundary(
       triangle.Source == insideout::None ? -1 : this->Surface->CellOfTriangle[triangle.Source]);
     isTurned.push_back(std::binary_search(turned.begin(), turned.end(), triangle.Source));
   }
-  auto output = this->MakeSurface(points, origins, triangles, cells, { "Turned", "BoundaryTag" });
+  auto output = this->MakeSurface(points, origins, triangles, cells, added);
   output->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", isTurned));
   return output;
 }

@@ -51,12 +51,17 @@ public:
     const insideout::TetrahedralMesh& mesh, const insideout::ManifoldSurface& manifold,
     const std::vector<insideout::BoundaryTriangle>& boundary);
 
-  /** The same of triangles by points that have origins. @param[in] turned the input triangles that
-   * were turned over, ascending */
+  /**
+   * The same of triangles by points that have origins.
+   *
+   * @param[in] turned the input triangles that were turned over, ascending
+   * @param[in] added names of cell arrays that the output will have, Turned too: the input's are
+   *   renamed
+   */
   vtkSmartPointer<vtkPolyData> MakeBoundary(const std::vector<insideout::Point>& points,
     const std::vector<insideout::PointOrigin>& origins,
     const std::vector<insideout::BoundaryTriangle>& boundary,
-    const std::vector<insideout::Id>& turned);
+    const std::vector<insideout::Id>& turned, std::initializer_list<const char*> added);
 
   /** The same with several points in a place where the input's triangles differ in texture
    * coordinates or normals, or where triangles cross that have point data at all. Can be stopped.
@@ -93,7 +98,7 @@ private:
     const std::vector<insideout::PointOrigin>& origins,
     const std::vector<insideout::Triangle>& triangles,
     const std::vector<insideout::BoundaryTriangle>& boundary,
-    const std::vector<insideout::Id>& turned);
+    const std::vector<insideout::Id>& turned, std::initializer_list<const char*> added);
   /** A field array of the input cells that facets are pieces of, each once, ascending. */
   void AddCellsOfFacets(const char* name, const insideout::FacetComplex& surface,
     const std::vector<insideout::Id>& facets, vtkDataSet* output) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutWholeInput.h"
 
+#include "Common/Error.h"
 #include "vtkInsideOutBlock.h"
 
 #include <vtkAlgorithm.h>
@@ -60,6 +61,21 @@ bool vtkInsideOutIsIdle(vtkAlgorithm* algorithm, vtkInformationVector* outputVec
 {
   vtkInformation* input = FirstInput(algorithm->GetExecutive());
   return vtkInsideOutIsFurtherPiece(outputVector) && !(input && AreSpreadParts(input));
+}
+
+void vtkInsideOutRefuseSpreadParts(vtkAlgorithm* algorithm)
+{
+  for (int i = 0; i < algorithm->GetNumberOfInputConnections(0); ++i)
+  {
+    vtkInformation* input = algorithm->GetExecutive()->GetInputInformation(0, i);
+    // A process that works alone has asked for everything, and has all parts.
+    if (input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1 && AreSpreadParts(input))
+    {
+      throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+        "vtkDistributeParts has spread the blocks over processes, and they are to be one mesh: "
+        "leave it out");
+    }
+  }
 }
 
 void vtkInsideOutRequestWhole(

@@ -20,7 +20,14 @@ class vtkInformationVector;
  */
 void vtkInsideOutSayThatPartsAreWhole(vtkInformation* output);
 
-/** Ask the input for the whole where the first piece of the output is wanted, else for nothing. */
+/**
+ * For what takes all blocks of its inputs on the first port together.
+ *
+ * @throws insideout::Error InvalidParameter where they are whole in one process each
+ */
+void vtkInsideOutRefuseSpreadParts(vtkAlgorithm* algorithm);
+
+/** Ask all inputs for the whole where the first piece of the output is wanted, else for nothing. */
 void vtkInsideOutRequestWhole(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector, int numberOfPorts = 1);
 

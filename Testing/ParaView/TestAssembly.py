@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkCompositeDataSet, vt
                                            vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from insideout import vtkDistributeParts, vtkResolveSelfIntersections, vtkRobustTetrahedralize
+from insideout import vtkDistributeParts, vtkResolveSelfIntersections, vtkRobustTetrahedralize, vtkWindingBoolean
 
 controller = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
@@ -166,6 +166,23 @@ for stage in stages:
 own, _ = tetrahedralize("blocks", [vtkResolveSelfIntersections, vtkRobustTetrahedralize], parts=2)
 again = total([sum(statistic(solid, "Volume") for _, solid in own if solid)])
 assert abs(again - volume[0] - volume[1]) < 1e-9, (again, volume[:2])
+
+
+def errors_of(whole):
+    """How many errors one mesh of all parts has here."""
+    parts, errors = vtkDistributeParts(), []
+    parts.SetInputDataObject(assembly("blocks", 2))
+    whole.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    whole.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    whole.SetInputConnection(parts.GetOutputPort())
+    whole.UpdatePiece(RANK, RANKS, 0)
+    return len(errors)
+
+
+# A rank has no mesh of what is but its own share of the parts.
+bodies = vtkRobustTetrahedralize()
+bodies.BlocksAreBodiesOn()
+assert errors_of(bodies) == errors_of(vtkWindingBoolean()) == (1 if RANKS > 1 else 0)
 controller.Barrier()
 if RANK == 0:
     print("the same on all ranks")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import insideout
 import numpy as np
+import surfaces
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
@@ -37,6 +38,14 @@ def polygons(surface) -> vtkPolyData:
     bare = vtkPolyData()
     bare.CopyStructure(insideout.resolve(surface).surface)
     return bare
+
+
+def blocks_of(bodies) -> vtkMultiBlockDataSet:
+    blocks = vtkMultiBlockDataSet()
+    for k, (name, surface) in enumerate(bodies.items()):
+        blocks.SetBlock(k, surface)
+        blocks.GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), name)
+    return blocks
 
 
 class TestBodies(unittest.TestCase):
@@ -92,10 +101,7 @@ class TestBodies(unittest.TestCase):
         self.assertEqual(insideout.tetrahedralize(surface).bodies, {})
 
     def test_blocks_are_bodies_or_surfaces_by_themselves(self):
-        blocks = vtkMultiBlockDataSet()
-        for k, (name, surface) in enumerate((("left", LEFT), ("right", RIGHT))):
-            blocks.SetBlock(k, polygons(surface))
-            blocks.GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), name)
+        blocks = blocks_of({"left": polygons(LEFT), "right": polygons(RIGHT)})
         made = insideout.vtkRobustTetrahedralize()
         made.SetInputDataObject(0, blocks)
         made.Update()
@@ -109,6 +115,53 @@ class TestBodies(unittest.TestCase):
         made.BlocksAreBodiesOff()
         made.Update()
         self.assertTrue(made.GetOutputDataObject(0).IsA("vtkMultiBlockDataSet"))
+
+    def test_a_block_has_the_name_that_it_has_now(self):
+        blocks = blocks_of({"left": polygons(LEFT), "right": polygons(RIGHT)})
+        made = insideout.vtkRobustTetrahedralize()
+        made.BlocksAreBodiesOn()
+        made.SetInputDataObject(0, blocks)
+        made.Update()
+        blocks.GetMetaData(1).Set(vtkMultiBlockDataSet.NAME(), "heart")
+        made.SetGamma(1)
+        made.Update()
+        self.assertEqual(made.GetOutput().GetFieldData().GetAbstractArray("BodyNames").GetValue(1), "heart")
+
+    def test_a_body_without_polygons_is_told(self):
+        told = "body none: the surface has no polygons: the body is empty"
+        self.assertEqual(insideout.tetrahedralize({"left": LEFT, "none": vtkPolyData()}).warnings, [told])
+        made = insideout.vtkRobustTetrahedralize()
+        made.BlocksAreBodiesOn()
+        made.SetInputDataObject(0, blocks_of({"left": polygons(LEFT), "none": vtkPolyData()}))
+        self.assertEqual(insideout.pipeline.run(made), [told])
+        made.SetInputDataObject(0, blocks_of({"left": vtkPolyData(), "right": vtkPolyData()}))
+        with self.assertRaisesRegex(insideout.Error, "none of the blocks has polygons"):
+            insideout.pipeline.run(made)
+
+    def test_arrays_of_the_input_whose_names_are_taken_stay(self):
+        bodies = {"left": polygons(LEFT), "right": polygons(RIGHT)}
+        for surface in bodies.values():
+            for name in ("BodyIds", "RegionIds"):
+                surfaces.add_array(surface.GetCellData(), name, np.full(surface.GetNumberOfCells(), 7))
+        made = insideout.vtkRobustTetrahedralize()
+        made.BlocksAreBodiesOn()
+        made.SetInputDataObject(0, blocks_of(bodies))
+        warnings = insideout.pipeline.run(made)
+        result = insideout.tetrahedralize(bodies)
+        self.assertEqual(result.warnings, warnings)
+        self.assertEqual(sum("is passed on as Input_" in warning for warning in warnings), 3)  # BodyIds of each
+        for boundary in (made.GetBoundary(), result.boundary):
+            for name in ("Input_BodyIds", "Input_RegionIds"):
+                self.assertEqual(set(surfaces.cell_array(boundary, name)), {7})
+
+    def test_figures_are_those_of_one_surface(self):
+        one = insideout.tetrahedralize(LEFT)
+        several = insideout.tetrahedralize({"left": LEFT, "right": RIGHT})
+        self.assertEqual(set(one.statistics) - set(several.statistics), set())
+        for name, figure in (("SolidComponents", 1), ("SolidTunnels", 0), ("BoundaryComponents", 1), ("Genus", 0)):
+            self.assertEqual(several.statistics[name], figure)
+        sheet = (np.array([(5, 0, 0), (6, 0, 0), (5, 1, 0)], float), np.array([(0, 1, 2)]))
+        self.assertEqual(insideout.tetrahedralize({"left": LEFT, "sheet": sheet}, thicken=0.1).statistics["ThickenedFacets"], 1)
 
     def test_a_gap_below_the_tolerance_closes_and_a_larger_one_stays(self):
         upper = box((0, 0, 2 + 1e-4), (2, 2, 3))
@@ -139,15 +192,21 @@ class TestBodies(unittest.TestCase):
         bodies = {"left": LEFT, "right": RIGHT}
         for wrong, words in (
             ({"priority": ["nose"]}, "Priority names nose, which is no body; there are left, right"),
+            ({"priority": 3}, "priority is 3; it must be a list of names"),
+            ({"priority": ["left", 3]}, "it must be a list of names"),
             ({"priority": ["left", "left"]}, "Priority names left twice"),
             ({"seeds": [((1, 1, 1), True)]}, "seed 0 is to be inside, but its point array Body does not say which body"),
             ({"seeds": [((1, 1, 1), True, "nose")]}, "seed 0 names nose, which is no body"),
             ({"split_seams": True}, "SplitSeams takes one body"),
             ({"separate_overlaps": True}, "SeparateOverlaps takes one body"),
+            ({"non_manifold": "split"}, "NonManifold of the kind Split takes one body"),
+            ({"separate_overlaps": True, "progress": self.fail}, "SeparateOverlaps takes one body"),  # before any work
             ({"bodies": "Organ"}, "bodies names an array of one surface"),
         ):
             with self.subTest(wrong), self.assertRaisesRegex(insideout.Error, words):
                 insideout.tetrahedralize(bodies, **wrong)
+        with self.assertRaisesRegex(insideout.Error, "none of the bodies has polygons"):
+            insideout.tetrahedralize({"left": vtkPolyData(), "right": vtkPolyData()})
         with self.assertRaisesRegex(insideout.Error, "no cell array Organ"):
             insideout.tetrahedralize(LEFT, bodies="Organ")
         with self.assertRaisesRegex(insideout.Error, "body right: "):

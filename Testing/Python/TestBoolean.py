@@ -112,6 +112,18 @@ class Data(unittest.TestCase):
         np.testing.assert_array_equal(np.isnan(heat), bodies == 0)
         np.testing.assert_array_equal(heat[bodies == 1], points[bodies == 1])
 
+    def test_arrays_of_the_input_whose_names_are_taken_stay(self):
+        box = surfaces.box()
+        for data, names in ((box.GetCellData(), ("BodyId", "BoundaryTag", "RegionIds")), (box.GetPointData(), ("BodyId",))):
+            for name in names:
+                surfaces.add_array(data, name, np.full(12 if data is box.GetCellData() else 8, 7))
+        made = insideout.boolean([box])
+        self.assertEqual(made.warnings, ["the input's array BodyId is passed on as Input_BodyId, for the output has its own"])
+        for name in ("Input_BodyId", "BoundaryTag", "RegionIds"):
+            self.assertEqual(set(surfaces.cell_array(made.surface, name)), {7})
+        self.assertEqual(set(surfaces.point_array(made.surface, "Input_BodyId")), {7})
+        self.assertEqual(set(made.bodies), {0})
+
     def test_blocks_are_bodies_and_inputs_are_called_by_letters(self):
         blocks = vtkMultiBlockDataSet()
         for index, (name, surface) in enumerate({"liver": surfaces.box(), "left lung": surfaces.box((0.5, 0, 0))}.items()):
@@ -176,6 +188,14 @@ class Errors(unittest.TestCase):
         self.assertIn("body B is not in the expression", made.warnings)
         with self.assertRaisesRegex(insideout.Error, "there are no surfaces"):
             insideout.boolean([])
+
+    def test_what_is_no_row_of_surfaces_is_said(self):
+        for one in ("nofile.stl", surfaces.box(), 3):
+            with self.assertRaisesRegex(insideout.Error, f"surfaces is of type {type(one).__name__}; a boolean takes several"):
+                insideout.boolean(one)
+        for several, words in (({"tumour": 3}, "body tumour: the surface is of type int"), ([surfaces.box(), 3], "body B: the surface is of type int")):
+            with self.assertRaisesRegex(insideout.Error, words):
+                insideout.boolean(several)
 
 
 if __name__ == "__main__":

@@ -227,7 +227,8 @@ void BodyResolver::OrientBodies()
         {
           this->Result.SheetTriangles.push_back(body.TriangleIds[t]);
         }
-        ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
+        this->Result.Bodies[b].ThickenedFacets =
+          ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
       });
     this->Warn(body, turns.Warnings);
   }
@@ -382,12 +383,14 @@ Id BodyResolver::BodyOf(Id chainFacet) const
 
 ResolvedBodies BodyResolver::Resolve()
 {
+  Stopwatch stopwatch;
   if (this->Parameters.Chain.MergeTolerance > 0)
   {
     this->MergeGivenPoints();
   }
   this->CountFacetsOfBodies();
   this->OrientBodies();
+  this->Result.SecondsValidate = stopwatch.Lap();
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
   std::sort(this->Result.TurnedTriangles.begin(), this->Result.TurnedTriangles.end());
   std::sort(this->Result.SheetTriangles.begin(), this->Result.SheetTriangles.end());

@@ -28,6 +28,7 @@ struct CountedBody
 {
   SurfaceCounts Counts; ///< of a body without facets, which is empty, of what was given alone
   FacetTurns Turns;     ///< by facets of the body's own chain
+  Id ThickenedFacets = 0;
 };
 
 /** Bodies resolved together. Points and triangles go by the bodies' numbers. */
@@ -50,6 +51,7 @@ struct ResolvedBodies
   std::vector<Id> TurnedTriangles;     ///< turned over; ascending
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
   Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
+  double SecondsValidate = 0;          ///< until they met
   std::vector<std::string> Warnings;
 
   Id NumberOfBodies() const { return static_cast<Id>(this->Bodies.size()); }

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData
 
 from .data import AnySurface, TriangleSurface, as_surface, as_type
@@ -20,6 +20,15 @@ AnyBodies = Union[AnySurface, Mapping[str, AnySurface]]
 
 BODY_IDS, BODY_NAMES = "BodyIds", "BodyNames"
 """The cell array that numbers joined surfaces, and the field array of their names."""
+
+
+def as_body(name: str, surface: AnySurface, scale: Optional[float]) -> tuple[vtkPolyData, list[str]]:
+    """As `as_surface`; warnings and what it raises name the body."""
+    try:
+        polygons, warnings = as_surface(surface, scale)
+    except Error as error:
+        raise Error(f"body {name}: {error}") from None
+    return polygons, [f"body {name}: {warning}" for warning in warnings]
 
 
 def join(surfaces: Mapping[str, AnySurface], scale: Optional[float] = None) -> tuple[vtkPolyData, list[str]]:
@@ -34,22 +43,44 @@ def join(surfaces: Mapping[str, AnySurface], scale: Optional[float] = None) -> t
     for number, (name, surface) in enumerate(surfaces.items()):
         if not isinstance(name, str) or not name:
             raise Error(f"{name!r} is no name of a body")
-        try:
-            polygons, warnings = as_surface(surface, scale)
-        except Error as error:
-            raise Error(f"body {name}: {error}") from None
+        polygons, warnings = as_body(name, surface, scale)
         copy = vtkPolyData()
         copy.ShallowCopy(polygons)
+        if not _has_polygons(copy):
+            warnings.append(f"body {name}: the surface has no polygons: the body is empty")
+        warnings += [f"body {name}: {warning}" for warning in _keep_array(copy.GetCellData(), BODY_IDS)]
         ids = numpy_to_vtk(np.full(copy.GetNumberOfCells(), number, np.int32), deep=True)
         ids.SetName(BODY_IDS)
         copy.GetCellData().AddArray(ids)
         append.AddInputData(copy)
         names.InsertNextValue(name)
-        all_warnings += [f"body {name}: {warning}" for warning in warnings]
+        all_warnings += warnings
     run(append)
     joined = append.GetOutput()
+    if not _has_polygons(joined):
+        raise Error("none of the bodies has polygons")
     joined.GetFieldData().AddArray(names)
     return joined, all_warnings
+
+
+def _has_polygons(surface: vtkPolyData) -> bool:
+    return surface.GetNumberOfPolys() + surface.GetNumberOfStrips() > 0
+
+
+def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
+    """Give an array whose name is taken another, as the filters do, and say so."""
+    array = data.GetAbstractArray(name)
+    if array is None:
+        return []
+    renamed = f"Input_{name}"
+    while data.HasArray(renamed):
+        renamed = f"Input_{renamed}"
+    copy = array.NewInstance()
+    copy.DeepCopy(array)
+    copy.SetName(renamed)
+    data.RemoveArray(name)
+    data.AddArray(copy)
+    return [f"the input's array {name} is passed on as {renamed}, for the output has its own"]
 
 
 def as_bodies(surface: AnyBodies, scale: Optional[float], array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:

@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from typing import Any, Iterable, Literal, Mapping, Optional, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from .bodies import as_body
 from .checking import check
-from .data import AnySurface, Tetrahedra, TriangleSurface, as_surface, as_type
+from .data import AnySurface, Tetrahedra, TriangleSurface, as_type
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, one_of, run, statistics_of
 from .results import Result, counted
@@ -53,6 +56,11 @@ class Boolean(Result):
         return check(self.surface).seen() if self.surface.GetNumberOfCells() > 0 else {}
 
 
+def letter(number: int) -> str:
+    """What vtkWindingBoolean calls a body that has no name."""
+    return chr(ord("A") + number) if number < 26 else str(number + 1)
+
+
 @describe_options
 def boolean(
     surfaces: Union[Mapping[str, AnySurface], Iterable[AnySurface]],
@@ -89,11 +97,13 @@ def boolean(
     algorithm.SetExpression(expression or "")
     algorithm.SetTetrahedra(bool(tetrahedra))
     warnings: list[str] = []
+    if isinstance(surfaces, (str, os.PathLike, vtkPolyData)) or not hasattr(surfaces, "__iter__"):
+        raise Error(f"surfaces is of type {type(surfaces).__name__}; a boolean takes several surfaces: a list, or a dict by names")
     named = list(surfaces.items()) if isinstance(surfaces, Mapping) else [("", surface) for surface in surfaces]
     if not named:
         raise Error("there are no surfaces: a boolean takes one at least")
-    for name, surface in named:
-        polygons, more = as_surface(surface, options.scale)
+    for number, (name, surface) in enumerate(named):
+        polygons, more = as_body(str(name) or letter(number), surface, options.scale)
         algorithm.AddInputDataObject(0, polygons)
         algorithm.AddBodyName(str(name))
         warnings += more

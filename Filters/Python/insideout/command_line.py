@@ -204,7 +204,8 @@ class Job:
             return surface
 
         if self.options.together:
-            surface, _ = join({name: read_one(path) for name, path in self.files.bodies().items()})
+            surface, warnings = join({name: read_one(path) for name, path in self.files.bodies().items()})
+            self.warnings = self.warnings + warnings
         else:
             surface = read_one(self.files.surface)
         self.bars.finish()

@@ -172,7 +172,7 @@ class Names(Option):
     def checked(self, algorithm: Any, name: str, value: Any) -> str:
         if isinstance(value, str):
             return value
-        if not all(isinstance(one, str) for one in value):
+        if not isinstance(value, (list, tuple)) or not all(isinstance(one, str) for one in value):
             raise Error(f"{name} is {value!r}; it must be a list of names")
         return ",".join(re.sub(r"([\\\\,])", r"\\\1", one) for one in value)
 

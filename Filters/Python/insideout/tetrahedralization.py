@@ -198,6 +198,9 @@ def tetrahedralize(
     runs_again = options.parts() or options.refines()
     shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if runs_again else 1
     polygons, before, body_array = as_bodies(surface, options.scale, bodies)
+    if body_array and options.parts():  # the filter says it too, but hears of it in the second run
+        parting = "SeparateOverlaps" if options.separate_overlaps else "NonManifold of the kind Split"
+        raise Error(f"{parting} takes one body: it would part interfaces from their cells")
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.SetBodyArrayName(body_array or "")
     tetrahedralizer.ExtractInsideOff()
