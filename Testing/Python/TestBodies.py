@@ -234,6 +234,12 @@ class TestCommand(unittest.TestCase):
         bodies = json.loads((self.folder / "both.json").read_text())["bodies"]
         self.assertEqual({name: round(volume, 12) for name, volume in bodies.items()}, {"left": 8, "right": 12})
 
+    def test_a_body_without_polygons_is_told(self):
+        (self.folder / "none.obj").write_text("v 0 0 0\n", encoding="utf-8")
+        done = self.run_command("--together", "left.ply", "none.obj", "both.vtu")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Warning: body none: the surface has no polygons: the body is empty", done.stdout)
+
     def test_a_surface_of_them_is_what_encloses_them_all(self):
         done = self.run_command("--together", "left.ply", "right.ply", "both.ply")
         self.assertEqual(done.returncode, 0, done.stderr)
