@@ -57,10 +57,8 @@ int vtkDistributeParts::FillInputPortInformation(int vtkNotUsed(port), vtkInform
 int vtkDistributeParts::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
-  {
-    vtkInsideOutSayThatPartsAreWhole(outputVector->GetInformationObject(0));
-  }
+  vtkInsideOutSayWhetherPartsAreWhole(outputVector->GetInformationObject(0),
+    this->Controller && this->Controller->GetNumberOfProcesses() > 1);
   return 1;
 }
 
