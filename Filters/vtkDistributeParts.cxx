@@ -3,6 +3,7 @@
 
 #include "Private/vtkInsideOutAssembly.h"
 #include "Private/vtkInsideOutGather.h"
+#include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkDataObjectTree.h>
@@ -120,6 +121,8 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const std::vector<int> owners =
     ChooseOwners(vtkInsideOutCountCells(parts, controller), controller->GetNumberOfProcesses());
-  vtkInsideOutSetParts(vtkInsideOutMoveParts(parts, owners, controller), output);
+  std::vector<std::string> warnings;
+  vtkInsideOutSetParts(vtkInsideOutMoveParts(parts, owners, controller, warnings), output);
+  vtkInsideOutWarn(this, warnings);
   return 1;
 }
