@@ -3,6 +3,7 @@
 
 #include "Private/vtkInsideOutAssembly.h"
 #include "Private/vtkInsideOutGather.h"
+#include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
 #include <vtkDataObjectTree.h>
@@ -57,10 +58,8 @@ int vtkDistributeParts::FillInputPortInformation(int vtkNotUsed(port), vtkInform
 int vtkDistributeParts::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
-  {
-    vtkInsideOutSayThatPartsAreWhole(outputVector->GetInformationObject(0));
-  }
+  vtkInsideOutSayWhetherPartsAreWhole(outputVector->GetInformationObject(0),
+    this->Controller && this->Controller->GetNumberOfProcesses() > 1);
   return 1;
 }
 
@@ -122,6 +121,8 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const std::vector<int> owners =
     ChooseOwners(vtkInsideOutCountCells(parts, controller), controller->GetNumberOfProcesses());
-  vtkInsideOutSetParts(vtkInsideOutMoveParts(parts, owners, controller), output);
+  std::vector<std::string> warnings;
+  vtkInsideOutSetParts(vtkInsideOutMoveParts(parts, owners, controller, warnings), output);
+  vtkInsideOutWarn(this, warnings);
   return 1;
 }

@@ -9,9 +9,11 @@
  * once, where otherwise the first would do it all. Of a single process the input passes as it is.
  *
  * A part is a block, or a partitioned (multi-piece) data set as a whole. What several processes
- * have of one is put together, in their order and without ghost cells. The largest parts go first,
- * each to the process with the least work so far; a part's work is reckoned as its number of cells,
- * and a little for itself.
+ * have of one is put together, in their order and without ghost cells. It keeps the arrays that all
+ * its pieces have, and says which others it leaves out; tags of cells (as BoundaryTag) get one list
+ * of names (BoundaryTagNames) of all its pieces, and are renumbered where these differ. The largest
+ * parts go first, each to the process with the least work so far; a part's work is reckoned as its
+ * number of cells, and a little for itself.
  *
  * Output: the input's blocks, with their names and order, on every process; each holds only the
  * parts that are its own, as is usual with data on many processes. A process that has no blocks to

@@ -21,6 +21,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace insideout;
 
@@ -84,6 +85,8 @@ std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
     throw Error(
       ErrorCode::InvalidParameter, "the image has no points, or its axes are not x, y and z");
   }
+  double smallest = 1; // volume of a voxel
+  double largest = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double>& sides = grid.Axes[axis];
@@ -95,6 +98,21 @@ std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
         std::string("the grid's coordinates along ") + "xyz"[axis] +
           " are fewer than two, or do not ascend");
     }
+    double shortest = sides[1] - sides[0];
+    double longest = shortest;
+    for (std::size_t i = 2; i < sides.size(); ++i)
+    {
+      shortest = std::min(shortest, sides[i] - sides[i - 1]);
+      longest = std::max(longest, sides[i] - sides[i - 1]);
+    }
+    smallest *= shortest;
+    largest *= longest;
+  }
+  if (!std::isnormal(smallest) || !std::isfinite(largest))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::string("the voxels are too ") + (std::isfinite(largest) ? "small" : "large") +
+        ": the volume of one is no number in double precision");
   }
   return grid.Axes;
 }
@@ -103,6 +121,12 @@ std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
 std::vector<Tetrahedron> ReadInside(vtkUnstructuredGrid* solid, const vtkInsideOutTetrahedra& all)
 {
   vtkDataArray* const inside = solid->GetCellData()->GetArray("Inside");
+  if (inside && inside->GetNumberOfTuples() != solid->GetNumberOfCells())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the cell array Inside has " + std::to_string(inside->GetNumberOfTuples()) + " tuples for " +
+        std::to_string(solid->GetNumberOfCells()) + " cells");
+  }
   std::vector<Tetrahedron> cells;
   for (std::size_t c = 0; c < all.Cells.size(); ++c)
   {

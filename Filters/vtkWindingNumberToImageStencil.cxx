@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkWindingNumberToImageStencil.h"
 
+#include "Common/Error.h"
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutVisitPlaces.h"
 
@@ -11,6 +13,7 @@
 #include <vtkImageStencilData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -91,6 +94,17 @@ int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(reque
   return vtkInsideOutRun(this, outputVector,
     [&]()
     {
+      if (vtkInsideOutAreLines(surface))
+      {
+        throw Error(ErrorCode::EmptySurface,
+          "the surface has lines but no polygons, and a stencil is of polygons only");
+      }
+      vtkImageData* const like = this->GetInformationInput();
+      if (like && !like->GetDirectionMatrix()->IsIdentity())
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "the image's axes are not x, y and z, and a stencil knows no others");
+      }
       vtkImageStencilData* stencil =
         this->AllocateOutputData(outInfo->Get(vtkDataObject::DATA_OBJECT()),
           outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));

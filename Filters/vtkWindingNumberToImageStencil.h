@@ -8,7 +8,8 @@
  * vtkPolyDataToImageStencil does for closed surfaces that do not cross themselves. Inside is where
  * the surface's winding number is above Threshold, as in vtkProbeWindingNumber, whose array Inside
  * on the image says the same. The image is told by InformationInput, or by OutputOrigin,
- * OutputSpacing and OutputWholeExtent, whose defaults are those of vtkImageStencilSource.
+ * OutputSpacing and OutputWholeExtent, whose defaults are those of vtkImageStencilSource. A stencil
+ * knows no other axes than x, y and z: an image with a direction of its own is an error.
  *
  * Bad input is an error that names the culprit, and the stencil is empty then.
  *
@@ -32,7 +33,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The surface: polygons and strips. Lines and vertices are ignored with a warning.
+   * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning;
+   * lines alone are an error.
    */
   void SetInputData(vtkPolyData* surface);
 

@@ -20,10 +20,11 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libgl2ps-dev"
 
 # Real meshes, a display for pictures, the checks of style and types, programs that read the files for
-# solvers, what the examples calculate with, and a second compiler with its sanitizers, their symbolizer and its OpenMP.
+# solvers, what the examples calculate with, a second compiler with its sanitizers, their symbolizer and its OpenMP,
+# and what CPack finds out with which packages a package of this one needs.
 packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy
   python3-meshio python3-h5py python3-scipy python3-matplotlib gmsh python3-gmsh calculix-ccx
-  clang-14 libclang-rt-14-dev libomp-14-dev llvm-14"
+  clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 dpkg-dev file"
 
 missing=
 for package in $packages; do
@@ -37,3 +38,6 @@ if [ -n "$missing" ]; then
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
     $missing >/dev/null
 fi
+
+# Another VTK, for a test that unpacks it.
+"$(dirname "$0")/OtherBuilds/download-vtk.sh" >/dev/null

@@ -5,7 +5,7 @@
 
 Writes into the folder: NAME.ply, the shells; heart.inp, the mesh of six bodies; job.inp and what CalculiX makes of it;
 heart.vtu, the mesh with its temperatures; heart.png. Lengths are in cm, heat in mW, temperatures in degrees above that
-of the skin all around.
+of the skin all around. EDGE_LENGTH is 0.45 unless it is given.
 """
 
 from __future__ import annotations
@@ -180,6 +180,6 @@ if __name__ == "__main__":
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     try:
-        main(Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 0.3)
+        main(Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 0.45)
     except (insideout.Error, CalculiXError) as error:
         sys.exit(f"heart.py: {error}")

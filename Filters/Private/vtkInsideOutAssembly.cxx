@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutAssembly.h"
 
+#include "vtkInsideOutTags.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCellData.h>
 #include <vtkCommunicator.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataObjectTypes.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiProcessController.h>
@@ -16,9 +20,11 @@
 #include <vtkNew.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <set>
 
 namespace
 {
@@ -138,12 +144,28 @@ void Build(vtkMultiProcessStream& words, vtkDataObjectTree* tree)
   }
 }
 
-vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
+/** Say which arrays of a piece are not among those of the whole. */
+void WarnOfLost(vtkFieldData* piece, vtkFieldData* whole, std::set<std::string>& warnings)
+{
+  for (int i = 0; i < piece->GetNumberOfArrays(); ++i)
+  {
+    const char* name = piece->GetArrayName(i);
+    if (name && !whole->HasArray(name))
+    {
+      warnings.insert(std::string("the array ") + name +
+        " is left out of a part, for not all its pieces have it, of one type");
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> Join(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, std::set<std::string>& warnings)
 {
   if (pieces.size() < 2)
   {
     return pieces.empty() ? nullptr : pieces.front();
   }
+  vtkInsideOutShareNames(pieces);
   vtkNew<vtkAppendPolyData> all;
   for (vtkPolyData* piece : pieces)
   {
@@ -151,7 +173,14 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
   }
   all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   all->Update();
-  return all->GetOutput();
+  vtkPolyData* whole = all->GetOutput();
+  for (vtkPolyData* piece : pieces)
+  {
+    WarnOfLost(piece->GetPointData(), whole->GetPointData(), warnings);
+    WarnOfLost(piece->GetCellData(), whole->GetCellData(), warnings);
+    WarnOfLost(piece->GetFieldData(), whole->GetFieldData(), warnings);
+  }
+  return whole;
 }
 } // namespace
 
@@ -234,8 +263,10 @@ std::vector<vtkIdType> vtkInsideOutCountCells(
 }
 
 std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideOutAssembly& parts,
-  const std::vector<int>& owners, vtkMultiProcessController* controller)
+  const std::vector<int>& owners, vtkMultiProcessController* controller,
+  std::vector<std::string>& warnings)
 {
+  std::set<std::string> lost;
   const int self = controller->GetLocalProcessId();
   std::vector<vtkSmartPointer<vtkPolyData>> moved(owners.size());
   for (int rank = 0; rank < controller->GetNumberOfProcesses(); ++rank)
@@ -248,7 +279,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideO
       if (owners[part] == rank)
       {
         message->SetBlock(static_cast<unsigned int>(ids.size()),
-          rank == self ? nullptr : Join(parts.Pieces[part]).Get());
+          rank == self ? nullptr : Join(parts.Pieces[part], lost).Get());
         ids.push_back(part);
       }
     }
@@ -261,7 +292,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideO
       {
         auto* blocks = vtkMultiBlockDataSet::SafeDownCast(messages[sender]);
         const vtkSmartPointer<vtkPolyData> piece = sender == self
-          ? Join(parts.Pieces[ids[i]])
+          ? Join(parts.Pieces[ids[i]], lost)
           : vtkSmartPointer<vtkPolyData>(
               vtkPolyData::SafeDownCast(blocks->GetBlock(static_cast<unsigned int>(i))));
         if (piece)
@@ -269,9 +300,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideO
           pieces.push_back(piece);
         }
       }
-      moved[ids[i]] = Join(pieces);
+      moved[ids[i]] = Join(pieces, lost);
     }
   }
+  warnings.insert(warnings.end(), lost.begin(), lost.end());
   return moved;
 }
 

@@ -42,11 +42,13 @@ std::vector<vtkIdType> vtkInsideOutCountCells(
 /**
  * Sends each part to the rank that owns it.
  *
+ * @param[in,out] warnings gains a line per array that not all pieces of a part have
  * @return the parts of this rank, of the pieces of all, in their order; none where it is another's
  * or empty
  */
 std::vector<vtkSmartPointer<vtkPolyData>> vtkInsideOutMoveParts(const vtkInsideOutAssembly& parts,
-  const std::vector<int>& owners, vtkMultiProcessController* controller);
+  const std::vector<int>& owners, vtkMultiProcessController* controller,
+  std::vector<std::string>& warnings);
 
 /** Puts parts in their places. */
 void vtkInsideOutSetParts(

@@ -87,6 +87,21 @@ std::optional<long long> WholeNumber(const vtkVariant& value)
   return isTooLarge ? std::nullopt : std::optional(number);
 }
 
+std::optional<long long> NumberAt(vtkDataArray* array, vtkIdType cell)
+{
+  return WholeNumber(array->GetDataType() == VTK_BIT
+      ? vtkVariant(array->GetComponent(cell, 0)) // vtkBitArray knows no variants
+      : array->GetVariantValue(cell));
+}
+
+/** What a number is called. */
+std::string NameOf(vtkStringArray* names, long long number)
+{
+  const bool isNamed =
+    names && number >= 0 && number < names->GetNumberOfValues() && !names->GetValue(number).empty();
+  return isNamed ? std::string(names->GetValue(number)) : std::to_string(number);
+}
+
 using Cells = std::vector<vtkIdType>;
 
 vtkInsideOutTags TagsOfNumbers(vtkDataArray* array, vtkStringArray* names, const Cells& cells)
@@ -95,15 +110,13 @@ vtkInsideOutTags TagsOfNumbers(vtkDataArray* array, vtkStringArray* names, const
   std::vector<long long> values;
   for (const vtkIdType cell : cells)
   {
-    const vtkVariant value = array->GetDataType() == VTK_BIT
-      ? vtkVariant(array->GetComponent(cell, 0)) // vtkBitArray knows no variants
-      : array->GetVariantValue(cell);
-    const std::optional<long long> number = WholeNumber(value);
+    const std::optional<long long> number = NumberAt(array, cell);
     if (!number)
     {
       throw Error(ErrorCode::InvalidParameter,
-        std::string("the cell array ") + array->GetName() + " has the value " + value.ToString() +
-          " at cell " + std::to_string(cell) + ": tags are integers or strings");
+        std::string("the cell array ") + array->GetName() + " has the value " +
+          array->GetVariantValue(cell).ToString() + " at cell " + std::to_string(cell) +
+          ": tags are integers or strings");
     }
     values.push_back(*number);
     tagOf.insert({ *number, 0 });
@@ -111,9 +124,7 @@ vtkInsideOutTags TagsOfNumbers(vtkDataArray* array, vtkStringArray* names, const
   TagNumbers numbers;
   for (auto& [number, tag] : tagOf)
   {
-    const bool isNamed = names && number >= 0 && number < names->GetNumberOfValues() &&
-      !names->GetValue(number).empty();
-    tag = numbers.Of(isNamed ? std::string(names->GetValue(number)) : std::to_string(number));
+    tag = numbers.Of(NameOf(names, number));
   }
   vtkInsideOutTags tags{ std::vector<int>(array->GetNumberOfTuples(), -1), numbers.Names };
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -231,4 +242,96 @@ void vtkInsideOutAddTags(const vtkInsideOutTags& tags, vtkPolyData* boundary)
   }
   boundary->GetCellData()->AddArray(vtkInsideOutMakeArray<vtkIntArray>("BoundaryTag", tagOf));
   boundary->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BoundaryTagNames", names));
+}
+
+namespace
+{
+bool AreEqual(vtkStringArray* a, vtkStringArray* b)
+{
+  bool areEqual = a && b && a->GetNumberOfValues() == b->GetNumberOfValues();
+  for (vtkIdType i = 0; areEqual && i < a->GetNumberOfValues(); ++i)
+  {
+    areEqual = a->GetValue(i) == b->GetValue(i);
+  }
+  return areEqual;
+}
+
+/** The cell arrays of numbers that have names in a piece. */
+std::vector<std::string> NamedArrays(vtkPolyData* piece)
+{
+  std::vector<std::string> named;
+  for (int i = 0; i < piece->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    const char* name = piece->GetCellData()->GetArrayName(i);
+    if (name && vtkDataArray::SafeDownCast(FindArray(piece, name)) && FindNames(piece, name))
+    {
+      named.emplace_back(name);
+    }
+  }
+  return named;
+}
+
+/** An array as numbers of names; nullptr where it has something else than integers. */
+vtkSmartPointer<vtkIntArray> Renumber(vtkPolyData* piece, const std::string& name, TagNumbers& all)
+{
+  auto* array = vtkDataArray::SafeDownCast(FindArray(piece, name));
+  vtkStringArray* names = FindNames(piece, name);
+  std::vector<int> numbers;
+  for (vtkIdType cell = 0; array && cell < piece->GetNumberOfCells(); ++cell)
+  {
+    const std::optional<long long> number = NumberAt(array, cell);
+    if (!number)
+    {
+      return nullptr;
+    }
+    numbers.push_back(all.Of(NameOf(names, *number)));
+  }
+  return array ? vtkInsideOutMakeArray<vtkIntArray>(name.c_str(), numbers) : nullptr;
+}
+
+/** Give the pieces the same names for what one of their arrays numbers. */
+void ShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const std::string& name)
+{
+  std::string nameOfNames;
+  TagNumbers all;
+  std::vector<vtkSmartPointer<vtkIntArray>> renumbered;
+  for (vtkPolyData* piece : pieces)
+  {
+    vtkStringArray* names = FindNames(piece, name);
+    nameOfNames = names ? names->GetName() : nameOfNames;
+    for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+    {
+      all.Of(NameOf(names, i));
+    }
+    renumbered.push_back(Renumber(piece, name, all));
+  }
+  if (std::find(renumbered.begin(), renumbered.end(), nullptr) != renumbered.end())
+  {
+    return; // no array of all pieces
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    vtkNew<vtkFieldData> fields; // the piece's own may be others' too
+    fields->ShallowCopy(pieces[i]->GetFieldData());
+    fields->AddArray(vtkInsideOutMakeStrings(nameOfNames.c_str(), all.Names));
+    pieces[i]->SetFieldData(fields);
+    pieces[i]->GetCellData()->AddArray(renumbered[i]);
+  }
+}
+} // namespace
+
+void vtkInsideOutShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
+{
+  for (vtkPolyData* piece : pieces)
+  {
+    for (const std::string& name : NamedArrays(piece))
+    {
+      const auto differs = [&](vtkPolyData* other)
+      { return !AreEqual(FindNames(piece, name), FindNames(other, name)); };
+      if (std::any_of(pieces.begin(), pieces.end(), differs))
+      {
+        ShareNames(pieces, name);
+      }
+    }
+  }
 }

@@ -7,6 +7,8 @@
 
 #include "vtkInsideOutBlock.h"
 
+#include <vtkSmartPointer.h>
+
 #include <string>
 #include <vector>
 
@@ -41,3 +43,10 @@ vtkInsideOutTags vtkInsideOutReadTags(
  * field array BoundaryTagNames. Those that lie on no cell close a hole, and have a tag of their
  * own, the last. */
 void vtkInsideOutAddTags(const vtkInsideOutTags& tags, vtkPolyData* boundary);
+
+/**
+ * Give the pieces of one surface the same names for what their cell arrays of integers number.
+ * Where the field arrays of names differ, all get one that has all names, and the cell arrays are
+ * renumbered. A number without a name is called as it is written.
+ */
+void vtkInsideOutShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces);

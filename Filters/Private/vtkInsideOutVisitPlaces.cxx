@@ -65,7 +65,6 @@ bool GetDimensions(vtkDataSet* input, int dimensions[3])
   }
   return false;
 }
-
 } // namespace
 
 vtkIdType vtkInsideOutNumberOfPlaces(vtkDataSet* input, bool atPoints)
@@ -96,6 +95,7 @@ bool vtkInsideOutReadAxes(vtkDataSet* input, bool atPoints, GridPlaces& grid)
   }
   return true;
 }
+
 namespace
 {
 /** Call work(first, places, progress) for some places after the other. */

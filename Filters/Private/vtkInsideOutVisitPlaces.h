@@ -21,7 +21,8 @@ bool vtkInsideOutReadAxes(vtkDataSet* input, bool atPoints, insideout::GridPlace
 
 /**
  * Call visit(first, values) with the winding numbers at all places, part by part: those of images
- * and rectilinear grids slice by slice, by several threads at once.
+ * and rectilinear grids slice by slice, by several threads at once; but for a surface of lines, and
+ * all other data sets, in parts of any size.
  *
  * @param sideOf where given, values only tell on which side of it the winding number is
  * @throws insideout::Error (Stopped)

@@ -45,9 +45,16 @@ bool AreSpreadParts(vtkInformation* input)
 }
 } // namespace
 
-void vtkInsideOutSayThatPartsAreWhole(vtkInformation* output)
+void vtkInsideOutSayWhetherPartsAreWhole(vtkInformation* output, bool areWhole)
 {
-  output->Set(PartsAreWhole(), 1);
+  if (areWhole)
+  {
+    output->Set(PartsAreWhole(), 1);
+  }
+  else
+  {
+    output->Remove(PartsAreWhole());
+  }
 }
 
 bool vtkInsideOutIsFurtherPiece(vtkInformationVector* outputVector)

@@ -14,11 +14,11 @@ class vtkInformation;
 class vtkInformationVector;
 
 /**
- * Say of an output that each of its blocks is whole in one process: filters that follow, and those
- * that follow them, then work on the blocks that their own process has, and each is a surface of
- * its own.
+ * Say of an output whether each of its blocks is whole in one process: filters that follow, and
+ * those that follow them, then work on the blocks that their own process has, and each is a surface
+ * of its own.
  */
-void vtkInsideOutSayThatPartsAreWhole(vtkInformation* output);
+void vtkInsideOutSayWhetherPartsAreWhole(vtkInformation* output, bool areWhole);
 
 /**
  * For what takes all blocks of its inputs on the first port together.

@@ -13,19 +13,12 @@ tests=$3
 prefix=$folder/vtk/usr
 libraries=$prefix/lib/$(gcc -print-multiarch)
 if [ ! -e "$folder/vtk/complete" ]; then
-  rm -rf "$folder/packages" "$folder/vtk"
-  mkdir -p "$folder/packages"
-  cd "$folder/packages"
-  # TBB is what it runs in parallel on; libvtk9.1-qt has what its CMake files insist on. A list of packages may be
-  # older than what is to be had.
-  packages="libvtk9.1 libvtk9.1-qt libvtk9-dev vtk9 python3-vtk9 libtbb-dev libtbb12 libtbbbind-2-5 libtbbmalloc2"
-  download="apt-get download -qq -o APT::Sandbox::User=root $packages"
-  $download || { apt-get update -qq && $download; }
-  for package in *.deb; do
+  rm -rf "$folder/vtk"
+  packages=$("$source/Testing/OtherBuilds/download-vtk.sh")
+  for package in "$packages"/*.deb; do
     dpkg -x "$package" "$folder/vtk"
   done
   touch "$folder/vtk/complete"
-  cd "$folder"
 fi
 
 # Packages keep no paths to libraries of their own.

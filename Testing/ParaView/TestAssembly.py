@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPartitionedDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -41,6 +41,14 @@ def part(number):
         if (which + number) % RANKS == RANK:
             data.GetPolys().InsertNextCell(4, [9999 if number == 150 else p for p in cell])  # refused, too
     return data
+
+
+def add_array(data, title, values, kind):
+    array = kind()
+    array.SetName(title)
+    for value in values:
+        array.InsertNextValue(value)
+    data.AddArray(array)
 
 
 def name(number):
@@ -183,6 +191,42 @@ def errors_of(whole):
 bodies = vtkRobustTetrahedralize()
 bodies.BlocksAreBodiesOn()
 assert errors_of(bodies) == errors_of(vtkWindingBoolean()) == (1 if RANKS > 1 else 0)
+
+# A side keeps its name, though each rank names only those that it has, in an order of its own.
+both, warnings = vtkPartitionedDataSetCollection(), []
+for number in range(2):
+    data = part(1)
+    own = [side for side in range(6) if (side + 1) % RANKS == RANK]
+    names = [f"side {side}" for side in own[::-1]]
+    if number == 0:
+        names.insert(0, "no side")
+    add_array(data.GetCellData(), "BoundaryTag", [names.index(f"side {side}") for side in own], vtkIntArray)
+    add_array(data.GetFieldData(), "BoundaryTagNames", names, vtkStringArray)
+    if RANK == 0:
+        add_array(data.GetCellData(), "of the first", own, vtkIntArray)
+    pieces = vtkPartitionedDataSet()
+    pieces.SetPartition(0, data)
+    both.SetPartitionedDataSet(number, pieces)
+distribute = vtkDistributeParts()
+distribute.AddObserver("WarningEvent", lambda *_: warnings.append(1))
+distribute.SetInputDataObject(both)
+distribute.UpdatePiece(RANK, RANKS, 0)
+held = 0
+for _, solid in solids(distribute.GetOutputDataObject(0)):
+    if solid:
+        held += 1
+        tags, names = solid.GetCellData().GetArray("BoundaryTag"), solid.GetFieldData().GetAbstractArray("BoundaryTagNames")
+        found = set()
+        for cell in range(6):
+            ids = solid.GetCell(cell).GetPointIds()
+            centre = np.mean([solid.GetPoint(ids.GetId(k)) for k in range(4)], axis=0)
+            side = [np.allclose(centre, CORNERS[list(quad)].mean(axis=0) * (1 + 1 / 7)) for quad in QUADS].index(True)
+            assert names.GetValue(tags.GetValue(cell)) == f"side {side}", (RANK, cell)
+            found.add(side)
+        assert len(found) == solid.GetNumberOfCells() == 6
+        assert solid.GetCellData().HasArray("of the first") == (RANKS == 1)
+assert bool(warnings) == (RANKS > 1 and held > 0), (RANK, warnings)
+assert total([held])[0] == 2
 controller.Barrier()
 if RANK == 0:
     print("the same on all ranks")

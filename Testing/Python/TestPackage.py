@@ -200,6 +200,8 @@ class Inputs(unittest.TestCase):
         for bad in (0, -1, "wide", (1, 2), float("nan"), 1e-9):
             with self.subTest(bad), self.assertRaisesRegex(insideout.Error, "spacing"):
                 insideout.voxels((points, triangles), bad)
+        with self.assertRaisesRegex(insideout.Error, "not finite"):
+            insideout.voxels((np.array(points) * [1, 1, np.inf], triangles), 0.1)
 
     def test_resolve_leaves_no_crossings(self):
         resolved = insideout.resolve(self.surface)

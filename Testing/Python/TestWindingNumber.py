@@ -54,6 +54,18 @@ def rectilinear(image):
     return grid_
 
 
+def outline():
+    """Lines around a triangle, without polygons."""
+    lines = vtkPolyData()
+    points, cells = vtkPoints(), vtkCellArray()
+    for x, y in ((0, 0), (1, 0), (0, 1), (0, 0)):
+        points.InsertNextPoint(x, y, 0)
+    cells.InsertNextCell(4, [0, 1, 2, 3])
+    lines.SetPoints(points)
+    lines.SetLines(cells)
+    return lines
+
+
 def scaled(surface, factor):
     copy = vtkPolyData()
     copy.DeepCopy(surface)
@@ -293,6 +305,30 @@ class TestVoxels(unittest.TestCase):
         stencil.SetInformationInput(grid())
         with self.assertRaises(insideout.Error):
             insideout.pipeline.run(stencil)
+        self.assertEqual(stencil.GetOutput().IsInside(4, 4, 4), 0)
+        self.assertEqual(stencil.GetOutput().GetExtent(), (0, -1, 0, -1, 0, -1))
+
+    def test_a_stencil_of_lines_alone_is_an_error_and_empty(self):
+        image = vtkImageData()
+        image.SetDimensions(200, 200, 3)  # more places than winding numbers of lines are calculated for at once
+        image.SetOrigin(-1, -1, -1)
+        image.SetSpacing(0.01, 0.01, 1)
+        stencil = insideout.vtkWindingNumberToImageStencil()
+        stencil.SetInputData(outline())
+        stencil.SetInformationInput(image)
+        with self.assertRaisesRegex(insideout.Error, "lines but no polygons"):
+            insideout.pipeline.run(stencil)
+        self.assertEqual(stencil.GetOutput().GetExtent(), (0, -1, 0, -1, 0, -1))
+
+    def test_a_stencil_of_an_image_that_is_turned_is_an_error(self):
+        image = grid()
+        image.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)
+        stencil = insideout.vtkWindingNumberToImageStencil()
+        stencil.SetInputData(sphere())
+        stencil.SetInformationInput(image)
+        with self.assertRaisesRegex(insideout.Error, "axes are not x, y and z"):
+            insideout.pipeline.run(stencil)
+        self.assertEqual(stencil.GetOutput().IsInside(4, 4, 4), 0)
 
     def test_fractions_sum_to_the_volume(self):
         result = insideout.tetrahedralize(sphere(4))
@@ -313,6 +349,29 @@ class TestVoxels(unittest.TestCase):
         fractions.SetInputData(image)
         fractions.SetSolidData(insideout.tetrahedralize(sphere()).solid)
         with self.assertRaisesRegex(insideout.Error, "along z"):
+            insideout.pipeline.run(fractions)
+
+    def test_fractions_of_voxels_without_a_volume_in_double_precision_are_an_error(self):
+        for spacing, culprit in ((1e-200, "too small"), (1e200, "too large")):
+            image = grid()
+            image.SetOrigin(0, 0, 0)
+            image.SetSpacing(spacing, spacing, spacing)
+            fractions = insideout.vtkVoxelFractions()
+            fractions.SetInputData(image)
+            fractions.SetSolidData(insideout.tetrahedralize(sphere(resolution=5)).solid)
+            with self.assertRaisesRegex(insideout.Error, culprit):
+                insideout.pipeline.run(fractions)
+
+    def test_fractions_of_a_solid_whose_array_is_too_short_are_an_error(self):
+        solid = insideout.tetrahedralize(sphere(resolution=5)).solid
+        inside = vtkDoubleArray()
+        inside.SetName("Inside")
+        inside.InsertNextValue(1)
+        solid.GetCellData().AddArray(inside)
+        fractions = insideout.vtkVoxelFractions()
+        fractions.SetInputData(grid())
+        fractions.SetSolidData(solid)
+        with self.assertRaisesRegex(insideout.Error, f"Inside has 1 tuples for {solid.GetNumberOfCells()} cells"):
             insideout.pipeline.run(fractions)
 
 
@@ -428,15 +487,8 @@ class TestImplicitFunction(unittest.TestCase):
             self.assertLess(implicit.FunctionValue(0, 0, 0), -0.4)
 
     def test_distances_of_lines_are_an_error(self):
-        lines = vtkPolyData()
-        points, cells = vtkPoints(), vtkCellArray()
-        for x, y in ((0, 0), (1, 0), (0, 1), (0, 0)):
-            points.InsertNextPoint(x, y, 0)
-        cells.InsertNextCell(4, [0, 1, 2, 3])
-        lines.SetPoints(points)
-        lines.SetLines(cells)
         with self.assertRaisesRegex(insideout.Error, "distances are of polygons only"):
-            insideout.distance(lines, [(0, 0, 0)])
+            insideout.distance(outline(), [(0, 0, 0)])
 
     def test_it_follows_the_surface_and_the_properties(self):
         surface = sphere()

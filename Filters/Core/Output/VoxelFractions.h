@@ -16,7 +16,7 @@ namespace insideout
  *
  * @param[in] cells of either orientation
  * @param[in] sides where the voxels of a grid begin and end along x, y and z: ascending strictly,
- *   at least two each
+ *   at least two each; the volumes of the voxels do not underflow or overflow
  * @return one value per voxel, x fastest, then y
  * @throws Error (Stopped)
  */

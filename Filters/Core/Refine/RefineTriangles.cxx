@@ -556,6 +556,7 @@ void Refiner::Run()
     }
   }
 }
+
 Id Refiner::CountLargeCells() const
 {
   const auto& points = this->Mesh.Points();
@@ -734,8 +735,7 @@ RefinedTriangles RefineTriangles(const SegmentComplex& curve, const PlanarMesh& 
       result.Warnings.push_back(std::to_string(large) + " of " +
         std::to_string(result.Mesh.NumberOfCells()) +
         " triangles are larger than MaximumVolume: edges that stay as they are may allow no "
-        "smaller "
-        "ones");
+        "smaller ones");
     }
   }
   AddStatistics(curve, mesh, inside, plane, result);

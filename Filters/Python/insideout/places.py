@@ -60,7 +60,8 @@ def read_seeds(path: str) -> list[tuple[tuple[float, float, float], bool, str]]:
 class _Table:
     """A line of names that begins with x, y, z, or none, then a line of numbers for each place.
 
-    Further columns are kept, letter by letter, but for those named w or inside, which get the new values.
+    Further columns are kept, letter by letter, but for those named w or inside, and distance where that is
+    asked for, which get the new values.
     """
 
     def __init__(self, path: str):

@@ -17,7 +17,7 @@ from .pipeline import Error, Progress, at_least, run
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
 
 MOST_VOXELS = 2**34
-"""More than memory holds, and fewer than VTK counts."""
+"""16 GiB of them, and fewer than VTK counts."""
 
 
 @describe_options
@@ -130,6 +130,8 @@ def voxels(
     if polygons.GetNumberOfPoints() == 0:
         raise Error("the surface has no points")
     low, high = np.array(polygons.GetPoints().GetBounds()).reshape(3, 2).T
+    if not np.isfinite([low, high]).all():
+        raise Error("the surface has a point that is not finite")
     sizes = np.maximum(np.ceil((high - low) / steps), 1)
     if not sizes.prod() < MOST_VOXELS:
         raise Error(f"spacing is {spacing}, which makes {sizes.prod():.3g} voxels; at most {MOST_VOXELS:.3g} are made")
