@@ -39,5 +39,6 @@ if [ -n "$missing" ]; then
     $missing >/dev/null
 fi
 
-# Another VTK, for a test that unpacks it.
-"$(dirname "$0")/OtherBuilds/download-vtk.sh" >/dev/null
+# Another VTK, for a test that unpacks it; all else works without.
+"$(dirname "$0")/OtherBuilds/download-vtk.sh" >/dev/null ||
+  echo "VTK 9.1 cannot be downloaded: the test OtherBuilds.PlainVtkHolds will fail" >&2

@@ -4,7 +4,7 @@
 # there, and print the folder that they are in.
 set -eu
 
-folder=${XDG_CACHE_HOME:-$HOME/.cache}/insideout/vtk-9.1
+folder=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/insideout/vtk-9.1
 if [ ! -e "$folder/complete" ]; then
   as_root=
   [ "$(id -u)" = 0 ] || as_root=sudo
