@@ -22,7 +22,7 @@ from figure import SKELETON, Bone, write_figure
 from scipy.sparse.linalg import splu
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkProbeFilter
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
@@ -76,6 +76,7 @@ def on_vertices(vertices: np.ndarray, solid, weights: np.ndarray) -> tuple[np.nd
     places.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(vertices[there < 0]), deep=True))
     probe.SetInputData(places)
     probe.SetSourceData(solid)
+    probe.SetCellLocatorPrototype(vtkStaticCellLocator())  # without one a place in small cells may not be found
     probe.Update()
     found = weights[there]
     found[there < 0] = drawing.point_array(probe.GetOutput(), "Weights")
