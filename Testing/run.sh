@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # run.sh [--long]: install what is needed, build with warnings as errors, and run the tests. Builds in
-# build-test/. About twenty minutes on two cores. With --long it takes hours (README.md beside this file).
+# build-test/. About half an hour on two cores. With --long it takes hours (README.md beside this file).
 set -eu
 cd "$(dirname "$0")/.."
 case "${1-}" in
