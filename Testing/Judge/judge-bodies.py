@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-import time
 from pathlib import Path
 
 import insideout
@@ -68,15 +67,13 @@ def main() -> int:
     parser.add_argument("--report", type=Path)
     options = parser.parse_args()
     surfaces = scattered(options.surfaces, options.seed)
-    began = time.monotonic()
     result = insideout.tetrahedralize(surfaces, region_rule="all")
-    seconds = time.monotonic() - began
     if options.report:
         options.report.mkdir(parents=True, exist_ok=True)
         insideout.write(result.solid, options.report / "bodies.vtu")
         insideout.write(result.hull, options.report / "hull.vtu")
         insideout.write(insideout.bodies.join(surfaces)[0], options.report / "surface.vtp")
-    print(f"{len(surfaces)} bodies, {len(result.regions)} regions, {len(result.solid.cells):,} cells in {seconds:.1f} s")
+    print(f"{len(surfaces)} bodies, {len(result.regions)} regions, {len(result.solid.cells):,} cells")
     statistics = result.statistics
     print(f"{statistics['IntersectingPairs']:,.0f} pairs cross, {statistics['LeftOutFacets']:.0f} facets left out, {len(result.lost_cells)} lost")
 

@@ -347,7 +347,8 @@ bool Refiner::IsEncroached(const Segment& ends, const PlanarPoint& place) const
 }
 
 /** Whether all points that a place within a cell sees are at least so far away, and constraints not
- * much nearer. */
+ * much nearer; and where no size is asked for, whether it is beyond the circles around these, for
+ * within one it would make a triangle that is flatter than the constraint needs. */
 bool Refiner::IsRoomy(Id cell, const PlanarPoint& place, double spacing) const
 {
   const auto& points = this->Mesh.Points();
@@ -359,7 +360,8 @@ bool Refiner::IsRoomy(Id cell, const PlanarPoint& place, double spacing) const
         const auto [a, b] = this->EndsOf(edge);
         const double height =
           2 * AreaOf(points[a], points[b], place, this->Mesh.Metric()) / this->Length(a, b);
-        return height >= LeastHeight * spacing;
+        return height >= LeastHeight * spacing &&
+          (this->Most < Infinite || !this->IsEncroached(this->EndsOf(edge), place));
       });
 }
 

@@ -408,6 +408,37 @@ TEST(RefineTriangles, MakesEdgesAndAreasAsLargeAsAskedFor)
   EXPECT_GT(refined(parameters).Mesh.Cells.size(), 100u);
 }
 
+TEST(RefineTriangles, MakesNoAngleSmallerWhereTheCurveIsKeptAndNoSizeIsAskedFor)
+{
+  const auto leastAngle = [](const std::vector<PlanarPoint>& points, const PlanarMesh& mesh,
+                            const std::vector<unsigned char>& inside)
+  {
+    double least = 180;
+    for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
+    {
+      least =
+        inside.empty() || inside[c] ? std::min(least, LeastAngle(points, mesh.Cells[c])) : least;
+    }
+    return least;
+  };
+  RefinementParameters parameters;
+  parameters.Surface = SurfaceTreatment::Kept;
+  std::vector<SegmentSoup> soups = { Ring(40), Star(3),
+    Lines({ { 0, 0 }, { 4, 0 }, { 4, 1 }, { 6, 1 }, { 6, 2 }, { 4, 2 }, { 4, 3 }, { 0, 3 },
+            { 0, 0.2 } },
+      { { 0, 1, 2, 3, 4, 5, 6, 7, 8, 0 } }) };
+  for (unsigned seed = 0; seed < 16; ++seed)
+  {
+    soups.push_back(RandomWalk(seed, 9, 10, true));
+  }
+  for (const SegmentSoup& soup : soups)
+  {
+    const Refinement all = RefineHull(MeshHullOf(soup), parameters);
+    EXPECT_GE(leastAngle(all.Refined.Curve.Points, all.Refined.Mesh, {}),
+      leastAngle(all.Hull.Curve.Points, all.Hull.Mesh, all.Inside));
+  }
+}
+
 TEST(RefineTriangles, EndsAtSharpCornersAndKeepsTheRestGood)
 {
   for (const int needles : { 3, 20, 60 })
