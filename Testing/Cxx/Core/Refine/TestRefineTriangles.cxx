@@ -423,10 +423,11 @@ TEST(RefineTriangles, MakesNoAngleSmallerWhereTheCurveIsKeptAndNoSizeIsAskedFor)
   };
   RefinementParameters parameters;
   parameters.Surface = SurfaceTreatment::Kept;
+  // The last: an outline with a gap, and a bar across one of its sides.
   std::vector<SegmentSoup> soups = { Ring(40), Star(3),
-    Lines({ { 0, 0 }, { 4, 0 }, { 4, 1 }, { 6, 1 }, { 6, 2 }, { 4, 2 }, { 4, 3 }, { 0, 3 },
-            { 0, 0.2 } },
-      { { 0, 1, 2, 3, 4, 5, 6, 7, 8, 0 } }) };
+    Lines({ { 0, 0 }, { 4, 0 }, { 4, 3 }, { 0, 3 }, { 0, 0.2 }, { 1, 1 }, { 6, 1 }, { 6, 2 },
+            { 1, 2 } },
+      { { 0, 1, 2, 3, 4 }, { 5, 6, 7, 8, 5 } }) };
   for (unsigned seed = 0; seed < 16; ++seed)
   {
     soups.push_back(RandomWalk(seed, 9, 10, true));
