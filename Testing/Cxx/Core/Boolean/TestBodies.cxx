@@ -7,6 +7,7 @@
 #include "Output/MassProperties.h"
 #include "Output/RegionBoundaries.h"
 #include "Support/AllowedThreads.h"
+#include "Support/BodiesOfSoups.h"
 #include "Support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@
 namespace
 {
 using namespace insideout;
+using testmeshes::BodiesOf;
 using testmeshes::Box;
 
 /** An octahedron about a center, its `open` first triangles away. */
@@ -44,21 +46,6 @@ TriangleSoup Octahedron(const Point& center, double radius, int open = 0)
     soup.Triangles.push_back(isTurned ? Triangle{ { x, z, y } } : Triangle{ { x, y, z } });
   }
   return soup;
-}
-
-std::vector<Body> BodiesOf(const std::vector<TriangleSoup>& soups)
-{
-  std::vector<Body> bodies;
-  Id points = 0;
-  Id triangles = 0;
-  for (const TriangleSoup& soup : soups)
-  {
-    bodies.push_back(
-      MakeBody(std::string(1, static_cast<char>('a' + bodies.size())), soup, points, triangles));
-    points += static_cast<Id>(soup.Points.size());
-    triangles += static_cast<Id>(soup.Triangles.size());
-  }
-  return bodies;
 }
 
 /** Bodies on one mesh, and where each is. */
@@ -351,7 +338,7 @@ TEST(Bodies, OfWhichOneIsWrongAreNamed)
   }
   catch (const Error& error)
   {
-    EXPECT_EQ(std::string(error.what()), "body b: point 3 is not finite");
+    EXPECT_EQ(std::string(error.what()), "body B: point 3 is not finite");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/ResolveBodies.h"
 
+#include "Support/BodiesOfSoups.h"
 #include "Support/TestMeshes.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 
@@ -16,21 +17,6 @@ using namespace testmeshes;
 TriangleSoup Cube(double low, double high)
 {
   return Box({ low, low, low }, { high, high, high });
-}
-
-std::vector<Body> BodiesOf(const std::vector<TriangleSoup>& soups)
-{
-  std::vector<Body> bodies;
-  Id points = 0;
-  Id triangles = 0;
-  for (const TriangleSoup& soup : soups)
-  {
-    bodies.push_back(
-      MakeBody(std::string(1, static_cast<char>('A' + bodies.size())), soup, points, triangles));
-    points += static_cast<Id>(soup.Points.size());
-    triangles += static_cast<Id>(soup.Triangles.size());
-  }
-  return bodies;
 }
 
 ResolvedBodies Resolved(const std::vector<TriangleSoup>& soups, const BodyParameters& given = {})
