@@ -54,7 +54,7 @@ constexpr double TooLong = 1.5;
 /** Points that there may be, per point of the input and per cell that sizes ask for: only against
  * two curves side by side, whose gap would be filled with triangles as small as it. Long edges come
  * first, so that what is left is small. */
-constexpr double PointsPerPoint = 100;
+constexpr double PointsPerPoint = 400;
 constexpr double PointsPerCell = 4;
 
 double EdgeOfArea(double area)

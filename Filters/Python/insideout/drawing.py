@@ -24,6 +24,7 @@ def draw(
     hull: vtkUnstructuredGrid,
     picture: Path,
     *,
+    solid: Optional[vtkUnstructuredGrid] = None,
     up: Optional[str] = None,
     row: bool = False,
     scale: Optional[float] = None,
@@ -35,6 +36,7 @@ def draw(
     surface  what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     hull     all tetrahedra of its hull: `tetrahedralize(surface).hull`
     picture  the file's name
+    solid    what is inside, where that is not cells of the hull but made of them: a refined `result.solid`
     up       which axis is up, "x", "y" or "z"; if it is not given z for a .stl file, otherwise y, or z where
              the surface is longer along it by a tenth
     row      a whole row of a contact sheet: the solid's boundary, and its tetrahedra in slices, as well
@@ -54,10 +56,10 @@ def draw(
     check_output(picture, PICTURES)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
     if is_flat(hull):
-        _write_panels(picture, curve=as_surface(surface, scale)[0], hull=hull, up=up)
+        _write_panels(picture, curve=as_surface(surface, scale)[0], hull=hull, solid=solid, up=up)
         return
     checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
-    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up, row=row)
+    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, solid=solid, up=up, row=row)
 
 
 def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
-    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--curve CURVE.vtp]
-        [--up z] [--row] [--quality FIGURES.vtu]
+    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--solid SOLID.vtu]
+        [--curve CURVE.vtp] [--up z] [--row] [--quality FIGURES.vtu]
 
 Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
 slice of the winding number w through the hull, and the tetrahedra inside, cut open; in a whole row the solid's boundary and
-its tetrahedra in slices, too. Without one of the two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
+its tetrahedra in slices, too. What is inside is cells of the hull, or a solid that was made of them. Without one of the two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
 of dihedral angles that `check_solid` puts into the field data of a solid. With a curve the hull is triangles in a plane:
 the curve, w in all of them, and those inside.
 """
@@ -119,7 +119,7 @@ def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPo
     if solid.GetNumberOfCells() == 0:
         return vtkPolyData()
     points = vtk_to_numpy(solid.GetPoints().GetData())
-    places = points[corners_of(solid.GetCells(), 4)].mean(axis=1) @ along
+    places = points[corners_of(solid.GetCells(), solid.GetCells().GetMaxCellSize())].mean(axis=1) @ along
     share = (places - places.min()) / max(np.ptp(places), np.finfo(float).tiny)
     chosen = vtkUnstructuredGrid()
     chosen.CopyStructure(solid)
@@ -274,33 +274,30 @@ def slice_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     return [slice_actor(slice_of(hull, view.slice_plane())), title, colour_bar()]
 
 
-def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
-    solid = inside_cells(hull)
+def solid_panel(solid: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     count = f"{solid.GetNumberOfCells():,} tetrahedra"
     title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=EDGES), title, words(count, 0.085)]
 
 
-def boundary_panel(hull: vtkUnstructuredGrid) -> list[vtkProp]:
-    boundary = surface_of(inside_cells(hull))
+def boundary_panel(solid: vtkUnstructuredGrid) -> list[vtkProp]:
+    boundary = surface_of(solid)
     count = f"{boundary.GetNumberOfCells():,} triangles"
     return [actor(boundary, SOLID), words("The solid's boundary", 0.95, size=30, bold=True), words(count, 0.085)]
 
 
-def slices_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
+def slices_panel(solid: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     """As a hot dog is cut: every other of equal slices, from left to right."""
-    solid = inside_cells(hull)
     count = f"every other of {2 * SLICES - 1} slices"
     title = words("Its tetrahedra, in slices", 0.95, size=30, bold=True)
     return [actor(some_slices(solid, view.right), SOLID, edge_colour=EDGES), title, words(count, 0.085)]
 
 
-def flat_panels(curve: vtkPolyData, hull: vtkUnstructuredGrid) -> list[list[vtkProp]]:
+def flat_panels(curve: vtkPolyData, hull: vtkUnstructuredGrid, solid: vtkUnstructuredGrid) -> list[list[vtkProp]]:
     """The same three of a curve in a plane."""
     statistics = statistics_of(hull)
     given = actor(triangles_of(curve), SOUND, edge_colour=INK) if curve.GetNumberOfPolys() else line_actor(curve, INK, 3)
     lines = [words(text, 0.105 - 0.03 * k, colour) for k, (text, colour) in enumerate(counts(statistics))]
-    solid = inside_cells(hull)
     return [
         [given, words("The curve and its defects", 0.95, size=30, bold=True), *lines],
         [slice_actor(surface_of(hull)), words("Winding number w", 0.95, size=30, bold=True), colour_bar()],
@@ -406,10 +403,15 @@ def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
     return surface_of(solid if solid.GetNumberOfCells() else hull)
 
 
-def draw_flat(picture: str, curve_file: str, hull_file: str, up: Optional[str]) -> None:
-    curve, hull = read(vtkXMLPolyDataReader(), curve_file), read(vtkXMLUnstructuredGridReader(), hull_file)
+def solid_of(hull: vtkUnstructuredGrid, options: argparse.Namespace) -> vtkUnstructuredGrid:
+    return read(vtkXMLUnstructuredGridReader(), options.solid) if options.solid else inside_cells(hull)
+
+
+def draw_flat(options: argparse.Namespace) -> None:
+    curve, hull = read(vtkXMLPolyDataReader(), options.curve), read(vtkXMLUnstructuredGridReader(), options.hull)
     description = "; ".join(text for text, _ in counts(statistics_of(hull)))
-    render(flat_panels(curve, hull), ViewFromAbove(surface_of(hull), up), picture, description)
+    panels = flat_panels(curve, hull, solid_of(hull, options))
+    render(panels, ViewFromAbove(surface_of(hull), options.up), options.picture, description)
 
 
 def main(options: argparse.Namespace) -> None:
@@ -427,9 +429,10 @@ def main(options: argparse.Namespace) -> None:
         description = "; ".join(text for text, _ in counts(statistics))
     if hull:
         view = view or View(triangles_of(outside_of(hull)), up)
-        panels += [slice_panel(hull, view), solid_panel(hull, view)]
+        solid = solid_of(hull, options)
+        panels += [slice_panel(hull, view), solid_panel(solid, view)]
         if options.row:
-            panels += [boundary_panel(hull), slices_panel(hull, view)]
+            panels += [boundary_panel(solid), slices_panel(solid, view)]
     if quality:
         figures = read(vtkXMLUnstructuredGridReader(), quality)
         panels.append(histogram_panel(figures))
@@ -443,6 +446,7 @@ if __name__ == "__main__":
     parser.add_argument("picture")
     parser.add_argument("--surface", nargs=2)
     parser.add_argument("--hull")
+    parser.add_argument("--solid")
     parser.add_argument("--curve")
     parser.add_argument("--up", choices="xyz")
     parser.add_argument("--row", action="store_true")
@@ -450,7 +454,7 @@ if __name__ == "__main__":
     options = parser.parse_args()
     try:
         if options.curve:
-            draw_flat(options.picture, options.curve, options.hull, options.up)
+            draw_flat(options)
         else:
             main(options)
     except Error as error:
