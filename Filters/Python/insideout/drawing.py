@@ -46,8 +46,8 @@ def draw(
     It is seen from the side that shows most: of the four sides, or from above if it is very flat, the one
     whose outline is largest, and of two opposite ones that with more points before the middle. The counts
     are those of the run that made the hull, and stand in the file's description, too; give the options it
-    had for the marks to agree with them. In two dimensions it is the curve, w in all triangles, and those inside,
-    seen straight from above.
+    had for the marks to agree with them. In two dimensions it is the curve with its defects as
+    points, w in all triangles, and those inside, seen straight from above.
 
     Draws in a process of its own, without a window; where there is no display it takes xvfb-run's.
     Raises `Error` with one line that names what is wrong.
@@ -56,7 +56,10 @@ def draw(
     check_output(picture, PICTURES)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
     if is_flat(hull):
-        _write_panels(picture, curve=as_surface(surface, scale)[0], hull=hull, solid=solid, up=up)
+        curve = as_surface(surface, scale)[0]
+        # What is wrong with polygons is told of surfaces in space: that their edges are open.
+        marks = check(curve, orientation=orientation, merge_tolerance=merge_tolerance).lines if curve.GetNumberOfPolys() == 0 else None
+        _write_panels(picture, curve=curve, marks=marks, hull=hull, solid=solid, up=up)
         return
     checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
     _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, solid=solid, up=up, row=row)
