@@ -110,7 +110,7 @@ class Function(unittest.TestCase):
             insideout.tetrahedralize(surfaces.box(), dimension=2)
         result = insideout.tetrahedralize(two_squares())
         with tempfile.TemporaryDirectory() as folder:
-            for name, words in (("a.stl", "lines"), ("a.msh", "tetrahedra")):
+            for name, words in (("a.stl", "lines"), ("a.msh", "triangles in a plane as .vtu")):
                 with self.assertRaisesRegex(insideout.Error, words):
                     insideout.write(result, os.path.join(folder, name))
             self.assertEqual(os.listdir(folder), [])
