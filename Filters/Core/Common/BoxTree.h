@@ -89,7 +89,41 @@ public:
     }
   }
 
-  /** The number of parts that VisitPairs can be asked for. */
+  /** Calls visit(i) for every box i in a part, of which the first holds all. */
+  template <class Visitor>
+  void VisitPart(Id part, const Visitor& visit) const
+  {
+    for (std::size_t node = part; node < this->Nodes[part].Next; ++node)
+    {
+      for (Id k = this->Nodes[node].Begin; k < this->Nodes[node].End; ++k)
+      {
+        visit(this->Order[k]);
+      }
+    }
+  }
+
+  /** Calls visit(i) for the boxes of the least parts that opens(part) is true for, as it was for
+   * all parts around them. */
+  template <class Opens, class Visitor>
+  void VisitOpened(const Opens& opens, const Visitor& visit) const
+  {
+    for (std::size_t node = 0; node < this->Nodes.size();)
+    {
+      const Node& here = this->Nodes[node];
+      if (!opens(static_cast<Id>(node)))
+      {
+        node = here.Next;
+        continue;
+      }
+      for (Id k = here.Begin; k < here.End; ++k)
+      {
+        visit(this->Order[k]);
+      }
+      ++node;
+    }
+  }
+
+  /** The number of parts, which VisitPairs and others can be asked for. */
   Id NumberOfParts() const { return static_cast<Id>(this->Nodes.size()); }
 
   /**

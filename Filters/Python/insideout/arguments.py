@@ -219,7 +219,7 @@ def _parser() -> argparse.ArgumentParser:
         "--winding",
         metavar="QUERY",
         help=f"only evaluate the winding number: at the places in a .csv file (columns x, y, z) or at the points of an "
-        f"image ({QUERIES[1]}); OUTPUT has the same ending",
+        f"image ({QUERIES[1]}); OUTPUT has the same ending; SURFACE may be points with normals, too, without faces",
     )
     mode.add_argument(
         "--distance",
