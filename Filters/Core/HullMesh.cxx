@@ -59,6 +59,8 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
 void TakeResolved(FacetComplex surface, std::size_t intersectingPairs, HullMesh& hull)
 {
   hull.Surface = std::move(surface);
+  hull.Mesh.Points = hull.Surface.Points;
+  hull.Mesh.Origins = hull.Surface.Origins;
   const Id leftOut = hull.Surface.NumberOfFacets() - hull.Surface.NumberOfConstraints;
   hull.Statistics.emplace_back("IntersectingPairs", intersectingPairs);
   hull.Statistics.emplace_back("ResolvedPoints", hull.Surface.Points.size());

@@ -22,8 +22,8 @@ struct HullMeshParameters
 /** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
 struct HullMesh
 {
-  FacetComplex Surface; ///< resolved; facets turned over as the orientation asked for
-  TetrahedralMesh Mesh;
+  FacetComplex Surface;  ///< resolved; facets turned over as the orientation asked for
+  TetrahedralMesh Mesh;  ///< as long as there are no cells, of the surface's points
   std::vector<double> W; ///< one per cell
   SurfaceCounts Counts;
   std::vector<Id> MergedInto;          ///< as CountedChain's

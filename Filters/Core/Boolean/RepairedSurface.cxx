@@ -62,4 +62,10 @@ std::optional<RepairedSurface> RepairSurface(const FacetComplex& surface, Monito
   monitor.Check(Stages::Extracting, 1);
   return repaired;
 }
+
+bool IsCutByWholeNumbers(const GraphCutParameters& cut)
+{
+  const GraphCutParameters most;
+  return cut.DataTerm == DataTerm::Uniform && cut.Gamma <= most.Gamma && cut.Sigma <= most.Sigma;
+}
 } // namespace insideout

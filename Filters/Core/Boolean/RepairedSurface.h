@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boolean/PatchBoundary.h"
+#include "GraphCut/CutEnergy.h"
 #include "Output/Outliers.h"
 
 #include <optional>
@@ -23,8 +24,7 @@ struct RepairedSurface
  * and inner walls are gone. It is watertight, and no two of its triangles meet but in shared points
  * and edges.
  *
- * The solid is the one that the cut gives with its default weights, or with Gamma 0: where w is a
- * whole number everywhere no label of it is worth changing (CutEnergy.h).
+ * The solid is the one that the cut gives with weights that IsCutByWholeNumbers is true for.
  *
  * @param[in] surface resolved
  * @return nothing where the surface is open, or a facet was left out in resolving: then w, or where
@@ -32,4 +32,10 @@ struct RepairedSurface
  * @throws Error (Stopped)
  */
 std::optional<RepairedSurface> RepairSurface(const FacetComplex& surface, Monitor& monitor);
+
+/**
+ * Whether a cut with these weights is known to take the cells with w of 1 or more, where w is a
+ * whole number in each: no weight is above the defaults', for which CutEnergy.h has the proof.
+ */
+bool IsCutByWholeNumbers(const GraphCutParameters& cut);
 } // namespace insideout
