@@ -15,6 +15,7 @@ import os
 import resource
 import sys
 import time
+from dataclasses import replace
 from typing import Any, Callable, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -306,9 +307,9 @@ class MeshJob(Job):
             raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
         for path in (output, self.files.hull or ""):
             check_format(path)
-        for path in (output, self.files.hull, self.files.plot):
-            if self.settings.surface_only and path and ending(path) not in WRITABLE_SURFACES:
-                raise Error(f"{path}: takes tetrahedra, which --surface-only goes without")
+        for taking in (output, self.files.hull or "", self.files.plot or ""):
+            if self.settings.surface_only and taking and ending(taking) not in WRITABLE_SURFACES:
+                raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
 
     def is_for_surface_only(self) -> bool:
         """Whether nothing is written that has tetrahedra, or tells of them."""
@@ -317,8 +318,9 @@ class MeshJob(Job):
 
     def work(self) -> None:
         surface = self.read()
-        options = {**vars(self.settings), "surface_only": self.settings.surface_only or self.is_for_surface_only()}
-        result = tetrahedralize(surface, progress=self.show_progress, **options)
+        if self.is_for_surface_only():
+            self.settings = replace(self.settings, surface_only=True)
+        result = tetrahedralize(surface, progress=self.show_progress, **vars(self.settings))
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
         self.statistics = dict(result.statistics)
