@@ -116,7 +116,10 @@ public:
       }
       for (Id k = leaf.Begin; other.Begin < other.End && k < leaf.End; ++k)
       {
-        this->VisitLeaf(k, other.Begin, other.End, visit);
+        if (this->Boxes[k].Meets(other.Bounds))
+        {
+          this->VisitLeaf(k, other.Begin, other.End, visit);
+        }
       }
       ++node;
     }
