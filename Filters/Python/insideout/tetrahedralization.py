@@ -130,7 +130,9 @@ class Tetrahedralization(Result):
         ]
 
     def seen(self) -> dict[str, Any]:
-        return {"hull": self.hull} if self.hull.GetNumberOfCells() > 0 else check(self.boundary).seen()
+        if self.hull.GetNumberOfCells() > 0:
+            return {"hull": self.hull, "solid": self.solid}
+        return check(self.boundary).seen()
 
     def to_meshio(self) -> Any:
         """The solid and its boundary as one meshio.Mesh: tetrahedra and triangles with all their arrays, in groups.
