@@ -12,7 +12,7 @@ namespace insideout
 class BoxTree
 {
 public:
-  explicit BoxTree(std::vector<Box> boxes);
+  explicit BoxTree(const std::vector<Box>& boxes);
 
   /** Calls visit(i) for every box i that meets `box`, in an order that is always the same. */
   template <class Visitor>
@@ -150,7 +150,10 @@ public:
       }
       for (Id k = leaf.Begin; other.Begin < other.End && k < leaf.End; ++k)
       {
-        this->VisitLeaf(k, other.Begin, other.End, visit);
+        if (this->Boxes[k].Meets(other.Bounds))
+        {
+          this->VisitLeaf(k, other.Begin, other.End, visit);
+        }
       }
       ++node;
     }
@@ -179,9 +182,10 @@ private:
   }
 
   struct Part;
-  struct NumberedBox;
-  bool Divide(std::vector<NumberedBox>& boxes, const Part& part);
-  void Build(std::vector<NumberedBox>& boxes, const Part& part);
+  struct Centre;
+  static void Divide(std::vector<Centre>& centres, const Part& part);
+  void Build(std::vector<Centre>& centres, const std::vector<Box>& given, const Part& part);
+  void Join(const Part& part);
 
   std::vector<Id> Order;  ///< of the boxes in the leaves
   std::vector<Box> Boxes; ///< in that order
