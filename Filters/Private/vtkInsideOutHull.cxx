@@ -20,11 +20,14 @@ vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
 }
 } // namespace
 
-vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const HullMeshParameters& parameters,
-  const vtkInsideOutHullArrays& names, Monitor& monitor)
+vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const vtkInsideOutHullArrays& names)
   : Surface(vtkInsideOutReadSurface(ShallowCopyOf(input), names.NonParticipating))
   , Outputs(this->Surface)
   , Bodies(vtkInsideOutReadBodies(this->Surface, names.Bodies))
+{
+}
+
+void vtkInsideOutHull::Mesh(const HullMeshParameters& parameters, Monitor& monitor)
 {
   if (this->Bodies.AreThere())
   {
@@ -37,6 +40,14 @@ vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const HullMeshParameters&
   else
   {
     this->Hull = MeshHull(this->Surface.Soup, parameters, monitor);
+  }
+}
+
+void vtkInsideOutHull::MakeGrid()
+{
+  if (this->Grid)
+  {
+    return;
   }
   this->Grid = this->Outputs.MakeGrid(this->Hull);
   if (this->Bodies.AreThere())

@@ -14,6 +14,7 @@
 
 #include <vtkType.h>
 
+#include <exception>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -54,9 +55,14 @@ inline auto vtkInsideOutAsTuple(
 /** Stages validate to w of a surface, of one body or several. */
 struct vtkInsideOutHull
 {
-  /** @throws insideout::Error */
-  vtkInsideOutHull(vtkPolyData* input, const insideout::HullMeshParameters& parameters,
-    const vtkInsideOutHullArrays& names, insideout::Monitor& monitor);
+  /** Reads the surface. @throws insideout::Error */
+  vtkInsideOutHull(vtkPolyData* input, const vtkInsideOutHullArrays& names);
+
+  /** Makes Hull and WOfBodies, without touching anything of VTK's. @throws insideout::Error */
+  void Mesh(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
+
+  /** Makes Grid, unless it is there. */
+  void MakeGrid();
 
   vtkInsideOutSurface Surface;
   vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
@@ -64,6 +70,7 @@ struct vtkInsideOutHull
   insideout::HullMesh Hull;
   std::vector<std::vector<double>> WOfBodies; ///< where there are bodies
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::exception_ptr Failure; ///< what went wrong where it was meshed ahead
 };
 
 /** The same of a curve, in two dimensions. */
