@@ -5,6 +5,7 @@
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutAttributes.h"
 #include "Private/vtkInsideOutBlock.h"
+#include "Private/vtkInsideOutFailTogether.h"
 #include "Private/vtkInsideOutGather.h"
 #include "Private/vtkInsideOutMakeWindingNumber.h"
 #include "Private/vtkInsideOutMonitor.h"
@@ -46,6 +47,7 @@ public:
 vtkProbeWindingNumber::vtkProbeWindingNumber()
   : Controller(vtkMultiProcessController::GetGlobalController())
   , Last(new Internal)
+  , Failures(new vtkInsideOutFailTogether)
 {
   this->SetNumberOfInputPorts(2);
   const CountedChainParameters chain;
@@ -97,6 +99,11 @@ void vtkProbeWindingNumber::SetSurfaceConnection(vtkAlgorithmOutput* output)
 vtkPolyData* vtkProbeWindingNumber::GetSurface()
 {
   return vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0));
+}
+
+int vtkProbeWindingNumber::ModifyRequest(vtkInformation* request, int when)
+{
+  return this->Failures->ModifyRequest(this, this->Controller, request, when);
 }
 
 int vtkProbeWindingNumber::FillInputPortInformation(int port, vtkInformation* info)

@@ -46,7 +46,8 @@
  * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
  * surface, whose pieces (ghost cells apart) are gathered and sent to all of them: so a process
  * holds the surface and its own places, and has the same w as one that does it all. ClosestCellId
- * then counts the cells of all pieces, one after the other. Where an input is composite each
+ * then counts the cells of all pieces, one after the other. Where an input fails in one process
+ * there is no output in any, and an error in each says in which. Where an input is composite each
  * process asks for the whole surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
@@ -59,8 +60,10 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkSmartPointer.h"           // for the controller
 
+#include <memory>
 #include <string>
 
+class vtkInsideOutFailTogether;
 class vtkMultiProcessController;
 class vtkPolyData;
 
@@ -265,6 +268,8 @@ public:
   int IsInsideSurface(double x[3]);
   ///@}
 
+  int ModifyRequest(vtkInformation* request, int when) override;
+
 protected:
   vtkProbeWindingNumber();
   ~vtkProbeWindingNumber() override;
@@ -299,6 +304,7 @@ private:
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface
+  const std::unique_ptr<vtkInsideOutFailTogether> Failures;
 };
 
 #endif

@@ -2,10 +2,13 @@
 #include "vtkRobustTetrahedralize.h"
 
 #include "Common/Stages.h"
+#include "Common/Team.h"
+#include "Private/vtkInsideOutBlock.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutHull.h"
 #include "Private/vtkInsideOutMakeTetrahedra.h"
 #include "Private/vtkInsideOutMakeTriangles.h"
+#include "Private/vtkInsideOutMeshAhead.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
 #include "Private/vtkInsideOutRun.h"
@@ -96,6 +99,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TagArrayName: " << this->TagArrayName << "\n";
   os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
+  os << indent << "BlocksAtOnce: " << this->BlocksAtOnce << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
   os << indent << "Priority: " << this->Priority << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
@@ -295,7 +299,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
     });
   if (this->GetReleaseDataFlag())
   {
-    this->HullsInAPlane->Forget();
+    this->HullsInAPlane->Forget(input);
   }
   const vtkInsideOutTriangles triangles =
     vtkInsideOutMakeTriangles(kept->Curve, kept->Hull, seeds, tags, PlanarOptionsOf(this), monitor);
@@ -370,6 +374,44 @@ void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
   }
 }
 
+void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
+{
+  const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+  constexpr std::size_t BlocksPerThread = 8; // so that threads end at about the same time
+  const std::size_t most = BlocksPerThread * std::min(this->BlocksAtOnce, MostThreads());
+  std::vector<vtkDataObject*> blocks = vtkInsideOutBlocksFromHere(this);
+  blocks.resize(std::min(blocks.size(), most));
+  std::vector<std::shared_ptr<vtkInsideOutHull>> hulls;
+  for (vtkDataObject* block : blocks)
+  {
+    try
+    {
+      const auto [input, names, warnings] = ReadInput(this, block);
+      const auto key = vtkInsideOutAsTuple(parameters, names);
+      if (!this->Hulls->Find(block, key) &&
+        vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_3)
+      {
+        hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
+        this->Hulls->Remember(block, key, hulls.back());
+      }
+    }
+    catch (const Error&)
+    {
+      // is said when VTK comes to the block
+    }
+  }
+  try
+  {
+    vtkInsideOutMeshAhead(hulls, parameters, !this->SurfaceOnly, this->BlocksAtOnce, monitor);
+  }
+  catch (...)
+  {
+    std::for_each(
+      blocks.begin(), blocks.end(), [this](vtkDataObject* block) { this->Hulls->Forget(block); });
+    throw;
+  }
+}
+
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -397,13 +439,26 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+      if (this->BlocksAtOnce > 1 &&
+        !this->Hulls->Find(given, vtkInsideOutAsTuple(parameters, names)))
+      {
+        this->MeshBlocksAhead(monitor);
+      }
       const std::shared_ptr<vtkInsideOutHull> kept =
         this->Hulls->Get(given, vtkInsideOutAsTuple(parameters, names),
           [&, &surface = input, &arrays = names]()
-          { return std::make_shared<vtkInsideOutHull>(surface, parameters, arrays, monitor); });
-      if (this->GetReleaseDataFlag())
+          {
+            auto hull = std::make_shared<vtkInsideOutHull>(surface, arrays);
+            hull->Resolve(parameters, monitor);
+            return hull;
+          });
+      if (this->GetReleaseDataFlag() || kept->Failure)
       {
-        this->Hulls->Forget();
+        this->Hulls->Forget(given);
+      }
+      if (kept->Failure)
+      {
+        std::rethrow_exception(kept->Failure);
       }
       const vtkInsideOutSolidOptions options = SolidOptionsOf(this);
       std::optional<vtkInsideOutTetrahedra> made;
@@ -415,6 +470,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       if (areTetrahedraMade)
       {
         kept->Fill(parameters, monitor);
+        kept->MakeGrid();
         made = vtkInsideOutMakeTetrahedra(
           *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, options, monitor);
       }

@@ -103,6 +103,7 @@
 #include <memory>
 #include <string>
 
+class vtkInsideOutMonitor;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -413,6 +414,19 @@ public:
   vtkBooleanMacro(BlocksAreBodies, bool);
   ///@}
 
+  ///@{
+  /**
+   * How many blocks of a composite data set are resolved and meshed at once, each by one thread;
+   * the solids are the same, bit by bit. That pays where blocks are many and small, for of a small
+   * one there is little that threads can share. As many as threads may work (OMP_NUM_THREADS) at
+   * most; each takes the memory that it takes alone, and the hulls of eight for each thread are
+   * kept until their turn comes. Of a single surface, of BlocksAreBodies and in a plane it does
+   * nothing. Default 1: one after the other. Range 1 to infinity.
+   */
+  vtkSetClampMacro(BlocksAtOnce, int, 1, VTK_INT_MAX);
+  vtkGetMacro(BlocksAtOnce, int);
+  ///@}
+
   /** What becomes a region where there are bodies. */
   enum RegionRuleType
   {
@@ -616,6 +630,7 @@ protected:
   std::string TagArrayName;
   std::string BodyArrayName;
   bool BlocksAreBodies = false;
+  int BlocksAtOnce = 1;
   int RegionRule = BY_PRIORITY;
   std::string Priority;
   int QuadratureOrder;
@@ -632,6 +647,7 @@ protected:
   bool QuadraticCells = false;
 
 private:
+  void MeshBlocksAhead(vtkInsideOutMonitor& monitor);
   void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void PutOut(vtkUnstructuredGrid* grid, vtkPolyData* boundary, vtkPolyData* outliers,
     vtkInformationVector* outputVector);

@@ -243,6 +243,7 @@ class Python(unittest.TestCase):
         "ExtractInside": "a result has both the solid and the hull",
         "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
         "BlocksAreBodies": "what a dict of surfaces is",
+        "BlocksAtOnce": "the function takes no composite data set but one of bodies",
     }
 
     def setUp(self):
