@@ -621,7 +621,6 @@ private:
 
   class Cache;
   std::unique_ptr<Cache> Hulls;
-  struct HullInAPlane;
   class CacheInAPlane;
   std::unique_ptr<CacheInAPlane> HullsInAPlane;
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whether set operations of real, dirty surfaces hold their laws, and what others make of the same pairs.
 
-    judge-boolean.py [--pairs N] [--seed N] [--most-triangles N] [--tetrahedra-up-to N] [--peer PROGRAM] SURFACE...
+    judge-boolean.py [--pairs N] [--seed N] [--most-triangles N] [--tetrahedra-up-to N] [--peer PROGRAM] [--limit SECONDS]
+        SURFACE...
 
 Takes pairs of the surfaces at random, each scaled to one size, and turned and moved so that they cross: a third of two
 surfaces, a third of a surface and its own moved copy, and a third that touch in a plane: the copy is moved within the
@@ -15,8 +16,8 @@ intersection and the difference are made, each alone, and judged:
     ways        with tetrahedra all three have the same volumes, to 1e-9 (surfaces of few triangles)
 
 With --peer (JudgeBooleanPeers) CGAL's corefinement and Nef polyhedra, and always vtkBooleanOperationPolyDataFilter, make
-the union, intersection and difference too, each in a process of its own with 20 s: how many complete, and how often all
-three volumes are ours, to 1e-6. Exit status 1 where a law is broken.
+the union, intersection and difference too, each in a process of its own, with a limit of time: how many complete, and
+how often all three volumes are ours, to 1e-6. Exit status 1 where a law is broken.
 """
 
 from __future__ import annotations
@@ -37,7 +38,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 EXPRESSIONS = ("A | B", "A & B", "A - B")
-LIMIT = 20  # seconds for a peer
 OURS, THEIRS = 1e-9, 1e-6  # how exact volumes are to be, of |A| + |B|
 
 
@@ -153,15 +153,15 @@ class Judge:
             if self.options.peer:
                 commands.update({name: [self.options.peer, name, *paths] for name in ("corefinement", "nef")})
             for name, command in commands.items():
-                found = answer(command)
+                found = answer(command, self.options.limit)
                 self.complete[name] += found is not None
                 self.right[name] += found is not None and bool(np.allclose(found, volumes, rtol=0, atol=THEIRS * whole))
 
 
-def answer(command: list[str]) -> Optional[list[float]]:
+def answer(command: list[str], limit: float) -> Optional[list[float]]:
     """The three volumes, in the order of EXPRESSIONS; None where it does not come to its end."""
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, check=True)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=True)
         volumes = [float(word) for word in done.stdout.split()]
         return volumes if len(volumes) == 3 else None
     except (subprocess.SubprocessError, ValueError):
@@ -194,6 +194,7 @@ def main() -> int:
     parser.add_argument("--most-triangles", type=int, default=20000, help="larger surfaces are passed over")
     parser.add_argument("--tetrahedra-up-to", type=int, default=3000, help="both ways for pairs of at most so many triangles")
     parser.add_argument("--peer", help="the program JudgeBooleanPeers")
+    parser.add_argument("--limit", type=float, default=20, help="seconds that a peer has for the three of a pair")
     parser.add_argument("--vtk", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.vtk:

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutHull.h"
+
+#include "vtkInsideOutMakeTriangles.h"
+
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <utility>
+
+using namespace insideout;
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(input);
+  return copy;
+}
+} // namespace
+
+vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const HullMeshParameters& parameters,
+  const vtkInsideOutHullArrays& names, Monitor& monitor)
+  : Surface(vtkInsideOutReadSurface(ShallowCopyOf(input), names.NonParticipating))
+  , Outputs(this->Surface)
+  , Bodies(vtkInsideOutReadBodies(this->Surface, names.Bodies))
+{
+  if (this->Bodies.AreThere())
+  {
+    HullOfBodies hull =
+      MeshBodies(SplitBodies(this->Surface.Soup, this->Bodies.OfTriangle, this->Bodies.Names),
+        parameters, monitor);
+    this->Hull = std::move(hull.Whole);
+    this->WOfBodies = std::move(hull.W);
+  }
+  else
+  {
+    this->Hull = MeshHull(this->Surface.Soup, parameters, monitor);
+  }
+  this->Grid = this->Outputs.MakeGrid(this->Hull);
+  if (this->Bodies.AreThere())
+  {
+    vtkInsideOutAddBodyW(this->WOfBodies, this->Bodies.Names, this->Grid);
+  }
+}
+
+vtkInsideOutPlanarHull::vtkInsideOutPlanarHull(vtkPolyData* input,
+  const PlanarHullParameters& parameters, const std::string& nonParticipating, Monitor& monitor)
+  : Curve(vtkInsideOutReadCurve(ShallowCopyOf(input), parameters.Orientation, nonParticipating))
+  , Hull(vtkInsideOutMeshPlanarHull(this->Curve, parameters, monitor))
+{
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * The hull of an input, in space or in a plane, and what decides about it: vtkRobustTetrahedralize
+ * keeps it for as long as only later stages change.
+ */
+#pragma once
+
+#include "HullMesh.h"
+#include "Planar/PlanarHull.h"
+#include "vtkInsideOutBodies.h"
+#include "vtkInsideOutMakeOutputs.h"
+#include "vtkInsideOutReadCurve.h"
+
+#include <vtkType.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+/** What of an input decides about the hull: the names of arrays; of blocks that are bodies their
+ * names, and when the last was modified, which a composite data set does not tell. */
+struct vtkInsideOutHullArrays
+{
+  std::string NonParticipating;
+  std::string Bodies;
+  std::vector<std::string> BlockNames;
+  vtkMTimeType BlocksTime = 0;
+};
+
+/** What decides about the hull, to be compared. Does not compile once a parameter is added: it may
+ * not be missing here. */
+inline auto vtkInsideOutAsTuple(
+  const insideout::HullMeshParameters& parameters, const vtkInsideOutHullArrays& names)
+{
+  const auto& [chain, orientation, thicken, budgets, quadratureOrder] = parameters;
+  const auto& [mergeTolerance, countDuplicates] = chain;
+  const auto& [width, all] = thicken;
+  const auto& [seconds, mebibytes, engine] = budgets;
+  const auto& [nonParticipating, bodies, blockNames, blocksTime] = names;
+  return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
+    mebibytes, engine, quadratureOrder, nonParticipating, bodies, blockNames, blocksTime);
+}
+
+/** The same in two dimensions. */
+inline auto vtkInsideOutAsTuple(
+  const insideout::PlanarHullParameters& parameters, const std::string& nonParticipating)
+{
+  const auto& [chain, orientation] = parameters;
+  const auto& [mergeTolerance, countDuplicates] = chain;
+  return std::make_tuple(mergeTolerance, countDuplicates, orientation, nonParticipating);
+}
+
+/** Stages validate to w of a surface, of one body or several. */
+struct vtkInsideOutHull
+{
+  /** @throws insideout::Error */
+  vtkInsideOutHull(vtkPolyData* input, const insideout::HullMeshParameters& parameters,
+    const vtkInsideOutHullArrays& names, insideout::Monitor& monitor);
+
+  vtkInsideOutSurface Surface;
+  vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
+  vtkInsideOutBodies Bodies;
+  insideout::HullMesh Hull;
+  std::vector<std::vector<double>> WOfBodies; ///< where there are bodies
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+};
+
+/** The same of a curve, in two dimensions. */
+struct vtkInsideOutPlanarHull
+{
+  /** @throws insideout::Error */
+  vtkInsideOutPlanarHull(vtkPolyData* input, const insideout::PlanarHullParameters& parameters,
+    const std::string& nonParticipating, insideout::Monitor& monitor);
+
+  vtkInsideOutCurve Curve;
+  insideout::PlanarHull Hull;
+};

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutMakeSolidSurfaces.h"
+
+#include "Common/Stages.h"
+#include "Output/MergePieces.h"
+#include "Output/RegionBoundaries.h"
+#include "Output/Topology.h"
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+using namespace insideout;
+
+namespace
+{
+void CountOutliers(
+  const HullMesh& hull, const std::vector<OutlierPiece>& pieces, Statistics& statistics)
+{
+  const auto count = [&](OutlierReason reason)
+  {
+    return std::count_if(pieces.begin(), pieces.end(),
+      [&](const OutlierPiece& piece) { return piece.Reason == reason; });
+  };
+  statistics.emplace_back("OutlierFacets", pieces.size() + hull.DegenerateTriangles.size());
+  statistics.emplace_back("OutliersByEnergy", count(OutlierReason::Energy));
+  statistics.emplace_back("OutliersLost", count(OutlierReason::Lost));
+  statistics.emplace_back("OutliersLeftOut", count(OutlierReason::LeftOut));
+  statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
+}
+
+/**
+ * The solid's boundary, of one body.
+ *
+ * @param[in] parted the solid that was parted from the hull, or null
+ */
+vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
+  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const vtkInsideOutBoundaryOptions& options, const TriangleSoup& soup,
+  vtkInsideOutMakeOutputs& outputs, Statistics& counts, Monitor& monitor)
+{
+  const TetrahedralMesh& mesh = parted ? parted->Solid.Mesh : hull.Mesh;
+  const std::vector<BoundaryFace> faces = BoundaryFaces(
+    mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
+  // Of the hull's cells: those of a parted solid overlap.
+  const std::vector<BoundaryFace> unparted =
+    parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
+  AppendTopology(
+    FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }), counts);
+  std::vector<BoundaryTriangle> boundary =
+    BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
+  if (options.MergePieces)
+  {
+    boundary = MergePieces(boundary, TrianglesInMesh(soup, hull.MergedInto, hull.Mesh), monitor,
+      { Stages::Extracting, 0.1, 0.2 });
+  }
+  monitor.Check(Stages::Extracting, 0.2);
+  if (options.IsManifold)
+  {
+    const ManifoldSurface manifold =
+      ManifoldBoundary(parted->Solid, faces, monitor, { Stages::Extracting, 0.2, 0.3 });
+    vtkInsideOutTellOfSharedPoints(manifold, counts, outputs.Warnings);
+    return outputs.MakeManifoldBoundary(hull, mesh, manifold, boundary);
+  }
+  return options.SplitSeams
+    ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
+    : outputs.MakeBoundary(hull, mesh, boundary);
+}
+
+/** The boundary of several bodies and the interfaces between their regions, with tags. */
+vtkSmartPointer<vtkPolyData> MakeBoundaryOfBodies(const HullMesh& hull, const BodyRegions& regions,
+  const std::vector<std::string>& names, const vtkInsideOutTags* tags,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const RegionBoundaries boundaries =
+    FindRegionBoundaries(hull.Mesh, regions.Regions, monitor, { Stages::Extracting, 0, 0.1 });
+  vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull.Mesh.Points, hull.Mesh.Origins,
+    BoundaryTriangles(
+      hull.Surface, hull.Mesh, boundaries.Faces, monitor, { Stages::Extracting, 0.1, 0.2 }),
+    hull.TurnedTriangles, { "Turned", "BoundaryTag", "RegionIds" });
+  vtkInsideOutAddRegionTags(boundaries, NamesOfRegions(regions, names), tags, boundary);
+  return boundary;
+}
+
+/** Output 2, and what is lost. */
+void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor, vtkInsideOutSolidSurfaces& surfaces)
+{
+  monitor.Check(Stages::Extracting, 0.35);
+  surfaces.Outliers = outputs.MakeOutliers(hull, outliers);
+  monitor.Check(Stages::Extracting, 0.4);
+  CountOutliers(hull, outliers, surfaces.Counts);
+  surfaces.Lost = MeasureLostArea(hull, outliers);
+  surfaces.Counts.emplace_back("LostShare", surfaces.Lost.Share);
+}
+} // namespace
+
+vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& kept,
+  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const vtkInsideOutBoundaryOptions& options, const vtkInsideOutTags& tags,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  vtkInsideOutSolidSurfaces surfaces;
+  surfaces.Boundary = MakeBoundary(
+    hull, inside, parted, options, kept.Surface.Soup, outputs, surfaces.Counts, monitor);
+  vtkInsideOutAddTags(tags, surfaces.Boundary);
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
+  AddOutliers(hull,
+    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 }),
+    outputs, monitor, surfaces);
+  return surfaces;
+}
+
+vtkInsideOutSolidSurfaces vtkInsideOutMakeSurfacesOfBodies(const vtkInsideOutHull& kept,
+  const vtkInsideOutSegmentedHull& segmented, const vtkInsideOutTags* tags,
+  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  const std::vector<unsigned char>& inside = segmented.All.Inside;
+  const ProgressRange lookingAtTopology = { Stages::Extracting, 0, 0 };
+  vtkInsideOutSolidSurfaces surfaces;
+  AppendTopology(
+    FindTopology(hull.Mesh, inside, BoundaryFaces(hull.Mesh, inside, monitor, lookingAtTopology),
+      monitor, lookingAtTopology),
+    surfaces.Counts);
+  surfaces.Boundary =
+    MakeBoundaryOfBodies(hull, segmented.Regions, kept.Bodies.Names, tags, outputs, monitor);
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
+  AddOutliers(hull,
+    OutlierPieces(hull.Surface, hull.Mesh,
+      vtkInsideOutIsInOwnBody(hull, kept.Bodies, segmented.InBodies), monitor,
+      { Stages::Extracting, 0.3, 0.35 }),
+    outputs, monitor, surfaces);
+  return surfaces;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Outputs 1 and 2 of vtkRobustTetrahedralize: the solid's boundary, and the input's facets that are
+ * no part of it.
+ */
+#pragma once
+
+#include "Common/Statistics.h"
+#include "LostArea.h"
+#include "vtkInsideOutHull.h"
+#include "vtkInsideOutPart.h"
+#include "vtkInsideOutSegmentHull.h"
+
+/** What the points and triangles of the boundary are to be. */
+struct vtkInsideOutBoundaryOptions
+{
+  bool MergePieces = false; ///< of input triangles
+  bool SplitSeams = false;
+  bool IsManifold = false; ///< of a parted solid
+};
+
+/** Both, and what is to be told of them. */
+struct vtkInsideOutSolidSurfaces
+{
+  vtkSmartPointer<vtkPolyData> Boundary;
+  vtkSmartPointer<vtkPolyData> Outliers;
+  insideout::Statistics Counts;
+  insideout::LostArea Lost;
+};
+
+/**
+ * Both of one body.
+ *
+ * @param[in] parted the solid that was parted from the hull, or null
+ * @param[in,out] outputs gains warnings
+ * @throws insideout::Error Stopped
+ */
+vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& kept,
+  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const vtkInsideOutBoundaryOptions& options, const vtkInsideOutTags& tags,
+  vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);
+
+/** Both of several bodies. @param[in] tags of the surface, or null */
+vtkInsideOutSolidSurfaces vtkInsideOutMakeSurfacesOfBodies(const vtkInsideOutHull& kept,
+  const vtkInsideOutSegmentedHull& segmented, const vtkInsideOutTags* tags,
+  vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutMakeTetrahedra.h"
+
+#include "Common/Stages.h"
+#include "NothingInside.h"
+#include "Output/MassProperties.h"
+#include "vtkInsideOutRefine.h"
+
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+using namespace insideout;
+
+namespace
+{
+/** The solid with copies of cells where it overlaps itself, and of points where it touches itself.
+ */
+vtkInsideOutParting Part(const HullMesh& hull, const std::vector<unsigned char>& inside,
+  bool separateOverlaps, bool splitPoints, Monitor& monitor)
+{
+  vtkInsideOutParting parting;
+  parting.Solid = UnpartedSolid(hull.Mesh, inside);
+  if (separateOverlaps)
+  {
+    vtkInsideOutSeparateOverlaps(hull, parting, monitor, { Stages::Extracting, 0, 0 });
+  }
+  if (splitPoints)
+  {
+    vtkInsideOutSplitPoints(parting, monitor, { Stages::Extracting, 0, 0 });
+  }
+  return parting;
+}
+
+/** The solid's cells with their regions, and what it and each of these weigh. */
+struct Solid
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::vector<MassProperties> Masses; ///< of the regions
+  MassProperties Mass;
+  Statistics Counts;
+};
+
+Solid MakeSolid(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
+  const SolidRegions& regions, vtkUnstructuredGrid* grid, bool extractInside, Monitor& monitor)
+{
+  Solid solid;
+  solid.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  solid.Grid->ShallowCopy(grid);
+  vtkInsideOutAddInside(inside, solid.Grid);
+  vtkInsideOutAddRegions(regions, solid.Grid);
+  if (extractInside)
+  {
+    solid.Grid = vtkInsideOutExtractInside(solid.Grid, monitor, { Stages::Extracting, 0.45, 1 });
+  }
+  const auto insideCells = std::count(inside.begin(), inside.end(), 1);
+  if (insideCells > 0)
+  {
+    solid.Masses = MeasureRegions(mesh, regions);
+  }
+  solid.Counts.emplace_back("InsideCells", insideCells);
+  solid.Counts.emplace_back("Regions", regions.Count);
+  solid.Mass = solid.Masses.size() == 1 ? solid.Masses.front() : MeasureMass(mesh, inside);
+  return solid;
+}
+
+/** The grid of all cells, with where bodies are. */
+vtkSmartPointer<vtkUnstructuredGrid> GridOf(
+  const vtkInsideOutHull& kept, const vtkInsideOutSegmentedHull& segmented)
+{
+  if (!kept.Bodies.AreThere())
+  {
+    return kept.Grid;
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->ShallowCopy(kept.Grid);
+  vtkInsideOutAddBodies(kept.Bodies, segmented.InBodies, segmented.Regions, kept.Hull.Mesh, grid);
+  return grid;
+}
+
+Solid MakeSolid(const vtkInsideOutHull& kept, const vtkInsideOutSegmentedHull& segmented,
+  const vtkInsideOutParting* parted, bool extractInside, Monitor& monitor)
+{
+  if (!parted)
+  {
+    return MakeSolid(kept.Hull.Mesh, segmented.All.Inside, segmented.Regions.Regions,
+      GridOf(kept, segmented), extractInside, monitor);
+  }
+  const TetrahedralMesh& mesh = parted->Solid.Mesh;
+  const SolidRegions regions =
+    FindRegions(mesh, parted->Solid.Inside, monitor, { Stages::Extracting, 0.4, 0.45 });
+  return MakeSolid(mesh, parted->Solid.Inside, regions,
+    vtkInsideOutMakePartedGrid(kept.Grid, *parted), true, monitor);
+}
+
+/** Refine the solid, and its boundary with it. */
+vtkInsideOutRefinement RefineSolid(const RefinementParameters& parameters, bool quadratic,
+  Solid& solid, vtkInsideOutSolidSurfaces& surfaces, Monitor& monitor)
+{
+  vtkInsideOutRefinement refinement =
+    vtkInsideOutRefine(solid.Grid, surfaces.Boundary, parameters, quadratic, monitor);
+  solid.Grid = refinement.Grid;
+  surfaces.Boundary = refinement.Boundary;
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    refinement.Masses.resize(solid.Masses.size()); // the last regions may have no cell
+    solid.Masses = refinement.Masses;
+    solid.Mass = refinement.Mass;
+  }
+  return refinement;
+}
+
+template <typename List>
+void Append(const List& more, List& list)
+{
+  list.insert(list.end(), more.begin(), more.end());
+}
+} // namespace
+
+vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
+  const std::vector<Seed>& seeds, vtkPointSet* points, const vtkInsideOutTags& tags,
+  const vtkInsideOutSolidOptions& options, Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  vtkInsideOutMakeOutputs outputs = kept.Outputs;
+  Stopwatch stopwatch;
+  const vtkInsideOutSegmentedHull segmented =
+    vtkInsideOutSegmentHull(kept, seeds, points, options.Segment, monitor);
+  const MeshSegmentation& segmentation = segmented.All;
+  const double cutSeconds = stopwatch.Lap();
+  vtkInsideOutParting parting;
+  const vtkInsideOutParting* parted = nullptr;
+  if (options.SeparateOverlaps || options.SplitPoints)
+  {
+    parting =
+      Part(hull, segmentation.Inside, options.SeparateOverlaps, options.SplitPoints, monitor);
+    parted = &parting;
+  }
+  vtkInsideOutSolidSurfaces surfaces = kept.Bodies.AreThere()
+    ? vtkInsideOutMakeSurfacesOfBodies(
+        kept, segmented, options.TagBodies ? &tags : nullptr, outputs, monitor)
+    : vtkInsideOutMakeSolidSurfaces(
+        kept, segmentation.Inside, parted, options.Boundary, tags, outputs, monitor);
+  Solid solid = MakeSolid(kept, segmented, parted, options.ExtractInside, monitor);
+  vtkInsideOutRefinement refinement;
+  if (options.Refine && !solid.Masses.empty())
+  {
+    refinement = RefineSolid(options.Refinement, options.QuadraticCells, solid, surfaces, monitor);
+  }
+
+  Statistics statistics = hull.Statistics;
+  statistics.emplace_back("SecondsCut", cutSeconds);
+  Append(segmentation.Statistics, statistics);
+  Append(parting.Statistics, statistics);
+  Append(solid.Counts, statistics);
+  AppendMass(solid.Mass, statistics);
+  statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
+  Append(surfaces.Counts, statistics);
+  Append(refinement.Statistics, statistics);
+  statistics.emplace_back("PeakMemory", PeakMemory());
+  vtkInsideOutAddStatistics(statistics, solid.Grid);
+  outputs.AddLeftOutCells(hull.Surface, solid.Grid);
+  vtkInsideOutAddMasses(solid.Masses, solid.Grid);
+
+  vtkInsideOutTetrahedra made{ solid.Grid, surfaces.Boundary, surfaces.Outliers, {} };
+  for (const auto& warnings : { hull.Warnings, segmentation.Warnings, parting.Warnings,
+         outputs.Warnings, refinement.Warnings })
+  {
+    Append(warnings, made.Warnings);
+  }
+  const std::string warning =
+    solid.Masses.empty() ? NothingInside(hull) : WarningAbout(surfaces.Lost);
+  if (!warning.empty())
+  {
+    made.Warnings.push_back(warning);
+  }
+  return made;
+}

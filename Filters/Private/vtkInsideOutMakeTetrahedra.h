@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * From the hull of a surface to data sets: what vtkRobustTetrahedralize does in three dimensions.
+ */
+#pragma once
+
+#include "Refine/RefineTetrahedra.h"
+#include "vtkInsideOutMakeSolidSurfaces.h"
+#include "vtkInsideOutSegmentHull.h"
+
+/** The options that matter after the hull. */
+struct vtkInsideOutSolidOptions
+{
+  vtkInsideOutSegmentOptions Segment;
+  vtkInsideOutBoundaryOptions Boundary;
+  bool TagBodies = false; ///< the boundary of bodies by the surface's tags, too
+  bool ExtractInside = true;
+  bool SeparateOverlaps = false;
+  bool SplitPoints = false; ///< where the solid touches itself
+  bool Refine = false;
+  insideout::RefinementParameters Refinement;
+  bool QuadraticCells = false;
+};
+
+/** Outputs, and what is to be told of them. */
+struct vtkInsideOutTetrahedra
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< with all statistics
+  vtkSmartPointer<vtkPolyData> Boundary;
+  vtkSmartPointer<vtkPolyData> Outliers;
+  std::vector<std::string> Warnings;
+};
+
+/**
+ * The stages after w.
+ *
+ * @param[in] points that the seeds were read from, or null
+ * @throws insideout::Error that names the culprit; Stopped
+ */
+vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
+  const std::vector<insideout::Seed>& seeds, vtkPointSet* points, const vtkInsideOutTags& tags,
+  const vtkInsideOutSolidOptions& options, insideout::Monitor& monitor);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * What of a hull is inside, and in which region: of one body, or of several that each have a cut.
+ */
+#pragma once
+
+#include "Boolean/BodyRegions.h"
+#include "GraphCut/SegmentMesh.h"
+#include "vtkInsideOutHull.h"
+
+class vtkPointSet;
+
+/** What the cut goes by. */
+struct vtkInsideOutSegmentOptions
+{
+  insideout::SegmentMeshParameters Parameters;
+  std::string ConstrainedArray; ///< the cell array that chooses which facets are kept
+  insideout::RegionRule Rule;   ///< of several bodies, as all below
+  std::string Priority;
+};
+
+/** What is inside, and the regions of that. */
+struct vtkInsideOutSegmentedHull
+{
+  insideout::MeshSegmentation All;                  ///< inside any body
+  std::vector<std::vector<unsigned char>> InBodies; ///< where there are bodies
+  insideout::BodyRegions Regions;
+};
+
+/**
+ * Stage cut.
+ *
+ * @param[in] points that the seeds were read from, or null
+ * @throws insideout::Error that names the seed or array at fault; Stopped
+ */
+vtkInsideOutSegmentedHull vtkInsideOutSegmentHull(const vtkInsideOutHull& kept,
+  const std::vector<insideout::Seed>& given, vtkPointSet* points,
+  const vtkInsideOutSegmentOptions& options, insideout::Monitor& monitor);
