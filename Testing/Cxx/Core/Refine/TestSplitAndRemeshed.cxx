@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, SplitAndRemeshed, testing::Range(0U, 3U));
 TEST(RemeshedSurface, HasFewThinTrianglesBesideEdgesThatStayShort)
 {
   // A disc of many sides, with a triangle from the centre to each: none of its rim may go.
-  constexpr int sides = 40;
+  constexpr int sides = 60;
   std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 0, 1 } } };
   std::vector<Tetrahedron> cells;
   for (int k = 0; k < sides; ++k)
@@ -166,7 +166,7 @@ TEST(RemeshedSurface, HasFewThinTrianglesBesideEdgesThatStayShort)
       }
     }
   }
-  EXPECT_LT(thin, 0.05 * all);
+  EXPECT_LT(thin, 0.1 * all);
 }
 
 TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
