@@ -12,6 +12,7 @@
 #include "Private/vtkInsideOutSeedsPort.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -20,6 +21,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <optional>
 
 using namespace insideout;
 
@@ -90,6 +92,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
   os << indent << "SplitSeams: " << this->SplitSeams << "\n";
+  os << indent << "SurfaceOnly: " << this->SurfaceOnly << "\n";
   os << indent << "TagArrayName: " << this->TagArrayName << "\n";
   os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
@@ -233,6 +236,22 @@ vtkInsideOutPlanarOptions PlanarOptionsOf(vtkRobustTetrahedralize* filter)
 }
 } // namespace
 
+void vtkRobustTetrahedralize::PutOut(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  vtkPolyData* outliers, vtkInformationVector* outputVector)
+{
+  auto* output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  if (this->SurfaceOnly)
+  {
+    output->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  }
+  else
+  {
+    output->ShallowCopy(grid);
+  }
+  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(boundary);
+  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(outliers);
+}
+
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -280,9 +299,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
   }
   const vtkInsideOutTriangles triangles =
     vtkInsideOutMakeTriangles(kept->Curve, kept->Hull, seeds, tags, PlanarOptionsOf(this), monitor);
-  vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(triangles.Grid);
-  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(triangles.Boundary);
-  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(triangles.Outliers);
+  this->PutOut(triangles.Grid, triangles.Boundary, triangles.Outliers, outputVector);
   if (this->Dimension == DIMENSION_AUTOMATIC)
   {
     vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(kept->Curve) });
@@ -388,12 +405,25 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       {
         this->Hulls->Forget();
       }
-      const vtkInsideOutTetrahedra tetrahedra = vtkInsideOutMakeTetrahedra(
-        *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, SolidOptionsOf(this), monitor);
-      vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(tetrahedra.Grid);
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(tetrahedra.Boundary);
-      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(tetrahedra.Outliers);
+      const vtkInsideOutSolidOptions options = SolidOptionsOf(this);
+      std::optional<vtkInsideOutTetrahedra> made;
+      if (this->SurfaceOnly)
+      {
+        made = vtkInsideOutMakeSurfaceOnly(*kept, !seeds.empty(), tags, options, monitor);
+      }
+      const bool areTetrahedraMade = !made;
+      if (areTetrahedraMade)
+      {
+        kept->Fill(parameters, monitor);
+        made = vtkInsideOutMakeTetrahedra(
+          *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, options, monitor);
+      }
+      if (this->SurfaceOnly)
+      {
+        vtkInsideOutAddStatistics({ { "Tetrahedra", areTetrahedraMade } }, made->Grid);
+      }
+      this->PutOut(made->Grid, made->Boundary, made->Outliers, outputVector);
       vtkInsideOutWarn(this, inputWarnings);
-      vtkInsideOutWarn(this, tetrahedra.Warnings);
+      vtkInsideOutWarn(this, made->Warnings);
     });
 }

@@ -57,8 +57,8 @@
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
  * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
  * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
- * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there;
- * SeparateOverlaps is an error.
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there, and SurfaceOnly
+ * does no more than leave the cells away; SeparateOverlaps is an error.
  *
  * With Refine the triangles inside are others there: Delaunay refinement, by EdgeLength, Grading
  * and MaximumVolume, the largest area. KEPT: the boundary and all lines at inside triangles stay.
@@ -362,6 +362,23 @@ public:
 
   ///@{
   /**
+   * On: only the surfaces are wanted, outputs 1 and 2; output 0 has field data and no cells. Where
+   * the input is closed the boundary is then found without tetrahedra, at the speed of
+   * vtkResolveSelfIntersections, from the winding numbers on both sides of its facets: the same
+   * solid, whose boundary has no self-intersections, inner walls and duplicates, and is watertight.
+   * An input that is open, has facets that could not be resolved, or has nothing inside goes
+   * through tetrahedra; so does all that is asked of cells or of more than one body: bodies,
+   * Refine, seeds, ConstrainFacets, NonManifold, SeparateOverlaps, a Gamma or Sigma above the
+   * default and DataTerm. Statistics_Tetrahedra says which way was taken (1 or 0). Without
+   * tetrahedra the statistics are those of the input and of the boundary, and Volume. Default off.
+   */
+  vtkSetMacro(SurfaceOnly, bool);
+  vtkGetMacro(SurfaceOnly, bool);
+  vtkBooleanMacro(SurfaceOnly, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of a cell array of the input, of one integer or string per cell: what becomes the
    * boundary's array BoundaryTag. Strings are numbered in the order of their first cells, integers
    * in their own order; these are called as the field array of strings says that goes with the
@@ -595,6 +612,7 @@ protected:
   std::string NonParticipatingArrayName;
   bool MergeCoplanarPieces = false;
   bool SplitSeams = false;
+  bool SurfaceOnly = false;
   std::string TagArrayName;
   std::string BodyArrayName;
   bool BlocksAreBodies = false;
@@ -615,6 +633,8 @@ protected:
 
 private:
   void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void PutOut(vtkUnstructuredGrid* grid, vtkPolyData* boundary, vtkPolyData* outliers,
+    vtkInformationVector* outputVector);
   bool PartsSolid();
   void CheckOptions();
   void CheckBodies(bool isPlanar);

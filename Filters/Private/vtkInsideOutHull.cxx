@@ -33,15 +33,23 @@ vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const HullMeshParameters&
         parameters, monitor);
     this->Hull = std::move(hull.Whole);
     this->WOfBodies = std::move(hull.W);
+    this->Grid = this->Outputs.MakeGrid(this->Hull);
+    vtkInsideOutAddBodyW(this->WOfBodies, this->Bodies.Names, this->Grid);
   }
   else
   {
-    this->Hull = MeshHull(this->Surface.Soup, parameters, monitor);
+    this->Hull = ResolveHull(this->Surface.Soup, parameters, monitor);
   }
-  this->Grid = this->Outputs.MakeGrid(this->Hull);
-  if (this->Bodies.AreThere())
+}
+
+void vtkInsideOutHull::Fill(const HullMeshParameters& parameters, Monitor& monitor)
+{
+  if (!this->Grid)
   {
-    vtkInsideOutAddBodyW(this->WOfBodies, this->Bodies.Names, this->Grid);
+    HullMesh filled = this->Hull;
+    MeshResolvedHull(parameters, filled, monitor);
+    this->Hull = std::move(filled);
+    this->Grid = this->Outputs.MakeGrid(this->Hull);
   }
 }
 

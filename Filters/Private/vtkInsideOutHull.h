@@ -54,16 +54,21 @@ inline auto vtkInsideOutAsTuple(
 /** Stages validate to w of a surface, of one body or several. */
 struct vtkInsideOutHull
 {
-  /** @throws insideout::Error */
+  /** Stages validate and pre of one body; all of several.
+   * @throws insideout::Error */
   vtkInsideOutHull(vtkPolyData* input, const insideout::HullMeshParameters& parameters,
     const vtkInsideOutHullArrays& names, insideout::Monitor& monitor);
+
+  /** The other stages, unless they are done.
+   * @throws insideout::Error; all is then as it was before */
+  void Fill(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
 
   vtkInsideOutSurface Surface;
   vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
   vtkInsideOutBodies Bodies;
   insideout::HullMesh Hull;
   std::vector<std::vector<double>> WOfBodies; ///< where there are bodies
-  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;  ///< null until filled
 };
 
 /** The same of a curve, in two dimensions. */
