@@ -2,6 +2,7 @@
 #include "Output/Topology.h"
 
 #include "Common/Stages.h"
+#include "Output/Regions.h"
 #include "Support/Homology.h"
 #include "Support/TestTetrahedra.h"
 
@@ -20,6 +21,34 @@ SolidTopology Find(const TetrahedralMesh& mesh, const std::vector<unsigned char>
   const ProgressRange progress = { Stages::Extracting, 0, 1 };
   return FindTopology(
     mesh, inside, BoundaryFaces(mesh, inside, silent, progress), silent, progress);
+}
+
+/** Of the cells inside alone, from their boundary. */
+void ExpectTheSameWithoutTheHull(
+  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside, const SolidTopology& found)
+{
+  Monitor silent;
+  const ProgressRange progress = { Stages::Extracting, 0, 1 };
+  std::vector<Tetrahedron> cells;
+  std::vector<Triangle> boundary;
+  for (std::size_t cell = 0; cell < inside.size(); ++cell)
+  {
+    if (inside[cell])
+    {
+      cells.push_back(mesh.Cells[cell]);
+    }
+  }
+  for (const BoundaryFace& face : BoundaryFaces(mesh, inside, silent, progress))
+  {
+    boundary.push_back(face.Corners);
+  }
+  const SolidTopology alone = FindTopology(
+    mesh.Points.size(), cells, boundary, FindRegions(mesh, inside, silent, progress).Count);
+  EXPECT_EQ(alone.Solid.Components, found.Solid.Components);
+  EXPECT_EQ(alone.Solid.Tunnels, found.Solid.Tunnels);
+  EXPECT_EQ(alone.Solid.Cavities, found.Solid.Cavities);
+  EXPECT_EQ(alone.Boundary.Tunnels, found.Boundary.Tunnels);
+  EXPECT_EQ(alone.Boundary.Cavities, found.Boundary.Cavities);
 }
 
 void ExpectThatOfHomology(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
@@ -47,6 +76,7 @@ void ExpectThatOfHomology(const TetrahedralMesh& mesh, const std::vector<unsigne
   EXPECT_EQ(found.Boundary.Components, boundary.Components);
   EXPECT_EQ(found.Boundary.Tunnels, boundary.Tunnels);
   EXPECT_EQ(found.Boundary.Cavities, boundary.Cavities);
+  ExpectTheSameWithoutTheHull(mesh, inside, found);
 }
 } // namespace
 
