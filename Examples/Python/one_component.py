@@ -19,7 +19,7 @@ import drawing  # noqa: E402  of the folder above
 import models  # noqa: E402
 
 MODEL = "b9_mesh.off"
-SEEN_FROM = (1, -1.6, 0.7)
+SEEN_FROM = (0.6, -1, 1.5)
 JOINING, REST = (217, 38, 31), (115, 168, 204)
 
 
