@@ -100,8 +100,8 @@ MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& see
   {
     throw Error(ErrorCode::InvalidParameter,
       "cell " + std::to_string(other) +
-        " is no tetrahedron; seeds, constraints, the choice of regions and Topology need "
-        "tetrahedra alone");
+        " is no tetrahedron; seeds and constraints need tetrahedra alone, and so do the choice of "
+        "regions and Topology");
   }
   if (other >= 0)
   {

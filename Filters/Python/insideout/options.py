@@ -136,14 +136,22 @@ class Order(Option):
         return {"metavar": "ORDER", "type": int, "choices": range(self.least, self.most + 1)}
 
 
-class Count(Number):
-    """A whole number."""
+class Count(Option):
+    """A whole number of at least 0."""
+
+    MOST = 2**31 - 1
 
     def checked(self, algorithm: Any, name: str, value: Any) -> int:
-        number = super().checked(algorithm, name, value)
-        if number != int(number):
-            raise Error(f"{name} is {value:g}; it must be a whole number")
+        number = at_least(0, name, value)
+        if number != int(number) or number > self.MOST:
+            raise Error(f"{name} is {value:g}; it must be a whole number of at most {self.MOST}")
         return int(number)
+
+    def used_by(self, algorithm: Any, value: Any) -> int:
+        return getattr(algorithm, "Get" + self.vtk_property)()
+
+    def help(self) -> str:
+        return f"{self.words}; default {self.used_by(vtkRobustTetrahedralize(), None)}"
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "COUNT", "type": int}
@@ -300,7 +308,7 @@ class Options:
         )
     )
     largest_regions: Optional[int] = _is(
-        Count("LargestRegions", "how many regions of the solid, parts that faces connect, stay at most: the largest; 0 is any number", most=2**31 - 1)
+        Count("LargestRegions", "how many regions of the solid, parts that faces connect, stay at most: the largest; 0 is any number")
     )
     minimum_region_volume: Optional[float] = _is(
         Number("MinimumRegionVolume", "drop regions of a smaller volume, in a plane area, in the surface's units")
