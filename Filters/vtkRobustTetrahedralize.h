@@ -301,7 +301,7 @@ public:
    * TOPOLOGY_ONE_COMPONENT (1): regions are joined, by the cells of shortest ways between them, or
    * dropped, whichever adds less energy, one after the other. TOPOLOGY_SIMPLY_CONNECTED (2): a ball
    * besides, in two dimensions a disc; tunnels and cavities are cut open by walls, or filled by
-   * membranes, all in the way that adds less energy. Neither is a global minimum. Seeds,
+   * membranes, each tried in the way that adds less energy. Neither is a global minimum. Seeds,
    * ConstrainFacets and NonManifold of the kind Fill still hold; where they forbid what is asked
    * for a warning says so. The statistics have EnergyBeforeTopology, DroppedRegions and
    * JoinedRegions. Where there are bodies each is made so alone. Default TOPOLOGY_ANY.

@@ -121,7 +121,8 @@ ControlledTopology ControlTopology(const SimplicialCells& cells, const CutEnergy
       ": what is to be outside, by seeds or because it was dropped, parts it, and what is to be "
       "inside, or kept, cannot be dropped");
   }
-  else if (left == 1 && isAsked && !IsBall(cells, inside, monitor))
+  else if (left == 1 && isAsked &&
+    !IsBall(cells, inside, monitor, { progress.Stage, progress.End, progress.End }))
   {
     result.Warnings.emplace_back("the solid could not be made simply connected: "
                                  "neither walls nor membranes do that here without breaking what "

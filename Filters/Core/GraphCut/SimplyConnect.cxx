@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/SimplyConnect.h"
 
+#include "Common/DisjointSets.h"
 #include "Common/SortUniquely.h"
-#include "Common/Stages.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <queue>
 
 namespace insideout
 {
 namespace
 {
+/** So many holes are tried one by one: for each a ball grows anew, which takes seconds for a
+ * million cells. */
+constexpr std::size_t MostMembranes = 16;
+
 /** Faces of a cell, by the sets of its corners as bits. */
 constexpr unsigned AllSets = 16;
 
@@ -222,6 +228,48 @@ bool Obeys(const std::vector<unsigned char>& labels, const std::vector<unsigned 
       [&](const FacetPiece& piece) { return has(labels, piece) || !has(inside, piece); });
 }
 
+/** What was filled, each hole by itself: cells that points connect; what costs least comes first.
+ */
+std::vector<std::vector<Id>> Membranes(const SimplicialCells& cells, const CutEnergy& energy,
+  const std::vector<unsigned char>& inside, const std::vector<unsigned char>& filled)
+{
+  DisjointSets sets(cells.NumberOfPoints);
+  const auto isAdded = [&](Id cell) { return filled[cell] && !inside[cell]; };
+  const Id count = static_cast<Id>(inside.size());
+  for (Id cell = 0; cell < count; ++cell)
+  {
+    const SimplicialCells::Range corners = cells.CornersOf(cell);
+    for (const Id* corner = corners.begin(); isAdded(cell) && corner != corners.end(); ++corner)
+    {
+      sets.Join(*corners.begin(), *corner);
+    }
+  }
+  std::map<Id, std::pair<double, std::vector<Id>>> bySet;
+  std::vector<unsigned char> labels = inside;
+  for (Id cell = 0; cell < count; ++cell)
+  {
+    if (isAdded(cell))
+    {
+      auto& [cost, members] = bySet[sets.Find(*cells.CornersOf(cell).begin())];
+      cost += GrowthByFlip(energy, labels, cell);
+      members.push_back(cell);
+      labels[cell] = 1;
+    }
+  }
+  std::vector<std::pair<double, std::vector<Id>>> byCost;
+  for (const auto& [set, membrane] : bySet)
+  {
+    byCost.push_back(membrane);
+  }
+  std::sort(byCost.begin(), byCost.end());
+  std::vector<std::vector<Id>> membranes;
+  for (const auto& [cost, members] : byCost)
+  {
+    membranes.push_back(members);
+  }
+  return membranes;
+}
+
 /** Of the cells inside with all their sides, edges and points. */
 Id EulerCharacteristic(const SimplicialCells& cells, const std::vector<unsigned char>& inside)
 {
@@ -313,10 +361,9 @@ bool SimpleCells::Allows(const GreedyLabels& labels, Id cell)
   return this->IsSimple(labels.Labels(), cell);
 }
 
-bool IsBall(
-  const SimplicialCells& cells, const std::vector<unsigned char>& inside, Monitor& monitor)
+bool IsBall(const SimplicialCells& cells, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress)
 {
-  const ProgressRange progress = { Stages::Segmenting, 1, 1 };
   std::vector<unsigned char> outside(inside.size());
   std::transform(inside.begin(), inside.end(), outside.begin(),
     [](unsigned char label) { return label == 0 ? 1 : 0; });
@@ -339,31 +386,57 @@ bool IsBall(
 bool SimplyConnect(const SimplicialCells& cells, const CutEnergy& energy, const FixedLabels& fixed,
   std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress)
 {
-  if (std::find(inside.begin(), inside.end(), 1) == inside.end() || IsBall(cells, inside, monitor))
+  const auto range = [&](std::size_t step)
+  {
+    const double at = progress.At(static_cast<double>(step) / (MostMembranes + 2));
+    return ProgressRange{ progress.Stage, at, at };
+  };
+  if (std::find(inside.begin(), inside.end(), 1) == inside.end() ||
+    IsBall(cells, inside, monitor, range(0)))
   {
     return true;
   }
   const SimpleCells simple(cells);
-  const double half = progress.At(0.5);
-  const std::vector<std::vector<unsigned char>> ways = {
-    Cut(cells, simple, inside,
-      LoopProgress(monitor, { progress.Stage, progress.Begin, half }, 2 * inside.size())),
-    Fill(cells, simple, inside,
-      LoopProgress(monitor, { progress.Stage, half, progress.End }, 2 * inside.size()))
-  };
-  const std::vector<unsigned char>* best = nullptr;
-  for (const std::vector<unsigned char>& way : ways)
+  std::vector<unsigned char> best;
+  double least = std::numeric_limits<double>::infinity();
+  /** Whether the ball is better than the best so far. */
+  const auto take = [&](const std::vector<unsigned char>& ball, std::size_t step)
   {
-    if (Obeys(way, inside, fixed) && IsBall(cells, way, monitor) &&
-      (!best || energy.Of(way) < energy.Of(*best)))
+    const double cost = energy.Of(ball);
+    const bool isBetter =
+      cost < least && Obeys(ball, inside, fixed) && IsBall(cells, ball, monitor, range(step));
+    if (isBetter)
     {
-      best = &way;
+      best = ball;
+      least = cost;
+    }
+    return isBetter;
+  };
+  const auto cut = [&](const std::vector<unsigned char>& labels, std::size_t step)
+  { return Cut(cells, simple, labels, LoopProgress(monitor, range(step), labels.size())); };
+
+  take(cut(inside, 0), 0);
+  const std::vector<unsigned char> filled =
+    Fill(cells, simple, inside, LoopProgress(monitor, range(1), inside.size()));
+  take(filled, 1);
+  std::vector<unsigned char> some = inside;
+  const std::vector<std::vector<Id>> membranes = Membranes(cells, energy, inside, filled);
+  for (std::size_t m = 0; m < std::min(membranes.size(), MostMembranes); ++m)
+  {
+    std::vector<unsigned char> more = some;
+    for (const Id cell : membranes[m])
+    {
+      more[cell] = 1;
+    }
+    if (take(cut(more, m + 2), m + 2))
+    {
+      some = more;
     }
   }
-  if (best)
+  if (!best.empty())
   {
-    inside = *best;
+    inside = best;
   }
-  return best != nullptr;
+  return !best.empty();
 }
 } // namespace insideout

@@ -28,14 +28,15 @@ private:
 };
 
 /**
- * Make the solid a ball, in a plane a disc: one part without tunnels or cavities, in two ways of
- * which the one with less energy is taken. *Cut*: a ball grows from the deepest cell inside,
- * through simple cells inside; what it cannot take stays outside, as walls across tunnels and
- * ways into cavities. *Fill*: the hull shrinks through simple cells outside; what it cannot leave
- * stays inside, as membranes across tunnels, and cavities. Either takes deep cells first, those
- * many sides from the solid's boundary, so that walls and membranes stand where it is narrow.
+ * Make the solid a ball, in a plane a disc: one part without tunnels or cavities. *Cut*: a ball
+ * grows from the deepest cell inside, through simple cells inside; what it cannot take stays
+ * outside, as walls across tunnels and ways into cavities. *Fill*: the hull shrinks through simple
+ * cells outside; what it cannot leave stays inside, as membranes across tunnels, and cavities.
+ * Either takes deep cells first, those many sides from the solid's boundary, so that walls and
+ * membranes stand where it is narrow. Of both, and of cutting once some holes are filled, what has
+ * less energy is taken: the holes are tried one by one, the membranes that cost least first.
  *
- * @param[in,out] inside one label per cell; left alone where neither way obeys what is fixed
+ * @param[in,out] inside one label per cell; left alone where no way obeys what is fixed
  * @return whether it is a ball now
  * @throws Error Stopped
  */
@@ -43,6 +44,6 @@ bool SimplyConnect(const SimplicialCells& cells, const CutEnergy& energy, const 
   std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
 
 /** Whether the solid is one part, which sides connect, with the Betti numbers of a ball. */
-bool IsBall(
-  const SimplicialCells& cells, const std::vector<unsigned char>& inside, Monitor& monitor);
+bool IsBall(const SimplicialCells& cells, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

@@ -5,6 +5,7 @@
 #include "HullMesh.h"
 #include "Support/CutReference.h"
 #include "Support/Homology.h"
+#include "Support/StopAtEveryReport.h"
 #include "Support/TestMeshes.h"
 #include "Support/TestTetrahedra.h"
 
@@ -441,6 +442,31 @@ TEST(SimplyConnect, TakesTheWayOfLessEnergy)
   }
 }
 
+/** Each hole in its own way: a block with a narrow hole, in the frame of a thin ring. */
+TEST(SimplyConnect, FillsOneHoleAndCutsAnotherOpen)
+{
+  const auto isBlock = [](int i, int j, int k)
+  { return i < 3 && j < 3 && k < 3 && !(i == 1 && j == 1); };
+  const auto isRing = [](int i, int j, int k)
+  { return k == 1 && i >= 2 && (i == 2 || i == 6 || j == 0 || j == 4) && j < 5; };
+  const Case made =
+    CubesCase(7, [&](int i, int j, int k) { return isBlock(i, j, k) || isRing(i, j, k); });
+  ASSERT_EQ(BettiOf(made.Mesh, Solve(made, {}).Inside).Tunnels, 2);
+  const MeshSegmentation ball = Solve(made, AskFor(TopologyGoal::SimplyConnected));
+  EXPECT_EQ(BettiOf(made.Mesh, ball.Inside).Tunnels, 0);
+  Id added = 0;
+  Id removed = 0;
+  for (std::size_t cell = 0; cell < made.W.size(); ++cell)
+  {
+    added += ball.Inside[cell] > made.W[cell];
+    removed += ball.Inside[cell] < made.W[cell];
+  }
+  EXPECT_GT(added, 0);
+  EXPECT_LE(added, 6);
+  EXPECT_GT(removed, 0);
+  EXPECT_LE(removed, 6);
+}
+
 TEST(SimplyConnect, KeepsItsPromiseOrSaysThatItDoesNot)
 {
   int balls = 0;
@@ -462,4 +488,26 @@ TEST(SimplyConnect, KeepsItsPromiseOrSaysThatItDoesNot)
     }
   }
   EXPECT_GE(balls, 12);
+}
+
+TEST(ControlTopology, StopsAtEveryReport)
+{
+  const Case made = RandomCase(3, 3);
+  const CellGraph graph = { made.W, InteriorFaces(made.Mesh), {}, {} };
+  const CutEnergy energy(graph, {});
+  const std::vector<unsigned char> labels = MinimumCut(energy);
+  const SimplicialCells cells(made.Mesh.Points.size(), made.Mesh.Cells, made.Mesh.Neighbors,
+    { { 2, 0, 1, 3 } }, [&]() { return std::vector<double>(labels.size(), 1.0); });
+  ControlTopologyParameters parameters;
+  parameters.Goal = TopologyGoal::SimplyConnected;
+  parameters.Regions.LargestRegions = 20;
+  parameters.Regions.FillCavities = true;
+  const int reports = testmeshes::StopAtEveryReport(
+    [&](Monitor& monitor, const ProgressRange& range)
+    {
+      std::vector<unsigned char> inside = labels;
+      ControlTopology(
+        cells, energy, { &graph.Demands, nullptr, {} }, parameters, inside, monitor, range);
+    });
+  EXPECT_GT(reports, 10);
 }
