@@ -169,8 +169,10 @@ vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
   {
     Append(warnings, made.Warnings);
   }
-  const std::string warning =
-    solid.Masses.empty() ? NothingInside(hull) : WarningAbout(surfaces.Lost);
+  // Where all regions were dropped a warning of the segmentation says so.
+  const std::string warning = !solid.Masses.empty() ? WarningAbout(surfaces.Lost)
+    : DropsRegions(segmentation.Statistics)         ? std::string()
+                                                    : NothingInside(hull);
   if (!warning.empty())
   {
     made.Warnings.push_back(warning);

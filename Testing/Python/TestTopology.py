@@ -89,6 +89,12 @@ class Regions(unittest.TestCase):
                 self.assertEqual(result.statistics["OutlierFacets"], len(surfaces.BOX_FACETS) * (3 - len(left)))
                 self.assertEqual(result.statistics["EnergyBeforeTopology"], result.statistics["Energy"])
 
+    def test_that_all_were_dropped_is_told_once(self):
+        result = insideout.tetrahedralize(apart(), minimum_region_volume=30)
+        self.assertEqual(len(result.solid.cells), 0)
+        self.assertEqual(len(result.warnings), 1)
+        self.assertIn("all 3 regions of the solid were dropped", result.warnings[0])
+
     def test_cavities_are_filled(self):
         kept, filled = (insideout.tetrahedralize(hollow(), fill_cavities=fill) for fill in (False, True))
         self.assertAlmostEqual(kept.statistics["Volume"], 26)

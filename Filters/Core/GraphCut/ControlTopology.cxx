@@ -5,6 +5,8 @@
 #include "GraphCut/ConnectRegions.h"
 #include "GraphCut/SimplyConnect.h"
 
+#include <algorithm>
+
 namespace insideout
 {
 namespace
@@ -84,6 +86,13 @@ ControlledTopology ControlTopology(const SimplicialCells& cells, const CutEnergy
   std::vector<unsigned char> before = inside;
   result.Regions = ChooseRegions(cells, *others.Demands, parameters.Regions, inside, monitor,
     { progress.Stage, progress.Begin, progress.At(0.2) });
+  if (result.Regions.DroppedRegions > 0 &&
+    std::find(inside.begin(), inside.end(), 1) == inside.end())
+  {
+    result.Warnings.push_back("all " + std::to_string(result.Regions.DroppedRegions) +
+      " regions of the solid were dropped: none is as large, or has a seed inside, as was asked "
+      "for");
+  }
   result.EnergyBefore = energy.Of(inside);
   if (parameters.Goal == TopologyGoal::Any)
   {

@@ -68,6 +68,12 @@ void Tell(const ControlledTopology& topology, MeshSegmentation& result)
 }
 } // namespace
 
+bool DropsRegions(const Statistics& statistics)
+{
+  return std::any_of(statistics.begin(), statistics.end(),
+    [](const auto& figure) { return figure.first == "DroppedRegions" && figure.second > 0; });
+}
+
 MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<double>& w,
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, Monitor& monitor)

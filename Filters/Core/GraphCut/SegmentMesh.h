@@ -46,6 +46,9 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, Monitor& monitor);
 
+/** Whether the statistics of a segmentation tell of regions that were dropped. */
+bool DropsRegions(const Statistics& statistics);
+
 /** What is asked of the mesh where it is needed. */
 struct MeshToSegment
 {

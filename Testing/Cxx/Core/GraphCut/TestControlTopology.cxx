@@ -236,6 +236,8 @@ TEST(ChooseRegions, KeepsThoseWithASeedInside)
   const MeshSegmentation none = Solve(made, parameters);
   EXPECT_EQ(std::count(none.Inside.begin(), none.Inside.end(), 1), 0);
   EXPECT_EQ(StatisticOf(none, "DroppedRegions"), 3);
+  ASSERT_EQ(none.Warnings.size(), 1u);
+  EXPECT_NE(none.Warnings[0].find("all 3 regions of the solid were dropped"), std::string::npos);
 }
 
 TEST(ChooseRegions, FillsCavitiesAndNothingElse)
