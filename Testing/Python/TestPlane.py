@@ -12,7 +12,9 @@ import unittest
 import insideout
 import numpy as np
 import surfaces
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 SQUARE = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)]
@@ -31,6 +33,15 @@ def two_squares() -> vtkPolyData:
 def area_of(points, triangles) -> float:
     a, b, c = (np.asarray(points)[np.asarray(triangles)[:, k]] for k in range(3))
     return float(np.cross(b - a, c - a)[:, 2].sum() / 2)
+
+
+def pixels_of(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
 
 
 def grid_in(path):
@@ -99,7 +110,7 @@ class Function(unittest.TestCase):
             insideout.tetrahedralize(surfaces.box(), dimension=2)
         result = insideout.tetrahedralize(two_squares())
         with tempfile.TemporaryDirectory() as folder:
-            for name, words in (("a.stl", "lines"), ("a.msh", "tetrahedra")):
+            for name, words in (("a.stl", "lines"), ("a.msh", "triangles in a plane as .vtu")):
                 with self.assertRaisesRegex(insideout.Error, words):
                     insideout.write(result, os.path.join(folder, name))
             self.assertEqual(os.listdir(folder), [])
@@ -111,8 +122,31 @@ class Function(unittest.TestCase):
             insideout.draw(two_squares(), result.hull, picture)
             with open(picture, "rb") as file:
                 content = file.read()
+            pixels = pixels_of(picture)
         self.assertTrue(content.startswith(b"\x89PNG"))
         self.assertIn(b"2 intersecting pairs", content)
+        height, width, _ = pixels.shape
+        drawing = pixels[height // 5 :, : width // 3]  # without the words below
+        red = (drawing[..., 0] > 200) & (drawing[..., 1] < 80)
+        self.assertGreater(np.count_nonzero(red), 100, "the crossings")
+
+    def test_lines_without_crossings_are_lines(self):
+        resolved = insideout.resolve(two_squares())
+        self.assertIsInstance(resolved.surface, insideout.Polylines)
+        self.assertEqual(len(np.concatenate(resolved.surface.lines)), 12 + len(resolved.surface.lines))
+        self.assertIn("lines", repr(resolved))
+
+
+    def test_a_picture_shows_the_refined_solid_where_that_is_given(self):
+        result = insideout.tetrahedralize(two_squares(), edge_length=0.2, surface_treatment="split")
+        with tempfile.TemporaryDirectory() as folder:
+            seen = []
+            for solid in (None, result.solid):
+                insideout.draw(two_squares(), result.hull, os.path.join(folder, "picture.png"), solid=solid)
+                seen.append(pixels_of(os.path.join(folder, "picture.png")))
+        panel = seen[0].shape[1] // 3
+        np.testing.assert_array_equal(seen[0][:, : 2 * panel], seen[1][:, : 2 * panel])
+        self.assertGreater(np.count_nonzero(seen[0] != seen[1]), 10000)
 
 
 class Command(unittest.TestCase):
@@ -147,6 +181,14 @@ class Command(unittest.TestCase):
                 reader.SetFileName(self.path("boundary.vtp"))
                 reader.Update()
                 self.assertEqual(reader.GetOutput().GetNumberOfLines(), 2)
+
+    def test_the_picture_is_of_what_is_written(self):
+        source = self.path("curve.csv", CSV)
+        done = self.run_on(source, "--edge-length", "0.5", "--surface", "split", "--plot", self.path("out.png"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        hull = insideout.tetrahedralize(source).hull
+        insideout.draw(source, hull, self.path("expected.png"), solid=grid_in(self.path("out.vtu")))
+        np.testing.assert_array_equal(pixels_of(self.path("out.png")), pixels_of(self.path("expected.png")))
 
     def test_checking_lines_says_what_they_enclose_and_what_is_wrong(self):
         report = self.path("check.json")

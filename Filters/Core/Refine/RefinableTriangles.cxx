@@ -102,27 +102,33 @@ RefinableTriangles::Place RefinableTriangles::Locate(Id from, const PlanarPoint&
 
 RefinableTriangles::View RefinableTriangles::ViewFrom(Id cell, const PlanarPoint& place) const
 {
-  View view{ {}, std::numeric_limits<double>::infinity() };
-  std::vector<Id> reached{ cell };
+  View view{ { cell }, {}, std::numeric_limits<double>::infinity() };
   std::unordered_set<Id> known{ cell };
-  for (std::size_t i = 0; i < reached.size(); ++i)
+  for (std::size_t i = 0; i < view.Cells.size(); ++i)
   {
-    const Cell& here = this->Triangles[reached[i]];
+    const Id at = view.Cells[i];
+    const Cell& here = this->Triangles[at];
     for (int k = 0; k < 3; ++k)
     {
       const PlanarPoint& corner = this->Places[here.Corners[k]];
       view.Spacing = std::min(view.Spacing, this->Measure.Distance(corner, place));
+      const Id beyond = here.Neighbors[k];
       if (here.Sources[k] != None)
       {
-        view.Constraints.push_back({ reached[i], k });
-        continue;
+        view.Rim.push_back({ at, k });
       }
-      const Triangle& c = this->Triangles[here.Neighbors[k]].Corners;
-      if (known.count(here.Neighbors[k]) == 0 &&
-        this->Circle(this->Places[c[0]], this->Places[c[1]], this->Places[c[2]], place) > 0)
+      else if (known.count(beyond) == 0)
       {
-        known.insert(here.Neighbors[k]);
-        reached.push_back(here.Neighbors[k]);
+        const Triangle& c = this->Triangles[beyond].Corners;
+        if (this->Circle(this->Places[c[0]], this->Places[c[1]], this->Places[c[2]], place) > 0)
+        {
+          known.insert(beyond);
+          view.Cells.push_back(beyond);
+        }
+        else
+        {
+          view.Rim.push_back({ at, k });
+        }
       }
     }
   }

@@ -50,11 +50,13 @@ public:
    */
   Place Locate(Id from, const PlanarPoint& place) const;
 
-  /** What a place within a cell sees: what is around the cells whose circles it is in. */
+  /** What a place within a cell sees: the cells whose circles it is in, which those of a new point
+   * there would replace. */
   struct View
   {
-    std::vector<Place> Constraints;
-    double Spacing; ///< to the nearest corner of these cells
+    std::vector<Id> Cells;
+    std::vector<Place> Rim; ///< the edges around these; constraints are among them
+    double Spacing;         ///< to the nearest corner
   };
   View ViewFrom(Id cell, const PlanarPoint& place) const;
 

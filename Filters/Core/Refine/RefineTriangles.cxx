@@ -26,12 +26,16 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestRadius = 0.7;
 constexpr double LongestConstraint = 4.0 / 3;
 
-/** The square of the largest radius over the shortest edge, for which Ruppert's proof holds: no
- * angle is below 20.7 degrees. */
+/** The square of the largest radius over the shortest edge, for which Ruppert's proof holds; and
+ * the angle below which no triangle is then, in degrees. */
 constexpr double LargestSquaredRatio = 2;
+constexpr double GoodAngle = 20.7;
 
-/** Corners of the curve below this angle get shells. */
+/** Corners of the curve below the first angle get shells. Below the second all triangles between
+ * shells stay thin: good ones are as small as the corner is sharp, some hundred for each power of
+ * two in length. */
 constexpr double SharpCorner = 60;
+constexpr double SharpestCorner = 0.5;
 
 /** Two cuts are on one shell whose distances from the corner differ by less, as a part. */
 constexpr double SameShell = 1e-6;
@@ -40,10 +44,17 @@ constexpr double SameShell = 1e-6;
 constexpr double LeastSpacing = 0.7;
 constexpr double LeastHeight = 0.5;
 
+/** Kept: beside a long constraint either small triangles are flat or large ones stay. Edge lengths
+ * that are asked for make none that is flatter than this, in degrees. */
+constexpr double LeastAngleForLength = 10;
+
+/** Kept: triangles are told of whose edges are so many times longer than asked for. */
+constexpr double TooLong = 1.5;
+
 /** Points that there may be, per point of the input and per cell that sizes ask for: only against
  * two curves side by side, whose gap would be filled with triangles as small as it. Long edges come
  * first, so that what is left is small. */
-constexpr double PointsPerPoint = 100;
+constexpr double PointsPerPoint = 400;
 constexpr double PointsPerCell = 4;
 
 double EdgeOfArea(double area)
@@ -54,6 +65,21 @@ double EdgeOfArea(double area)
 double AreaOfEdge(double edge)
 {
   return edge * edge * std::sqrt(3.0) / 4;
+}
+
+/** The angle at the first of three corners, in degrees. */
+double AngleAt(
+  const PlanarPoint& p, const PlanarPoint& q, const PlanarPoint& r, const PlanarMetric& metric)
+{
+  const PlanarPoint u = metric.Map({ q[0] - p[0], q[1] - p[1] });
+  const PlanarPoint v = metric.Map({ r[0] - p[0], r[1] - p[1] });
+  return std::atan2(std::abs(u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]) * 180 / Pi;
+}
+
+double LeastAngleOf(
+  const PlanarPoint& p, const PlanarPoint& q, const PlanarPoint& r, const PlanarMetric& metric)
+{
+  return std::min({ AngleAt(p, q, r, metric), AngleAt(q, r, p, metric), AngleAt(r, p, q, metric) });
 }
 
 /** Of triangles, in degrees. */
@@ -72,12 +98,8 @@ Angles AnglesOf(const std::vector<PlanarPoint>& points, const std::vector<Triang
   {
     for (int k = 0; k < 3; ++k)
     {
-      const PlanarPoint &p = points[cell[k]], &q = points[cell[(k + 1) % 3]],
-                        &r = points[cell[(k + 2) % 3]];
-      const PlanarPoint u = metric.Map({ q[0] - p[0], q[1] - p[1] });
-      const PlanarPoint v = metric.Map({ r[0] - p[0], r[1] - p[1] });
       all.push_back(
-        std::atan2(std::abs(u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]) * 180 / Pi);
+        AngleAt(points[cell[k]], points[cell[(k + 1) % 3]], points[cell[(k + 2) % 3]], metric));
     }
   }
   if (all.empty())
@@ -100,12 +122,12 @@ public:
     , Parameters(parameters)
     , Watch(monitor)
     , IsSplit(parameters.Surface == SurfaceTreatment::Split)
+    , EdgeLength(std::ldexp(parameters.Sizes.EdgeLength, -plane.Exponent))
     , MostArea(ScaledArea(parameters.Sizes.MaximumVolume, plane.Exponent))
     , InputEdges(curve.Points.size(), None)
   {
-    const double length = std::ldexp(parameters.Sizes.EdgeLength, -plane.Exponent);
     this->Most =
-      std::min(parameters.Sizes.EdgeLength > 0 ? length : Infinite, EdgeOfArea(this->MostArea));
+      std::min(this->EdgeLength > 0 ? this->EdgeLength : Infinite, EdgeOfArea(this->MostArea));
     this->FindSizes();
     this->FindSharpCorners();
   }
@@ -114,6 +136,7 @@ public:
 
   const RefinableTriangles& Result() const { return this->Mesh; }
   Id CountLargeCells() const;
+  Id CountLongCells() const;
   bool RanOut() const { return this->HasRunOut; }
   Id SurfacePoints() const
   {
@@ -161,8 +184,8 @@ private:
   void LookAtTriangle(const Task& task);
   void Insert(Id cell, const PlanarPoint& place);
   bool IsEncroached(const Segment& ends, const PlanarPoint& place) const;
-  bool IsRoomy(Id cell, const PlanarPoint& place, double spacing) const;
-  bool IsAcrossSharpCorner(Id u, Id v) const;
+  bool IsRoomy(Id cell, const PlanarPoint& place, double spacing, double leastAngle) const;
+  bool IsAcrossSharpCorner(Id u, Id v, const Triangle& corners) const;
   bool SplitConstraint(const Place& edge, double leastHalf);
   bool MakeWay(const Place& at, const PlanarPoint& center, double leastHalf, bool& isBlocked);
   Id InputEdge(Id source) const;
@@ -177,6 +200,7 @@ private:
   const RefinementParameters& Parameters;
   Monitor& Watch;
   const bool IsSplit;
+  const double EdgeLength; ///< that is asked for, 0 for none
   const double MostArea;
   double Most = Infinite;     ///< that edges may be long
   std::vector<double> Sizes;  ///< per point, how long edges are to be there
@@ -346,28 +370,38 @@ bool Refiner::IsEncroached(const Segment& ends, const PlanarPoint& place) const
   return u[0] * v[0] + u[1] * v[1] < 0;
 }
 
-/** Whether all points that a place within a cell sees are at least so far away, and constraints not
- * much nearer; and where no size is asked for, whether it is beyond the circles around these, for
- * within one it would make a triangle that is flatter than the constraint needs. */
-bool Refiner::IsRoomy(Id cell, const PlanarPoint& place, double spacing) const
+/** Whether a point may come to a place within a cell where constraints stay: all points that it
+ * sees are so far away, constraints are not much nearer, and no triangle around it would be thinner
+ * than the angle, unless one that it takes the place of is. */
+bool Refiner::IsRoomy(Id cell, const PlanarPoint& place, double spacing, double leastAngle) const
 {
-  const auto& points = this->Mesh.Points();
   const RefinableTriangles::View view = this->Mesh.ViewFrom(cell, place);
-  return view.Spacing >= spacing &&
-    std::all_of(view.Constraints.begin(), view.Constraints.end(),
-      [&](const Place& edge)
-      {
-        const auto [a, b] = this->EndsOf(edge);
-        const double height =
-          2 * AreaOf(points[a], points[b], place, this->Mesh.Metric()) / this->Length(a, b);
-        return height >= LeastHeight * spacing &&
-          (this->Most < Infinite || !this->IsEncroached(this->EndsOf(edge), place));
-      });
+  const auto& points = this->Mesh.Points();
+  const PlanarMetric& metric = this->Mesh.Metric();
+  if (view.Spacing < spacing)
+  {
+    return false;
+  }
+  for (const Id c : view.Cells)
+  {
+    const auto& [p, q, r] = this->Mesh.Cells()[c].Corners;
+    leastAngle = std::min(leastAngle, LeastAngleOf(points[p], points[q], points[r], metric));
+  }
+  return std::none_of(view.Rim.begin(), view.Rim.end(),
+    [&](const Place& edge)
+    {
+      const auto [a, b] = this->EndsOf(edge);
+      const bool isConstraint = this->Mesh.Cells()[edge.Cell].Sources[edge.Edge] != None;
+      const double height = 2 * AreaOf(points[a], points[b], place, metric) / this->Length(a, b);
+      return (isConstraint && height < LeastHeight * spacing) ||
+        LeastAngleOf(points[a], points[b], place, metric) < leastAngle;
+    });
 }
 
-/** Whether two points cut constraints with a sharp corner between them, on one shell: then the edge
- * between them is short for that corner, and no point can help. */
-bool Refiner::IsAcrossSharpCorner(Id u, Id v) const
+/** Whether two corners of a triangle cut constraints with a sharp corner between them, on one
+ * shell, and the third is that corner, or it is sharper than triangles beside it can be good: then
+ * the edge between the two is short for that corner, and no point is to help. */
+bool Refiner::IsAcrossSharpCorner(Id u, Id v, const Triangle& corners) const
 {
   const Id first = this->InputEdges[u], second = this->InputEdges[v];
   if (first == None || second == None || first == second)
@@ -380,7 +414,9 @@ bool Refiner::IsAcrossSharpCorner(Id u, Id v) const
     if (this->IsSharp(p) && (p == other[0] || p == other[1]))
     {
       const double ofU = this->Length(p, u), ofV = this->Length(p, v);
-      return std::abs(ofU - ofV) <= SameShell * std::max(ofU, ofV);
+      const bool isAtCorner = std::find(corners.begin(), corners.end(), p) != corners.end();
+      return std::abs(ofU - ofV) <= SameShell * std::max(ofU, ofV) &&
+        (isAtCorner || this->Length(u, v) < SharpestCorner / 180 * Pi * ofU);
     }
   }
   return false;
@@ -440,9 +476,10 @@ bool Refiner::MakeWay(const Place& at, const PlanarPoint& center, double leastHa
   }
   else
   {
-    for (const Place& edge : this->Mesh.ViewFrom(at.Cell, center).Constraints)
+    for (const Place& edge : this->Mesh.ViewFrom(at.Cell, center).Rim)
     {
-      if (this->IsEncroached(this->EndsOf(edge), center))
+      if (this->Mesh.Cells()[edge.Cell].Sources[edge.Edge] != None &&
+        this->IsEncroached(this->EndsOf(edge), center))
       {
         blocking.push_back(edge);
       }
@@ -483,7 +520,7 @@ void Refiner::LookAtTriangle(const Task& task)
   const bool isLarge =
     radius > LargestRadius * this->SizeAt(task.At.Cell, center) || twice > 4 * this->MostArea;
   const bool isThin = radius * radius > LargestSquaredRatio * least * least &&
-    !this->IsAcrossSharpCorner(shortest[0], shortest[1]);
+    !this->IsAcrossSharpCorner(shortest[0], shortest[1], { { a, b, c } });
   if (!isLarge && !isThin)
   {
     return;
@@ -496,8 +533,8 @@ void Refiner::LookAtTriangle(const Task& task)
     {
       const Place at = this->Mesh.Locate(task.At.Cell, place);
       if (at.Cell != None && at.Edge == None &&
-        this->IsRoomy(
-          at.Cell, place, isLarge ? LeastSpacing * this->SizeAt(at.Cell, place) : least))
+        this->IsRoomy(at.Cell, place, isLarge ? LeastSpacing * this->SizeAt(at.Cell, place) : least,
+          isLarge && this->Most < Infinite ? LeastAngleForLength : GoodAngle))
       {
         this->Insert(at.Cell, place);
         return;
@@ -567,6 +604,18 @@ Id Refiner::CountLargeCells() const
     {
       const auto& [a, b, c] = cell.Corners;
       return AreaOf(points[a], points[b], points[c], this->Mesh.Metric()) > this->MostArea;
+    }));
+}
+
+/** Of a length that is asked for. */
+Id Refiner::CountLongCells() const
+{
+  return static_cast<Id>(std::count_if(this->Mesh.Cells().begin(), this->Mesh.Cells().end(),
+    [&](const RefinableTriangles::Cell& cell)
+    {
+      const auto& [a, b, c] = cell.Corners;
+      return std::max({ this->Length(a, b), this->Length(b, c), this->Length(c, a) }) >
+        TooLong * this->EdgeLength;
     }));
 }
 
@@ -739,6 +788,15 @@ RefinedTriangles RefineTriangles(const SegmentComplex& curve, const PlanarMesh& 
         " triangles are larger than MaximumVolume: edges that stay as they are may allow no "
         "smaller ones");
     }
+  }
+  const bool isKept = parameters.Surface == SurfaceTreatment::Kept;
+  if (const Id cells = refiner.CountLongCells();
+      isKept && parameters.Sizes.EdgeLength > 0 && cells > 0)
+  {
+    result.Warnings.push_back(std::to_string(cells) + " of " +
+      std::to_string(result.Mesh.NumberOfCells()) +
+      " triangles have edges that are much longer than EdgeLength: they lie beside long edges that "
+      "are kept, and smaller ones would be flat. Where the surface is split those are cut");
   }
   AddStatistics(curve, mesh, inside, plane, result);
   if (refiner.RanOut())

@@ -31,11 +31,13 @@ struct RefinedTriangles
  * Triangles of the same inside that are better and as large as asked for, by Delaunay refinement:
  * the centre of the circumcircle of a triangle that is too large or too thin becomes a point
  * (Ruppert 1995). Constraints are the boundary and all segments at inside cells. Kept: these stay
- * as they are, and where no size is asked for no point comes within the circle around one, so that
- * no angle gets smaller beside long ones. Split: a constraint is cut where a centre or a point is
- * within the circle around it, or where it is too long; then no angle is below 20.7 degrees but
- * near sharp corners of the curve. Cuts near corners below 60 degrees are at powers of two from
- * these (Ruppert's concentric shells), and triangles that are thin only for such a corner stay.
+ * as they are, and no angle comes to be below 20.7 degrees that is less than those in its place
+ * were; where lengths or areas are asked for, below 10: beside long constraints triangles stay
+ * larger, and a warning counts them. Split: a constraint is cut where a centre or a point is within
+ * the circle around it, or where it is too long; then no angle is below 20.7 degrees but near sharp
+ * corners of the curve. Cuts near corners below 60 degrees are at powers of two from these
+ * (Ruppert's concentric shells). What stays thin is the triangle at such a corner; and below half a
+ * degree all those between shells, for good ones would be too many.
  *
  * Every triangle is positive, exactly, and the same for the same input, always.
  *

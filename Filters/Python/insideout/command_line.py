@@ -333,7 +333,9 @@ class MeshJob(Job):
             self.bars.show(DRAWING, 0)
             marks = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
             work_on(self.files.plot)
-            draw(surface, result.hull, self.files.plot, up=up_of(self.files.surface), **marks)
+            # Where the solid is cells of the hull it need not be written twice.
+            solid = result.solid if self.settings.refines() or self.settings.parts() else None
+            draw(surface, result.hull, self.files.plot, solid=solid, up=up_of(self.files.surface), **marks)
             self.bars.finish()
             self.outputs["picture"] = self.files.plot
             self.statistics["SecondsDraw"] = time.monotonic() - began - self.statistics["SecondsWrite"]

@@ -24,6 +24,7 @@ def draw(
     hull: vtkUnstructuredGrid,
     picture: Path,
     *,
+    solid: Optional[vtkUnstructuredGrid] = None,
     up: Optional[str] = None,
     row: bool = False,
     scale: Optional[float] = None,
@@ -35,6 +36,7 @@ def draw(
     surface  what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     hull     all tetrahedra of its hull: `tetrahedralize(surface).hull`
     picture  the file's name
+    solid    what is inside, where that is not cells of the hull but made of them: a refined `result.solid`
     up       which axis is up, "x", "y" or "z"; if it is not given z for a .stl file, otherwise y, or z where
              the surface is longer along it by a tenth
     row      a whole row of a contact sheet: the solid's boundary, and its tetrahedra in slices, as well
@@ -44,8 +46,8 @@ def draw(
     It is seen from the side that shows most: of the four sides, or from above if it is very flat, the one
     whose outline is largest, and of two opposite ones that with more points before the middle. The counts
     are those of the run that made the hull, and stand in the file's description, too; give the options it
-    had for the marks to agree with them. In two dimensions it is the curve, w in all triangles, and those inside,
-    seen straight from above.
+    had for the marks to agree with them. In two dimensions it is the curve with its defects as
+    points, w in all triangles, and those inside, seen straight from above.
 
     Draws in a process of its own, without a window; where there is no display it takes xvfb-run's.
     Raises `Error` with one line that names what is wrong.
@@ -54,10 +56,13 @@ def draw(
     check_output(picture, PICTURES)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
     if is_flat(hull):
-        _write_panels(picture, curve=as_surface(surface, scale)[0], hull=hull, up=up)
+        curve = as_surface(surface, scale)[0]
+        # What is wrong with polygons is told of surfaces in space: that their edges are open.
+        marks = check(curve, orientation=orientation, merge_tolerance=merge_tolerance).lines if curve.GetNumberOfPolys() == 0 else None
+        _write_panels(picture, curve=curve, marks=marks, hull=hull, solid=solid, up=up)
         return
     checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
-    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, up=up, row=row)
+    _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, solid=solid, up=up, row=row)
 
 
 def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:

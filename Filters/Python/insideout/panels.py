@@ -25,7 +25,9 @@ def draw_panels(
     surface: Optional[vtkPolyData] = None,
     lines: Optional[vtkPolyData] = None,
     hull: Optional[vtkUnstructuredGrid] = None,
+    solid: Optional[vtkUnstructuredGrid] = None,
     curve: Optional[vtkPolyData] = None,
+    marks: Optional[vtkPolyData] = None,
     quality: Optional[vtkUnstructuredGrid] = None,
     up: Optional[str] = None,
     row: bool = False,
@@ -35,7 +37,9 @@ def draw_panels(
     the dihedral angles of a solid.
 
     surface, lines  as `check` marks and draws them: both or none
+    solid           what is inside a hull, where it is not cells of that
     curve           in a plane, of whose hull the hull's triangles are
+    marks           the points that `check` draws of a curve
     quality         as `check_solid` measures it
     up              "x", "y" or "z"
     row             the solid's boundary, and its tetrahedra in slices, as well
@@ -45,7 +49,7 @@ def draw_panels(
     """
     command = [*display_command(), sys.executable, "-m", "insideout.picture"]
     with temporary_folder() as folder:
-        names = ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu", "quality.vtu", "curve.vtp")
+        names = ("picture.png", "surface.vtp", "lines.vtp", "hull.vtu", "quality.vtu", "curve.vtp", "solid.vtu", "marks.vtp")
         picture, *files = (os.path.join(folder, name) for name in names)
         command.append(picture)
         if surface is not None and lines is not None:
@@ -55,9 +59,15 @@ def draw_panels(
         if hull is not None:
             write_grid(hull, files[2])
             command += ["--hull", files[2]]
+        if solid is not None:
+            write_grid(solid, files[5])
+            command += ["--solid", files[5]]
         if curve is not None:
             write_surface(curve, files[4])
             command += ["--curve", files[4]]
+        if marks is not None:
+            write_surface(marks, files[6])
+            command += ["--marks", files[6]]
         if quality is not None:
             figures = vtkUnstructuredGrid()
             figures.SetFieldData(quality.GetFieldData())

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
-    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--curve CURVE.vtp]
-        [--up z] [--row] [--quality FIGURES.vtu]
+    python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--solid SOLID.vtu]
+        [--curve CURVE.vtp] [--marks POINTS.vtp] [--up z] [--row] [--quality FIGURES.vtu]
 
 Side by side, seen from the same place: the surface with its defects, as `check` marks and draws them, a
 slice of the winding number w through the hull, and the tetrahedra inside, cut open; in a whole row the solid's boundary and
-its tetrahedra in slices, too. Without one of the two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
-of dihedral angles that `check_solid` puts into the field data of a solid. With a curve the hull is triangles in a plane:
-the curve, w in all of them, and those inside.
+its tetrahedra in slices, too. What is inside is cells of the hull, or a solid that was made of them. Without one of the two its panels are left out. What is up is told (x, y or z) or found (`View`). The last panel is the histogram
+of dihedral angles that `check_solid` puts into the field data of a solid. Where the hull is triangles in a plane:
+the curve with its defects, w in all of them, and those inside.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .data import corners_of, make_cells
+from .data import corners_of, is_flat, make_cells
 from .defects import DEFECTS, PLANAR_DEFECTS
 from .files import HARMLESS_WHEN_READING
 from .pipeline import Error, run, statistics_of
@@ -108,10 +108,8 @@ def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
     extract.SetImplicitFunction(plane)
     extract.ExtractInsideOn()
     extract.ExtractBoundaryCellsOn()
-    faces = vtkGeometryFilter()
-    faces.SetInputConnection(extract.GetOutputPort())
-    faces.Update()
-    return faces.GetOutput()
+    extract.Update()
+    return surface_of(extract.GetOutput())
 
 
 def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPolyData:
@@ -119,7 +117,7 @@ def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPo
     if solid.GetNumberOfCells() == 0:
         return vtkPolyData()
     points = vtk_to_numpy(solid.GetPoints().GetData())
-    places = points[corners_of(solid.GetCells(), 4)].mean(axis=1) @ along
+    places = points[corners_of(solid.GetCells(), solid.GetCells().GetMaxCellSize())].mean(axis=1) @ along
     share = (places - places.min()) / max(np.ptp(places), np.finfo(float).tiny)
     chosen = vtkUnstructuredGrid()
     chosen.CopyStructure(solid)
@@ -131,10 +129,8 @@ def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPo
     threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Slice")
     threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_LOWER)
     threshold.SetLowerThreshold(0.5)
-    faces = vtkGeometryFilter()
-    faces.SetInputConnection(threshold.GetOutputPort())
-    faces.Update()
-    return faces.GetOutput()
+    threshold.Update()
+    return surface_of(threshold.GetOutput())
 
 
 # --- How it is drawn ---
@@ -232,7 +228,14 @@ def words(text: str, height: float, colour: Colour = INK, size: int = 24, bold: 
 # --- The panels ---
 
 
-DRAWN = {"IntersectingPairs": CROSSING, "TurnedFacets": TURNED, "OpenEdges": OPEN, "NonManifoldEdges": NON_MANIFOLD}
+DRAWN = {
+    "IntersectingPairs": CROSSING,
+    "TurnedFacets": TURNED,
+    "OpenEdges": OPEN,
+    "NonManifoldEdges": NON_MANIFOLD,
+    "OpenEnds": OPEN,
+    "TJunctions": NON_MANIFOLD,
+}
 MOST_LINES = 4
 
 
@@ -274,35 +277,45 @@ def slice_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     return [slice_actor(slice_of(hull, view.slice_plane())), title, colour_bar()]
 
 
-def solid_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
-    solid = inside_cells(hull)
+def solid_panel(solid: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     count = f"{solid.GetNumberOfCells():,} tetrahedra"
     title = words("The tetrahedra inside, cut open", 0.95, size=30, bold=True)
     return [actor(behind(solid, view.slice_plane()), SOLID, edge_colour=EDGES), title, words(count, 0.085)]
 
 
-def boundary_panel(hull: vtkUnstructuredGrid) -> list[vtkProp]:
-    boundary = surface_of(inside_cells(hull))
+def boundary_panel(solid: vtkUnstructuredGrid) -> list[vtkProp]:
+    boundary = surface_of(solid)
     count = f"{boundary.GetNumberOfCells():,} triangles"
     return [actor(boundary, SOLID), words("The solid's boundary", 0.95, size=30, bold=True), words(count, 0.085)]
 
 
-def slices_panel(hull: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
+def slices_panel(solid: vtkUnstructuredGrid, view: View) -> list[vtkProp]:
     """As a hot dog is cut: every other of equal slices, from left to right."""
-    solid = inside_cells(hull)
     count = f"every other of {2 * SLICES - 1} slices"
     title = words("Its tetrahedra, in slices", 0.95, size=30, bold=True)
     return [actor(some_slices(solid, view.right), SOLID, edge_colour=EDGES), title, words(count, 0.085)]
 
 
-def flat_panels(curve: vtkPolyData, hull: vtkUnstructuredGrid) -> list[list[vtkProp]]:
-    """The same three of a curve in a plane."""
-    statistics = statistics_of(hull)
+def curve_panel(curve: vtkPolyData, marks: Optional[vtkPolyData], statistics: Mapping[str, float]) -> list[vtkProp]:
     given = actor(triangles_of(curve), SOUND, edge_colour=INK) if curve.GetNumberOfPolys() else line_actor(curve, INK, 3)
+    drawn: list[vtkProp] = [given]
+    kinds = (
+        (vtkSurfaceDefects.OPEN_END, OPEN),
+        (vtkSurfaceDefects.CROSSING, CROSSING),
+        (vtkSurfaceDefects.T_JUNCTION, NON_MANIFOLD),
+    )
+    for kind, colour in kinds if marks else ():
+        points = line_actor(lines_of(marks, kind), colour, 1)
+        points.GetProperty().SetPointSize(14)
+        points.GetProperty().RenderPointsAsSpheresOn()
+        drawn.append(points)
     lines = [words(text, 0.105 - 0.03 * k, colour) for k, (text, colour) in enumerate(counts(statistics))]
-    solid = inside_cells(hull)
+    return [*drawn, words("The curve and its defects", 0.95, size=30, bold=True), *lines]
+
+
+def flat_panels(hull: vtkUnstructuredGrid, solid: vtkUnstructuredGrid) -> list[list[vtkProp]]:
+    """w and the solid in a plane."""
     return [
-        [given, words("The curve and its defects", 0.95, size=30, bold=True), *lines],
         [slice_actor(surface_of(hull)), words("Winding number w", 0.95, size=30, bold=True), colour_bar()],
         [
             actor(surface_of(solid), SOLID, edge_colour=EDGES),
@@ -393,9 +406,10 @@ def read(reader: Any, file: str) -> Any:
 
 
 def surface_of(grid: vtkUnstructuredGrid) -> vtkPolyData:
-    """Cells in a plane as polygons."""
+    """The faces of tetrahedra, those of second order with straight edges; or cells in a plane as polygons."""
     faces = vtkGeometryFilter()
     faces.SetInputData(grid)
+    faces.SetNonlinearSubdivisionLevel(0)
     faces.Update()
     return faces.GetOutput()
 
@@ -406,15 +420,26 @@ def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
     return surface_of(solid if solid.GetNumberOfCells() else hull)
 
 
-def draw_flat(picture: str, curve_file: str, hull_file: str, up: Optional[str]) -> None:
-    curve, hull = read(vtkXMLPolyDataReader(), curve_file), read(vtkXMLUnstructuredGridReader(), hull_file)
-    description = "; ".join(text for text, _ in counts(statistics_of(hull)))
-    render(flat_panels(curve, hull), ViewFromAbove(surface_of(hull), up), picture, description)
+def solid_of(hull: vtkUnstructuredGrid, options: argparse.Namespace) -> vtkUnstructuredGrid:
+    return read(vtkXMLUnstructuredGridReader(), options.solid) if options.solid else inside_cells(hull)
+
+
+def draw_flat(hull: vtkUnstructuredGrid, options: argparse.Namespace) -> None:
+    statistics = statistics_of(hull)
+    panels = flat_panels(hull, solid_of(hull, options))
+    if options.curve:
+        marks = read(vtkXMLPolyDataReader(), options.marks) if options.marks else None
+        panels.insert(0, curve_panel(read(vtkXMLPolyDataReader(), options.curve), marks, statistics))
+    description = "; ".join(text for text, _ in counts(statistics))
+    render(panels, ViewFromAbove(surface_of(hull), options.up), options.picture, description)
 
 
 def main(options: argparse.Namespace) -> None:
     surface, quality, up = options.surface, options.quality, options.up
     hull = read(vtkXMLUnstructuredGridReader(), options.hull) if options.hull else None
+    if hull and is_flat(hull):
+        draw_flat(hull, options)
+        return
     panels, description = [], ""
     view: Optional[View] = None
     if surface:
@@ -427,9 +452,10 @@ def main(options: argparse.Namespace) -> None:
         description = "; ".join(text for text, _ in counts(statistics))
     if hull:
         view = view or View(triangles_of(outside_of(hull)), up)
-        panels += [slice_panel(hull, view), solid_panel(hull, view)]
+        solid = solid_of(hull, options)
+        panels += [slice_panel(hull, view), solid_panel(solid, view)]
         if options.row:
-            panels += [boundary_panel(hull), slices_panel(hull, view)]
+            panels += [boundary_panel(solid), slices_panel(solid, view)]
     if quality:
         figures = read(vtkXMLUnstructuredGridReader(), quality)
         panels.append(histogram_panel(figures))
@@ -443,15 +469,14 @@ if __name__ == "__main__":
     parser.add_argument("picture")
     parser.add_argument("--surface", nargs=2)
     parser.add_argument("--hull")
+    parser.add_argument("--solid")
     parser.add_argument("--curve")
+    parser.add_argument("--marks")
     parser.add_argument("--up", choices="xyz")
     parser.add_argument("--row", action="store_true")
     parser.add_argument("--quality")
     options = parser.parse_args()
     try:
-        if options.curve:
-            draw_flat(options.picture, options.curve, options.hull, options.up)
-        else:
-            main(options)
+        main(options)
     except Error as error:
         sys.exit(str(error))

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Any, Optional, Union
 
 from .checking import check
-from .data import AnySurface, TriangleSurface, as_surface, as_type
+from .data import AnySurface, Polylines, TriangleSurface, as_surface, as_type
 from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
@@ -18,8 +18,8 @@ from .vtkFiltersInsideOut import vtkResolveSelfIntersections
 class Resolution(Result):
     """What `resolve` made. The VTK class vtkResolveSelfIntersections describes the arrays."""
 
-    surface: TriangleSurface
-    """The same surface in triangles of which no two meet except in shared points and edges."""
+    surface: Union[TriangleSurface, Polylines]
+    """The same surface in triangles of which no two meet except in shared points and edges; of lines, the same in lines."""
     statistics: dict[str, float]
     """Counts and seconds, by name."""
     left_out_cells: list[int]
@@ -29,7 +29,7 @@ class Resolution(Result):
 
     def figures(self) -> list[tuple[str, str]]:
         return [
-            ("triangles", counted(self.surface.GetNumberOfCells())),
+            ("lines" if isinstance(self.surface, Polylines) else "triangles", counted(self.surface.GetNumberOfCells())),
             ("points", counted(self.surface.GetNumberOfPoints())),
             ("cells left out", counted(len(self.left_out_cells))),
             *(("", warning) for warning in self.warnings),
@@ -64,9 +64,10 @@ def resolve(
     resolver.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(resolver, progress))
     add_statistic("Scale", options.factor(), resolver.GetOutput())
+    statistics = statistics_of(resolver.GetOutput())
     return Resolution(
-        surface=as_type(TriangleSurface, resolver.GetOutput()),
-        statistics=statistics_of(resolver.GetOutput()),
+        surface=as_type(Polylines if statistics.get("Dimension") == 2 else TriangleSurface, resolver.GetOutput()),
+        statistics=statistics,
         left_out_cells=cells_of(resolver.GetOutput(), "LeftOutCellIds"),
         warnings=warnings,
     )

@@ -164,7 +164,7 @@ def summary(
         return _planar_summary(name, statistics, volumes, tags)
     count = {key: _count(value) for key, value in statistics.items() if isinstance(value, int)}
     merged = f" ({count['MergedPoints']} merged with others in their place)" if statistics["MergedPoints"] else ""
-    components = "1 component" if statistics["Components"] == 1 else f"{count['Components']} components"
+    components = _components(statistics)
     total = statistics["SecondsTotal"]
     return [
         f"Surface {name}: {verdict(statistics)}",
@@ -195,7 +195,7 @@ def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[
     center = ", ".join(f"{statistics['CenterOfMass' + axis]:.6g}" for axis in "XYZ")
     return [
         f"Curve {name}: {verdict(statistics)}",
-        f"  {count['InputPoints']} points, {count['InputSegments']} segments in {count['Components']} components",
+        f"  {count['InputPoints']} points, {count['InputSegments']} segments, {_components(statistics)}",
         *_scaled(statistics),
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
@@ -240,7 +240,7 @@ def _planar_check_summary(name: str, statistics: Mapping[str, float], findings: 
     """The same in two dimensions."""
     return [
         f"Curve {name}: {verdict(statistics)}",
-        f"  {_count(statistics['InputPoints'])} points, {_count(statistics['InputSegments'])} segments in {_count(statistics['Components'])} components",
+        f"  {_count(statistics['InputPoints'])} points, {_count(statistics['InputSegments'])} segments, {_components(statistics)}",
         *_scaled(statistics),
         *_listed("Wrong, but does not matter here", findings),
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
@@ -294,6 +294,10 @@ def _reasons(statistics: Mapping[str, float]) -> str:
 
 def _listed(title: str, findings: Sequence[Finding]) -> list[str]:
     return [title, *(f"  {finding.text}: {finding.consequence}" for finding in findings)] if findings else []
+
+
+def _components(statistics: Mapping[str, float]) -> str:
+    return "1 component" if statistics["Components"] == 1 else f"{_count(statistics['Components'])} components"
 
 
 def _count(value: float) -> str:

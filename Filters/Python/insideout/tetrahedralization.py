@@ -123,7 +123,7 @@ class Tetrahedralization(Result):
         ]
 
     def seen(self) -> dict[str, Any]:
-        return {"hull": self.hull}
+        return {"hull": self.hull, "solid": self.solid}
 
     def to_meshio(self) -> Any:
         """The solid and its boundary as one meshio.Mesh: tetrahedra and triangles with all their arrays, in groups.

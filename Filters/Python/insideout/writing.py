@@ -74,6 +74,8 @@ def write_solid(
     check_output(path, WRITABLE_GRIDS)
     check_format(path)
     if ending(path) in WRITABLE_SOLIDS:
+        if is_flat(grid):
+            raise Error(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")
         versions = get_args(MshVersion)
         writer = vtkSolidWriter()
         writer.SetInputData(grid)

@@ -408,7 +408,15 @@ TEST(RefineTriangles, MakesEdgesAndAreasAsLargeAsAskedFor)
   EXPECT_GT(refined(parameters).Mesh.Cells.size(), 100u);
 }
 
-TEST(RefineTriangles, MakesNoAngleSmallerWhereTheCurveIsKeptAndNoSizeIsAskedFor)
+/** An outline with a gap, and a bar across one of its sides. */
+SegmentSoup OutlineWithGap()
+{
+  return Lines(
+    { { 0, 0 }, { 4, 0 }, { 4, 3 }, { 0, 3 }, { 0, 0.2 }, { 1, 1 }, { 6, 1 }, { 6, 2 }, { 1, 2 } },
+    { { 0, 1, 2, 3, 4 }, { 5, 6, 7, 8, 5 } });
+}
+
+TEST(RefineTriangles, MakesNoAngleSmallWhereTheCurveIsKept)
 {
   const auto leastAngle = [](const std::vector<PlanarPoint>& points, const PlanarMesh& mesh,
                             const std::vector<unsigned char>& inside)
@@ -423,21 +431,35 @@ TEST(RefineTriangles, MakesNoAngleSmallerWhereTheCurveIsKeptAndNoSizeIsAskedFor)
   };
   RefinementParameters parameters;
   parameters.Surface = SurfaceTreatment::Kept;
-  // The last: an outline with a gap, and a bar across one of its sides.
-  std::vector<SegmentSoup> soups = { Ring(40), Star(3),
-    Lines({ { 0, 0 }, { 4, 0 }, { 4, 3 }, { 0, 3 }, { 0, 0.2 }, { 1, 1 }, { 6, 1 }, { 6, 2 },
-            { 1, 2 } },
-      { { 0, 1, 2, 3, 4 }, { 5, 6, 7, 8, 5 } }) };
+  std::vector<SegmentSoup> soups = { Ring(40), Star(3), OutlineWithGap() };
   for (unsigned seed = 0; seed < 16; ++seed)
   {
     soups.push_back(RandomWalk(seed, 9, 10, true));
   }
   for (const SegmentSoup& soup : soups)
   {
-    const Refinement all = RefineHull(MeshHullOf(soup), parameters);
-    EXPECT_GE(leastAngle(all.Refined.Curve.Points, all.Refined.Mesh, {}),
-      leastAngle(all.Hull.Curve.Points, all.Hull.Mesh, all.Inside));
+    for (const double length : { 0.0, 0.1, 0.02 })
+    {
+      const PlanarHull hull = MeshHullOf(soup);
+      parameters.Sizes.EdgeLength = std::ldexp(length, hull.Plane.Exponent);
+      const Refinement all = RefineHull(hull, parameters);
+      const double before = leastAngle(hull.Curve.Points, hull.Mesh, all.Inside);
+      EXPECT_GE(leastAngle(all.Refined.Curve.Points, all.Refined.Mesh, {}),
+        std::min(before, length > 0 ? 10 : 20.7) - 1e-9);
+    }
   }
+}
+
+TEST(RefineTriangles, TellsOfTrianglesThatKeptEdgesLeaveLong)
+{
+  RefinementParameters parameters = Split(0.3);
+  EXPECT_TRUE(RefineHull(MeshHullOf(OutlineWithGap()), parameters).Refined.Warnings.empty());
+  parameters.Surface = SurfaceTreatment::Kept;
+  const RefinedTriangles refined = RefineHull(MeshHullOf(OutlineWithGap()), parameters).Refined;
+  ASSERT_EQ(refined.Warnings.size(), 1u);
+  EXPECT_NE(refined.Warnings[0].find("longer than EdgeLength"), std::string::npos);
+  // As far as that allows the inside is filled.
+  EXPECT_GT(refined.Mesh.Cells.size(), 80u);
 }
 
 TEST(RefineTriangles, EndsAtSharpCornersAndKeepsTheRestGood)
@@ -451,6 +473,20 @@ TEST(RefineTriangles, EndsAtSharpCornersAndKeepsTheRestGood)
       [&](const Triangle& cell) { return LeastAngle(all.Refined.Curve.Points, cell) < 20.7; });
     EXPECT_LT(thin, 16 * needles); // a few between the shells of each corner
     EXPECT_LT(all.Refined.Mesh.Cells.size(), 400u * needles);
+  }
+}
+
+TEST(RefineTriangles, LeavesOnlyTheTriangleAtASharpCornerThinUnlessThatIsVerySharp)
+{
+  // Needles of 0.94 degrees, finer than the length; then of 0.09.
+  for (const auto& [needles, thinPerNeedle] : { std::pair(20, 2), std::pair(200, 100) })
+  {
+    const Refinement all = RefineHull(MeshHullOf(Star(needles)), Split(0.04));
+    EXPECT_TRUE(all.Refined.Warnings.empty());
+    const auto thin = std::count_if(all.Refined.Mesh.Cells.begin(), all.Refined.Mesh.Cells.end(),
+      [&](const Triangle& cell) { return LeastAngle(all.Refined.Curve.Points, cell) < 12; });
+    EXPECT_LE(thin, thinPerNeedle * needles);
+    EXPECT_GE(thin, needles);
   }
 }
 
