@@ -73,16 +73,19 @@ def coloured(data: vtkDataSet, name: str, values: tuple[float, float], edges: bo
     return drawn
 
 
-def painted(data: vtkDataSet, colours: np.ndarray) -> vtkActor:
-    """Each point in a colour of its own: red, green and blue from 0 to 255."""
+def painted(data: vtkDataSet, colours: np.ndarray, of_cells: bool = False) -> vtkActor:
+    """Each point, or cell, in a colour of its own: red, green and blue from 0 to 255."""
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     array = numpy_to_vtk(np.ascontiguousarray(colours, np.uint8), deep=True)
     array.SetName("Colours")
-    copy.GetPointData().AddArray(array)
+    (copy.GetCellData() if of_cells else copy.GetPointData()).AddArray(array)
     drawn = actor(copy)
     drawn.GetMapper().ScalarVisibilityOn()
-    drawn.GetMapper().SetScalarModeToUsePointFieldData()
+    if of_cells:
+        drawn.GetMapper().SetScalarModeToUseCellFieldData()
+    else:
+        drawn.GetMapper().SetScalarModeToUsePointFieldData()
     drawn.GetMapper().SelectColorArray("Colours")
     return drawn
 

@@ -34,6 +34,11 @@ vtkGraphCutSegmentation::vtkGraphCutSegmentation()
   this->Sigma = segment.Cut.Sigma;
   this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
   this->ConstrainFacets = segment.ConstrainFacets;
+  this->LargestRegions = static_cast<int>(segment.Topology.Regions.LargestRegions);
+  this->MinimumRegionVolume = segment.Topology.Regions.MinimumRegionVolume;
+  this->SeededRegions = segment.Topology.Regions.SeededRegions;
+  this->FillCavities = segment.Topology.Regions.FillCavities;
+  this->Topology = static_cast<int>(segment.Topology.Goal);
 }
 
 void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -44,6 +49,11 @@ void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DataTerm: " << this->DataTerm << "\n";
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
   os << indent << "NonManifold: " << this->NonManifold << "\n";
+  os << indent << "LargestRegions: " << this->LargestRegions << "\n";
+  os << indent << "MinimumRegionVolume: " << this->MinimumRegionVolume << "\n";
+  os << indent << "SeededRegions: " << this->SeededRegions << "\n";
+  os << indent << "FillCavities: " << this->FillCavities << "\n";
+  os << indent << "Topology: " << this->Topology << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
 }
 
@@ -83,14 +93,15 @@ MeshSegmentation SegmentCells(
 MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, bool split, Monitor& monitor)
 {
-  const bool isPlain =
-    seeds.empty() && !parameters.ConstrainFacets && !parameters.FillNonManifold && !split;
+  const bool isPlain = seeds.empty() && !parameters.ConstrainFacets &&
+    !parameters.FillNonManifold && parameters.Topology.ChangeNothing() && !split;
   const vtkIdType other = vtkInsideOutFindOtherCell(grid);
   if (other >= 0 && !isPlain)
   {
     throw Error(ErrorCode::InvalidParameter,
       "cell " + std::to_string(other) +
-        " is no tetrahedron; seeds and constraints need tetrahedra alone");
+        " is no tetrahedron; seeds and constraints need tetrahedra alone, and so do the choice of "
+        "regions and Topology");
   }
   if (other >= 0)
   {

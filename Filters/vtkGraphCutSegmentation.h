@@ -14,7 +14,8 @@
  * Statistics_NAME of InsideCells, Energy, SecondsCut, and on tetrahedra those that
  * vtkRobustTetrahedralize describes.
  *
- * Seeds, ConstrainFacets and NonManifold take grids of tetrahedra.
+ * Seeds, ConstrainFacets, NonManifold, the choice of regions and Topology take grids of tetrahedra,
+ * and Topology a convex one.
  *
  * @sa vtkGeneralizedWindingNumber
  *
@@ -109,6 +110,72 @@ public:
 
   ///@{
   /**
+   * How many regions of the solid stay at most, the largest by volume (in two dimensions by area);
+   * regions are parts that faces connect. What is dropped counts in the statistics DroppedRegions
+   * and DroppedVolume, and its facets are outliers. Takes tetrahedra, as what follows does. Default
+   * 0: any number. Range 0 to VTK_INT_MAX.
+   */
+  vtkSetClampMacro(LargestRegions, int, 0, VTK_INT_MAX);
+  vtkGetMacro(LargestRegions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Drop regions of a smaller volume, in two dimensions area, in the units of the input. Default 0:
+   * none. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MinimumRegionVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumRegionVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * Drop regions without a seed that is to be inside (second input). Default off.
+   */
+  vtkSetMacro(SeededRegions, bool);
+  vtkGetMacro(SeededRegions, bool);
+  vtkBooleanMacro(SeededRegions, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Fill the solid's cavities, the parts of the outside that it encloses (in two dimensions its
+   * holes), once regions are dropped; but not those with a seed that is to be outside. The
+   * statistics FilledCavities and FilledVolume say how many. Default off.
+   */
+  vtkSetMacro(FillCavities, bool);
+  vtkGetMacro(FillCavities, bool);
+  vtkBooleanMacro(FillCavities, bool);
+  ///@}
+
+  /** What the solid's topology is to be, once regions are dropped and cavities filled. */
+  enum TopologyType
+  {
+    TOPOLOGY_ANY = 0,             ///< as the segmentation has it
+    TOPOLOGY_ONE_COMPONENT = 1,   ///< one region
+    TOPOLOGY_SIMPLY_CONNECTED = 2 ///< one region without tunnels and cavities
+  };
+
+  ///@{
+  /**
+   * What the solid's topology is to be. TOPOLOGY_ANY (0): as the segmentation has it.
+   * TOPOLOGY_ONE_COMPONENT (1): regions are joined, by the cells of shortest ways between them, or
+   * dropped, whichever adds less energy, one after the other. TOPOLOGY_SIMPLY_CONNECTED (2): a ball
+   * besides, in two dimensions a disc; tunnels and cavities are cut open by walls, or filled by
+   * membranes, each tried in the way that adds less energy. Neither is a global minimum. Seeds,
+   * ConstrainFacets and NonManifold of the kind Fill still hold; where they forbid what is asked
+   * for a warning says so. The statistics have EnergyBeforeTopology, DroppedRegions and
+   * JoinedRegions. Default TOPOLOGY_ANY.
+   */
+  vtkSetClampMacro(Topology, int, TOPOLOGY_ANY, TOPOLOGY_SIMPLY_CONNECTED);
+  vtkGetMacro(Topology, int);
+  void SetTopologyToAny() { this->SetTopology(TOPOLOGY_ANY); }
+  void SetTopologyToOneComponent() { this->SetTopology(TOPOLOGY_ONE_COMPONENT); }
+  void SetTopologyToSimplyConnected() { this->SetTopology(TOPOLOGY_SIMPLY_CONNECTED); }
+  ///@}
+
+  ///@{
+  /**
    * Optional second input: points that have to be inside or outside, by their array Inside (1 or
    * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
    * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about.
@@ -142,6 +209,11 @@ protected:
   int DataTerm;
   bool ConstrainFacets;
   int NonManifold = NONMANIFOLD_KEEP;
+  int LargestRegions;
+  double MinimumRegionVolume;
+  bool SeededRegions;
+  bool FillCavities;
+  int Topology;
   bool ExtractInside = true;
 
 private:

@@ -54,6 +54,11 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->Sigma = segment.Cut.Sigma;
   this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
   this->ConstrainFacets = segment.ConstrainFacets;
+  this->LargestRegions = static_cast<int>(segment.Topology.Regions.LargestRegions);
+  this->MinimumRegionVolume = segment.Topology.Regions.MinimumRegionVolume;
+  this->SeededRegions = segment.Topology.Regions.SeededRegions;
+  this->FillCavities = segment.Topology.Regions.FillCavities;
+  this->Topology = static_cast<int>(segment.Topology.Goal);
   const HullMeshParameters hull;
   this->Orientation = static_cast<int>(hull.Orientation);
   this->Thicken = hull.Thicken.Width;
@@ -85,6 +90,11 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
   os << indent << "NonManifold: " << this->NonManifold << "\n";
   os << indent << "SeparateOverlaps: " << this->SeparateOverlaps << "\n";
+  os << indent << "LargestRegions: " << this->LargestRegions << "\n";
+  os << indent << "MinimumRegionVolume: " << this->MinimumRegionVolume << "\n";
+  os << indent << "SeededRegions: " << this->SeededRegions << "\n";
+  os << indent << "FillCavities: " << this->FillCavities << "\n";
+  os << indent << "Topology: " << this->Topology << "\n";
   os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";

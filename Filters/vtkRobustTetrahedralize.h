@@ -73,7 +73,9 @@
  * Statistics of the segmentation: Energy of the solid, EnergyOfCut before the constraints,
  * ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells (labelled inside
  * for a constraint), ChangedCells (that the constraints changed all in all), UnsatisfiedFacets
- * (pieces that seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts. Of
+ * (pieces that seeds keep outside, or that were of dropped regions), NonManifoldPoints (that could
+ * not be helped), SeedConflicts. Of regions and topology: DroppedRegions and DroppedVolume,
+ * FilledCavities and FilledVolume, JoinedRegions (ways made between two), EnergyBeforeTopology. Of
  * NonManifold of the kind Split: SplitPoints (copies that the solid has), SharedPoints (those that
  * only the boundary has), NonManifoldEdges (0 but in overlaps). Of SeparateOverlaps: Overlaps,
  * SeparatedOverlaps, CopiedCells. Of the outliers: OutlierFacets and how many for each reason,
@@ -248,6 +250,72 @@ public:
 
   ///@{
   /**
+   * How many regions of the solid stay at most, the largest by volume (in two dimensions by area);
+   * regions are parts that faces connect. What is dropped counts in the statistics DroppedRegions
+   * and DroppedVolume, and its facets are outliers. Where there are bodies each keeps so many.
+   * Default 0: any number. Range 0 to VTK_INT_MAX.
+   */
+  vtkSetClampMacro(LargestRegions, int, 0, VTK_INT_MAX);
+  vtkGetMacro(LargestRegions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Drop regions of a smaller volume, in two dimensions area, in the units of the input. Default 0:
+   * none. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MinimumRegionVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumRegionVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * Drop regions without a seed that is to be inside (second input). Default off.
+   */
+  vtkSetMacro(SeededRegions, bool);
+  vtkGetMacro(SeededRegions, bool);
+  vtkBooleanMacro(SeededRegions, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Fill the solid's cavities, the parts of the outside that it encloses (in two dimensions its
+   * holes), once regions are dropped; but not those with a seed that is to be outside. The
+   * statistics FilledCavities and FilledVolume say how many. Default off.
+   */
+  vtkSetMacro(FillCavities, bool);
+  vtkGetMacro(FillCavities, bool);
+  vtkBooleanMacro(FillCavities, bool);
+  ///@}
+
+  /** What the solid's topology is to be, once regions are dropped and cavities filled. */
+  enum TopologyType
+  {
+    TOPOLOGY_ANY = 0,             ///< as the segmentation has it
+    TOPOLOGY_ONE_COMPONENT = 1,   ///< one region
+    TOPOLOGY_SIMPLY_CONNECTED = 2 ///< one region without tunnels and cavities
+  };
+
+  ///@{
+  /**
+   * What the solid's topology is to be. TOPOLOGY_ANY (0): as the segmentation has it.
+   * TOPOLOGY_ONE_COMPONENT (1): regions are joined, by the cells of shortest ways between them, or
+   * dropped, whichever adds less energy, one after the other. TOPOLOGY_SIMPLY_CONNECTED (2): a ball
+   * besides, in two dimensions a disc; tunnels and cavities are cut open by walls, or filled by
+   * membranes, each tried in the way that adds less energy. Neither is a global minimum. Seeds,
+   * ConstrainFacets and NonManifold of the kind Fill still hold; where they forbid what is asked
+   * for a warning says so. The statistics have EnergyBeforeTopology, DroppedRegions and
+   * JoinedRegions. Where there are bodies each is made so alone. Default TOPOLOGY_ANY.
+   */
+  vtkSetClampMacro(Topology, int, TOPOLOGY_ANY, TOPOLOGY_SIMPLY_CONNECTED);
+  vtkGetMacro(Topology, int);
+  void SetTopologyToAny() { this->SetTopology(TOPOLOGY_ANY); }
+  void SetTopologyToOneComponent() { this->SetTopology(TOPOLOGY_ONE_COMPONENT); }
+  void SetTopologyToSimplyConnected() { this->SetTopology(TOPOLOGY_SIMPLY_CONNECTED); }
+  ///@}
+
+  ///@{
+  /**
    * Optional second input: points that have to be inside or outside, by their array Inside (1 or
    * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
    * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about.
@@ -369,9 +437,10 @@ public:
    * solid, whose boundary has no self-intersections, inner walls and duplicates, and is watertight.
    * An input that is open, has facets that could not be resolved, or has nothing inside goes
    * through tetrahedra; so does all that is asked of cells or of more than one body: bodies,
-   * Refine, seeds, ConstrainFacets, NonManifold, SeparateOverlaps, a Gamma or Sigma above the
-   * default and DataTerm. Statistics_Tetrahedra says which way was taken (1 or 0). Without
-   * tetrahedra the statistics are those of the input and of the boundary, and Volume. Default off.
+   * Refine, seeds, ConstrainFacets, NonManifold, SeparateOverlaps, a choice of regions,
+   * FillCavities, Topology, a Gamma or Sigma above the default and DataTerm. Statistics_Tetrahedra
+   * says which way was taken (1 or 0). Without tetrahedra the statistics are those of the input and
+   * of the boundary, and Volume. Default off.
    */
   vtkSetMacro(SurfaceOnly, bool);
   vtkGetMacro(SurfaceOnly, bool);
@@ -616,6 +685,11 @@ protected:
   bool ConstrainFacets;
   int NonManifold = NONMANIFOLD_KEEP;
   bool SeparateOverlaps = false;
+  int LargestRegions;
+  double MinimumRegionVolume;
+  bool SeededRegions;
+  bool FillCavities;
+  int Topology;
   std::string ConstrainedFacetsArrayName;
   bool ExtractInside = true;
   int Orientation;

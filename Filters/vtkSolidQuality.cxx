@@ -3,6 +3,7 @@
 
 #include "Common/Error.h"
 #include "Common/Stages.h"
+#include "Output/Topology.h"
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutAttributes.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
@@ -114,6 +115,12 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
       Statistics statistics;
       AppendSolidDefects(defects, statistics);
       AppendQuality(quality, statistics);
+      if (defects.Conforms())
+      {
+        AppendTopology(
+          FindTopology(given.Points.size(), given.Cells, defects.Boundary, defects.NumberOfRegions),
+          statistics);
+      }
       vtkInsideOutAddStatistics(statistics, marked);
       output->ShallowCopy(marked);
       vtkInsideOutWarn(this, warnings);

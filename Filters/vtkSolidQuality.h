@@ -31,6 +31,9 @@
  * - CellsUnder10Degrees and CellsUnder5Degrees, which have a dihedral angle below
  * - SurfaceEdgesUnder10Degrees and SurfaceEdgesUnder5Degrees, edges of the boundary where the solid
  *   itself is that sharp, so that some cells have to be
+ * - where it conforms, its topology: SolidComponents, SolidTunnels, SolidCavities,
+ *   SolidEulerCharacteristic, BoundaryComponents and so on, and Genus, as vtkRobustTetrahedralize
+ *   has them
  *
  * The field array DihedralAngleHistogram (vtkIdType, 36 values) says how many angles are in each 5
  * degrees.

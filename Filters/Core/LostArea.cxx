@@ -80,7 +80,8 @@ std::string WarningAbout(const LostArea& lost)
     Reason(lost.Turned, "were turned over and enclose nothing even so: see Orientation") +
     Reason(lost.Unmet, "could not be followed by the mesh") +
     Reason(lost.Others,
-      "lie where the surface is too open (w is below 1/2) or was smoothed away: close holes, set "
-      "Gamma lower, or ConstrainFacets to keep them");
+      "lie where the surface is too open (w is below 1/2), was smoothed away, or is of a region "
+      "that "
+      "was dropped: close holes, set Gamma lower, or ConstrainFacets to keep them");
 }
 } // namespace insideout

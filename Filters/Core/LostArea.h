@@ -15,7 +15,8 @@ struct LostArea
   double Sheets = 0; ///< encloses nothing
   double Turned = 0; ///< was turned over, and is no part even so
   double Unmet = 0;  ///< the mesh does not follow it
-  double Others = 0; ///< w is below 1/2 on both sides, or the cut smoothed it away
+  double Others =
+    0; ///< w is below 1/2 on both sides, the cut smoothed it away, or a region was dropped
 };
 
 LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& outliers);

@@ -117,7 +117,7 @@ bool TakesTetrahedra(
   const SegmentMeshParameters& segment = options.Segment.Parameters;
   return kept.Bodies.AreThere() || hasSeeds || options.Refine || options.SeparateOverlaps ||
     options.SplitPoints || segment.ConstrainFacets || segment.FillNonManifold ||
-    !IsCutByWholeNumbers(segment.Cut);
+    !segment.Topology.ChangeNothing() || !IsCutByWholeNumbers(segment.Cut);
 }
 
 template <typename List>
@@ -218,8 +218,10 @@ vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
   {
     Append(warnings, made.Warnings);
   }
-  const std::string warning =
-    solid.Masses.empty() ? NothingInside(hull) : WarningAbout(surfaces.Lost);
+  // Where all regions were dropped a warning of the segmentation says so.
+  const std::string warning = !solid.Masses.empty() ? WarningAbout(surfaces.Lost)
+    : DropsRegions(segmentation.Statistics)         ? std::string()
+                                                    : NothingInside(hull);
   if (!warning.empty())
   {
     made.Warnings.push_back(warning);

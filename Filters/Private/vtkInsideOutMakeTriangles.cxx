@@ -614,7 +614,8 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
   {
     made.Warnings.insert(made.Warnings.end(), warnings.begin(), warnings.end());
   }
-  if (regions.Count == 0)
+  if (regions.Count == 0 &&
+    !insideout::DropsRegions(segmentation.Statistics)) // else a warning says so
   {
     made.Warnings.push_back(NothingInside(hull));
   }

@@ -63,12 +63,22 @@ insideout::SegmentMeshParameters vtkInsideOutSegmentMeshParameters(Filter* filte
   using insideout::DataTerm;
   static_assert(Filter::UNIFORM == static_cast<int>(DataTerm::Uniform));
   static_assert(Filter::VOLUME_WEIGHTED == static_cast<int>(DataTerm::VolumeWeighted));
+  using insideout::TopologyGoal;
+  static_assert(Filter::TOPOLOGY_ANY == static_cast<int>(TopologyGoal::Any));
+  static_assert(Filter::TOPOLOGY_ONE_COMPONENT == static_cast<int>(TopologyGoal::OneComponent));
+  static_assert(
+    Filter::TOPOLOGY_SIMPLY_CONNECTED == static_cast<int>(TopologyGoal::SimplyConnected));
   insideout::SegmentMeshParameters parameters;
   parameters.Cut.Gamma = filter->GetGamma();
   parameters.Cut.Sigma = filter->GetSigma();
   parameters.Cut.DataTerm = static_cast<DataTerm>(filter->GetDataTerm());
   parameters.ConstrainFacets = filter->GetConstrainFacets();
   parameters.FillNonManifold = filter->GetNonManifold() == Filter::NONMANIFOLD_FILL;
+  parameters.Topology.Regions.LargestRegions = filter->GetLargestRegions();
+  parameters.Topology.Regions.MinimumRegionVolume = filter->GetMinimumRegionVolume();
+  parameters.Topology.Regions.SeededRegions = filter->GetSeededRegions();
+  parameters.Topology.Regions.FillCavities = filter->GetFillCavities();
+  parameters.Topology.Goal = static_cast<TopologyGoal>(filter->GetTopology());
   return parameters;
 }
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import insideout
 from insideout import arguments
-from insideout.options import OPTIONS, Choice, Number, Option, Options, Order, Scale, Switch, flag_of
+from insideout.options import OPTIONS, Choice, Count, Number, Option, Options, Order, Scale, Switch, flag_of
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -77,6 +77,8 @@ def example(option: Option) -> object:
         return option.choices[-1]
     if isinstance(option, Order):
         return option.most
+    if isinstance(option, Count):
+        return 7
     return True if isinstance(option, Switch) else 7.0 if isinstance(option, (Number, Scale)) else "Some"
 
 
@@ -302,6 +304,16 @@ class Python(unittest.TestCase):
                     for bad in (math.nextafter(option.least, -1), math.inf, math.nan, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(made)
+
+    def test_counts_have_the_range_of_the_class(self):
+        for name, option in OPTIONS.items():
+            if isinstance(option, Count):
+                with self.subTest(name):
+                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, -99), 0)
+                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, option.MOST), option.MOST)
+                    for bad in (-1, 1.5, option.MOST + 1, math.nan, "much"):
+                        with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
+                            Options(**{name: bad}).set_on(insideout.vtkRobustTetrahedralize())
 
     def test_a_scale_is_above_0_and_no_property(self):
         for bad in (0, -1, math.inf, math.nan, "much"):

@@ -200,6 +200,8 @@ void CutEnergy::MakeIntegers()
   std::frexp(largest, &exponent);
   const int shift = TermBits - 3 - exponent; // a gain may be twice what is around, and all round up
 
+  this->Shift = shift - gammaExponent;
+
   std::vector<std::int64_t> costs(faces.size());
   ParallelLoop(faces.size(), NanosecondsPerFace,
     [&](std::size_t f) { costs[f] = ToInteger(scaledGamma * this->Smoothness[f], shift); });
@@ -242,6 +244,16 @@ void CutEnergy::ListNeighbors(const std::vector<std::int64_t>& costs)
         }
       }
     });
+}
+
+double CutEnergy::ExtraInside(Id cell) const
+{
+  return -this->Weight(cell) * GainInside(this->W(cell));
+}
+
+double CutEnergy::CostInEnergy(const Neighbor& neighbor) const
+{
+  return std::ldexp(static_cast<double>(neighbor.Cost), -this->Shift);
 }
 
 double CutEnergy::Of(const std::vector<unsigned char>& inside) const

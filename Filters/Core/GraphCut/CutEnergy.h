@@ -110,6 +110,12 @@ public:
   /** The cells next to `cell` that should have its label; not those where this costs nothing. */
   Buckets<Neighbor>::Range Neighbors(Id cell) const { return this->NeighborsOfCells[cell]; }
 
+  /** By how much E's data term of the cell is larger inside than outside. */
+  double ExtraInside(Id cell) const;
+
+  /** What a neighbour's cost is in E, but for rounding. */
+  double CostInEnergy(const Neighbor& neighbor) const;
+
   /** 1 where the cell has to be inside, -1 outside, 0 where either will do. */
   int Demand(Id cell) const { return this->Graph.Demands.empty() ? 0 : this->Graph.Demands[cell]; }
 
@@ -128,6 +134,7 @@ private:
   std::vector<double> Weights;    ///< of data terms, one per cell; empty for 1
   std::vector<double> Smoothness; ///< v_ij for different labels, one per face
   std::vector<std::int64_t> Gains;
+  int Shift = 0; ///< costs are E's times two to this
   Buckets<Neighbor> NeighborsOfCells;
 };
 } // namespace insideout

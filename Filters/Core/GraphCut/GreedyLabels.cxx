@@ -9,6 +9,7 @@ namespace insideout
 GreedyLabels::GreedyLabels(const CutEnergy& energy, std::vector<unsigned char> inside)
   : Energy(energy)
   , Inside(std::move(inside))
+  , Fixed(this->Inside.size(), 0)
   , Kept(this->Inside.size(), 0)
   , IsQueued(this->Inside.size(), 0)
 {
@@ -48,7 +49,8 @@ bool GreedyLabels::IsImprovement(Id cell) const
 
 bool GreedyLabels::MayFlip(Id cell) const
 {
-  return this->Energy.Demand(cell) == 0 && !(this->IsInside(cell) && this->Kept[cell]) &&
+  return this->Energy.Demand(cell) == 0 && !this->Fixed[cell] &&
+    !(this->IsInside(cell) && this->Kept[cell]) &&
     std::all_of(this->Constraints.begin(), this->Constraints.end(),
       [&](LabelConstraint* constraint) { return constraint->Allows(*this, cell); });
 }

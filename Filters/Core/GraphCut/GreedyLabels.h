@@ -37,7 +37,10 @@ public:
   double W(Id cell) const { return this->Energy.W(cell); }
 
   /** Whether the cell may be labelled inside: no demand forbids it. */
-  bool MayBeInside(Id cell) const { return this->Energy.Demand(cell) >= 0; }
+  bool MayBeInside(Id cell) const { return this->Energy.Demand(cell) >= 0 && !this->Fixed[cell]; }
+
+  /** Never change the cell's label. */
+  void Fix(Id cell) { this->Fixed[cell] = 1; }
 
   /** From now on no improvement may violate it. It must live on. */
   void Add(LabelConstraint& constraint) { this->Constraints.push_back(&constraint); }
@@ -71,6 +74,7 @@ private:
 
   const CutEnergy& Energy;
   std::vector<unsigned char> Inside;
+  std::vector<char> Fixed;
   std::vector<char> Kept;
   std::vector<char> IsQueued;
   std::vector<LabelConstraint*> Constraints;

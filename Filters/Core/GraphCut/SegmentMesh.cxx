@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GraphCut/SegmentMesh.h"
 
+#include "Common/ScaledPoints.h"
 #include "Common/Stages.h"
 #include "GraphCut/InteriorFaces.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
 namespace
 {
-// What share of the progress is over before the cut, the facets and the manifold.
+// What share of the progress is over before the cut, the facets, the manifold and the topology.
 constexpr double BeforeCut = 0.2;
 constexpr double BeforeFacets = 0.5;
-constexpr double BeforeManifold = 0.75;
+constexpr double BeforeManifold = 0.7;
+constexpr double BeforeTopology = 0.8;
 
 /** The seed in a cell beside the piece. */
 Id SeedBeside(const FacetPiece& piece, const SeededCells& seeded)
@@ -31,7 +34,45 @@ Id CountDifferent(const std::vector<unsigned char>& a, const std::vector<unsigne
   }
   return different;
 }
+
+Id CountUnsatisfied(const std::vector<FacetPiece>& pieces, const std::vector<unsigned char>& inside)
+{
+  return static_cast<Id>(std::count_if(pieces.begin(), pieces.end(),
+    [&](const FacetPiece& piece)
+    { return !inside[piece.First] && (piece.Second == None || !inside[piece.Second]); }));
+}
+
+/** In the units of the points. */
+std::vector<double> VolumesOf(const TetrahedralMesh& mesh)
+{
+  std::vector<double> volumes = CellVolumes(mesh);
+  const int exponent = 3 * LargestExponent(mesh.Points);
+  std::transform(volumes.begin(), volumes.end(), volumes.begin(),
+    [&](double volume) { return std::ldexp(volume, exponent); });
+  return volumes;
+}
+
+/** By face of a tetrahedron the corner that is not on it (TetrahedronFaces). */
+constexpr std::array<int, 4> CornersOppositeFaces = { { 2, 0, 1, 3 } };
+
+void Tell(const ControlledTopology& topology, MeshSegmentation& result)
+{
+  const std::vector<std::string>& warnings = topology.Warnings;
+  result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
+  const RegionChanges& regions = topology.Regions;
+  const Statistics figures = { { "EnergyBeforeTopology", topology.EnergyBefore },
+    { "DroppedRegions", regions.DroppedRegions }, { "DroppedVolume", regions.DroppedVolume },
+    { "FilledCavities", regions.FilledCavities }, { "FilledVolume", regions.FilledVolume },
+    { "JoinedRegions", topology.Joined } };
+  result.Statistics.insert(result.Statistics.end(), figures.begin(), figures.end());
+}
 } // namespace
+
+bool DropsRegions(const Statistics& statistics)
+{
+  return std::any_of(statistics.begin(), statistics.end(),
+    [](const auto& figure) { return figure.first == "DroppedRegions" && figure.second > 0; });
+}
 
 MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<double>& w,
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
@@ -42,19 +83,23 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   CellGraph graph = { w, InteriorFaces(mesh),
     parameters.Cut.DataTerm == DataTerm::VolumeWeighted ? CellVolumes(mesh)
                                                         : std::vector<double>() };
-  return SegmentCells(
-    std::move(graph), std::move(seeded), pieces, parameters,
-    [&](GreedyLabels& labels, Monitor& watch, double begin, double end)
-    {
-      ManifoldConstraint manifold(mesh.Points.size(), mesh.Cells, mesh.Neighbors);
-      return manifold.Satisfy(labels, watch, begin, end);
-    },
+  return SegmentCells(std::move(graph), std::move(seeded), pieces, parameters,
+    { [&](GreedyLabels& labels, Monitor& watch, double begin, double end)
+      {
+        ManifoldConstraint manifold(mesh.Points.size(), mesh.Cells, mesh.Neighbors);
+        return manifold.Satisfy(labels, watch, begin, end);
+      },
+      [&]()
+      {
+        return SimplicialCells(mesh.Points.size(), mesh.Cells, mesh.Neighbors, CornersOppositeFaces,
+          [&]() { return VolumesOf(mesh); });
+      } },
     monitor);
 }
 
 MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   const std::vector<FacetPiece>& pieces, const SegmentMeshParameters& parameters,
-  const MakeManifold& makeManifold, Monitor& monitor)
+  const MeshToSegment& mesh, Monitor& monitor)
 {
   MeshSegmentation result;
   result.Warnings = std::move(seeded.Warnings);
@@ -75,9 +120,22 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   ManifoldConstraint::Outcome filled;
   if (parameters.FillNonManifold)
   {
-    filled = makeManifold(labels, monitor, BeforeManifold, 1);
+    filled = mesh.MakeManifold(labels, monitor, BeforeManifold, BeforeTopology);
   }
   result.Inside = labels.Labels();
+  ControlledTopology topology;
+  if (parameters.Topology.ChangeNothing())
+  {
+    topology.EnergyBefore = energy.Of(result.Inside);
+  }
+  else
+  {
+    topology = ControlTopology(mesh.ListCells(), energy,
+      { &graph.Demands, parameters.ConstrainFacets ? &pieces : nullptr,
+        parameters.FillNonManifold ? mesh.MakeManifold : MakeManifold() },
+      parameters.Topology, result.Inside, monitor, { Stages::Segmenting, BeforeTopology, 1 });
+    filled.LeftPoints = std::max(filled.LeftPoints, topology.LeftPoints);
+  }
 
   const Id unsatisfied = static_cast<Id>(kept.Unsatisfied.size());
   if (unsatisfied > 0)
@@ -87,6 +145,13 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
       " pieces of facets are not kept, for seeds are to be outside on either side of them: seed " +
       std::to_string(seed) + " beside the first");
   }
+  const Id dropped =
+    parameters.ConstrainFacets ? CountUnsatisfied(pieces, result.Inside) - unsatisfied : 0;
+  if (dropped > 0)
+  {
+    result.Warnings.push_back(
+      std::to_string(dropped) + " pieces of facets are not kept, for their regions were dropped");
+  }
   if (filled.LeftPoints > 0)
   {
     result.Warnings.push_back(std::to_string(filled.LeftPoints) +
@@ -94,10 +159,12 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
       (!hasSeeds ? "the hull is not manifold there" : "seeds that are to be outside forbid it"));
   }
   result.Statistics = { { "Energy", energy.Of(result.Inside) }, { "EnergyOfCut", energy.Of(cut) },
-    { "ForcedFacets", kept.Forced }, { "ForcedCells", labels.NumberOfForced() },
-    { "ChangedCells", CountDifferent(result.Inside, cut) }, { "UnsatisfiedFacets", unsatisfied },
-    { "NonManifoldPoints", filled.LeftPoints },
+    { "ForcedFacets", kept.Forced },
+    { "ForcedCells", labels.NumberOfForced() + topology.ForcedCells },
+    { "ChangedCells", CountDifferent(result.Inside, cut) },
+    { "UnsatisfiedFacets", unsatisfied + dropped }, { "NonManifoldPoints", filled.LeftPoints },
     { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints } };
+  Tell(topology, result);
   monitor.Check(Stages::Segmenting, 1);
   return result;
 }

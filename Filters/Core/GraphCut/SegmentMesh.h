@@ -2,12 +2,9 @@
 #pragma once
 
 #include "Common/Statistics.h"
-#include "GraphCut/FacetConstraint.h"
+#include "GraphCut/ControlTopology.h"
 #include "GraphCut/GraphCutSegmentation.h"
-#include "GraphCut/ManifoldConstraint.h"
 #include "GraphCut/Seeds.h"
-
-#include <functional>
 
 namespace insideout
 {
@@ -16,6 +13,7 @@ struct SegmentMeshParameters
   GraphCutParameters Cut;
   bool ConstrainFacets = false;
   bool FillNonManifold = false;
+  ControlTopologyParameters Topology;
 };
 
 struct MeshSegmentation
@@ -27,14 +25,18 @@ struct MeshSegmentation
 
 /**
  * Stage cut on tetrahedra, with all that may be asked of it: the minimum cut that puts the seeds'
- * cells where they are to be, then the constraints on facets, then those on manifoldness. Seeds win
- * over constraints; what they make impossible is counted and warned about.
+ * cells where they are to be, then the constraints on facets, then those on manifoldness, then the
+ * choice of regions and what the solid's topology is to be. Seeds win over constraints, and so does
+ * the choice of regions over kept facets; what they make impossible is counted and warned about.
  *
  * Statistics: Energy of the result, EnergyOfCut before the constraints, ForcedFacets (pieces of
  * facets that a cell was labelled inside for), ForcedCells (cells labelled inside for a
  * constraint), ChangedCells (labels that differ from the cut's), UnsatisfiedFacets (pieces that
- * seeds keep outside), NonManifoldPoints (that could not be helped), SeedConflicts (seeds that do
- * not count, pieces and points that seeds keep from being satisfied).
+ * seeds keep outside, or that were of dropped regions), NonManifoldPoints (that could not be
+ * helped), SeedConflicts (seeds that do not count, pieces and points that seeds keep from being
+ * satisfied); EnergyBeforeTopology (with the regions that were chosen, before any were joined or
+ * dropped to be one), DroppedRegions and DroppedVolume (an area in a plane), FilledCavities and
+ * FilledVolume, JoinedRegions (ways made between two regions).
  *
  * @param[in] w one finite value per cell
  * @param[in] pieces those that have to be kept, only for ConstrainFacets
@@ -44,17 +46,22 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, Monitor& monitor);
 
-/** Makes the boundary of labels a manifold, and reports from one fraction to another. */
-using MakeManifold = std::function<ManifoldConstraint::Outcome(
-  GreedyLabels& labels, Monitor& monitor, double begin, double end)>;
+/** Whether the statistics of a segmentation tell of regions that were dropped. */
+bool DropsRegions(const Statistics& statistics);
+
+/** What is asked of the mesh where it is needed. */
+struct MeshToSegment
+{
+  insideout::MakeManifold MakeManifold;
+  std::function<SimplicialCells()> ListCells;
+};
 
 /**
  * The same on cells of any kind.
  *
  * @param[in] graph without demands, which are those of the seeds
- * @param[in] makeManifold only for FillNonManifold
  */
 MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   const std::vector<FacetPiece>& pieces, const SegmentMeshParameters& parameters,
-  const MakeManifold& makeManifold, Monitor& monitor);
+  const MeshToSegment& mesh, Monitor& monitor);
 } // namespace insideout

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
+#include <set>
 
 namespace insideout
 {
@@ -99,6 +101,102 @@ Id CountCavities(const TetrahedralMesh& mesh, const std::vector<unsigned char>& 
   return static_cast<Id>(std::count(isOpen.begin(), isOpen.end(), 0));
 }
 
+SolidTopology FromCounts(std::size_t points, const std::vector<Tetrahedron>& cells,
+  const std::vector<Triangle>& boundary, Id regions, Id cavities)
+{
+  SolidTopology topology;
+  const PointCounts ofSolid = CountPoints(points, cells);
+  const Id tetrahedra = static_cast<Id>(cells.size());
+  const Id triangles = static_cast<Id>(boundary.size());
+  topology.Solid.Components = ofSolid.Components;
+  topology.Solid.Cavities = cavities;
+  // Each face of a cell is another's, too, or on the boundary.
+  const Id eulerOfSolid =
+    ofSolid.Used - CountEdges(points, cells) + (4 * tetrahedra + triangles) / 2 - tetrahedra;
+  topology.Solid.Tunnels = topology.Solid.Components + cavities - eulerOfSolid;
+
+  const PointCounts ofBoundary = CountPoints(points, boundary);
+  topology.Boundary.Components = ofBoundary.Components;
+  topology.Boundary.Cavities = regions + cavities;
+  const Id eulerOfBoundary = ofBoundary.Used - CountEdges(points, boundary) + triangles;
+  topology.Boundary.Tunnels =
+    topology.Boundary.Components + topology.Boundary.Cavities - eulerOfBoundary;
+  return topology;
+}
+
+/** The triangles at each edge that has more than two, and all that edges of two join as sets. */
+std::vector<std::vector<Id>> JoinAtEdges(const std::vector<Triangle>& triangles, DisjointSets& sets)
+{
+  using EdgeOfTriangle = std::array<Id, 3>; // its points, and the triangle
+  std::vector<EdgeOfTriangle> edges;
+  for (Id t = 0; t < static_cast<Id>(triangles.size()); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+      edges.push_back({ { low, high, t } });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::vector<Id>> crowded;
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    const auto last = std::find_if(first, edges.end(),
+      [&](const EdgeOfTriangle& edge) { return edge[0] != (*first)[0] || edge[1] != (*first)[1]; });
+    if (last - first == 2)
+    {
+      sets.Join((*first)[2], first[1][2]);
+    }
+    else
+    {
+      crowded.emplace_back();
+      std::for_each(first, last, [&](const EdgeOfTriangle& e) { crowded.back().push_back(e[2]); });
+    }
+    first = last;
+  }
+  return crowded;
+}
+
+/**
+ * How many independent sets of triangles have an even number at every edge: the second Betti number
+ * modulo 2. What edges of two triangles join is in such a set as a whole or not at all; edges of
+ * more are equations between these wholes, and each that others do not imply makes one less.
+ */
+Id CountClosedSurfaces(const std::vector<Triangle>& triangles)
+{
+  DisjointSets sets(triangles.size());
+  const std::vector<std::vector<Id>> crowded = JoinAtEdges(triangles, sets);
+  Id closed = 0;
+  for (Id t = 0; t < static_cast<Id>(triangles.size()); ++t)
+  {
+    closed += sets.Find(t) == t;
+  }
+  std::map<Id, std::set<Id>> equations; // by their last whole
+  for (const std::vector<Id>& edge : crowded)
+  {
+    std::set<Id> equation;
+    const auto add = [&](Id whole)
+    {
+      if (!equation.insert(whole).second)
+      {
+        equation.erase(whole);
+      }
+    };
+    std::for_each(edge.begin(), edge.end(), [&](Id triangle) { add(sets.Find(triangle)); });
+    for (auto known = equations.end();
+         !equation.empty() && (known = equations.find(*equation.rbegin())) != equations.end();)
+    {
+      std::for_each(known->second.begin(), known->second.end(), add);
+    }
+    if (!equation.empty())
+    {
+      equations[*equation.rbegin()] = equation;
+      --closed;
+    }
+  }
+  return closed;
+}
+
 void Append(const std::string& prefix, const BettiNumbers& numbers, Statistics& statistics)
 {
   statistics.emplace_back(prefix + "Components", numbers.Components);
@@ -126,28 +224,17 @@ SolidTopology FindTopology(const TetrahedralMesh& mesh, const std::vector<unsign
   {
     faces.push_back(face.Corners);
   }
-  const std::size_t points = mesh.Points.size();
-  SolidTopology topology;
-  topology.Solid.Cavities =
+  const Id cavities =
     CountCavities(mesh, inside, monitor, { progress.Stage, progress.At(0.3), progress.At(0.6) });
-  const PointCounts ofSolid = CountPoints(points, cells);
-  const Id tetrahedra = static_cast<Id>(cells.size());
-  const Id triangles = static_cast<Id>(faces.size());
-  topology.Solid.Components = ofSolid.Components;
-  // Each face of a cell is another's, too, or on the boundary.
-  const Id eulerOfSolid =
-    ofSolid.Used - CountEdges(points, cells) + (4 * tetrahedra + triangles) / 2 - tetrahedra;
-  topology.Solid.Tunnels = topology.Solid.Components + topology.Solid.Cavities - eulerOfSolid;
-  monitor.Check(progress, 0.8);
-
-  const PointCounts ofBoundary = CountPoints(points, faces);
-  topology.Boundary.Components = ofBoundary.Components;
-  topology.Boundary.Cavities = regions + topology.Solid.Cavities;
-  const Id eulerOfBoundary = ofBoundary.Used - CountEdges(points, faces) + triangles;
-  topology.Boundary.Tunnels =
-    topology.Boundary.Components + topology.Boundary.Cavities - eulerOfBoundary;
+  const SolidTopology topology = FromCounts(mesh.Points.size(), cells, faces, regions, cavities);
   monitor.Check(progress, 1);
   return topology;
+}
+
+SolidTopology FindTopology(std::size_t points, const std::vector<Tetrahedron>& cells,
+  const std::vector<Triangle>& boundary, Id regions)
+{
+  return FromCounts(points, cells, boundary, regions, CountClosedSurfaces(boundary) - regions);
 }
 
 void AppendTopology(const SolidTopology& topology, Statistics& statistics)

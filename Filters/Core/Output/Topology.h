@@ -37,6 +37,18 @@ struct SolidTopology
 SolidTopology FindTopology(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
   const std::vector<BoundaryFace>& boundary, Monitor& monitor, const ProgressRange& progress);
 
+/**
+ * The same of tetrahedra that fit together, from their boundary alone: it bounds the regions and,
+ * but for one, the parts of the outside, so that it has as many closed surfaces, counted modulo 2,
+ * as there are regions and cavities.
+ *
+ * @param[in] points how many there are
+ * @param[in] boundary the faces that one cell alone has
+ * @param[in] regions how many parts of the cells faces connect
+ */
+SolidTopology FindTopology(std::size_t points, const std::vector<Tetrahedron>& cells,
+  const std::vector<Triangle>& boundary, Id regions);
+
 /** As figures: Components, Tunnels, Cavities, EulerCharacteristic, and the same of the boundary
  * with Boundary before it. Genus is half of the boundary's tunnels, its handles where it is a
  * manifold. */

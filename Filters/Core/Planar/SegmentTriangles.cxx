@@ -6,6 +6,7 @@
 #include "Planar/TriangleLocator.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace insideout
 {
@@ -35,6 +36,19 @@ std::vector<double> CellAreas(
   }
   return areas;
 }
+
+/** In the units of the points in space. */
+std::vector<double> AreasInSpace(
+  const std::vector<PlanarPoint>& points, const PlanarMesh& mesh, const Plane& plane)
+{
+  std::vector<double> areas = CellAreas(points, mesh, plane.Metric);
+  std::transform(areas.begin(), areas.end(), areas.begin(),
+    [&](double area) { return std::ldexp(area, 2 * plane.Exponent); });
+  return areas;
+}
+
+/** By edge of a triangle the corner that is not on it (EdgeOf). */
+constexpr std::array<int, 3> CornersOppositeEdges = { { 2, 0, 1 } };
 } // namespace
 
 std::vector<InteriorFace> InteriorEdges(
@@ -87,13 +101,17 @@ MeshSegmentation SegmentTriangles(const SegmentComplex& curve, const PlanarMesh&
     parameters.Cut.DataTerm == DataTerm::VolumeWeighted
       ? CellAreas(curve.Points, mesh, plane.Metric)
       : std::vector<double>() };
-  return SegmentCells(
-    std::move(graph), std::move(seeded), pieces, parameters,
-    [&](GreedyLabels& labels, Monitor& watch, double begin, double end)
-    {
-      PlanarManifold manifold(curve.Points.size(), mesh);
-      return manifold.Satisfy(labels, watch, begin, end);
-    },
+  return SegmentCells(std::move(graph), std::move(seeded), pieces, parameters,
+    { [&](GreedyLabels& labels, Monitor& watch, double begin, double end)
+      {
+        PlanarManifold manifold(curve.Points.size(), mesh);
+        return manifold.Satisfy(labels, watch, begin, end);
+      },
+      [&]()
+      {
+        return SimplicialCells(curve.Points.size(), mesh.Cells, mesh.Neighbors,
+          CornersOppositeEdges, [&]() { return AreasInSpace(curve.Points, mesh, plane); });
+      } },
     monitor);
 }
 } // namespace insideout

@@ -110,10 +110,10 @@ SolidDefects FindSolidDefects(
   FindRegions(faces.Joints, defects);
   defects.CrowdedFaces = faces.Crowded;
   defects.OverlappingFaces = faces.Overlapping;
-  defects.BoundaryFaces = static_cast<Id>(faces.Boundary.size());
+  defects.Boundary = std::move(faces.Boundary);
   monitor.Check(Stages::Validating, 1);
-  defects.ContactPairs = static_cast<Id>(
-    FindIntersections(points, WithArea(points, std::move(faces.Boundary)), monitor).size());
+  defects.ContactPairs =
+    static_cast<Id>(FindIntersections(points, WithArea(points, defects.Boundary), monitor).size());
   return defects;
 }
 
@@ -125,7 +125,7 @@ void AppendSolidDefects(const SolidDefects& defects, Statistics& statistics)
   statistics.emplace_back("FlatCells", defects.FlatCells);
   statistics.emplace_back("CrowdedFaces", defects.CrowdedFaces);
   statistics.emplace_back("OverlappingFaces", defects.OverlappingFaces);
-  statistics.emplace_back("BoundaryFaces", defects.BoundaryFaces);
+  statistics.emplace_back("BoundaryFaces", defects.Boundary.size());
   statistics.emplace_back("ContactPairs", defects.ContactPairs);
   statistics.emplace_back("Conforms", defects.Conforms());
 }

@@ -26,7 +26,8 @@ struct SolidDefects
 
   Id CrowdedFaces = 0;     ///< of more than two cells
   Id OverlappingFaces = 0; ///< whose two cells lie on the same side
-  Id BoundaryFaces = 0;    ///< of one cell
+
+  std::vector<Triangle> Boundary; ///< the faces of one cell
 
   /** Pairs of boundary faces that meet beyond the points and edges that they share: where cells
    * overlap, or do not fit together, as at a point in the middle of another cell's edge. */

@@ -24,6 +24,7 @@ Dimension = Literal["automatic", "2", "3", 2, 3]
 SurfaceTreatment = Literal["kept", "split", "remeshed"]
 NonManifold = Literal["keep", "fill", "split"]
 QuadratureOrder = Literal[1, 2, 3, 4, 5]
+Topology = Literal["any", "one-component", "simply-connected"]
 RegionRule = Literal["by-priority", "all"]
 Seed = Union[Tuple[Tuple[float, float, float], bool], Tuple[Tuple[float, float, float], bool, str]]
 Seeds = Union[DataSetOfPoints, str, Iterable[Seed]]
@@ -133,6 +134,27 @@ class Order(Option):
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "ORDER", "type": int, "choices": range(self.least, self.most + 1)}
+
+
+class Count(Option):
+    """A whole number of at least 0."""
+
+    MOST = 2**31 - 1
+
+    def checked(self, algorithm: Any, name: str, value: Any) -> int:
+        number = at_least(0, name, value)
+        if number != int(number) or number > self.MOST:
+            raise Error(f"{name} is {value:g}; it must be a whole number of at most {self.MOST}")
+        return int(number)
+
+    def used_by(self, algorithm: Any, value: Any) -> int:
+        return getattr(algorithm, "Get" + self.vtk_property)()
+
+    def help(self) -> str:
+        return f"{self.words}; default {self.used_by(vtkRobustTetrahedralize(), None)}"
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "COUNT", "type": int}
 
 
 class SwitchOrArray(Switch):
@@ -283,6 +305,24 @@ class Options:
         Switch(
             "SeparateOverlaps",
             "where two layers of the solid overlap give each cells of its own, so that a limb can be pulled out of another",
+        )
+    )
+    largest_regions: Optional[int] = _is(
+        Count("LargestRegions", "how many regions of the solid, parts that faces connect, stay at most: the largest; 0 is any number")
+    )
+    minimum_region_volume: Optional[float] = _is(
+        Number("MinimumRegionVolume", "drop regions of a smaller volume, in a plane area, in the surface's units")
+    )
+    seeded_regions: bool = _is(Switch("SeededRegions", "drop regions without a seed that is to be inside"))
+    fill_cavities: bool = _is(Switch("FillCavities", "fill the cavities that the solid encloses, in a plane its holes"))
+    topology: Topology = _is(
+        Choice(
+            "Topology",
+            'what the solid is to be: "any", as the cut has it; "one-component", regions joined or dropped, whichever adds less '
+            'energy; "simply-connected", without tunnels and cavities besides, which are cut open or filled',
+            default="any",
+            choices=get_args(Topology),
+            prefix="TOPOLOGY_",
         )
     )
     non_participating: Optional[str] = _is(

@@ -38,6 +38,7 @@ MEASURED = (
     *("OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
     *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area", "MinAngle", "Angle1Percent", "MaxAngle"),
+    *("DroppedVolume", "FilledVolume", "Genus"),
 )
 """What the names of statistics begin with that do not count; those of tetrahedra before they are refined have a Before."""
 

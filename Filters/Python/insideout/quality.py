@@ -54,6 +54,7 @@ class SolidCheck(Result):
     def figures(self) -> list[tuple[str, str]]:
         return [
             ("", self.verdict),
+            *topology_rows(self.statistics),
             *quality_rows(self.statistics),
             *((finding.text, finding.consequence) for finding in self.findings),
             *(("", warning) for warning in self.warnings),
@@ -100,6 +101,18 @@ def solid_verdict(statistics: Mapping[str, float]) -> str:
     if not statistics["Conforms"]:
         return f"{mesh} that do not conform; {positive}"
     return f"{mesh}, conforming, the boundary watertight; {positive}"
+
+
+def topology_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:
+    """How the solid hangs together, in words; nothing where cells do not fit together."""
+    if "SolidComponents" not in statistics:
+        return []
+    parts = []
+    for name, one, many in (("Components", "component", "components"), ("Tunnels", "tunnel", "tunnels"), ("Cavities", "cavity", "cavities")):
+        count = int(statistics["Solid" + name])
+        parts.append(f"{count:,} {one if count == 1 else many}")
+    euler, genus = statistics["SolidEulerCharacteristic"], statistics["Genus"]
+    return [("topology", f"{', '.join(parts)}; Euler characteristic {euler:,.0f}, genus of the boundary {genus:,g}")]
 
 
 def quality_rows(statistics: Mapping[str, float]) -> list[tuple[str, str]]:

@@ -8,7 +8,7 @@ from typing import Iterable, Mapping, Optional, Sequence
 from . import stages
 from .checking import Finding
 from .defects import DEFECTS, PLANAR_DEFECTS
-from .quality import quality_rows, solid_verdict
+from .quality import quality_rows, solid_verdict, topology_rows
 from .verdict import verdict, volumes_of_shells, what_it_bounds
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
 
@@ -130,6 +130,26 @@ def _parted(statistics: Mapping[str, float]) -> list[str]:
     return lines
 
 
+def _topology(statistics: Mapping[str, float]) -> list[str]:
+    """What regions were dropped, cavities filled and regions joined, if any."""
+    what = "area" if statistics.get("Dimension", 3) == 2 else "volume"
+    lines = []
+    for counted, one, many, size in (
+        ("DroppedRegions", "region", "regions", "DroppedVolume"),
+        ("FilledCavities", "cavity", "cavities", "FilledVolume"),
+    ):
+        count = int(statistics.get(counted, 0))
+        if count > 0:
+            done = "dropped" if counted == "DroppedRegions" else "filled"
+            lines.append(f"  {count:,} {one if count == 1 else many} {done}, of {what} {statistics[size]:.6g} in all")
+    joined = int(statistics.get("JoinedRegions", 0))
+    if joined > 0:
+        lines.append(f"  {joined:,} {'way' if joined == 1 else 'ways'} made between regions")
+    if statistics.get("Energy") != statistics.get("EnergyBeforeTopology"):
+        lines.append(f"  energy {statistics['EnergyBeforeTopology']:.6g} before the topology was made so, {statistics['Energy']:.6g} after")
+    return lines
+
+
 def _scaled(statistics: Mapping[str, float]) -> list[str]:
     """By what the coordinates were multiplied, if they were."""
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
@@ -172,6 +192,7 @@ def summary(
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         *_cells(statistics),
+        *_topology(statistics),
         *_parted(statistics),
         *_refined(statistics),
         *_mass(statistics),
@@ -196,6 +217,7 @@ def _planar_summary(name: str, statistics: Mapping[str, float], areas: Sequence[
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
         f"  {count['InsideCells']} triangles inside, of {count['HullCells']} in the convex hull",
+        *_topology(statistics),
         *_refined_triangles(statistics),
         *([f"  area {statistics['Area']:.6g}, center of mass ({center})"] if statistics["Area"] else []),
         *([f"  {len(areas):,} regions, of area {_first(f'{area:.6g}' for area in areas)}"] if len(areas) > 1 else []),
@@ -247,7 +269,7 @@ def solid_summary(name: str, statistics: Mapping[str, float], findings: Sequence
     return [
         f"Solid {name}: {solid_verdict(statistics)}",
         f"  {_count(statistics['BoundaryFaces'])} boundary triangles",
-        *(f"  {what:20} {how_much}" for what, how_much in quality_rows(statistics)),
+        *(f"  {what:20} {how_much}" for what, how_much in [*topology_rows(statistics), *quality_rows(statistics)]),
         *_listed("Wrong, and may matter", [finding for finding in findings if finding.matters]),
         *_listed("Worth knowing", [finding for finding in findings if not finding.matters]),
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",

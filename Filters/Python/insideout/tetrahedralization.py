@@ -16,7 +16,7 @@ from .bodies import AnyBodies, as_bodies
 from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import mesh_of_solid
-from .options import DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, describe_options, in_words_of_python
+from .options import DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
 from .stages import TETRAHEDRALIZE
@@ -166,6 +166,11 @@ def tetrahedralize(
     constrain_facets: Union[bool, str] = False,
     non_manifold: NonManifold = "keep",
     separate_overlaps: bool = False,
+    largest_regions: Optional[int] = None,
+    minimum_region_volume: Optional[float] = None,
+    seeded_regions: bool = False,
+    fill_cavities: bool = False,
+    topology: Topology = "any",
     non_participating: Optional[str] = None,
     quadrature_order: Optional[QuadratureOrder] = None,
     merge_coplanar_pieces: bool = False,

@@ -235,7 +235,7 @@ TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
 TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
 {
   vtkNew<TypeParam> filter;
-  const auto [cut, constrainFacets, fillNonManifold] = SegmentMeshParameters();
+  const auto [cut, constrainFacets, fillNonManifold, topology] = SegmentMeshParameters();
   const auto [gamma, sigma, dataTerm] = cut;
   EXPECT_EQ(filter->GetGamma(), gamma);
   EXPECT_EQ(filter->GetSigma(), sigma);
@@ -245,6 +245,17 @@ TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
   EXPECT_EQ(filter->GetNonManifold(), TypeParam::NONMANIFOLD_KEEP);
   EXPECT_EQ(SET(filter, NonManifold, -1), TypeParam::NONMANIFOLD_KEEP);
   EXPECT_EQ(SET(filter, NonManifold, 99), TypeParam::NONMANIFOLD_SPLIT);
+  const auto [regions, goal] = topology;
+  const auto [largest, least, seeded, fillCavities] = regions;
+  EXPECT_EQ(filter->GetLargestRegions(), largest);
+  EXPECT_EQ(filter->GetMinimumRegionVolume(), least);
+  EXPECT_EQ(filter->GetSeededRegions(), seeded);
+  EXPECT_EQ(filter->GetFillCavities(), fillCavities);
+  EXPECT_EQ(filter->GetTopology(), static_cast<int>(goal));
+  EXPECT_EQ(SET(filter, LargestRegions, -1), 0);
+  EXPECT_EQ(SET(filter, MinimumRegionVolume, -1), 0);
+  EXPECT_EQ(SET(filter, Topology, -1), TypeParam::TOPOLOGY_ANY);
+  EXPECT_EQ(SET(filter, Topology, 99), TypeParam::TOPOLOGY_SIMPLY_CONNECTED);
 
   for (const double value : { -1.0, Infinity })
   {

@@ -2,85 +2,18 @@
 #include "Output/Topology.h"
 
 #include "Common/Stages.h"
+#include "Output/Regions.h"
+#include "Support/Homology.h"
 #include "Support/TestTetrahedra.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 namespace
 {
 using namespace insideout;
-using Simplex = std::vector<Id>;
-
-/** The rank of a matrix of 0 and 1, of numbers modulo 2, by its columns' rows that hold 1. */
-int RankModulo2(std::vector<std::set<int>> columns)
-{
-  std::map<int, std::set<int>> byLowest;
-  for (std::set<int>& column : columns)
-  {
-    while (!column.empty() && byLowest.count(*column.rbegin()) > 0)
-    {
-      for (const int row : byLowest[*column.rbegin()])
-      {
-        if (!column.insert(row).second)
-        {
-          column.erase(row);
-        }
-      }
-    }
-    if (!column.empty())
-    {
-      byLowest[*column.rbegin()] = column;
-    }
-  }
-  return static_cast<int>(byLowest.size());
-}
-
-/** By the ranks of the boundary maps of all simplices. */
-BettiNumbers ByHomology(const std::vector<Simplex>& tops)
-{
-  std::array<std::map<Simplex, int>, 4> simplices;
-  for (Simplex top : tops)
-  {
-    std::sort(top.begin(), top.end());
-    for (unsigned subset = 1; subset < 1u << top.size(); ++subset)
-    {
-      Simplex part;
-      for (std::size_t k = 0; k < top.size(); ++k)
-      {
-        if (subset >> k & 1u)
-        {
-          part.push_back(top[k]);
-        }
-      }
-      auto& ofDimension = simplices[part.size() - 1];
-      ofDimension.insert({ part, static_cast<int>(ofDimension.size()) });
-    }
-  }
-  std::array<int, 5> ranks = { 0, 0, 0, 0, 0 }; // of the map from dimension d to d - 1
-  for (std::size_t d = 1; d < 4; ++d)
-  {
-    std::vector<std::set<int>> columns;
-    for (const auto& [simplex, number] : simplices[d])
-    {
-      columns.emplace_back();
-      for (std::size_t k = 0; k <= d; ++k)
-      {
-        Simplex face = simplex;
-        face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
-        columns.back().insert(simplices[d - 1].at(face));
-      }
-    }
-    ranks[d] = RankModulo2(columns);
-  }
-  const auto betti = [&](std::size_t d)
-  { return static_cast<Id>(simplices[d].size()) - ranks[d] - ranks[d + 1]; };
-  EXPECT_EQ(betti(3), 0);
-  return { betti(0), betti(1), betti(2) };
-}
+using testhomology::ByHomology;
+using testhomology::Simplex;
+using testtetrahedra::Cubes;
 
 SolidTopology Find(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
 {
@@ -88,6 +21,34 @@ SolidTopology Find(const TetrahedralMesh& mesh, const std::vector<unsigned char>
   const ProgressRange progress = { Stages::Extracting, 0, 1 };
   return FindTopology(
     mesh, inside, BoundaryFaces(mesh, inside, silent, progress), silent, progress);
+}
+
+/** Of the cells inside alone, from their boundary. */
+void ExpectTheSameWithoutTheHull(
+  const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside, const SolidTopology& found)
+{
+  Monitor silent;
+  const ProgressRange progress = { Stages::Extracting, 0, 1 };
+  std::vector<Tetrahedron> cells;
+  std::vector<Triangle> boundary;
+  for (std::size_t cell = 0; cell < inside.size(); ++cell)
+  {
+    if (inside[cell])
+    {
+      cells.push_back(mesh.Cells[cell]);
+    }
+  }
+  for (const BoundaryFace& face : BoundaryFaces(mesh, inside, silent, progress))
+  {
+    boundary.push_back(face.Corners);
+  }
+  const SolidTopology alone = FindTopology(
+    mesh.Points.size(), cells, boundary, FindRegions(mesh, inside, silent, progress).Count);
+  EXPECT_EQ(alone.Solid.Components, found.Solid.Components);
+  EXPECT_EQ(alone.Solid.Tunnels, found.Solid.Tunnels);
+  EXPECT_EQ(alone.Solid.Cavities, found.Solid.Cavities);
+  EXPECT_EQ(alone.Boundary.Tunnels, found.Boundary.Tunnels);
+  EXPECT_EQ(alone.Boundary.Cavities, found.Boundary.Cavities);
 }
 
 void ExpectThatOfHomology(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside)
@@ -115,6 +76,7 @@ void ExpectThatOfHomology(const TetrahedralMesh& mesh, const std::vector<unsigne
   EXPECT_EQ(found.Boundary.Components, boundary.Components);
   EXPECT_EQ(found.Boundary.Tunnels, boundary.Tunnels);
   EXPECT_EQ(found.Boundary.Cavities, boundary.Cavities);
+  ExpectTheSameWithoutTheHull(mesh, inside, found);
 }
 } // namespace
 
@@ -125,28 +87,6 @@ TEST(Topology, IsThatOfHomologyWhateverTouches)
     const TetrahedralMesh mesh = testtetrahedra::Grid(seed, 3);
     ExpectThatOfHomology(mesh, testtetrahedra::RandomInside(mesh, seed));
   }
-}
-
-/** Of 5 x 5 x 5 cubes those that `isInside` is true for, by the middles of their cells. */
-template <typename Predicate>
-std::vector<unsigned char> Cubes(const TetrahedralMesh& mesh, const Predicate& isInside)
-{
-  std::vector<unsigned char> inside;
-  for (const Tetrahedron& cell : mesh.Cells)
-  {
-    std::array<int, 3> cube;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      double sum = 0;
-      for (const Id p : cell)
-      {
-        sum += mesh.Points[p][axis] / 4;
-      }
-      cube[axis] = static_cast<int>(sum / 100);
-    }
-    inside.push_back(isInside(cube[0], cube[1], cube[2]) ? 1 : 0);
-  }
-  return inside;
 }
 
 TEST(Topology, OfARingAHollowBallAndTwoParts)

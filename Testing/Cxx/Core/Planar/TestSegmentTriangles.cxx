@@ -107,6 +107,58 @@ TEST(SegmentTriangles, FindsTheLeastEnergyOfAllLabels)
   }
 }
 
+TEST(SegmentTriangles, ChoosesRegionsAndFillsHolesOrMakesADisc)
+{
+  // A ring of area 8, and a square of area 1.
+  const SegmentSoup soup = Lines({ { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 }, { 1, 1 }, { 2, 1 },
+                                   { 2, 2 }, { 1, 2 }, { 4, 0 }, { 5, 0 }, { 5, 1 }, { 4, 1 } },
+    { { 0, 1, 2, 3, 0 }, { 4, 7, 6, 5, 4 }, { 8, 9, 10, 11, 8 } });
+  const PlanarHull hull = MeshHullOf(soup);
+  Monitor monitor;
+  const auto areas = [&](const SegmentMeshParameters& parameters)
+  {
+    std::vector<double> found;
+    const MeshSegmentation made = SegmentHull(hull, parameters);
+    EXPECT_TRUE(made.Warnings.empty());
+    const SolidRegions regions = FindRegions(hull.Mesh, made.Inside, monitor, { "", 0, 1 });
+    for (const AreaProperties& region : MeasureRegions(hull.Curve, hull.Mesh, hull.Plane, regions))
+    {
+      found.push_back(region.Area);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  SegmentMeshParameters largest;
+  largest.Topology.Regions.LargestRegions = 1;
+  EXPECT_EQ(areas(largest), std::vector<double>({ 8 }));
+  SegmentMeshParameters large;
+  large.Topology.Regions.MinimumRegionVolume = 7.5;
+  EXPECT_EQ(areas(large), std::vector<double>({ 8 }));
+  SegmentMeshParameters filled;
+  filled.Topology.Regions.FillCavities = true;
+  EXPECT_EQ(areas(filled), std::vector<double>({ 1, 9 }));
+  SegmentMeshParameters disc;
+  disc.Topology.Goal = TopologyGoal::SimplyConnected;
+  EXPECT_EQ(areas(disc).size(), 1u);
+  // As many points as edges, less one, and triangles: neither a hole nor two parts that touch.
+  std::map<Id, int> points;
+  std::map<Segment, int> edges;
+  int triangles = 0;
+  const MeshSegmentation made = SegmentHull(hull, disc);
+  for (std::size_t c = 0; c < made.Inside.size(); ++c)
+  {
+    triangles += made.Inside[c];
+    for (int k = 0; made.Inside[c] && k < 3; ++k)
+    {
+      const Id a = hull.Mesh.Cells[c][k];
+      const Id b = hull.Mesh.Cells[c][(k + 1) % 3];
+      points[a] = 1;
+      edges[{ { std::min(a, b), std::max(a, b) } }] = 1;
+    }
+  }
+  EXPECT_EQ(static_cast<int>(points.size()) - static_cast<int>(edges.size()) + triangles, 1);
+}
+
 TEST(SegmentTriangles, GivesWhereWIsOneOfClosedCurves)
 {
   const SegmentSoup soup =

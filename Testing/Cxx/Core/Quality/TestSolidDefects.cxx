@@ -30,7 +30,7 @@ TEST(SolidDefects, OfAGridAreNone)
   EXPECT_EQ(found.NegativeCells, 0);
   EXPECT_EQ(found.FlatCells, 0);
   EXPECT_EQ(found.NumberOfRegions, 1);
-  EXPECT_EQ(found.BoundaryFaces, 6 * 4 * 4 * 2);
+  EXPECT_EQ(found.Boundary.size(), 6u * 4 * 4 * 2);
   EXPECT_TRUE(found.Conforms());
   EXPECT_EQ(found.Orientations, std::vector<std::int8_t>(mesh.Cells.size(), 1));
 }
@@ -52,7 +52,7 @@ TEST(SolidDefects, AreNotInTheOrderOfPointsAlone)
   const SolidDefects found = DefectsOf(Corners, { { { 0, 1, 2, 3 } }, { { 0, 1, 2, 4 } } });
   EXPECT_EQ(found.NegativeCells, 1);
   EXPECT_TRUE(found.Conforms());
-  EXPECT_EQ(found.BoundaryFaces, 6);
+  EXPECT_EQ(found.Boundary.size(), 6u);
 }
 
 TEST(SolidDefects, FindFacesThatHaveCellsOnOneSideOnly)

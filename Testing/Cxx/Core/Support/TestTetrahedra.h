@@ -3,7 +3,9 @@
 
 #include "Common/TetrahedralMesh.h"
 
+#include <array>
 #include <random>
+#include <vector>
 
 /** Tetrahedral meshes without a tetrahedralizer, and facets chosen among their faces. */
 namespace testtetrahedra
@@ -50,4 +52,26 @@ std::vector<int> RandomLabels(const TetrahedralMesh& mesh, unsigned seed);
 
 /** Random inside (1) or outside (0), one per cell; by the seed a quarter to all are inside. */
 std::vector<unsigned char> RandomInside(const TetrahedralMesh& mesh, unsigned seed);
+
+/** Of an EvenGrid the cubes that `isInside` is true for, by the middles of their cells. */
+template <typename Predicate>
+std::vector<unsigned char> Cubes(const TetrahedralMesh& mesh, const Predicate& isInside)
+{
+  std::vector<unsigned char> inside;
+  for (const Tetrahedron& cell : mesh.Cells)
+  {
+    std::array<int, 3> cube;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double sum = 0;
+      for (const Id p : cell)
+      {
+        sum += mesh.Points[p][axis] / 4;
+      }
+      cube[axis] = static_cast<int>(sum / 100);
+    }
+    inside.push_back(isInside(cube[0], cube[1], cube[2]) ? 1 : 0);
+  }
+  return inside;
+}
 } // namespace testtetrahedra
