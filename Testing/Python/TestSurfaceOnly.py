@@ -50,7 +50,8 @@ class Laws(unittest.TestCase):
         self.assertEqual(insideout.tetrahedralize(closed, surface_only=True).statistics["Tetrahedra"], 0)
         seeds = [((0.1, 0.1, 0.1), True)]
         asked = ({"refine": True}, {"seeds": seeds}, {"constrain_facets": True}, {"non_manifold": "fill"}, {"non_manifold": "split"},
-                 {"separate_overlaps": True}, {"largest_regions": 1}, {"fill_cavities": True}, {"topology": "one-component"}, {"gamma": 3}, {"sigma": 0.2}, {"data_term": "volume-weighted"})
+                 {"separate_overlaps": True}, {"largest_regions": 1}, {"fill_cavities": True}, {"topology": "one-component"},
+                 {"gamma": 3}, {"sigma": 0.2}, {"data_term": "volume-weighted"})
         for options in asked:
             with self.subTest(options=options):
                 made = insideout.tetrahedralize(closed, surface_only=True, **options)
