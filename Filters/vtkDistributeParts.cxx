@@ -2,6 +2,7 @@
 #include "vtkDistributeParts.h"
 
 #include "Private/vtkInsideOutAssembly.h"
+#include "Private/vtkInsideOutFailTogether.h"
 #include "Private/vtkInsideOutGather.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
@@ -23,6 +24,7 @@ vtkStandardNewMacro(vtkDistributeParts);
 
 vtkDistributeParts::vtkDistributeParts()
   : Controller(vtkMultiProcessController::GetGlobalController())
+  , Failures(new vtkInsideOutFailTogether)
 {
 }
 
@@ -46,6 +48,11 @@ void vtkDistributeParts::SetController(vtkMultiProcessController* controller)
 vtkMultiProcessController* vtkDistributeParts::GetController()
 {
   return this->Controller;
+}
+
+int vtkDistributeParts::ModifyRequest(vtkInformation* request, int when)
+{
+  return this->Failures->ModifyRequest(this, this->Controller, request, when);
 }
 
 int vtkDistributeParts::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)

@@ -22,7 +22,9 @@
  * warning.
  *
  * No filter that follows waits for other processes. So a part that fails says so, with the name of
- * its block, and keeps none of the others from its solid, in whatever process.
+ * its block, and keeps none of the others from its solid, in whatever process. Only where the input
+ * of a whole process fails, as a file that it cannot read, there is no output in any process, and
+ * an error in each says whose input it was: parts may be in pieces, and would be incomplete.
  *
  * @sa vtkRobustTetrahedralize vtkProbeWindingNumber
  */
@@ -33,6 +35,9 @@
 #include "vtkPassInputTypeAlgorithm.h"
 #include "vtkSmartPointer.h" // for the controller
 
+#include <memory>
+
+class vtkInsideOutFailTogether;
 class vtkMultiProcessController;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkDistributeParts : public vtkPassInputTypeAlgorithm
@@ -52,6 +57,8 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  int ModifyRequest(vtkInformation* request, int when) override;
+
 protected:
   vtkDistributeParts();
   ~vtkDistributeParts() override;
@@ -67,6 +74,8 @@ protected:
 private:
   vtkDistributeParts(const vtkDistributeParts&) = delete;
   void operator=(const vtkDistributeParts&) = delete;
+
+  const std::unique_ptr<vtkInsideOutFailTogether> Failures;
 };
 
 #endif

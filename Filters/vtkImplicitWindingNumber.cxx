@@ -33,6 +33,7 @@ vtkImplicitWindingNumber::vtkImplicitWindingNumber()
   this->MergeTolerance = chain.MergeTolerance;
   this->CountDuplicates = chain.CountDuplicates;
   this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
+  this->AreaArrayName = vtkInsideOutSurfaceOptions().Areas;
 }
 
 vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
@@ -50,6 +51,7 @@ void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+  os << indent << "AreaArrayName: " << this->AreaArrayName << "\n";
 }
 
 vtkCxxSetObjectMacro(vtkImplicitWindingNumber, Input, vtkPolyData);
@@ -72,6 +74,7 @@ void vtkImplicitWindingNumber::Build()
     Monitor silent;
     std::vector<std::string> warnings;
     vtkInsideOutSurfaceOptions options = vtkInsideOutReadSurfaceOptions(this);
+    options.Areas = this->AreaArrayName;
     options.Distance = this->SignedDistance;
     this->Built->WindingNumber =
       std::make_unique<const vtkInsideOutWindingNumber>(this->Input, options, silent, warnings);

@@ -5,9 +5,11 @@
 #include "Private/vtkInsideOutArrays.h"
 #include "Private/vtkInsideOutAttributes.h"
 #include "Private/vtkInsideOutBlock.h"
+#include "Private/vtkInsideOutFailTogether.h"
 #include "Private/vtkInsideOutGather.h"
 #include "Private/vtkInsideOutMakeWindingNumber.h"
 #include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutVisitPlaces.h"
 #include "Private/vtkInsideOutWholeInput.h"
@@ -45,12 +47,14 @@ public:
 vtkProbeWindingNumber::vtkProbeWindingNumber()
   : Controller(vtkMultiProcessController::GetGlobalController())
   , Last(new Internal)
+  , Failures(new vtkInsideOutFailTogether)
 {
   this->SetNumberOfInputPorts(2);
   const CountedChainParameters chain;
   this->MergeTolerance = chain.MergeTolerance;
   this->CountDuplicates = chain.CountDuplicates;
   this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
+  this->AreaArrayName = vtkInsideOutSurfaceOptions().Areas;
   const WindingNumberParameters windingNumber;
   this->Method = static_cast<int>(windingNumber.Method);
   this->ApproximationOrder = windingNumber.ApproximationOrder;
@@ -78,6 +82,7 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+  os << indent << "AreaArrayName: " << this->AreaArrayName << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }
 
@@ -94,6 +99,11 @@ void vtkProbeWindingNumber::SetSurfaceConnection(vtkAlgorithmOutput* output)
 vtkPolyData* vtkProbeWindingNumber::GetSurface()
 {
   return vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0));
+}
+
+int vtkProbeWindingNumber::ModifyRequest(vtkInformation* request, int when)
+{
+  return this->Failures->ModifyRequest(this, this->Controller, request, when);
 }
 
 int vtkProbeWindingNumber::FillInputPortInformation(int port, vtkInformation* info)
@@ -157,6 +167,7 @@ vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
   options.WindingNumber.Method = static_cast<Method>(filter->GetMethod());
   options.WindingNumber.ApproximationOrder = filter->GetApproximationOrder();
   options.WindingNumber.Accuracy = filter->GetAccuracy();
+  options.Areas = filter->GetAreaArrayName();
   options.Distance = filter->GetDistance();
   return options;
 }
@@ -237,8 +248,8 @@ vtkSmartPointer<vtkPolyData> vtkProbeWindingNumber::WholeSurface(vtkInformation*
 {
   vtkPolyData* piece = vtkPolyData::GetData(surface);
   return surface->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1
-    ? vtkInsideOutGather(
-        piece, { this->NonParticipatingArrayName, "FacetMultiplicity" }, this->Controller)
+    ? vtkInsideOutGather(piece, { this->NonParticipatingArrayName, "FacetMultiplicity" },
+        { this->AreaArrayName }, this->Controller)
     : vtkSmartPointer<vtkPolyData>(piece);
 }
 
@@ -260,7 +271,7 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       {
         stages.emplace_back(Stages::Distances);
       }
-      if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+      if (vtkInsideOutAreLines(surface))
       {
         // A curve is resolved, and its hull triangulated, before it is known which way it runs.
         stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });

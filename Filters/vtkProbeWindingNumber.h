@@ -28,10 +28,26 @@
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *
+ * Points without polygons and lines, with point normals, are a cloud, as scanners give them
+ * (vertices do not matter). It has the winding number of Barill, Dickson, Schmidt, Levin and
+ * Jacobson (2018): with areas a, unit normals n and places p of the points
+ *
+ *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
+ *
+ * Areas are those of AreaArrayName, or those of each point's Voronoi cell among its 20 nearest
+ * neighbours in its tangent plane. As a term grows beyond all bounds near its point, it is made to
+ * fall to 0 within the radius of a disk of the point's area: w passes smoothly from 1 to 0 across a
+ * layer as thick as points are apart, and within this layer means no more than that. Sums are by a
+ * tree of expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by
+ * some 1e-4; Method NAIVE adds all points up. Orientation REVERSE turns all normals over, the
+ * others none; other options, which are of polygons, do not matter. A point of the cloud that is
+ * not finite, or has a normal of length 0 or an area below 0, is an error that names it.
+ *
  * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
  * surface, whose pieces (ghost cells apart) are gathered and sent to all of them: so a process
  * holds the surface and its own places, and has the same w as one that does it all. ClosestCellId
- * then counts the cells of all pieces, one after the other. Where an input is composite each
+ * then counts the cells of all pieces, one after the other. Where an input fails in one process
+ * there is no output in any, and an error in each says in which. Where an input is composite each
  * process asks for the whole surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
@@ -44,8 +60,10 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkSmartPointer.h"           // for the controller
 
+#include <memory>
 #include <string>
 
+class vtkInsideOutFailTogether;
 class vtkMultiProcessController;
 class vtkPolyData;
 
@@ -58,7 +76,8 @@ public:
 
   ///@{
   /**
-   * The surface: polygons and strips. Lines and vertices are ignored with a warning.
+   * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning. Or
+   * lines alone, or points with normals alone.
    */
   void SetSurfaceData(vtkPolyData* surface);
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
@@ -216,6 +235,16 @@ public:
 
   ///@{
   /**
+   * Name of a point array of a cloud, of one number per point: the area that each stands for, in
+   * squared units of the surface, at least 0. Default "Area"; where the cloud has no array of this
+   * name the areas are estimated.
+   */
+  vtkSetStdStringFromCharMacro(AreaArrayName);
+  vtkGetCharFromStdStringMacro(AreaArrayName);
+  ///@}
+
+  ///@{
+  /**
    * The processes that hold pieces of the surface and work together where each is asked for its own
    * piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0). Default
    * vtkMultiProcessController's global one; none is this process alone.
@@ -238,6 +267,8 @@ public:
   int IsInsideSurface(double x, double y, double z);
   int IsInsideSurface(double x[3]);
   ///@}
+
+  int ModifyRequest(vtkInformation* request, int when) override;
 
 protected:
   vtkProbeWindingNumber();
@@ -262,6 +293,7 @@ protected:
   double MergeTolerance;
   bool CountDuplicates;
   std::string NonParticipatingArrayName;
+  std::string AreaArrayName;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
@@ -272,6 +304,7 @@ private:
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface
+  const std::unique_ptr<vtkInsideOutFailTogether> Failures;
 };
 
 #endif

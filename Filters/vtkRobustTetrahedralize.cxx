@@ -2,16 +2,20 @@
 #include "vtkRobustTetrahedralize.h"
 
 #include "Common/Stages.h"
+#include "Common/Team.h"
+#include "Private/vtkInsideOutBlock.h"
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutHull.h"
 #include "Private/vtkInsideOutMakeTetrahedra.h"
 #include "Private/vtkInsideOutMakeTriangles.h"
+#include "Private/vtkInsideOutMeshAhead.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -20,6 +24,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <optional>
 
 using namespace insideout;
 
@@ -100,9 +105,11 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
   os << indent << "SplitSeams: " << this->SplitSeams << "\n";
+  os << indent << "SurfaceOnly: " << this->SurfaceOnly << "\n";
   os << indent << "TagArrayName: " << this->TagArrayName << "\n";
   os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
+  os << indent << "BlocksAtOnce: " << this->BlocksAtOnce << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
   os << indent << "Priority: " << this->Priority << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
@@ -243,6 +250,22 @@ vtkInsideOutPlanarOptions PlanarOptionsOf(vtkRobustTetrahedralize* filter)
 }
 } // namespace
 
+void vtkRobustTetrahedralize::PutOut(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  vtkPolyData* outliers, vtkInformationVector* outputVector)
+{
+  auto* output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  if (this->SurfaceOnly)
+  {
+    output->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  }
+  else
+  {
+    output->ShallowCopy(grid);
+  }
+  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(boundary);
+  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(outliers);
+}
+
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -286,13 +309,11 @@ void vtkRobustTetrahedralize::MakeTriangles(
     });
   if (this->GetReleaseDataFlag())
   {
-    this->HullsInAPlane->Forget();
+    this->HullsInAPlane->Forget(input);
   }
   const vtkInsideOutTriangles triangles =
     vtkInsideOutMakeTriangles(kept->Curve, kept->Hull, seeds, tags, PlanarOptionsOf(this), monitor);
-  vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(triangles.Grid);
-  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(triangles.Boundary);
-  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(triangles.Outliers);
+  this->PutOut(triangles.Grid, triangles.Boundary, triangles.Outliers, outputVector);
   if (this->Dimension == DIMENSION_AUTOMATIC)
   {
     vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(kept->Curve) });
@@ -363,6 +384,44 @@ void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
   }
 }
 
+void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
+{
+  const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+  constexpr std::size_t BlocksPerThread = 8; // so that threads end at about the same time
+  const std::size_t most = BlocksPerThread * std::min(this->BlocksAtOnce, MostThreads());
+  std::vector<vtkDataObject*> blocks = vtkInsideOutBlocksFromHere(this);
+  blocks.resize(std::min(blocks.size(), most));
+  std::vector<std::shared_ptr<vtkInsideOutHull>> hulls;
+  for (vtkDataObject* block : blocks)
+  {
+    try
+    {
+      const auto [input, names, warnings] = ReadInput(this, block);
+      const auto key = vtkInsideOutAsTuple(parameters, names);
+      if (!this->Hulls->Find(block, key) &&
+        vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_3)
+      {
+        hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
+        this->Hulls->Remember(block, key, hulls.back());
+      }
+    }
+    catch (const Error&)
+    {
+      // is said when VTK comes to the block
+    }
+  }
+  try
+  {
+    vtkInsideOutMeshAhead(hulls, parameters, !this->SurfaceOnly, this->BlocksAtOnce, monitor);
+  }
+  catch (...)
+  {
+    std::for_each(
+      blocks.begin(), blocks.end(), [this](vtkDataObject* block) { this->Hulls->Forget(block); });
+    throw;
+  }
+}
+
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -390,20 +449,47 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+      if (this->BlocksAtOnce > 1 &&
+        !this->Hulls->Find(given, vtkInsideOutAsTuple(parameters, names)))
+      {
+        this->MeshBlocksAhead(monitor);
+      }
       const std::shared_ptr<vtkInsideOutHull> kept =
         this->Hulls->Get(given, vtkInsideOutAsTuple(parameters, names),
           [&, &surface = input, &arrays = names]()
-          { return std::make_shared<vtkInsideOutHull>(surface, parameters, arrays, monitor); });
-      if (this->GetReleaseDataFlag())
+          {
+            auto hull = std::make_shared<vtkInsideOutHull>(surface, arrays);
+            hull->Resolve(parameters, monitor);
+            return hull;
+          });
+      if (this->GetReleaseDataFlag() || kept->Failure)
       {
-        this->Hulls->Forget();
+        this->Hulls->Forget(given);
       }
-      const vtkInsideOutTetrahedra tetrahedra = vtkInsideOutMakeTetrahedra(
-        *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, SolidOptionsOf(this), monitor);
-      vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(tetrahedra.Grid);
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(tetrahedra.Boundary);
-      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(tetrahedra.Outliers);
+      if (kept->Failure)
+      {
+        std::rethrow_exception(kept->Failure);
+      }
+      const vtkInsideOutSolidOptions options = SolidOptionsOf(this);
+      std::optional<vtkInsideOutTetrahedra> made;
+      if (this->SurfaceOnly)
+      {
+        made = vtkInsideOutMakeSurfaceOnly(*kept, !seeds.empty(), tags, options, monitor);
+      }
+      const bool areTetrahedraMade = !made;
+      if (areTetrahedraMade)
+      {
+        kept->Fill(parameters, monitor);
+        kept->MakeGrid();
+        made = vtkInsideOutMakeTetrahedra(
+          *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, options, monitor);
+      }
+      if (this->SurfaceOnly)
+      {
+        vtkInsideOutAddStatistics({ { "Tetrahedra", areTetrahedraMade } }, made->Grid);
+      }
+      this->PutOut(made->Grid, made->Boundary, made->Outliers, outputVector);
       vtkInsideOutWarn(this, inputWarnings);
-      vtkInsideOutWarn(this, tetrahedra.Warnings);
+      vtkInsideOutWarn(this, made->Warnings);
     });
 }

@@ -57,8 +57,8 @@
  * triangles in that plane, with three components of FacetIds and FacetMultiplicity, their boundary
  * as polylines with the inside on their left, and outliers as polylines. RegionArea takes the place
  * of RegionVolume, Statistics_Area that of Statistics_Volume. Thicken, the engine and its budgets,
- * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there;
- * SeparateOverlaps is an error.
+ * MergeCoplanarPieces, SplitSeams and QuadratureOrder have nothing to do there, and SurfaceOnly
+ * does no more than leave the cells away; SeparateOverlaps is an error.
  *
  * With Refine the triangles inside are others there: Delaunay refinement, by EdgeLength, Grading
  * and MaximumVolume, the largest area. KEPT: the boundary and all lines at inside triangles stay.
@@ -105,6 +105,7 @@
 #include <memory>
 #include <string>
 
+class vtkInsideOutMonitor;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -430,6 +431,24 @@ public:
 
   ///@{
   /**
+   * On: only the surfaces are wanted, outputs 1 and 2; output 0 has field data and no cells. Where
+   * the input is closed the boundary is then found without tetrahedra, at the speed of
+   * vtkResolveSelfIntersections, from the winding numbers on both sides of its facets: the same
+   * solid, whose boundary has no self-intersections, inner walls and duplicates, and is watertight.
+   * An input that is open, has facets that could not be resolved, or has nothing inside goes
+   * through tetrahedra; so does all that is asked of cells or of more than one body: bodies,
+   * Refine, seeds, ConstrainFacets, NonManifold, SeparateOverlaps, a choice of regions,
+   * FillCavities, Topology, a Gamma or Sigma above the default and DataTerm. Statistics_Tetrahedra
+   * says which way was taken (1 or 0). Without tetrahedra the statistics are those of the input and
+   * of the boundary, and Volume. Default off.
+   */
+  vtkSetMacro(SurfaceOnly, bool);
+  vtkGetMacro(SurfaceOnly, bool);
+  vtkBooleanMacro(SurfaceOnly, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of a cell array of the input, of one integer or string per cell: what becomes the
    * boundary's array BoundaryTag. Strings are numbered in the order of their first cells, integers
    * in their own order; these are called as the field array of strings says that goes with the
@@ -462,6 +481,19 @@ public:
   void SetBlocksAreBodies(bool blocksAreBodies);
   vtkGetMacro(BlocksAreBodies, bool);
   vtkBooleanMacro(BlocksAreBodies, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many blocks of a composite data set are resolved and meshed at once, each by one thread;
+   * the solids are the same, bit by bit. That pays where blocks are many and small, for of a small
+   * one there is little that threads can share. As many as threads may work (OMP_NUM_THREADS) at
+   * most; each takes the memory that it takes alone, and the hulls of eight for each thread are
+   * kept until their turn comes. Of a single surface, of BlocksAreBodies and in a plane it does
+   * nothing. Default 1: one after the other. Range 1 to infinity.
+   */
+  vtkSetClampMacro(BlocksAtOnce, int, 1, VTK_INT_MAX);
+  vtkGetMacro(BlocksAtOnce, int);
   ///@}
 
   /** What becomes a region where there are bodies. */
@@ -668,9 +700,11 @@ protected:
   std::string NonParticipatingArrayName;
   bool MergeCoplanarPieces = false;
   bool SplitSeams = false;
+  bool SurfaceOnly = false;
   std::string TagArrayName;
   std::string BodyArrayName;
   bool BlocksAreBodies = false;
+  int BlocksAtOnce = 1;
   int RegionRule = BY_PRIORITY;
   std::string Priority;
   int QuadratureOrder;
@@ -687,7 +721,10 @@ protected:
   bool QuadraticCells = false;
 
 private:
+  void MeshBlocksAhead(vtkInsideOutMonitor& monitor);
   void MakeTriangles(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void PutOut(vtkUnstructuredGrid* grid, vtkPolyData* boundary, vtkPolyData* outliers,
+    vtkInformationVector* outputVector);
   bool PartsSolid();
   void CheckOptions();
   void CheckBodies(bool isPlanar);

@@ -11,6 +11,9 @@
  * OutputSpacing and OutputWholeExtent, whose defaults are those of vtkImageStencilSource. A stencil
  * knows no other axes than x, y and z: an image with a direction of its own is an error.
  *
+ * Points with normals, without polygons and lines, are a cloud, as in vtkProbeWindingNumber, whose
+ * point array Area, if there is one, has the areas of its points.
+ *
  * Bad input is an error that names the culprit, and the stencil is empty then.
  *
  * @sa vtkProbeWindingNumber vtkPolyDataToImageStencil vtkImageStencilSource

@@ -19,7 +19,7 @@ BUILD = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
 
 # What a test cannot do: these install packages or open a window. Other tests do what they do.
-LEFT_OUT = ("Examples/quickstart.sh", "paraview\n")
+LEFT_OUT = ("Examples/quickstart.sh", "apt-get install", "paraview\n")
 ENVIRONMENT = f". '{BUILD}/env.sh'\n"
 
 CPP = """#include <vtkNew.h>

@@ -21,10 +21,10 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
 
 # Real meshes, a display for pictures, the checks of style and types, programs that read the files for
 # solvers, what the examples calculate with, a second compiler with its sanitizers, their symbolizer and its OpenMP,
-# and what CPack finds out with which packages a package of this one needs.
+# what CPack finds out with which packages a package of this one needs, and what makes and installs a wheel.
 packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy
   python3-meshio python3-h5py python3-scipy python3-matplotlib gmsh python3-gmsh calculix-ccx
-  clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 dpkg-dev file"
+  clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 dpkg-dev file python3-pip python3-wheel"
 
 missing=
 for package in $packages; do

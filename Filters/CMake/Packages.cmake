@@ -31,6 +31,12 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON) # and with it ldconfig is run
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-numpy")
 if (INSIDEOUT_USE_PARAVIEW)
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", paraview, python3-paraview")
+  # ParaView has to be told of the plugin, and to forget it.
+  foreach (script IN ITEMS postinst prerm)
+    set(control_file ${CMAKE_BINARY_DIR}/deb/${script})
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/deb-${script}.in ${control_file} @ONLY)
+    list(APPEND CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${control_file})
+  endforeach ()
 else ()
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3-vtk9")
 endif ()

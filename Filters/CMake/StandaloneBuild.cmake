@@ -21,9 +21,12 @@ if (INSIDEOUT_USE_PARAVIEW)
     REQUIRES_MODULES  required_modules
     ENABLE_BY_DEFAULT ON)
 else ()
-  find_package(VTK 9.1 REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore ImagingCore IOCore IOXML ParallelCore
-    WrappingPythonCore Python)
+  file(GLOB vtk_of_paraview "/usr/${CMAKE_INSTALL_LIBDIR}/cmake/paraview-*/vtk") # where there is no other
+  find_package(VTK 9.1 REQUIRED
+    COMPONENTS
+      CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore ImagingCore IOCore IOXML ParallelCore
+      WrappingPythonCore Python
+    PATHS ${vtk_of_paraview})
   set(INSIDEOUT_VTK_PACKAGE VTK)
   set(INSIDEOUT_VTK_VERSION ${VTK_VERSION})
   set(vtk_python_folder :${VTK_PREFIX_PATH}/${VTK_PYTHONPATH})
@@ -86,8 +89,10 @@ install(FILES
   DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/Filters/Tetgen/LICENSE
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.insideout-tetgen)
+if (INSIDEOUT_USE_TETGEN)
+  install(FILES ${PROJECT_SOURCE_DIR}/Filters/Tetgen/LICENSE
+    DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.insideout-tetgen)
+endif ()
 install(EXPORT InsideOut
   NAMESPACE   VTK::
   FILE        InsideOutTargets.cmake

@@ -8,7 +8,8 @@
 
 namespace insideout
 {
-HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
+HullMesh ResolveHull(
+  const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
 {
   HullMesh hull;
   Statistics& statistics = hull.Statistics;
@@ -31,24 +32,35 @@ HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters
 
   Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);
   TakeResolved(std::move(resolution.Surface), resolution.IntersectingPairs.size(), hull);
-  const double resolveSeconds = stopwatch.Lap();
+  statistics.emplace_back("SecondsValidate", validateSeconds);
+  statistics.emplace_back("SecondsPre", stopwatch.Lap());
+  return hull;
+}
 
+void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Monitor& monitor)
+{
+  Stopwatch stopwatch;
   FillHull(parameters.Budgets, hull, monitor);
   const double meshSeconds = stopwatch.Lap();
 
   hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, parameters.QuadratureOrder);
   AddRangeOfW(IsClosed(hull.Surface), hull);
+  hull.Statistics.emplace_back("SecondsCDT", meshSeconds);
+  hull.Statistics.emplace_back("SecondsW", stopwatch.Lap());
+}
 
-  statistics.emplace_back("SecondsValidate", validateSeconds);
-  statistics.emplace_back("SecondsPre", resolveSeconds);
-  statistics.emplace_back("SecondsCDT", meshSeconds);
-  statistics.emplace_back("SecondsW", stopwatch.Lap());
+HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
+{
+  HullMesh hull = ResolveHull(soup, parameters, monitor);
+  MeshResolvedHull(parameters, hull, monitor);
   return hull;
 }
 
 void TakeResolved(FacetComplex surface, std::size_t intersectingPairs, HullMesh& hull)
 {
   hull.Surface = std::move(surface);
+  hull.Mesh.Points = hull.Surface.Points;
+  hull.Mesh.Origins = hull.Surface.Origins;
   const Id leftOut = hull.Surface.NumberOfFacets() - hull.Surface.NumberOfConstraints;
   hull.Statistics.emplace_back("IntersectingPairs", intersectingPairs);
   hull.Statistics.emplace_back("ResolvedPoints", hull.Surface.Points.size());

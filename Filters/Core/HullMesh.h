@@ -22,8 +22,8 @@ struct HullMeshParameters
 /** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
 struct HullMesh
 {
-  FacetComplex Surface; ///< resolved; facets turned over as the orientation asked for
-  TetrahedralMesh Mesh;
+  FacetComplex Surface;  ///< resolved; facets turned over as the orientation asked for
+  TetrahedralMesh Mesh;  ///< as long as there are no cells, of the surface's points
   std::vector<double> W; ///< one per cell
   SurfaceCounts Counts;
   std::vector<Id> MergedInto;          ///< as CountedChain's
@@ -35,11 +35,23 @@ struct HullMesh
 };
 
 /**
- * Stages validate to w in a row: count the facets, turn them the way that is meant, thicken sheets,
- * resolve their intersections, tetrahedralize the convex hull, and find the winding numbers.
+ * Stages validate and pre: count the facets, turn them the way that is meant, thicken sheets, and
+ * resolve their intersections. There are no cells yet.
  *
  * @throws Error whatever the stages throw
  */
+HullMesh ResolveHull(
+  const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
+
+/**
+ * Stages CDT and w, of what is resolved: tetrahedralize the convex hull, and find the winding
+ * numbers.
+ *
+ * @throws Error whatever the stages throw
+ */
+void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Monitor& monitor);
+
+/** Both: stages validate to w in a row. */
 HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
 
 /** Take what resolving made of the surface, with the figures about it. */

@@ -126,6 +126,20 @@ vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm)
   return blocks.AreThere() ? blocks : vtkInsideOutBlocks();
 }
 
+std::vector<vtkDataObject*> vtkInsideOutBlocksFromHere(vtkAlgorithm* algorithm)
+{
+  vtkInformation* input = algorithm->GetExecutive()->GetInputInformation(0, 0);
+  const int current = vtkInsideOutFindBlocks(algorithm).Current;
+  std::vector<vtkDataObject*> blocks;
+  if (current >= 0)
+  {
+    VisitLeaves(input->Get(Blocks()), std::string(),
+      [&](vtkDataObject* block, const std::string&) { blocks.push_back(block); });
+    blocks.erase(blocks.begin(), blocks.begin() + current);
+  }
+  return blocks;
+}
+
 void vtkInsideOutVisitBlocks(
   vtkDataObject* data, const std::function<void(vtkDataObject*, const std::string&)>& visit)
 {

@@ -39,6 +39,10 @@ struct vtkInsideOutBlocks
 /** Those of an algorithm's first input; none where it is not composite. */
 vtkInsideOutBlocks vtkInsideOutFindBlocks(vtkAlgorithm* algorithm);
 
+/** The block that an algorithm works on and those that it will come to; none where its first input
+ * is not composite. */
+std::vector<vtkDataObject*> vtkInsideOutBlocksFromHere(vtkAlgorithm* algorithm);
+
 /** Visit the blocks of a composite data set that have no blocks of their own, as (data, name); what
  * is not composite is the only one, and has no name. */
 void vtkInsideOutVisitBlocks(

@@ -25,6 +25,18 @@ public:
   template <typename Make>
   std::shared_ptr<Result> Get(vtkDataObject* input, const Parameters& parameters, const Make& make)
   {
+    std::shared_ptr<Result> made = this->Find(input, parameters);
+    if (!made)
+    {
+      made = make();
+      this->Remember(input, parameters, made);
+    }
+    return made;
+  }
+
+  /** The one that is remembered, or nothing. */
+  std::shared_ptr<Result> Find(vtkDataObject* input, const Parameters& parameters)
+  {
     const auto isStale = [&](const Entry& entry)
     {
       return !entry.Input || entry.Input->GetMTime() != entry.InputTime ||
@@ -34,16 +46,21 @@ public:
       std::remove_if(this->Entries.begin(), this->Entries.end(), isStale), this->Entries.end());
     const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
       [&](const Entry& entry) { return entry.Input == input; });
-    if (found != this->Entries.end())
-    {
-      return found->Made;
-    }
-    std::shared_ptr<Result> made = make();
-    this->Entries.push_back({ input, input->GetMTime(), parameters, made });
-    return made;
+    return found != this->Entries.end() ? found->Made : nullptr;
   }
 
-  void Forget() { this->Entries.clear(); }
+  void Remember(vtkDataObject* input, const Parameters& parameters, std::shared_ptr<Result> made)
+  {
+    this->Entries.push_back({ input, input->GetMTime(), parameters, std::move(made) });
+  }
+
+  /** That of one input. */
+  void Forget(vtkDataObject* input)
+  {
+    this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                          [&](const Entry& entry) { return entry.Input == input; }),
+      this->Entries.end());
+  }
 
 private:
   struct Entry

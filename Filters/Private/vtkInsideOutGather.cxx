@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutGather.h"
 
+#include "vtkInsideOutReadCloud.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkMultiProcessController.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> WithoutGhosts(
-  vtkPolyData* piece, const std::vector<std::string>& arrays)
+vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece,
+  const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays)
 {
   vtkNew<vtkPolyData> own;
   own->ShallowCopy(piece);
@@ -27,6 +30,14 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(
       bare->GetCellData()->AddArray(array);
     }
   }
+  if (vtkInsideOutIsCloud(own))
+  {
+    bare->GetPointData()->SetNormals(vtkInsideOutFindNormals(own));
+    for (const std::string& name : cloudArrays)
+    {
+      bare->GetPointData()->AddArray(own->GetPointData()->GetArray(name.c_str()));
+    }
+  }
   return bare;
 }
 } // namespace
@@ -38,11 +49,12 @@ bool vtkInsideOutAllRanksWork(vtkMultiProcessController* controller, vtkInformat
     output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) == ranks;
 }
 
-vtkSmartPointer<vtkPolyData> vtkInsideOutGather(
-  vtkPolyData* piece, const std::vector<std::string>& arrays, vtkMultiProcessController* controller)
+vtkSmartPointer<vtkPolyData> vtkInsideOutGather(vtkPolyData* piece,
+  const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays,
+  vtkMultiProcessController* controller)
 {
   std::vector<vtkSmartPointer<vtkDataObject>> pieces;
-  controller->Gather(WithoutGhosts(piece, arrays), pieces, 0);
+  controller->Gather(WithoutGhosts(piece, arrays, cloudArrays), pieces, 0);
   vtkNew<vtkAppendPolyData> all;
   if (controller->GetLocalProcessId() == 0)
   {

@@ -28,7 +28,10 @@ bool vtkInsideOutAllRanksWork(vtkMultiProcessController* controller, vtkInformat
  * The pieces of all ranks, one after the other, without their ghost cells. All ranks have to call
  * it.
  *
- * @param arrays the names of the cell arrays that matter; no other data go along
+ * @param arrays the names of the cell arrays that matter
+ * @param cloudArrays those of the point arrays that matter of a cloud, beside its normals; no other
+ * data go along
  */
 vtkSmartPointer<vtkPolyData> vtkInsideOutGather(vtkPolyData* piece,
-  const std::vector<std::string>& arrays, vtkMultiProcessController* controller);
+  const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays,
+  vtkMultiProcessController* controller);

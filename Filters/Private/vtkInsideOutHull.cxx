@@ -20,11 +20,14 @@ vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
 }
 } // namespace
 
-vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const HullMeshParameters& parameters,
-  const vtkInsideOutHullArrays& names, Monitor& monitor)
+vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const vtkInsideOutHullArrays& names)
   : Surface(vtkInsideOutReadSurface(ShallowCopyOf(input), names.NonParticipating))
   , Outputs(this->Surface)
   , Bodies(vtkInsideOutReadBodies(this->Surface, names.Bodies))
+{
+}
+
+void vtkInsideOutHull::Resolve(const HullMeshParameters& parameters, Monitor& monitor)
 {
   if (this->Bodies.AreThere())
   {
@@ -33,10 +36,30 @@ vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const HullMeshParameters&
         parameters, monitor);
     this->Hull = std::move(hull.Whole);
     this->WOfBodies = std::move(hull.W);
+    this->IsFilled = true;
   }
   else
   {
-    this->Hull = MeshHull(this->Surface.Soup, parameters, monitor);
+    this->Hull = ResolveHull(this->Surface.Soup, parameters, monitor);
+  }
+}
+
+void vtkInsideOutHull::Fill(const HullMeshParameters& parameters, Monitor& monitor)
+{
+  if (!this->IsFilled)
+  {
+    HullMesh filled = this->Hull;
+    MeshResolvedHull(parameters, filled, monitor);
+    this->Hull = std::move(filled);
+    this->IsFilled = true;
+  }
+}
+
+void vtkInsideOutHull::MakeGrid()
+{
+  if (this->Grid)
+  {
+    return;
   }
   this->Grid = this->Outputs.MakeGrid(this->Hull);
   if (this->Bodies.AreThere())

@@ -14,6 +14,7 @@
 
 #include <vtkType.h>
 
+#include <exception>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -54,16 +55,28 @@ inline auto vtkInsideOutAsTuple(
 /** Stages validate to w of a surface, of one body or several. */
 struct vtkInsideOutHull
 {
-  /** @throws insideout::Error */
-  vtkInsideOutHull(vtkPolyData* input, const insideout::HullMeshParameters& parameters,
-    const vtkInsideOutHullArrays& names, insideout::Monitor& monitor);
+  /** Reads the surface. @throws insideout::Error */
+  vtkInsideOutHull(vtkPolyData* input, const vtkInsideOutHullArrays& names);
+
+  /** Stages validate and pre of one body, all of several, without touching anything of VTK's.
+   * @throws insideout::Error */
+  void Resolve(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
+
+  /** The other stages, unless they are done, without touching anything of VTK's.
+   * @throws insideout::Error; all is then as it was before */
+  void Fill(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
+
+  /** Makes Grid of what is filled, unless it is there. */
+  void MakeGrid();
 
   vtkInsideOutSurface Surface;
   vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
   vtkInsideOutBodies Bodies;
   insideout::HullMesh Hull;
   std::vector<std::vector<double>> WOfBodies; ///< where there are bodies
-  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  bool IsFilled = false;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< null until made
+  std::exception_ptr Failure;                ///< what went wrong where it was meshed ahead
 };
 
 /** The same of a curve, in two dimensions. */

@@ -312,14 +312,20 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkInsideOutMakeOutputs::MakeGrid(
 {
   auto grid = this->MakeGrid(hull.Surface, hull.Mesh);
   grid->GetCellData()->SetScalars(vtkInsideOutMakeArray<vtkDoubleArray>("w", hull.W));
+  this->AddTurnedCells(hull, grid);
+  return grid;
+}
+
+void vtkInsideOutMakeOutputs::AddTurnedCells(
+  const insideout::HullMesh& hull, vtkDataSet* output) const
+{
   std::vector<vtkIdType> turned;
   for (const Id triangle : hull.TurnedTriangles)
   {
     turned.push_back(this->Surface->CellOfTriangle[triangle]);
   }
   turned.erase(std::unique(turned.begin(), turned.end()), turned.end()); // ascending, as triangles
-  grid->GetFieldData()->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("TurnedCellIds", turned));
-  return grid;
+  output->GetFieldData()->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("TurnedCellIds", turned));
 }
 
 void vtkInsideOutAddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid)

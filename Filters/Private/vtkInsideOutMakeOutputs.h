@@ -88,6 +88,9 @@ public:
    */
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const insideout::HullMesh& hull);
 
+  /** Name the input cells that were turned over in the field array TurnedCellIds of an output. */
+  void AddTurnedCells(const insideout::HullMesh& hull, vtkDataSet* output) const;
+
   /** Name the input cells of facets that could not be resolved in the field array LeftOutCellIds of
    * an output: ascending, each once. */
   void AddLeftOutCells(const insideout::FacetComplex& surface, vtkDataSet* output) const;

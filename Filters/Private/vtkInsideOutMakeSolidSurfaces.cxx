@@ -29,16 +29,39 @@ void CountOutliers(
   statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
 }
 
+/** Triangles of the boundary with what is asked of them, but for a manifold. */
+vtkSmartPointer<vtkPolyData> MakeBoundary(const vtkInsideOutHull& kept,
+  const std::vector<BoundaryTriangle>& boundary, bool splitSeams, vtkInsideOutMakeOutputs& outputs,
+  Monitor& monitor)
+{
+  return splitSeams
+    ? outputs.MakeSeamedBoundary(kept.Hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
+    : outputs.MakeBoundary(kept.Hull, kept.Hull.Mesh, boundary);
+}
+
+/** The same triangles, or those of the input that they are pieces of. */
+std::vector<BoundaryTriangle> MergedIfAsked(const vtkInsideOutHull& kept,
+  std::vector<BoundaryTriangle> boundary, const vtkInsideOutBoundaryOptions& options,
+  Monitor& monitor)
+{
+  const HullMesh& hull = kept.Hull;
+  return options.MergePieces
+    ? MergePieces(boundary, TrianglesInMesh(kept.Surface.Soup, hull.MergedInto, hull.Mesh), monitor,
+        { Stages::Extracting, 0.1, 0.2 })
+    : boundary;
+}
+
 /**
  * The solid's boundary, of one body.
  *
  * @param[in] parted the solid that was parted from the hull, or null
  */
-vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
+vtkSmartPointer<vtkPolyData> MakeBoundary(const vtkInsideOutHull& kept,
   const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
-  const vtkInsideOutBoundaryOptions& options, const TriangleSoup& soup,
-  vtkInsideOutMakeOutputs& outputs, Statistics& counts, Monitor& monitor)
+  const vtkInsideOutBoundaryOptions& options, vtkInsideOutMakeOutputs& outputs, Statistics& counts,
+  Monitor& monitor)
 {
+  const HullMesh& hull = kept.Hull;
   const TetrahedralMesh& mesh = parted ? parted->Solid.Mesh : hull.Mesh;
   const std::vector<BoundaryFace> faces = BoundaryFaces(
     mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
@@ -47,13 +70,9 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
     parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
   AppendTopology(
     FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }), counts);
-  std::vector<BoundaryTriangle> boundary =
-    BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 });
-  if (options.MergePieces)
-  {
-    boundary = MergePieces(boundary, TrianglesInMesh(soup, hull.MergedInto, hull.Mesh), monitor,
-      { Stages::Extracting, 0.1, 0.2 });
-  }
+  const std::vector<BoundaryTriangle> boundary = MergedIfAsked(kept,
+    BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 }),
+    options, monitor);
   monitor.Check(Stages::Extracting, 0.2);
   if (options.IsManifold)
   {
@@ -62,9 +81,8 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const HullMesh& hull,
     vtkInsideOutTellOfSharedPoints(manifold, counts, outputs.Warnings);
     return outputs.MakeManifoldBoundary(hull, mesh, manifold, boundary);
   }
-  return options.SplitSeams
-    ? outputs.MakeSeamedBoundary(hull, boundary, monitor, { Stages::Extracting, 0.2, 0.3 })
-    : outputs.MakeBoundary(hull, mesh, boundary);
+  return parted ? outputs.MakeBoundary(hull, mesh, boundary)
+                : MakeBoundary(kept, boundary, options.SplitSeams, outputs, monitor);
 }
 
 /** The boundary of several bodies and the interfaces between their regions, with tags. */
@@ -102,13 +120,27 @@ vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& 
 {
   const HullMesh& hull = kept.Hull;
   vtkInsideOutSolidSurfaces surfaces;
-  surfaces.Boundary = MakeBoundary(
-    hull, inside, parted, options, kept.Surface.Soup, outputs, surfaces.Counts, monitor);
+  surfaces.Boundary =
+    MakeBoundary(kept, inside, parted, options, outputs, surfaces.Counts, monitor);
   vtkInsideOutAddTags(tags, surfaces.Boundary);
   surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
   AddOutliers(hull,
     OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 }),
     outputs, monitor, surfaces);
+  return surfaces;
+}
+
+vtkInsideOutSolidSurfaces vtkInsideOutMakeRepairedSurfaces(const vtkInsideOutHull& kept,
+  const RepairedSurface& repaired, const vtkInsideOutBoundaryOptions& options,
+  const vtkInsideOutTags& tags, vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+{
+  vtkInsideOutSolidSurfaces surfaces;
+  surfaces.Counts.emplace_back("Volume", VolumeWithin(kept.Hull.Mesh.Points, repaired.Boundary));
+  surfaces.Boundary = MakeBoundary(kept, MergedIfAsked(kept, repaired.Boundary, options, monitor),
+    options.SplitSeams, outputs, monitor);
+  vtkInsideOutAddTags(tags, surfaces.Boundary);
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(kept.Hull));
+  AddOutliers(kept.Hull, repaired.Outliers, outputs, monitor, surfaces);
   return surfaces;
 }
 

@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "Boolean/RepairedSurface.h"
 #include "Common/Statistics.h"
 #include "LostArea.h"
 #include "vtkInsideOutHull.h"
@@ -40,6 +41,11 @@ vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& 
   const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
   const vtkInsideOutBoundaryOptions& options, const vtkInsideOutTags& tags,
   vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);
+
+/** Both of a closed surface whose boundary is known without tetrahedra. */
+vtkInsideOutSolidSurfaces vtkInsideOutMakeRepairedSurfaces(const vtkInsideOutHull& kept,
+  const insideout::RepairedSurface& repaired, const vtkInsideOutBoundaryOptions& options,
+  const vtkInsideOutTags& tags, vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);
 
 /** Both of several bodies. @param[in] tags of the surface, or null */
 vtkInsideOutSolidSurfaces vtkInsideOutMakeSurfacesOfBodies(const vtkInsideOutHull& kept,

@@ -111,12 +111,61 @@ vtkInsideOutRefinement RefineSolid(const RefinementParameters& parameters, bool 
   return refinement;
 }
 
+bool TakesTetrahedra(
+  const vtkInsideOutHull& kept, bool hasSeeds, const vtkInsideOutSolidOptions& options)
+{
+  const SegmentMeshParameters& segment = options.Segment.Parameters;
+  return kept.Bodies.AreThere() || hasSeeds || options.Refine || options.SeparateOverlaps ||
+    options.SplitPoints || segment.ConstrainFacets || segment.FillNonManifold ||
+    !segment.Topology.ChangeNothing() || !IsCutByWholeNumbers(segment.Cut);
+}
+
 template <typename List>
 void Append(const List& more, List& list)
 {
   list.insert(list.end(), more.begin(), more.end());
 }
 } // namespace
+
+std::optional<vtkInsideOutTetrahedra> vtkInsideOutMakeSurfaceOnly(const vtkInsideOutHull& kept,
+  bool hasSeeds, const vtkInsideOutTags& tags, const vtkInsideOutSolidOptions& options,
+  Monitor& monitor)
+{
+  if (TakesTetrahedra(kept, hasSeeds, options))
+  {
+    return std::nullopt;
+  }
+  Stopwatch stopwatch;
+  const std::optional<RepairedSurface> repaired = RepairSurface(kept.Hull.Surface, monitor);
+  if (!repaired || repaired->Boundary.empty())
+  {
+    return std::nullopt;
+  }
+  const double seconds = stopwatch.Lap();
+  vtkInsideOutMakeOutputs outputs = kept.Outputs;
+  const vtkInsideOutSolidSurfaces surfaces =
+    vtkInsideOutMakeRepairedSurfaces(kept, *repaired, options.Boundary, tags, outputs, monitor);
+
+  Statistics statistics = kept.Hull.Statistics;
+  statistics.emplace_back("Closed", 1);
+  statistics.emplace_back("MinimumW", repaired->MinimumW);
+  statistics.emplace_back("MaximumW", repaired->MaximumW);
+  statistics.emplace_back("SecondsW", seconds);
+  statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
+  Append(surfaces.Counts, statistics);
+  statistics.emplace_back("PeakMemory", PeakMemory());
+  vtkInsideOutTetrahedra made{ vtkSmartPointer<vtkUnstructuredGrid>::New(), surfaces.Boundary,
+    surfaces.Outliers, kept.Hull.Warnings };
+  vtkInsideOutAddStatistics(statistics, made.Grid);
+  outputs.AddTurnedCells(kept.Hull, made.Grid);
+  outputs.AddLeftOutCells(kept.Hull.Surface, made.Grid);
+  Append(outputs.Warnings, made.Warnings);
+  if (const std::string warning = WarningAbout(surfaces.Lost); !warning.empty())
+  {
+    made.Warnings.push_back(warning);
+  }
+  return made;
+}
 
 vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
   const std::vector<Seed>& seeds, vtkPointSet* points, const vtkInsideOutTags& tags,

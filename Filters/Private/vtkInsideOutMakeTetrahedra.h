@@ -9,6 +9,8 @@
 #include "vtkInsideOutMakeSolidSurfaces.h"
 #include "vtkInsideOutSegmentHull.h"
 
+#include <optional>
+
 /** The options that matter after the hull. */
 struct vtkInsideOutSolidOptions
 {
@@ -33,7 +35,19 @@ struct vtkInsideOutTetrahedra
 };
 
 /**
- * The stages after w.
+ * Where a surface is closed and nothing that is asked for takes tetrahedra: its boundary without
+ * them. The grid has no cells. Else nothing, and where nothing is inside, for the tetrahedra tell
+ * why.
+ *
+ * @param[in] hasSeeds whether there are seeds
+ * @throws insideout::Error Stopped
+ */
+std::optional<vtkInsideOutTetrahedra> vtkInsideOutMakeSurfaceOnly(const vtkInsideOutHull& kept,
+  bool hasSeeds, const vtkInsideOutTags& tags, const vtkInsideOutSolidOptions& options,
+  insideout::Monitor& monitor);
+
+/**
+ * The stages after w, of a hull that is filled.
  *
  * @param[in] points that the seeds were read from, or null
  * @throws insideout::Error that names the culprit; Stopped

@@ -1,39 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutMakeWindingNumber.h"
 
+#include "vtkInsideOutReadCloud.h"
 #include "vtkInsideOutReadCurve.h"
 #include "vtkInsideOutReadSurface.h"
 
 #include <vtkPolyData.h>
 
+namespace
+{
+void Add(const std::vector<std::string>& more, std::vector<std::string>& warnings)
+{
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+void RefuseDistance(const vtkInsideOutSurfaceOptions& options, const std::string& what)
+{
+  if (options.Distance)
+  {
+    throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+      "the surface has " + what + " but no polygons; distances are of polygons only");
+  }
+}
+} // namespace
+
+void vtkInsideOutWindingNumber::OfCurve(vtkPolyData* input,
+  const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
+  std::vector<std::string>& warnings)
+{
+  RefuseDistance(options, "lines");
+  const vtkInsideOutCurve curve =
+    vtkInsideOutReadCurve(input, options.Orientation, options.NonParticipating);
+  const insideout::PlanarHull hull =
+    MeshPlanarHull(curve.Soup, curve.Plane, { options.Chain, options.Orientation }, monitor);
+  Add(curve.Warnings, warnings);
+  Add(hull.Warnings, warnings);
+  this->Curve = std::make_unique<const insideout::CurveWindingNumber>(hull);
+}
+
+void vtkInsideOutWindingNumber::OfCloud(vtkPolyData* input,
+  const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
+  std::vector<std::string>& warnings)
+{
+  RefuseDistance(options, "points");
+  insideout::PointCloud cloud = insideout::CheckedCloud(
+    vtkInsideOutReadCloud(input, options.Areas), monitor, { insideout::Stages::Validating, 0, 1 });
+  if (options.Orientation == insideout::Orientation::Reverse)
+  {
+    for (insideout::Point& normal : cloud.Normals)
+    {
+      normal = { -normal[0], -normal[1], -normal[2] };
+    }
+  }
+  else if (insideout::SeemsInsideOut(cloud))
+  {
+    warnings.emplace_back(
+      "the normals of the cloud seem to point inward; Orientation Reverse turns them over");
+  }
+  this->Cloud = std::make_unique<const insideout::CloudWindingNumber>(
+    cloud, options.WindingNumber.Method == insideout::WindingNumberMethod::Naive);
+}
+
 vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
   const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
   std::vector<std::string>& warnings)
 {
-  const auto add = [&warnings](const std::vector<std::string>& more)
-  { warnings.insert(warnings.end(), more.begin(), more.end()); };
   if (vtkInsideOutAreLines(input))
   {
-    if (options.Distance)
-    {
-      throw insideout::Error(insideout::ErrorCode::InvalidParameter,
-        "the surface has lines but no polygons; distances are of polygons only");
-    }
-    const vtkInsideOutCurve curve =
-      vtkInsideOutReadCurve(input, options.Orientation, options.NonParticipating);
-    const insideout::PlanarHull hull =
-      MeshPlanarHull(curve.Soup, curve.Plane, { options.Chain, options.Orientation }, monitor);
-    add(curve.Warnings);
-    add(hull.Warnings);
-    this->Curve = std::make_unique<const insideout::CurveWindingNumber>(hull);
+    this->OfCurve(input, options, monitor, warnings);
+    return;
+  }
+  if (vtkInsideOutIsCloud(input))
+  {
+    this->OfCloud(input, options, monitor, warnings);
     return;
   }
   const vtkInsideOutSurface surface = vtkInsideOutReadSurface(input, options.NonParticipating);
   insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
-  add(chain.Warnings);
-  add(surface.Warnings);
+  Add(chain.Warnings, warnings);
+  Add(surface.Warnings, warnings);
   const insideout::FacetTurns turns = OrientFacets(chain.Surface, options.Orientation, monitor);
-  add(turns.Warnings);
+  Add(turns.Warnings, warnings);
   this->Surface = std::make_unique<const insideout::SurfaceWindingNumber>(
     chain.Surface, options.WindingNumber, monitor);
   if (options.Distance)
@@ -48,19 +95,22 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
 
 double vtkInsideOutWindingNumber::At(const insideout::Point& p) const
 {
-  return this->Curve ? this->Curve->At(p) : this->Surface->At(p);
+  return this->Curve ? this->Curve->At(p) : this->Cloud ? this->Cloud->At(p) : this->Surface->At(p);
 }
 
 std::vector<double> vtkInsideOutWindingNumber::At(const std::vector<insideout::Point>& points,
   insideout::Monitor& monitor, const insideout::ProgressRange& progress) const
 {
   return this->Curve ? this->Curve->At(points, monitor, progress)
+    : this->Cloud    ? this->Cloud->At(points, monitor, progress)
                      : this->Surface->At(points, monitor, progress);
 }
 
 insideout::Point vtkInsideOutWindingNumber::Gradient(const insideout::Point& p) const
 {
-  return this->Curve ? this->Curve->Gradient(p) : this->Surface->Gradient(p);
+  return this->Curve ? this->Curve->Gradient(p)
+    : this->Cloud    ? this->Cloud->Gradient(p)
+                     : this->Surface->Gradient(p);
 }
 
 bool vtkInsideOutWindingNumber::InGrid(const insideout::GridPlaces& grid,

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Clouds/CloudWindingNumber.h"
 #include "Common/Stages.h"
 #include "Distance/SurfaceDistance.h"
 #include "Planar/CurveWindingNumber.h"
@@ -23,6 +24,7 @@ struct vtkInsideOutSurfaceOptions
   insideout::Orientation Orientation;
   insideout::WindingNumberParameters WindingNumber;
   std::string NonParticipating; ///< cell array, not 0 where a cell does not count
+  std::string Areas = "Area";   ///< point array of a cloud; where there is none they are estimated
   bool Distance = false;        ///< whether that is asked for, too
 };
 
@@ -45,8 +47,8 @@ vtkInsideOutSurfaceOptions vtkInsideOutReadSurfaceOptions(Class* object)
   return options;
 }
 
-/** The winding number of a surface; or, of lines without polygons, that of the curve in their
- * plane, at the places above and below it too. */
+/** The winding number of a surface; of lines without polygons that of the curve in their plane, at
+ * the places above and below it too; of points without both that of the cloud. */
 class vtkInsideOutWindingNumber
 {
 public:
@@ -65,7 +67,7 @@ public:
     const insideout::ProgressRange& progress = { insideout::Stages::WindingNumbers, 0, 1 }) const;
   insideout::Point Gradient(const insideout::Point& p) const;
 
-  /** As of SurfaceWindingNumber. False, and nothing done, for a curve. */
+  /** As of SurfaceWindingNumber. False, and nothing done, for a curve or cloud. */
   bool InGrid(const insideout::GridPlaces& grid, std::optional<double> sideOf,
     const insideout::SliceVisitor& visit, insideout::Monitor& monitor) const;
 
@@ -77,10 +79,15 @@ public:
   ///@}
 
 private:
+  void OfCurve(vtkPolyData* input, const vtkInsideOutSurfaceOptions& options,
+    insideout::Monitor& monitor, std::vector<std::string>& warnings);
+  void OfCloud(vtkPolyData* input, const vtkInsideOutSurfaceOptions& options,
+    insideout::Monitor& monitor, std::vector<std::string>& warnings);
   vtkInsideOutNearest InCells(const insideout::SurfaceDistance::Nearest& nearest) const;
 
-  std::unique_ptr<const insideout::SurfaceWindingNumber> Surface; ///< one of the two
+  std::unique_ptr<const insideout::SurfaceWindingNumber> Surface; ///< one of the three
   std::unique_ptr<const insideout::CurveWindingNumber> Curve;
+  std::unique_ptr<const insideout::CloudWindingNumber> Cloud;
   std::unique_ptr<const insideout::SurfaceDistance> Distance;
   std::vector<vtkIdType> CellOfFacet; ///< of those that the distance knows
 };

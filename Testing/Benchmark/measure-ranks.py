@@ -3,8 +3,9 @@
 
     measure-ranks.py [RANKS...]
 
-Runs itself by pvbatch on each number of ranks (1, 2 and 4), one thread each, medians of three. `--facets`, `--queries`
-and `--parts` change the sizes. Prints a line for each run and two targets.
+Runs itself by pvbatch on each number of ranks (1, 2 and 4), one thread each, medians of three; and the assembly on one rank
+with two threads that mesh a part each (BlocksAtOnce). `--facets`, `--queries` and `--parts` change the sizes. Prints a line for
+each run and two targets.
 """
 
 import argparse
@@ -71,6 +72,7 @@ def assembly_piece(sizes, rank, ranks):
     solids = insideout.vtkRobustTetrahedralize()
     solids.SetInputConnection(parts.GetOutputPort())
     solids.ReleaseDataFlagOn()
+    solids.SetBlocksAtOnce(sizes.threads)
     return [parts, solids]
 
 
@@ -99,7 +101,8 @@ def work(sizes):
 
 def run(name, ranks, arguments):
     """Medians of [seconds, processor seconds of the busiest rank, MiB of the largest]."""
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    environment["OMP_NUM_THREADS"] = next((word.split("=")[1] for word in arguments if word.startswith("--threads=")), "1")
     command = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks), "pvbatch", "--symmetric"]
     found = []
     for _ in range(REPETITIONS):
@@ -116,6 +119,7 @@ def main():
     parser.add_argument("--facets", type=int, default=20000)
     parser.add_argument("--queries", type=int, default=20000000)
     parser.add_argument("--parts", type=int, default=100)
+    parser.add_argument("--threads", type=int, default=1, help="of each rank, which mesh a part each")
     parser.add_argument("--run", choices=("probe", "assembly"))
     sizes = parser.parse_args()
     if sizes.run:
@@ -129,6 +133,8 @@ def main():
             print(f"ranks/{name:10} {ranks:3} ranks {seconds:8.3f} s   busiest rank {busy:8.3f} s of processor   {memory:8.1f} MiB more")
         if 1 in all_found and 2 in all_found:
             print(f"ratio ranks/{name} {all_found[1][0] / all_found[2][0]:.2f} at least {LIMIT:g}", flush=True)
+    one, two = (run("assembly", 1, [*arguments, f"--threads={threads}"]) for threads in (1, 2))
+    print(f"ranks/threads: parts on one rank {one[0]:.3f} s by a thread, {two[0]:.3f} s by two: {one[0] / two[0]:.2f} times as fast")
 
 
 if __name__ == "__main__":

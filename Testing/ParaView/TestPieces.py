@@ -78,6 +78,32 @@ for name, steps, turned, hole in (("closed", 12, True, 0), ("open", 12, False, 9
         away = (serial == 0) | (serial == 1) # on the surface itself it is the mean of both sides
         assert away.mean() > 0.9 and (found[away] == serial[away]).all(), (name, RANK)
 
+# Points with normals, of which some are ghosts.
+def cloud(points, normals, is_ghost=None):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    data.GetPointData().SetNormals(numpy_to_vtk(normals, deep=True))
+    areas = numpy_to_vtk(np.full(len(points), 0.05), deep=True)
+    areas.SetName("Area")
+    data.GetPointData().AddArray(areas)
+    if is_ghost is not None:
+        data.SetVerts(vtkCellArray())
+        for point in range(len(points)):
+            data.GetVerts().InsertNextCell(1, [point])
+        ghosts = numpy_to_vtk(np.where(is_ghost, DUPLICATECELL, 0).astype(np.uint8), deep=True, array_type=VTK_UNSIGNED_CHAR)
+        ghosts.SetName("vtkGhostType")
+        data.GetCellData().AddArray(ghosts)
+    return data
+
+
+points = np.unique(ball(12, False)[0], axis=0)
+owner = np.arange(len(points)) % RANKS
+held = (owner == RANK) | (np.arange(len(points)) % 3 == 0)
+found = winding_numbers(cloud(points[held], points[held], owner[held] != RANK), places, RANKS)
+serial = winding_numbers(cloud(points, points), places, 1)
+assert serial.max() > 0.5 and np.abs(found - serial).max() < 1e-3, (RANK, np.abs(found - serial).max())
+
 # Where a script works on one rank alone nobody waits for the others.
 if RANK == 0:
     points, triangles = ball(4, False)

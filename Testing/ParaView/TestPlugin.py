@@ -208,6 +208,15 @@ class TestPlugin(unittest.TestCase):
         simple.FindSource("slice of it").UpdatePipeline()
         self.assertIn("w", simple.FindSource("slice of it").CellData.keys())
 
+    def test_points_with_normals_are_a_surface(self):
+        sphere = simple.Sphere(ThetaResolution=40, PhiResolution=40)
+        cloud = simple.MaskPoints(Input=sphere, OnRatio=1, MaximumNumberofPoints=5000, GenerateVertices=1)
+        places = simple.Wavelet(WholeExtent=[-1, 1] * 3)  # the centre, and 26 places outside
+        probe = simple.ProbeWindingNumber(Input=places, Surface=cloud)
+        probe.UpdatePipeline()
+        inside = servermanager.Fetch(probe).GetPointData().GetArray("Inside")
+        self.assertEqual([i for i in range(27) if inside.GetValue(i)], [13])
+
     def test_arrays_are_chosen_from_those_that_fit(self):
         """Cell arrays of one number per cell, and none."""
         marked = self.surface
@@ -225,7 +234,8 @@ class TestPlugin(unittest.TestCase):
             while not properties.IsAtEnd():
                 key, prop = properties.GetKey(), properties.GetProperty()
                 properties.Next()
-                if key.endswith("ArrayName") and key != "SizingArrayName":  # which may be the background's alone
+                # One may be the background's alone, one is of points, and is typed.
+                if key.endswith("ArrayName") and key not in ("SizingArrayName", "AreaArrayName"):
                     proxy.GetProperty(surface).AddInputConnection(marked.SMProxy, 0)
                     domain = prop.FindDomain("vtkSMArrayListDomain")
                     offered = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]

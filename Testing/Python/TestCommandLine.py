@@ -124,7 +124,7 @@ class Success(CommandLine):
                         **{"thicken": 0, "thicken_all": False},
                         **{"constrain_facets": False, "non_manifold": "keep", "separate_overlaps": False},
                         **{"largest_regions": 0, "minimum_region_volume": 0, "seeded_regions": False, "fill_cavities": False, "topology": "any"},
-                        **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False},
+                        **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False, "surface_only": False},
                         **{"bodies": None, "region_rule": "by-priority", "priority": None},
                         **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "surface_treatment": "kept"},
                         **{"surface_tolerance": 0, "feature_angle": 30, "quadratic": False},
@@ -534,6 +534,61 @@ class Winding(CommandLine):
             with self.subTest(name):
                 query = self.path(name) if content is None else self.file(name, content)
                 self.check_failure(run("--winding", query, box, self.path(result)), expected)
+
+
+class SurfaceOnly(CommandLine):
+    def test_a_closed_surface_is_repaired_without_tetrahedra(self):
+        surface, fixed = self.file("broken.ply", surfaces.two_boxes()), self.path("fixed.ply")
+        for arguments, is_made in (((), False), (("--report", self.path("report.json")), True), (("--gamma", "3"), True)):
+            done = run(surface, fixed, *arguments)
+            self.assertEqual((done.returncode, "closed: its boundary was found without" in done.stdout), (0, not is_made), done.stdout)
+            self.assertEqual("tetrahedra inside" in done.stdout, is_made)
+            self.assertIn("  volume 1.875", done.stdout)
+            self.assertTrue(surfaces.is_watertight(read_surface(fixed)[0]))
+            self.assertAlmostEqual(surfaces.enclosed_volume(read_surface(fixed)[0]), 15 / 8, 12)
+        done = run(surface, fixed, "--surface-only", "--report", self.path("report.json"))
+        self.assertIn("without tetrahedra", done.stdout, done.stderr)
+        with open(self.path("report.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["statistics"]["Tetrahedra"], 0)
+
+    def test_an_open_one_goes_through_them(self):
+        done = run(self.file("broken.ply", surfaces.open_box()), self.path("fixed.ply"))
+        self.assertIn("tetrahedra inside", done.stdout, done.stderr)
+        self.assertTrue(surfaces.is_watertight(read_surface(self.path("fixed.ply"))[0]))
+
+    def test_what_takes_cells_is_refused_beside_the_option(self):
+        surface = self.file("broken.ply", surfaces.two_boxes())
+        self.check_failure(run(surface, self.output, "--surface-only"), "solid.vtu: takes tetrahedra, which --surface-only goes without")
+
+
+class SetOperations(CommandLine):
+    def bodies(self) -> list[str]:
+        return [self.file("bone.ply", surfaces.box()), self.file("left lung.ply", surfaces.box((0.5, 0, 0)))]
+
+    def test_the_ending_says_what_is_written_of_the_result(self):
+        for number, (expression, volume) in enumerate({"bone - 'left lung'": 0.5, "A & B": 0.5, "#1 | #2": 1.5}.items()):
+            fixed, grid = self.path(f"{number}.ply"), self.path(f"{number}.vtu")
+            done = run("--boolean", expression, *self.bodies(), fixed)
+            self.assertIn(f"  volume {volume:g}", done.stdout, done.stderr)
+            self.assertIn("without tetrahedra", done.stdout)
+            self.assertAlmostEqual(surfaces.enclosed_volume(read_surface(fixed)[0]), volume, 12)
+            boundary, report = self.path("boundary.stl"), self.path("report.json")
+            done = run("--boolean", expression, *self.bodies(), grid, "--boundary", boundary, "--report", report)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(grid)))), volume, 12)
+            self.assertAlmostEqual(surfaces.enclosed_volume(read_surface(boundary)[0]), volume, 6)
+            with open(report, encoding="utf-8") as file:
+                found = json.load(file)
+            self.assertEqual((found["parameters"]["expression"], found["bodies"]), (expression, ["bone", "left lung"]))
+        done = run("--boolean", "A - B", *self.bodies(), self.path("rest.msh"))
+        self.assertIn("Wrote solid", done.stdout, done.stderr)
+
+    def test_what_is_wrong_is_one_line(self):
+        for expression, words in {"A - (B": "column 5: this parenthesis is never closed", "A - C": "no body is called C; there are bone, left lung",
+                                  " ": "--boolean is given no expression", "A - A": "nothing is left of A - A"}.items():
+            self.check_failure(run("--boolean", expression, *self.bodies(), self.output), words)
+        for option in (("--winding", self.path("q.csv")), ("--gamma", "1"), ("--hull", self.path("hull.vtu")), ("--together",)):
+            self.check_failure(run("--boolean", "A", *self.bodies(), self.output, *option), "it goes without --")
 
 
 class Stopping(CommandLine):

@@ -186,7 +186,7 @@ class Readme(unittest.TestCase):
             told[class_name].add(name)
             with self.subTest(filter=class_name, property=name):
                 value = properties(class_name)[name]
-                plain = {"bool": {True: "on", False: "off"}, "str": {"": "none"}, "int": constants(class_name, name)}
+                plain = {"bool": {True: "on", False: "off"}, "str": {value: value or "none"}, "int": constants(class_name, name)}
                 self.assertEqual(default, plain.get(type(value).__name__, {}).get(value) or f"{value:g}")
                 least = re.search(r"at least ([-\d.e]+)", meaning)
                 if least:
@@ -245,6 +245,7 @@ class Python(unittest.TestCase):
         "ExtractInside": "a result has both the solid and the hull",
         "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
         "BlocksAreBodies": "what a dict of surfaces is",
+        "BlocksAtOnce": "the function takes no composite data set but one of bodies",
     }
 
     def setUp(self):

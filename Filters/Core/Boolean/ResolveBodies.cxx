@@ -365,8 +365,11 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
                    [](const BodyCount& count) { return count.Count == 0; }),
       counts.end());
     this->Result.CountOffsets.push_back(static_cast<Id>(counts.size()));
-    std::stable_sort(sources.begin() + firstSource, sources.end(),
-      [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
+    if (sources.size() - firstSource > 1) // it would ask for memory, for each facet
+    {
+      std::stable_sort(sources.begin() + firstSource, sources.end(),
+        [](const FacetSource& a, const FacetSource& b) { return a.Triangle < b.Triangle; });
+    }
     offsets.push_back(static_cast<Id>(sources.size()));
   }
   resolved.Sources = std::move(sources);

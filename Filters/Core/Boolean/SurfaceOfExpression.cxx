@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/SurfaceOfExpression.h"
 
+#include "Boolean/PatchBoundary.h"
 #include "Common/Stages.h"
-#include "Orient/PatchWindingNumbers.h"
 
 #include <algorithm>
 
@@ -10,13 +10,6 @@ namespace insideout
 {
 namespace
 {
-/** Whether an expression holds just beside a patch: before and behind one of its facets. */
-struct HoldsBeside
-{
-  bool Front;
-  bool Back;
-};
-
 /** The facets that count for a body. */
 std::vector<CountedTriangle> ChainOf(const ResolvedBodies& bodies, Id body)
 {
@@ -63,47 +56,16 @@ std::vector<HoldsBeside> HoldsBesidePatches(const ResolvedBodies& bodies, const 
   return holds;
 }
 
-/** Whether two facets of a patch run the same way: what counts on one side of one does so there. */
-bool RunAlike(const ResolvedBodies& bodies, Id a, Id b)
+/** Per facet its count for the first body that it counts for. */
+std::vector<int> FirstCounts(const ResolvedBodies& bodies)
 {
-  return bodies.Counts[bodies.CountOffsets[a]].Count == bodies.Counts[bodies.CountOffsets[b]].Count;
-}
-
-/** Per facet +1 where it is on the surface and its normal points outward, -1 where inward, else 0.
- */
-std::vector<signed char> SidesOfFacets(const ResolvedBodies& bodies, const SurfacePatches& patches,
-  const PatchPlaces& places, const std::vector<HoldsBeside>& holds)
-{
-  std::vector<signed char> sides(bodies.Surface.Facets.size(), 0);
+  std::vector<int> counts;
   for (Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
   {
-    const Id patch = patches.Patch[f];
-    if (holds[patch].Front != holds[patch].Back)
-    {
-      sides[f] = holds[patch].Back == RunAlike(bodies, f, places.FacetOf(patch)) ? 1 : -1;
-    }
+    const Id first = bodies.CountOffsets[f];
+    counts.push_back(first < bodies.CountOffsets[f + 1] ? bodies.Counts[first].Count : 0);
   }
-  return sides;
-}
-
-/** @throws Error Inconsistent where an edge is not run through as often one way as the other */
-void CheckBalance(const std::vector<FacetEdge>& edges, const std::vector<signed char>& sides)
-{
-  ForEachEdge(edges,
-    [&](const FacetEdge* first, const FacetEdge* last)
-    {
-      int sum = 0;
-      for (const FacetEdge* edge = first; edge != last; ++edge)
-      {
-        sum += edge->Direction * sides[edge->Facet];
-      }
-      if (sum != 0)
-      {
-        throw Error(ErrorCode::Inconsistent,
-          "the surface of the expression is open at the edge of points " +
-            std::to_string(first->Low) + " and " + std::to_string(first->High));
-      }
-    });
+  return counts;
 }
 } // namespace
 
@@ -122,19 +84,8 @@ std::optional<std::vector<BoundaryTriangle>> SurfaceOfExpression(
   const PatchPlaces places(surface, patches);
   const std::vector<HoldsBeside> holds =
     HoldsBesidePatches(bodies, places, patches.Count, expression, monitor);
-  const std::vector<signed char> sides = SidesOfFacets(bodies, patches, places, holds);
-  CheckBalance(edges, sides);
-
-  std::vector<BoundaryTriangle> triangles;
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
-  {
-    if (sides[f] != 0)
-    {
-      const auto [a, b, c] = surface.Facets[f];
-      triangles.push_back({ sides[f] > 0 ? Triangle{ { a, b, c } } : Triangle{ { a, c, b } },
-        SourceOfFacet(surface, f, sides[f]) });
-    }
-  }
+  std::vector<BoundaryTriangle> triangles =
+    PatchBoundary(surface, edges, patches, places, holds, FirstCounts(bodies));
   monitor.Check(Stages::Extracting, 1);
   return triangles;
 }

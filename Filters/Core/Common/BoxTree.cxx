@@ -19,18 +19,31 @@ constexpr std::size_t ManySubtrees = 64;
 /** To build its node, without those below. */
 constexpr double NanosecondsPerBox = 15;
 
-/** Of the tree over this many boxes. */
+/** Of the tree over this many boxes: level by level, on each of which there are but two sizes. */
 std::size_t NumberOfNodes(Id count)
 {
-  return count <= LeafSize ? 1 : 1 + NumberOfNodes(count / 2) + NumberOfNodes(count - count / 2);
+  Id size = count;         // of the smaller parts of a level
+  std::size_t smaller = 1; // how many of that size there are
+  std::size_t larger = 0;  // and of one more
+  std::size_t nodes = 1;
+  while (size > LeafSize || (size == LeafSize && larger > 0))
+  {
+    const std::size_t divided = size > LeafSize ? smaller : 0;
+    nodes += 2 * (divided + larger);
+    const bool isOdd = size % 2 != 0;
+    smaller = isOdd ? divided : 2 * divided + larger;
+    larger = isOdd ? divided + 2 * larger : larger;
+    size /= 2;
+  }
+  return nodes;
 }
 } // namespace
 
-/** A box on its way to its place: moved with its number, for boxes that are near in memory are
- * looked at much faster. */
-struct BoxTree::NumberedBox
+/** The centre of a box on its way to its place: moved with its number, for centres that are near in
+ * memory are looked at much faster. */
+struct BoxTree::Centre
 {
-  Box Bounds;
+  Point At;
   Id Number;
 };
 
@@ -52,20 +65,25 @@ struct BoxTree::Part
   }
 };
 
-BoxTree::BoxTree(std::vector<Box> given)
+BoxTree::BoxTree(const std::vector<Box>& given)
 {
   if (given.empty())
   {
     return;
   }
   const Id count = static_cast<Id>(given.size());
-  std::vector<NumberedBox> boxes;
-  boxes.reserve(given.size());
-  for (Id i = 0; i < count; ++i)
+  std::vector<Centre> centres;
+  centres.reserve(given.size());
+  for (const auto& [low, high] : given)
   {
-    boxes.push_back({ given[i], i });
+    centres.push_back(
+      { { low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2 },
+        static_cast<Id>(centres.size()) });
   }
   this->Nodes.resize(NumberOfNodes(count));
+  this->Order.resize(given.size());
+  this->Boxes.resize(given.size());
+  std::vector<Part> above; // the parts of the levels that are divided one after the other
   std::vector<Part> level = { { 0, count, 0 } };
   const auto forEach = [&](double cost, const auto& body)
   { ParallelLoop(level.size(), cost / static_cast<double>(level.size()), body); };
@@ -76,59 +94,66 @@ BoxTree::BoxTree(std::vector<Box> given)
     forEach(cost,
       [&](std::size_t i)
       {
-        this->Divide(boxes, level[i]);
+        Divide(centres, level[i]);
         const std::array<Part, 2> both = level[i].Halves();
         std::copy(both.begin(), both.end(), &halves[2 * i]);
       });
+    above.insert(above.end(), level.begin(), level.end());
     level.swap(halves);
   }
   const double levels = std::log2(static_cast<double>(level.front().Size())) + 1;
-  forEach(cost * levels, [&](std::size_t i) { this->Build(boxes, level[i]); });
-  this->Order.reserve(boxes.size());
-  this->Boxes = std::move(given);
-  for (Id i = 0; i < count; ++i)
+  forEach(cost * levels, [&](std::size_t i) { this->Build(centres, given, level[i]); });
+  for (auto part = above.rbegin(); part != above.rend(); ++part)
   {
-    this->Order.push_back(boxes[i].Number);
-    this->Boxes[i] = boxes[i].Bounds;
+    this->Join(*part);
   }
 }
 
-/** Makes a part's node, and puts the boxes in order of its halves. @return false for a leaf */
-bool BoxTree::Divide(std::vector<NumberedBox>& boxes, const Part& part)
+/** Puts the centres in order of a part's halves, along the axis on which they lie widest apart. */
+void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
 {
-  Box bounds = boxes[part.Begin].Bounds;
-  for (Id k = part.Begin + 1; k < part.End; ++k)
+  Box bounds = Box::Empty();
+  for (Id k = part.Begin; k < part.End; ++k)
   {
-    bounds.Add(boxes[k].Bounds);
-  }
-  const std::size_t next = part.Node + NumberOfNodes(part.Size());
-  const bool isLeaf = part.Size() <= LeafSize;
-  this->Nodes[part.Node] = { bounds, part.Begin, isLeaf ? part.End : part.Begin, next };
-  if (isLeaf)
-  {
-    return false;
+    bounds.Add(centres[k].At);
   }
   const int axis = bounds.LongestAxis();
-  const auto first = boxes.begin();
+  const auto first = centres.begin();
   std::nth_element(first + part.Begin, first + part.Middle(), first + part.End,
-    [&](const NumberedBox& a, const NumberedBox& b)
-    {
-      const double x = a.Bounds.Low[axis] / 2 + a.Bounds.High[axis] / 2;
-      const double y = b.Bounds.Low[axis] / 2 + b.Bounds.High[axis] / 2;
-      return x != y ? x < y : a.Number < b.Number;
-    });
-  return true;
+    [axis](const Centre& a, const Centre& b)
+    { return a.At[axis] != b.At[axis] ? a.At[axis] < b.At[axis] : a.Number < b.Number; });
 }
 
 /** Builds the subtree over a part. */
-void BoxTree::Build(std::vector<NumberedBox>& boxes, const Part& part)
+void BoxTree::Build(std::vector<Centre>& centres, const std::vector<Box>& given, const Part& part)
 {
-  if (this->Divide(boxes, part))
+  if (part.Size() > LeafSize)
   {
+    Divide(centres, part);
     for (const Part& half : part.Halves())
     {
-      this->Build(boxes, half);
+      this->Build(centres, given, half);
     }
+    this->Join(part);
+    return;
   }
+  Box bounds = Box::Empty();
+  for (Id k = part.Begin; k < part.End; ++k)
+  {
+    this->Order[k] = centres[k].Number;
+    this->Boxes[k] = given[this->Order[k]];
+    bounds.Add(this->Boxes[k]);
+  }
+  this->Nodes[part.Node] = { bounds, part.Begin, part.End, part.Node + 1 };
+}
+
+/** Makes the node of a part whose halves have theirs. */
+void BoxTree::Join(const Part& part)
+{
+  const auto [first, second] = part.Halves();
+  Box bounds = this->Nodes[first.Node].Bounds;
+  bounds.Add(this->Nodes[second.Node].Bounds);
+  this->Nodes[part.Node] = { bounds, part.Begin, part.Begin,
+    part.Node + NumberOfNodes(part.Size()) };
 }
 } // namespace insideout

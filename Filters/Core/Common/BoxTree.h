@@ -12,7 +12,7 @@ namespace insideout
 class BoxTree
 {
 public:
-  explicit BoxTree(std::vector<Box> boxes);
+  explicit BoxTree(const std::vector<Box>& boxes);
 
   /** Calls visit(i) for every box i that meets `box`, in an order that is always the same. */
   template <class Visitor>
@@ -89,7 +89,41 @@ public:
     }
   }
 
-  /** The number of parts that VisitPairs can be asked for. */
+  /** Calls visit(i) for every box i in a part, of which the first holds all. */
+  template <class Visitor>
+  void VisitPart(Id part, const Visitor& visit) const
+  {
+    for (std::size_t node = part; node < this->Nodes[part].Next; ++node)
+    {
+      for (Id k = this->Nodes[node].Begin; k < this->Nodes[node].End; ++k)
+      {
+        visit(this->Order[k]);
+      }
+    }
+  }
+
+  /** Calls visit(i) for the boxes of the least parts that opens(part) is true for, as it was for
+   * all parts around them. */
+  template <class Opens, class Visitor>
+  void VisitOpened(const Opens& opens, const Visitor& visit) const
+  {
+    for (std::size_t node = 0; node < this->Nodes.size();)
+    {
+      const Node& here = this->Nodes[node];
+      if (!opens(static_cast<Id>(node)))
+      {
+        node = here.Next;
+        continue;
+      }
+      for (Id k = here.Begin; k < here.End; ++k)
+      {
+        visit(this->Order[k]);
+      }
+      ++node;
+    }
+  }
+
+  /** The number of parts, which VisitPairs and others can be asked for. */
   Id NumberOfParts() const { return static_cast<Id>(this->Nodes.size()); }
 
   /**
@@ -116,7 +150,10 @@ public:
       }
       for (Id k = leaf.Begin; other.Begin < other.End && k < leaf.End; ++k)
       {
-        this->VisitLeaf(k, other.Begin, other.End, visit);
+        if (this->Boxes[k].Meets(other.Bounds))
+        {
+          this->VisitLeaf(k, other.Begin, other.End, visit);
+        }
       }
       ++node;
     }
@@ -145,9 +182,10 @@ private:
   }
 
   struct Part;
-  struct NumberedBox;
-  bool Divide(std::vector<NumberedBox>& boxes, const Part& part);
-  void Build(std::vector<NumberedBox>& boxes, const Part& part);
+  struct Centre;
+  static void Divide(std::vector<Centre>& centres, const Part& part);
+  void Build(std::vector<Centre>& centres, const std::vector<Box>& given, const Part& part);
+  void Join(const Part& part);
 
   std::vector<Id> Order;  ///< of the boxes in the leaves
   std::vector<Box> Boxes; ///< in that order

@@ -39,4 +39,14 @@ inline double AreaOf(
   return 0.5 * metric.XX * metric.YY *
     ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
+
+/** The angle at the first of three corners, in degrees. */
+inline double AngleAt(
+  const PlanarPoint& p, const PlanarPoint& q, const PlanarPoint& r, const PlanarMetric& metric)
+{
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  const PlanarPoint u = metric.Map({ q[0] - p[0], q[1] - p[1] });
+  const PlanarPoint v = metric.Map({ r[0] - p[0], r[1] - p[1] });
+  return std::atan2(std::abs(u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]) * degrees;
+}
 } // namespace insideout

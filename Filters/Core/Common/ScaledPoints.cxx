@@ -33,6 +33,12 @@ PowerOfTwo::PowerOfTwo(int exponent)
   this->Factors[1] = std::ldexp(1.0, second);
 }
 
+bool IsNear(const Point& scaled)
+{
+  constexpr double Afar = 0x1p50;
+  return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
+}
+
 std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent)
 {
   const PowerOfTwo power(exponent);

@@ -27,6 +27,10 @@ private:
   double Factors[2];
 };
 
+/** From 2^50 times its size away all of a surface is one place, and its w is below 2^-90: whether a
+ * point is nearer, where the surface's size is scaled to 1. False where it is not finite, too. */
+bool IsNear(const Point& scaled);
+
 /** The points times a power of two. */
 std::vector<Point> ScaledPoints(const std::vector<Point>& points, int exponent);
 } // namespace insideout

@@ -19,9 +19,6 @@ namespace
 // that no facet is passed over which another order would find.
 constexpr double RoundedUp = 1 + 0x1p-40;
 
-// From 2^50 times the size away all of the surface is one place, but for rounding.
-constexpr double Afar = 0x1p50;
-
 std::vector<std::array<Point, 3>> CornersOfFacets(const FacetComplex& surface, int exponent)
 {
   const std::vector<Point> points = ScaledPoints(surface.Points, exponent);
@@ -46,11 +43,6 @@ std::vector<Box> BoxesOf(const std::vector<std::array<Point, 3>>& facets)
     boxes.push_back(box);
   }
   return boxes;
-}
-
-bool IsNear(const Point& scaled)
-{
-  return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
 }
 } // namespace
 
@@ -107,12 +99,7 @@ SurfaceDistance::Nearest SurfaceDistance::At(const Point& place) const
 std::vector<SurfaceDistance::Nearest> SurfaceDistance::At(
   const std::vector<Point>& places, Monitor& monitor, const ProgressRange& progress) const
 {
-  std::vector<Point> finite = places;
-  for (Point& place : finite)
-  {
-    place = IsFinite(place) ? place : Point{ 0, 0, 0 };
-  }
-  const std::vector<Id> order = SpatialOrder(finite);
+  const std::vector<Id> order = SpatialOrderOfAny(places);
   std::vector<Nearest> nearest(places.size());
   const Id placesPerCall = 256;
   const Id size = static_cast<Id>(places.size());

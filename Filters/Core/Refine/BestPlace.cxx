@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace insideout
 {
@@ -26,11 +27,6 @@ constexpr double LeastGain = 1.002;
 Point Along(const Point& from, const Point& direction, double t)
 {
   return { { from[0] + t * direction[0], from[1] + t * direction[1], from[2] + t * direction[2] } };
-}
-
-double ShapeAt(const std::vector<Point>& points, const Triangle& wall, const Point& place)
-{
-  return ShapeOf(points[wall[0]], points[wall[1]], points[wall[2]], place);
 }
 
 /** The point nearest to the origin in the convex hull of some vectors, by Wolfe's way for few. */
@@ -59,47 +55,127 @@ Point ShortestIn(const std::vector<Point>& vectors)
   return shortest;
 }
 
-/** How the place is to be moved to make the worst cells better; none if it cannot be. */
-Point Uphill(const std::vector<Point>& points, const std::vector<Triangle>& walls,
-  const Point& place, double worst, double length, const Point* normal)
+/** The cells between a place and walls, while it moves. */
+class Climb
 {
-  std::vector<std::pair<double, const Triangle*>> active;
-  for (const Triangle& wall : walls)
+public:
+  Climb(const std::vector<Point>& points, const std::vector<Triangle>& walls, const Point& place)
+    : Place(place)
   {
-    const double shape = ShapeAt(points, wall, place);
-    if (shape <= (worst > 0 ? NearWorst * worst : 0.0))
+    this->Bases.reserve(walls.size());
+    for (const Triangle& wall : walls)
     {
-      active.push_back({ shape, &wall });
+      const auto [a, b, c] = CornersOf(points, wall);
+      this->Bases.emplace_back(a, b, c);
+      this->Length =
+        std::min({ this->Length, Distance(a, place), Distance(b, place), Distance(c, place) });
+    }
+    this->Shapes.resize(walls.size());
+    this->Order.resize(walls.size());
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Worst = this->ShapesAt(place, this->Shapes, -std::numeric_limits<double>::infinity());
+  }
+
+  /** Go as far as it gets better. @param[in] normal as FindBestPlace has it */
+  void Rise(const Point* normal)
+  {
+    double step = 0.3 * this->Length;
+    std::vector<double> shapes(this->Shapes.size());
+    for (int taken = 0; taken < MostSteps; ++taken)
+    {
+      const Point uphill = this->Uphill(normal);
+      const double norm = insideout::Length(uphill);
+      if (!(norm > 0))
+      {
+        return;
+      }
+      const double wanted = this->Worst > 0 ? this->Worst * LeastGain : this->Worst;
+      int halving = 0;
+      for (; halving < MostHalvings; ++halving)
+      {
+        const Point there = Along(this->Place, uphill, step / norm);
+        const double worst = this->ShapesAt(there, shapes, wanted);
+        if (worst > wanted)
+        {
+          this->Place = there;
+          this->Worst = worst;
+          this->Shapes.swap(shapes);
+          break;
+        }
+        step /= 2.5;
+      }
+      if (halving == MostHalvings)
+      {
+        return;
+      }
+      step *= 1.5;
     }
   }
-  std::sort(
-    active.begin(), active.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  active.resize(std::min(active.size(), MostActive));
-  const double h = 1e-5 * length;
-  std::vector<Point> gradients;
-  for (const auto& [shape, wall] : active)
+
+  Point Place;
+  double Worst; ///< shape there
+
+private:
+  /** The shapes at a place, those first that are worst now: up to one that is not above `wanted`.
+   * @return the worst of these */
+  double ShapesAt(const Point& place, std::vector<double>& shapes, double wanted) const
   {
-    Point gradient;
-    for (int k = 0; k < 3; ++k)
+    double worst = 1;
+    for (const std::size_t i : this->Order)
     {
-      Point there = place;
-      there[k] += h;
-      gradient[k] = (ShapeAt(points, *wall, there) - shape) / h;
+      shapes[i] = this->Bases[i].ShapeWith(place);
+      worst = std::min(worst, shapes[i]);
+      if (!(worst > wanted))
+      {
+        break;
+      }
     }
-    if (normal)
-    {
-      gradient = Along(gradient, *normal, -Dot(gradient, *normal));
-    }
-    if (worst <= 0)
-    {
-      // Beyond a wall the way back is what counts, for all alike.
-      const double norm = Length(gradient);
-      gradient = norm > 0 ? Along({ { 0, 0, 0 } }, gradient, 1 / norm) : gradient;
-    }
-    gradients.push_back(gradient);
+    return worst;
   }
-  return gradients.empty() ? Point{ { 0, 0, 0 } } : ShortestIn(gradients);
-}
+
+  /** How the place is to be moved to make the worst cells better; none if it cannot be. */
+  Point Uphill(const Point* normal)
+  {
+    const double most = this->Worst > 0 ? NearWorst * this->Worst : 0.0;
+    const auto begin = this->Order.begin();
+    const auto end = std::partition(
+      begin, this->Order.end(), [&](std::size_t i) { return this->Shapes[i] <= most; });
+    std::sort(begin, end,
+      [this](std::size_t i, std::size_t j)
+      { return this->Shapes[i] != this->Shapes[j] ? this->Shapes[i] < this->Shapes[j] : i < j; });
+    const std::size_t active = std::min(static_cast<std::size_t>(end - begin), MostActive);
+    const double h = 1e-5 * this->Length;
+    std::vector<Point> gradients;
+    for (std::size_t k = 0; k < active; ++k)
+    {
+      const std::size_t i = this->Order[k];
+      Point gradient;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Point there = this->Place;
+        there[axis] += h;
+        gradient[axis] = (this->Bases[i].ShapeWith(there) - this->Shapes[i]) / h;
+      }
+      if (normal)
+      {
+        gradient = Along(gradient, *normal, -Dot(gradient, *normal));
+      }
+      if (this->Worst <= 0)
+      {
+        // Beyond a wall the way back is what counts, for all alike.
+        const double norm = insideout::Length(gradient);
+        gradient = norm > 0 ? Along({ { 0, 0, 0 } }, gradient, 1 / norm) : gradient;
+      }
+      gradients.push_back(gradient);
+    }
+    return gradients.empty() ? Point{ { 0, 0, 0 } } : ShortestIn(gradients);
+  }
+
+  std::vector<BaseOfCells> Bases;
+  std::vector<double> Shapes;
+  std::vector<std::size_t> Order;                          ///< in which cells are looked at
+  double Length = std::numeric_limits<double>::infinity(); ///< to the nearest corner, at first
+};
 } // namespace
 
 double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle>& walls,
@@ -108,7 +184,7 @@ double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle
   double worst = 1;
   for (const Triangle& wall : walls)
   {
-    worst = std::min(worst, ShapeAt(points, wall, place));
+    worst = std::min(worst, ShapeOf(points[wall[0]], points[wall[1]], points[wall[2]], place));
     if (worst < enough)
     {
       break;
@@ -120,48 +196,9 @@ double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle
 double FindBestPlace(const std::vector<Point>& points, const std::vector<Triangle>& walls,
   Point& place, const Point* normal)
 {
-  constexpr double any = -std::numeric_limits<double>::infinity();
-  double worst = WorstShapeAt(points, walls, place, any);
-  double length = std::numeric_limits<double>::infinity();
-  for (const Triangle& wall : walls)
-  {
-    for (const Id corner : wall)
-    {
-      length = std::min(length, Distance(points[corner], place));
-    }
-  }
-  double step = 0.3 * length;
-  for (int taken = 0; taken < MostSteps; ++taken)
-  {
-    const Point uphill = Uphill(points, walls, place, worst, length, normal);
-    const double norm = Length(uphill);
-    if (!(norm > 0))
-    {
-      break;
-    }
-    bool isBetter = false;
-    for (int halving = 0; halving < MostHalvings && !isBetter; ++halving)
-    {
-      const Point there = Along(place, uphill, step / norm);
-      const double wanted = worst > 0 ? worst * LeastGain : worst;
-      const double shape = WorstShapeAt(points, walls, there, wanted);
-      isBetter = shape > wanted;
-      if (isBetter)
-      {
-        place = there;
-        worst = shape;
-      }
-      else
-      {
-        step /= 2.5;
-      }
-    }
-    if (!isBetter)
-    {
-      break;
-    }
-    step *= 1.5;
-  }
-  return worst;
+  Climb climb(points, walls, place);
+  climb.Rise(normal);
+  place = climb.Place;
+  return climb.Worst;
 }
 } // namespace insideout

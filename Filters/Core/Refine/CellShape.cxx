@@ -8,35 +8,50 @@
 
 namespace insideout
 {
-double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d)
+BaseOfCells::BaseOfCells(const Point& a, const Point& b, const Point& c)
+  : A(a)
+  , B(b)
+  , C(c)
+  , AB(Difference(b, a))
+  , AC(Difference(c, a))
+  , BC(Difference(c, b))
+  , Normal(Cross(this->AB, this->AC))
+  , SquaredAB(Dot(this->AB, this->AB))
+  , SquaredAC(Dot(this->AC, this->AC))
+  , SquaredBC(Dot(this->BC, this->BC))
+  , Inverse(1 / Dot(this->Normal, this->Normal))
 {
-  const Point ab = Difference(b, a);
-  const Point ac = Difference(c, a);
-  const Point ad = Difference(d, a);
-  const Point bc = Difference(c, b);
-  const Point bd = Difference(d, b);
-  const Point cd = Difference(d, c);
-  const Point acrossD = Cross(ab, ac);
-  const double determinant = Dot(acrossD, ad);
+}
+
+double BaseOfCells::ShapeWith(const Point& d) const
+{
+  const Point ad = Difference(d, this->A);
+  const double determinant = Dot(this->Normal, ad);
   if (!(determinant > 0))
   {
     return determinant;
   }
-  const Point acrossB = Cross(ac, ad);
-  const Point acrossC = Cross(ad, ab);
-  const Point acrossA = Cross(bc, bd);
+  const Point bd = Difference(d, this->B);
+  const Point cd = Difference(d, this->C);
+  const Point acrossB = Cross(this->AC, ad);
+  const Point acrossC = Cross(ad, this->AB);
+  const Point acrossA = Cross(this->BC, bd);
   const double inverseA = 1 / Dot(acrossA, acrossA);
   const double inverseB = 1 / Dot(acrossB, acrossB);
   const double inverseC = 1 / Dot(acrossC, acrossC);
-  const double inverseD = 1 / Dot(acrossD, acrossD);
   // The sine at an edge is 3/2 volume times its length over the areas of the two faces there.
-  const double least =
-    std::min({ Dot(ab, ab) * (inverseC * inverseD), Dot(ac, ac) * (inverseB * inverseD),
-      Dot(ad, ad) * (inverseB * inverseC), Dot(bc, bc) * (inverseA * inverseD),
+  const double least = std::min(
+    { this->SquaredAB * (inverseC * this->Inverse), this->SquaredAC * (inverseB * this->Inverse),
+      Dot(ad, ad) * (inverseB * inverseC), this->SquaredBC * (inverseA * this->Inverse),
       Dot(bd, bd) * (inverseA * inverseC), Dot(cd, cd) * (inverseA * inverseB) });
   const double shape = determinant * determinant * least;
   // No number where a face has no area, and too much where products under- and overflow.
   return shape > 0 && shape < 1 ? shape : 0.0;
+}
+
+double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  return BaseOfCells(a, b, c).ShapeWith(d);
 }
 
 double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell)

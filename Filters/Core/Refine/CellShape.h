@@ -15,6 +15,29 @@ namespace insideout
 double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d);
 double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell);
 
+/** A face, and what cells on its positive side have in common, to try many fourth corners. */
+class BaseOfCells
+{
+public:
+  BaseOfCells(const Point& a, const Point& b, const Point& c);
+
+  /** ShapeOf(a, b, c, d). */
+  double ShapeWith(const Point& d) const;
+
+private:
+  Point A;
+  Point B;
+  Point C;
+  Point AB;
+  Point AC;
+  Point BC;
+  Point Normal;
+  double SquaredAB;
+  double SquaredAC;
+  double SquaredBC;
+  double Inverse; ///< of the square of the normal
+};
+
 /** The shape whose least dihedral angle has so many degrees. */
 double ShapeOfAngle(double degrees);
 

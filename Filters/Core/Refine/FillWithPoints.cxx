@@ -35,7 +35,7 @@ constexpr std::size_t LargestCavity = 400;
 
 /** Of the length, where edges are shorter: beside two points that are all but one there would be
  * points without number. */
-constexpr double LeastSpacingBesideShort = 0.05;
+constexpr double LeastSpacingBesideShort = 0.01;
 
 /** Points nearer to another than this part of the length are taken out. */
 constexpr double CrowdedSpacing = 0.5;

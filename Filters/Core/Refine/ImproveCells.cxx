@@ -21,6 +21,10 @@ namespace
  * with more, most of the time goes into what is good. */
 constexpr double GoodAngle = 22;
 
+/** Where the surface is remeshed less is in the way, so that cells do get so good. Points move far
+ * for it: where lengths are asked for these come first. */
+constexpr double GoodAngleWhereRemeshed = 30;
+
 /** Where an angle is below this, a point more may help. */
 constexpr double AngleForPoint = 20;
 
@@ -38,6 +42,23 @@ constexpr std::size_t LargestCavity = 100;
 /** How long, of the lengths wanted, edges may get for a point less. */
 constexpr double LongestEdge = 1.8;
 
+/** Per point, when something was tried there last, in changes of the mesh. */
+class Tries
+{
+public:
+  /** Whether what is around the point has changed since this was asked last. */
+  bool IsNew(const RefinableMesh& mesh, Id point)
+  {
+    this->At.resize(mesh.Points.size(), None);
+    const bool isNew = mesh.ChangedAt(point) > this->At[point];
+    this->At[point] = mesh.NumberOfChanges();
+    return isNew;
+  }
+
+private:
+  std::vector<Id> At;
+};
+
 class Improvement
 {
 public:
@@ -50,6 +71,8 @@ public:
     , Contract(mesh)
     , ContractOnSurface(mesh, surface, bound)
     , IsRemeshed(surface.Treatment() == SurfaceTreatment::Remeshed)
+    , Good(
+        ShapeOfAngle(this->IsRemeshed && !sizes.IsAskedFor() ? GoodAngleWhereRemeshed : GoodAngle))
     , Insert(mesh)
   {
   }
@@ -113,7 +136,7 @@ private:
     bool isMoved = false;
     for (const Id corner : corners)
     {
-      if (this->Smooth.Smooth(corner))
+      if (this->SmoothedAt.IsNew(this->Mesh, corner) && this->Smooth.Smooth(corner))
       {
         isMoved = true;
         if (ShapeOf(this->Mesh.Points, corners) >= this->Good)
@@ -130,6 +153,10 @@ private:
     return std::any_of(corners.begin(), corners.end(),
       [this](Id corner)
       {
+        if (!this->RemovedAt.IsNew(this->Mesh, corner))
+        {
+          return false;
+        }
         const PointKind kind = this->Mesh.Kinds[corner];
         if (kind != PointKind::Free && (kind == PointKind::Fixed || !this->IsRemeshed))
         {
@@ -162,7 +189,6 @@ private:
     }
   }
 
-  const double Good = ShapeOfAngle(GoodAngle);
   const double BadForPoint = ShapeOfAngle(AngleForPoint);
   RefinableMesh& Mesh;
   SizingField& Sizes;
@@ -171,8 +197,11 @@ private:
   Contraction Contract;
   SurfaceContraction ContractOnSurface;
   const bool IsRemeshed;
+  const double Good; ///< shape
   PointInsertion Insert;
   std::vector<Id> TriedAt; ///< per cell, in changes of the mesh
+  Tries SmoothedAt;
+  Tries RemovedAt;
 };
 } // namespace
 

@@ -35,8 +35,10 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
 
-/** To refine without new crossings, with some facets kept; then all are. */
-constexpr int MostAttempts = 10;
+/** To refine without new crossings, with some facets kept; then all are. Each takes as long as the
+ * first, and locks farther around what crosses than the one before. */
+constexpr int MostAttempts = 6;
+constexpr double GrowthOfReach = 2;
 
 /** Whether a face has a cell that sees it from the same side as its neighbour does. */
 bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
@@ -160,7 +162,7 @@ struct SurfaceOfRun
   std::vector<FacetOfInput> Facets;
   std::vector<char> Locked;
   double Tolerance;
-  double Reach; ///< how far pieces may be from their facets
+  double Reach; ///< how far from facets that cross others are locked, too
 
   Id NumberOfLocked() const
   {
@@ -255,6 +257,7 @@ RefinableMesh RunUntilNothingCrosses(const TetrahedralMesh& mesh, const std::vec
     {
       return *std::move(refinable);
     }
+    run.Reach *= GrowthOfReach;
   }
 }
 

@@ -44,8 +44,10 @@ constexpr double AcceptableAngle = 3;
 /** Each splits edges in half, so that there are few; against endless ones. */
 constexpr int MostRoundsOfSplits = 60;
 
-/** Of split, contract, turn and move. */
-constexpr int RoundsWhereRemeshed = 5;
+/** Of split, contract, turn and move: some by lengths as they are wanted, which show where edges
+ * have to stay short, then by lengths that are short there. */
+constexpr int RoundsOfWishes = 2;
+constexpr int RoundsWhereRemeshed = 7;
 constexpr int RoundsWhereSplit = 2;
 
 /** An edge of facets, one of its cells, and how long it is, of the length that it is to have. */
@@ -382,6 +384,10 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     }
     else
     {
+      if (round == RoundsOfWishes)
+      {
+        sizes.ShortenAtThinTriangles();
+      }
       remeshing.SplitLongEdges(monitor, part);
       remeshing.ContractShortEdges(monitor, part);
     }

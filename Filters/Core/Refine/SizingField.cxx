@@ -21,6 +21,9 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 /** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
 constexpr double LeastShare = 1.0 / 4;
 
+/** Of a triangle that is not thin: its longest edge over its least height, 1.2 of a regular one. */
+constexpr double MostHeights = 2;
+
 double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
 {
   return Determinant(Difference(points[c[1]], points[c[0]]), Difference(points[c[2]], points[c[0]]),
@@ -58,6 +61,11 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
   this->FollowSurface();
 }
 
+bool SizingField::IsAskedFor() const
+{
+  return this->Most < Infinite || !this->Parameters.Lengths.empty() || this->Parameters.LengthAt;
+}
+
 void SizingField::SetSizes()
 {
   for (std::size_t p = 0; p < this->AtPoints.size(); ++p)
@@ -68,14 +76,29 @@ void SizingField::SetSizes()
 
 void SizingField::FollowSurface()
 {
-  this->SetLengthsOfSurface(false);
+  this->SetLengthsOfSurface(0);
   this->Grow();
   this->SetSizes();
 }
 
 void SizingField::FollowThinTriangles()
 {
-  this->SetLengthsOfSurface(true);
+  this->SetLengthsOfSurface(1);
+  this->Grow();
+  this->SetSizes();
+}
+
+void SizingField::ShortenAtThinTriangles()
+{
+  const std::vector<Lengths> before = this->AtPoints;
+  this->SetLengthsOfSurface(MostHeights);
+  for (std::size_t p = 0; p < before.size(); ++p)
+  {
+    if (this->Mesh.CellAt(static_cast<Id>(p)) != None)
+    {
+      this->AtPoints[p].Surface = std::min(this->AtPoints[p].Surface, before[p].Surface);
+    }
+  }
   this->Grow();
   this->SetSizes();
 }
@@ -96,10 +119,10 @@ double SizingField::WantedAt(const Point& place, double otherwise) const
 }
 
 /**
- * At each point of a facet the mean length of the edges of facets there; or how near the edges
- * across from it are, but at least a part of the mean.
+ * At each point of a facet the mean length of the edges of facets there; or so many times how near
+ * the edges across from it are, where `heights` is not 0, but at least a part of the mean.
  */
-void SizingField::SetLengthsOfSurface(bool least)
+void SizingField::SetLengthsOfSurface(double heights)
 {
   std::vector<int> counts(this->AtPoints.size(), 0);
   std::vector<double> sums(this->AtPoints.size(), 0);
@@ -131,7 +154,8 @@ void SizingField::SetLengthsOfSurface(bool least)
   for (std::size_t p = 0; p < sums.size(); ++p)
   {
     const double mean = counts[p] > 0 ? sums[p] / counts[p] : Infinite;
-    this->AtPoints[p].Surface = least ? std::max(shortest[p], LeastShare * mean) : mean;
+    this->AtPoints[p].Surface =
+      heights > 0 ? std::max(heights * shortest[p], LeastShare * mean) : mean;
   }
 }
 

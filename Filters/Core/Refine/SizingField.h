@@ -29,11 +29,18 @@ public:
   /** Sets the mesh's Sizes; later points get theirs from At. The mesh has to live as long. */
   SizingField(RefinableMesh& mesh, const SizingParameters& parameters);
 
+  /** Whether lengths are asked for, anywhere. */
+  bool IsAskedFor() const;
+
   /** Set the mesh's Sizes anew for a surface that has changed: as long as its edges are. */
   void FollowSurface();
 
   /** Set them for a surface that is to be split: at short edges and thin triangles short. */
   void FollowThinTriangles();
+
+  /** Make them shorter where triangles of the surface are thin now: beside edges that stay short,
+   * since without them it would be too far from the input's. */
+  void ShortenAtThinTriangles();
 
   /** Set them for a surface that is to be remeshed: what is asked for, whatever the surface has; if
    * nothing is, as FollowSurface does. */
@@ -59,7 +66,7 @@ private:
   };
   Lengths LengthsAt(Id cell, const Point& place) const;
   double WantedAt(const Point& place, double otherwise) const;
-  void SetLengthsOfSurface(bool least);
+  void SetLengthsOfSurface(double heights);
   void Grow();
   void SetSizes();
 

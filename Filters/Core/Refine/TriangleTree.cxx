@@ -4,6 +4,7 @@
 #include "Common/NearestPoint.h"
 #include "Common/Vectors.h"
 #include "Refine/QuadraticCells.h"
+#include "Refine/UncoveredPart.h"
 
 #include <algorithm>
 #include <limits>
@@ -60,23 +61,24 @@ TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id h
   return best;
 }
 
-TriangleTree::Range TriangleTree::RangeOf(
-  const LabelledTriangle& triangle, const Limits& limits, Id hint, int divisions) const
+double TriangleTree::LargestDistanceOf(
+  const LabelledTriangle& triangle, double enough, Id hint, int divisions) const
 {
   const auto& [a, b, c] = triangle.Corners;
-  Range range = { 0, std::numeric_limits<double>::infinity() };
+  double least = 0;
   std::array<Id, 3> near;
   for (int k = 0; k < 3; ++k)
   {
     const Nearest nearest = this->NearestTo(triangle.Corners[k], triangle.Label, hint);
     near[k] = hint = nearest.Triangle;
-    range.Least = std::max(range.Least, nearest.Distance);
+    least = std::max(least, nearest.Distance);
   }
-  if (hint == None)
+  if (hint == None || divisions == MostDivisions)
   {
-    return range; // there is no triangle of that label
+    return least; // there is no triangle of that label
   }
   // The distance from one triangle is convex, so that the corners tell how large it is.
+  double most = std::numeric_limits<double>::infinity();
   for (const Id t : near)
   {
     double farthest = 0;
@@ -85,29 +87,56 @@ TriangleTree::Range TriangleTree::RangeOf(
       farthest =
         std::max(farthest, Distance(NearestPointOf(this->Triangles[t].Corners, corner), corner));
     }
-    range.Most = std::min(range.Most, farthest);
+    most = std::min(most, farthest);
   }
-  if (range.Most <= limits.Enough || range.Least > limits.TooFar ||
-    range.Most - range.Least <= Precision * limits.Enough || divisions == MostDivisions)
+  if (most <= enough || most - least <= Precision * enough)
   {
-    return range;
+    return least;
   }
   const Point ab = Midpoint(a, b);
   const Point bc = Midpoint(b, c);
   const Point ca = Midpoint(c, a);
-  range.Most = 0;
   for (const std::array<Point, 3>& part :
     { std::array<Point, 3>{ { bc, ca, ab } }, std::array<Point, 3>{ { a, ab, ca } },
       std::array<Point, 3>{ { ab, b, bc } }, std::array<Point, 3>{ { ca, bc, c } } })
   {
-    const Range ofPart = this->RangeOf({ part, triangle.Label }, limits, hint, divisions + 1);
-    range.Least = std::max(range.Least, ofPart.Least);
-    range.Most = std::max(range.Most, ofPart.Most);
-    if (range.Least > limits.TooFar)
-    {
-      break;
-    }
+    least = std::max(
+      least, this->LargestDistanceOf({ part, triangle.Label }, enough, hint, divisions + 1));
   }
-  return range;
+  return least;
+}
+
+bool TriangleTree::IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const
+{
+  UncoveredPart rest(triangle.Corners, distance);
+  for (const Point& corner : triangle.Corners)
+  {
+    const Nearest nearest = this->NearestTo(corner, triangle.Label, hint);
+    if (!(nearest.Distance <= distance))
+    {
+      return false;
+    }
+    hint = nearest.Triangle;
+    rest.Cover(this->Triangles[hint].Corners);
+  }
+  if (rest.IsEmpty() || rest.IsHopeless())
+  {
+    return rest.IsEmpty();
+  }
+  Box around = BoundingBox({ triangle.Corners.begin(), triangle.Corners.end() });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    around.Low[axis] -= distance;
+    around.High[axis] += distance;
+  }
+  this->Tree.Visit(around,
+    [&](Id t)
+    {
+      if (this->Triangles[t].Label == triangle.Label && !rest.IsEmpty() && !rest.IsHopeless())
+      {
+        rest.Cover(this->Triangles[t].Corners);
+      }
+    });
+  return rest.IsEmpty();
 }
 } // namespace insideout

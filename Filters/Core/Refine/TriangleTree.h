@@ -42,32 +42,15 @@ public:
    */
   double LargestDistanceOf(const LabelledTriangle& triangle, double enough) const
   {
-    return this->RangeOf(triangle, { enough, std::numeric_limits<double>::infinity() }, None, 0)
-      .Least;
+    return this->LargestDistanceOf(triangle, enough, None, 0);
   }
 
-  /** Whether no point of a triangle is farther than that; no where samples cannot tell. */
-  bool IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const
-  {
-    return this->RangeOf(triangle, { distance, distance }, hint, 0).Most <= distance;
-  }
+  /** Whether no point of a triangle is farther than that; no where that would take long to tell. */
+  bool IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const;
 
 private:
-  /** What need not be told more exactly: what is below the one or above the other. */
-  struct Limits
-  {
-    double Enough;
-    double TooFar;
-  };
-
-  /** Between which the largest distance is. */
-  struct Range
-  {
-    double Least;
-    double Most;
-  };
-  Range RangeOf(
-    const LabelledTriangle& triangle, const Limits& limits, Id hint, int divisions) const;
+  double LargestDistanceOf(
+    const LabelledTriangle& triangle, double enough, Id hint, int divisions) const;
 
   std::vector<LabelledTriangle> Triangles;
   BoxTree Tree;

@@ -44,6 +44,10 @@ std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& point
   const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor)
 {
   monitor.Check(Stages::FindingIntersections, 0);
+  if (firstNew == static_cast<Id>(facets.size()))
+  {
+    return {};
+  }
   const BoxTree tree(BoundingBoxes(points, facets, firstNew));
   std::vector<FilteredPoint> filtered;
   filtered.reserve(points.size());

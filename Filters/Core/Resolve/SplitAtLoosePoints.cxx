@@ -4,6 +4,7 @@
 #include "Common/BoxTree.h"
 #include "Common/LoopProgress.h"
 #include "Common/TrianglePredicates.h"
+#include "Resolve/AppendFacet.h"
 
 #include <algorithm>
 #include <functional>
@@ -134,16 +135,6 @@ std::vector<SplitConstraint> SplitConstraints(
   }
   return split;
 }
-
-/** Append a facet with what another one counts. */
-void Append(FacetComplex& surface, const Triangle& corners, const FacetComplex& from, Id facet)
-{
-  surface.Facets.push_back(corners);
-  surface.Multiplicity.push_back(from.Multiplicity[facet]);
-  surface.Sources.insert(surface.Sources.end(), from.Sources.begin() + from.SourceOffsets[facet],
-    from.Sources.begin() + from.SourceOffsets[facet + 1]);
-  surface.SourceOffsets.push_back(static_cast<Id>(surface.Sources.size()));
-}
 } // namespace
 
 FacetComplex SplitAtLoosePoints(
@@ -164,20 +155,20 @@ FacetComplex SplitAtLoosePoints(
     }
     else
     {
-      Append(result, surface.Facets[f], surface, f);
+      AppendFacet(result, surface.Facets[f], surface, f);
     }
   }
   for (const SplitConstraint& constraint : split)
   {
     for (const Triangle& piece : constraint.Pieces)
     {
-      Append(result, piece, surface, constraint.Facet);
+      AppendFacet(result, piece, surface, constraint.Facet);
     }
   }
   result.NumberOfConstraints = result.NumberOfFacets();
   for (Id f = surface.NumberOfConstraints; f < surface.NumberOfFacets(); ++f)
   {
-    Append(result, surface.Facets[f], surface, f);
+    AppendFacet(result, surface.Facets[f], surface, f);
   }
   result.Points = std::move(surface.Points);
   result.Origins = std::move(surface.Origins);

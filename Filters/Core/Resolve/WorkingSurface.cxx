@@ -7,6 +7,7 @@
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
+#include "Resolve/AppendFacet.h"
 #include "Resolve/FindIntersections.h"
 #include "Resolve/Interpolation.h"
 
@@ -255,6 +256,20 @@ void WorkingSurface::DropUnusedPoints()
   }
 }
 
+/** Adds a facet to what is assembled. Most are as given: nothing is copied on the way. */
+void WorkingSurface::AppendTo(FacetComplex& surface, Id facet) const
+{
+  const Id meaning = this->MeaningIds[facet];
+  if (meaning < this->Given->NumberOfFacets())
+  {
+    AppendFacet(surface, this->Facets[facet], *this->Given, meaning);
+  }
+  else
+  {
+    Append(surface, this->Facets[facet], this->Meanings[meaning - this->Given->NumberOfFacets()]);
+  }
+}
+
 /** The constraints, then what is left out of them, then what the given complex had left out. */
 FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& monitor)
 {
@@ -268,16 +283,16 @@ FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& m
       ++next;
       continue;
     }
-    Append(surface, this->Facets[f], this->MeaningOf(f));
+    this->AppendTo(surface, f);
   }
   surface.NumberOfConstraints = surface.NumberOfFacets();
   for (const Id f : leftOut)
   {
-    Append(surface, this->Facets[f], this->MeaningOf(f));
+    this->AppendTo(surface, f);
   }
   for (Id f = this->Given->NumberOfConstraints; f < this->Given->NumberOfFacets(); ++f)
   {
-    Append(surface, this->Given->Facets[f], MeaningOfGiven(*this->Given, f));
+    AppendFacet(surface, this->Given->Facets[f], *this->Given, f);
   }
   surface.Origins = this->OriginsOfPoints(monitor);
   surface.Points = std::move(this->Points);

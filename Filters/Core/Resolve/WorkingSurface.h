@@ -75,6 +75,7 @@ private:
   void AddFacets(const std::vector<MeantFacet>& facets, std::vector<char>& isRemoved);
   Id AddMeaning(Meaning meaning);
   void DropUnusedPoints();
+  void AppendTo(FacetComplex& surface, Id facet) const;
   std::vector<PointOrigin> OriginsOfPoints(Monitor& monitor) const;
 
   const FacetComplex* Given;

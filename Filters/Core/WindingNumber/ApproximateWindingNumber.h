@@ -2,6 +2,7 @@
 #pragma once
 
 #include "WindingNumber/FacetTree.h"
+#include "WindingNumber/FarField.h"
 
 namespace insideout
 {
@@ -29,15 +30,11 @@ public:
 private:
   struct Expansion
   {
-    Point Centre;
-    double SquaredReach;          ///< of (radius times accuracy)
-    Point First;                  ///< integral of the normal n
-    std::array<double, 9> Second; ///< integral of n_i d_j, d from the centre
-    std::array<double, 18> Third; ///< integral of n_i d_j d_k, for jk = 00 11 22 01 12 20
+    FarField Field;
+    double SquaredReach; ///< of (radius times accuracy)
   };
 
   Expansion Expand(const FacetTree::Node& node) const;
-  double Evaluate(const Expansion& expansion, const Point& r, double squaredDistance) const;
 
   const std::vector<Point>& Points;
   const int Order;

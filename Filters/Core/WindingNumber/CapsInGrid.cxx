@@ -17,9 +17,9 @@ namespace
 {
 // Of a polynomial along an axis. It errs by about rho^-Nodes of what it interpolates, with
 // rho = d + sqrt(1 + d^2) where d is the distance of what is not smooth in half lengths of the box
-// (Trefethen 2013, theorem 8.2): by 3e-15 of a winding number which is small itself.
-constexpr Id Nodes = 16;
-constexpr double FarInHalfLengths = 4;
+// (Trefethen 2013, theorem 8.2): by 1e-15 of a winding number which is small itself.
+constexpr Id Nodes = 24;
+constexpr double FarInHalfLengths = 2;
 
 // Bounds stay bounds whatever rounding does.
 constexpr double RoundedUp = 1 + 0x1p-20;

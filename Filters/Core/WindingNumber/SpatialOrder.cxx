@@ -3,6 +3,7 @@
 
 #include "Common/Box.h"
 #include "Common/ParallelLoop.h"
+#include "Common/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,15 @@ std::vector<Id> SpatialOrder(const std::vector<Point>& positions)
     order[i] = keys[i].Index;
   }
   return order;
+}
+
+std::vector<Id> SpatialOrderOfAny(std::vector<Point> positions)
+{
+  for (Point& position : positions)
+  {
+    position = IsFinite(position) ? position : Point{ 0, 0, 0 };
+  }
+  return SpatialOrder(positions);
 }
 
 std::vector<Id> SpatialOrder(const Sites& sites)

@@ -14,6 +14,9 @@ namespace insideout
  */
 std::vector<Id> SpatialOrder(const std::vector<Point>& positions);
 
+/** The same where some places are not finite, which stand as one that is 0. */
+std::vector<Id> SpatialOrderOfAny(std::vector<Point> positions);
+
 /** The same for sites, by their rounded positions. */
 std::vector<Id> SpatialOrder(const Sites& sites);
 } // namespace insideout

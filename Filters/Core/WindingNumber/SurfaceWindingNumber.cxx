@@ -22,10 +22,6 @@ namespace insideout
 {
 namespace
 {
-
-// From 2^50 times the surface's size away, w is below 2^-90.
-constexpr double Afar = 0x1p50;
-
 FacetComplex ComplexOf(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
 {
@@ -37,12 +33,6 @@ FacetComplex ComplexOf(
     surface.Multiplicity.push_back(static_cast<std::int16_t>(triangle.Count));
   }
   return surface;
-}
-
-/** False where a coordinate is not finite, too. */
-bool IsNear(const Point& scaled)
-{
-  return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
 }
 
 /** What a line current along the edge from a to b gives at p, without its constant. */
@@ -202,7 +192,7 @@ void SurfaceWindingNumber::InGrid(const GridPlaces& grid, std::optional<double> 
       x = power.Times(x);
     }
     const auto doNotAscend = [](double a, double b) { return !(a < b); };
-    isNear = isNear && std::abs(axis.front()) <= Afar && std::abs(axis.back()) <= Afar &&
+    isNear = isNear && IsNear({ axis.front(), axis.back(), 0 }) &&
       std::adjacent_find(axis.begin(), axis.end(), doNotAscend) == axis.end();
   }
   if (internals.Method == WindingNumberMethod::Exact && isNear)

@@ -39,6 +39,10 @@ How far the surface is, negative inside; and the voxels inside, as an array, and
     insideout.distance("broken.ply", points)
     inside, origin = insideout.voxels("broken.ply", spacing=0.01)
 
+Of a scan without triangles, points with normals, the same but for distances::
+
+    insideout.inside(insideout.point_cloud(points, normals=points), points)
+
 SURFACES
     Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
     .stl or .vtp file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
@@ -59,6 +63,7 @@ RESULTS
     inside          an array of bool, one value per point
     distance        an array of float64, one value per point
     voxels          an array of bool with three indices, and a point
+    point_cloud     a vtkPolyData
 
     They can be pickled, and so sent to other processes, and copied. A notebook shows them as a table, with a
     picture where one can be drawn. `write` puts them into files, for VTK, gmsh, CalculiX and others, and
@@ -82,7 +87,7 @@ COMMAND
     python3 -m insideout broken.ply solid.vtu
 
 MODULES
-    `booleans`, `checking`, `quality`, `resolving`, `queries`, `refinement` and `tetrahedralization` have the functions, `options`
+    `booleans`, `checking`, `quality`, `resolving`, `queries`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
     what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files`
     reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
     exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command.
@@ -98,6 +103,7 @@ import vtkmodules.vtkIOCore  # noqa: F401
 from . import vtkFiltersInsideOut as _classes
 from .booleans import Boolean, boolean
 from .checking import Check, Finding, check
+from .clouds import point_cloud
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
 from .drawing import draw, draw_quality
 from .pipeline import Error
@@ -135,6 +141,7 @@ __all__ = [
     "draw",
     "draw_quality",
     "inside",
+    "point_cloud",
     "refine",
     "resolve",
     "tetrahedralize",

@@ -25,10 +25,15 @@ def run() -> int:
     return main()
 
 
-if __name__ == "__main__":
+def command() -> int:
+    """Returns the exit status, of what was interrupted, too."""
     try:
-        sys.exit(run())
+        return run()
     except KeyboardInterrupt as interrupt:
         print(f"insideout: {interruption.message(interrupt)}", file=sys.stderr)
         interruption.told()
-        sys.exit(interruption.exit_status(interrupt))
+        return interruption.exit_status(interrupt)
+
+
+if __name__ == "__main__":
+    sys.exit(command())

@@ -23,7 +23,7 @@ examples:
   python3 -m insideout broken.stl solid.msh --scale 0.001
       the same for gmsh, in metres where the surface is in millimetres
   python3 -m insideout broken.stl fixed.stl
-      only their watertight boundary
+      only their watertight boundary, without tetrahedra where the surface is closed
   python3 -m insideout --check broken.ply
       only what is wrong with it
   python3 -m insideout --check solid.vtu --plot angles.png
@@ -38,6 +38,8 @@ examples:
       several bodies in one mesh that conforms: a region for each, where both are that of the bone
   python3 -m insideout parts.obj parts.inp --bodies GroupIds --region-rule all
       the groups of one file as bodies, and a region for each combination
+  python3 -m insideout --boolean "bone - (fat | C)" bone.stl fat.ply skin.obj rest.stl
+      a set operation of bodies, as broken as they may be: its surface, or with .vtu its tetrahedra
   zcat broken.obj.gz | python3 -m insideout - solid.vtu --format obj
       standard input; a .gz is read as it is, too
   python3 -m insideout --winding grid.vti broken.ply w.vti --distance
@@ -51,6 +53,9 @@ CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
 WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 """Those that make sense without a mesh: of `check`, and of `winding_number`."""
 
+BOOLEAN_OPTIONS = ("boundary", "msh_version", *WINDING_OPTIONS)
+"""Those that make sense of set operations."""
+
 MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", "msh_version", "together", *OPTIONS)
 
 
@@ -59,7 +64,7 @@ class Files:
     """The files that belong to one surface, or to one solid that is checked."""
 
     surface: str
-    others: tuple[str, ...] = ()  # surfaces that are bodies of one mesh with it
+    others: tuple[str, ...] = ()  # surfaces that are bodies together with it
     output: Optional[str] = None
     hull: Optional[str] = None
     boundary: Optional[str] = None
@@ -115,7 +120,7 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         options.output = last
     elif len(surfaces) > 1 and ending(surfaces[-1]) in WRITABLE_GRIDS and not os.path.exists(surfaces[-1]):
         parser.error(f"--check meshes nothing: it goes without OUTPUT{ending(surfaces[-1])}")
-    _refuse_what_makes_no_mesh(parser, options, surfaces)
+    _refuse_what_does_not_go_together(parser, options, surfaces)
     if surfaces.count("-") > 1:
         parser.error("- is named twice: standard input can be read once")
     if options.format is not None and "-" not in surfaces:
@@ -131,10 +136,16 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
     return options, _files(parser, options, surfaces)
 
 
-def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: Sequence[str]) -> None:
-    mode = "--check" if options.check else "--winding" if options.winding is not None else None
-    if options.check and options.winding is not None:
-        parser.error("--check meshes nothing: it goes without --winding")
+def _refuse_what_does_not_go_together(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: Sequence[str]) -> None:
+    modes = {
+        "--check meshes nothing": options.check,
+        "--winding meshes nothing": options.winding is not None,
+        "--boolean makes one thing of several bodies": options.boolean is not None,
+    }
+    chosen = [mode for mode, is_chosen in modes.items() if is_chosen]
+    mode = chosen[0] if chosen else None
+    if len(chosen) > 1:
+        parser.error(f"{mode}: it goes without {chosen[1].split()[0]}")
     if options.distance and options.winding is None:
         parser.error("--distance is of places: it goes with --winding")
     solids = [surface for surface in surfaces if ending(surface) in READABLE_SOLIDS]
@@ -142,12 +153,12 @@ def _refuse_what_makes_no_mesh(parser: argparse.ArgumentParser, options: argpars
         for name in CHECK_OPTIONS:
             if getattr(options, name, None) is not None:
                 parser.error(f"--{name.replace('_', '-')} is about surfaces: it goes without {solids[0]}")
-    others: tuple[str, ...] = WINDING_OPTIONS
+    others: tuple[str, ...] = WINDING_OPTIONS if options.boolean is None else BOOLEAN_OPTIONS
     if options.check:
         others = (*CHECK_OPTIONS, "plot") if len(solids) == len(surfaces) else CHECK_OPTIONS
     for name in MESH_OPTIONS:
         if mode is not None and name not in others and getattr(options, name, None) is not None:
-            parser.error(f"{mode} meshes nothing: it goes without --{name.replace('_', '-')}")
+            parser.error(f"{mode}: it goes without --{name.replace('_', '-')}")
 
 
 def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: list[str]) -> list[Files]:
@@ -156,7 +167,7 @@ def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surface
     seen: dict[str, str] = {}
     all_files = []
     others: tuple[str, ...] = ()
-    if options.together:
+    if options.together or options.boolean is not None:
         surfaces, others = surfaces[:1], tuple(surfaces[1:])
     for surface in surfaces:
         stem = _stem_of(surface)
@@ -195,7 +206,8 @@ def _parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
         usage="python3 -m insideout SURFACE... OUTPUT [options]\n"
         "       python3 -m insideout --check SURFACE|SOLID.vtu... [options]\n"
-        "       python3 -m insideout --winding QUERY SURFACE... OUTPUT [options]",
+        "       python3 -m insideout --winding QUERY SURFACE... OUTPUT [options]\n"
+        "       python3 -m insideout --boolean EXPRESSION SURFACE... OUTPUT [options]",
         description="From a broken surface to tetrahedra of the solid that it means.",
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -219,12 +231,19 @@ def _parser() -> argparse.ArgumentParser:
         "--winding",
         metavar="QUERY",
         help=f"only evaluate the winding number: at the places in a .csv file (columns x, y, z) or at the points of an "
-        f"image ({QUERIES[1]}); OUTPUT has the same ending",
+        f"image ({QUERIES[1]}); OUTPUT has the same ending; SURFACE may be points with normals, too, without faces",
     )
     mode.add_argument(
         "--distance",
         action="store_true",
         help="with --winding: how far the surface is from each place, too, negative inside",
+    )
+    mode.add_argument(
+        "--boolean",
+        metavar="EXPRESSION",
+        help='a set operation of all surfaces, such as "A - (B | C) ^ D": | or + is union, & intersection, - difference, ^ symmetric '
+        "difference; a body is called like its file without folder and ending, in quotes where that is more than letters, digits and "
+        "underscores, or by a letter, A the first, or #1; its surface is written, or its tetrahedra, by the ending of OUTPUT",
     )
     files = parser.add_argument_group("what to write")
     files.add_argument("--hull", metavar="HULL.vtu", help="all tetrahedra of the convex hull, with w and Inside")

@@ -15,12 +15,14 @@ import os
 import resource
 import sys
 import time
+from dataclasses import replace
 from typing import Any, Callable, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .arguments import CHECK_OPTIONS, WINDING_OPTIONS, Files, parse
 from .bodies import BODY_IDS, join, outer_boundary
+from .booleans import Boolean, boolean
 from .checking import Finding, check
 from .data import Tetrahedra
 from .drawing import draw, draw_quality, up_of
@@ -46,11 +48,11 @@ from .progress import StageBars
 from .quality import check_solid, solid_verdict
 from .queries import ask
 from .stages import CHECK, CHECK_SOLID, DISTANCES, DRAWING, READING, REFINE, TETRAHEDRALIZE, WINDING, WRITING
-from .summary import check_summary, defects, seams, solid_summary, summary, table, tetrahedralizer, winding_summary
+from .summary import boolean_summary, check_summary, defects, seams, solid_summary, summary, table, tetrahedralizer, winding_summary
 from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .verdict import verdict
 from .version import __version__
-from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects
+from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects, vtkWindingBoolean
 from .writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, write_solid
 
 SUCCESS, FAILURE = 0, 1
@@ -82,6 +84,8 @@ def job_of(options: argparse.Namespace, files: Files) -> Job:
     """What to do with the files of one surface, or of one solid."""
     if options.check:
         return SolidCheckJob(options, files) if files.is_solid() else CheckJob(options, files)
+    if options.boolean is not None:
+        return BooleanJob(options, files)
     return WindingJob(options, files) if options.winding else MeshJob(options, files)
 
 
@@ -195,21 +199,25 @@ class Job:
         began = time.monotonic()
         self.bars.show(READING, 0)
 
+        if self.options.together:
+            surface, warnings = join(self.read_bodies())
+            self.warnings = self.warnings + warnings
+        else:
+            surface = self.read_one(self.files.surface)
+        self.bars.finish()
+        self.seconds_read = time.monotonic() - began
+        return surface
+
+    def read_bodies(self) -> dict[str, vtkPolyData]:
+        """All surfaces, by the names of bodies."""
+        return {name: self.read_one(path) for name, path in self.files.bodies().items()}
+
+    def read_one(self, path: str) -> vtkPolyData:
         def show(_: str, fraction: float) -> None:
             self.show((READING,), READING, fraction)
 
-        def read_one(path: str) -> vtkPolyData:
-            surface, warnings = read_standard_input(self.options.format, show) if path == "-" else read_surface(path, show)
-            self.warnings = self.warnings + warnings
-            return surface
-
-        if self.options.together:
-            surface, warnings = join({name: read_one(path) for name, path in self.files.bodies().items()})
-            self.warnings = self.warnings + warnings
-        else:
-            surface = read_one(self.files.surface)
-        self.bars.finish()
-        self.seconds_read = time.monotonic() - began
+        surface, warnings = read_standard_input(self.options.format, show) if path == "-" else read_surface(path, show)
+        self.warnings = self.warnings + warnings
         return surface
 
     def show_progress(self, stage: str, fraction: float) -> None:
@@ -251,7 +259,7 @@ class Job:
     def print_error(self, message: str) -> None:
         """One line, which says of which surface it is where there are several."""
         surface = self.files.surface
-        several = len(self.options.files) > (1 if self.options.check else 2) and not self.options.together
+        several = len(self.options.files) > (1 if self.options.check else 2) and not self.files.others
         _print_error(f"{surface}: {message}" if several and surface not in message else message)
 
     def notes(self) -> list[str]:
@@ -299,9 +307,19 @@ class MeshJob(Job):
             raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
         for path in (output, self.files.hull or ""):
             check_format(path)
+        for taking in (output, self.files.hull or "", self.files.plot or ""):
+            if self.settings.surface_only and taking and ending(taking) not in WRITABLE_SURFACES:
+                raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
+
+    def is_for_surface_only(self) -> bool:
+        """Whether nothing is written that has tetrahedra, or tells of them."""
+        files = self.files
+        return ending(files.output or "") in WRITABLE_SURFACES and not (files.hull or files.plot or files.report)
 
     def work(self) -> None:
         surface = self.read()
+        if self.is_for_surface_only():
+            self.settings = replace(self.settings, surface_only=True)
         result = tetrahedralize(surface, progress=self.show_progress, **vars(self.settings))
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
@@ -349,7 +367,7 @@ class MeshJob(Job):
 
         if files.hull is not None:
             yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)
-        if len(result.solid.cells) > 0:
+        if result.boundary.GetNumberOfCells() > 0:
             if ending(files.output or "") in WRITABLE_SURFACES:
                 yield "surface", outer_boundary(result.boundary), files.output, write_surface
             else:
@@ -499,6 +517,72 @@ class WindingJob(Job):
 
     def summary(self) -> list[str]:
         return winding_summary(os.path.basename(self.files.name()), self.statistics)
+
+
+class BooleanJob(Job):
+    """One run with --boolean, which makes a set operation of several surfaces."""
+
+    stages: Sequence[str] = TETRAHEDRALIZE
+    names: list[str] = []
+
+    def check_parameters(self) -> dict[str, Any]:
+        if not self.options.boolean.strip():
+            raise Error("--boolean is given no expression; A | B is the union of two surfaces")
+        return {"expression": self.options.boolean, **self.parameters_of(WINDING_OPTIONS, vtkWindingBoolean())}
+
+    def endings(self) -> dict[str, tuple[str, ...]]:
+        return {"output": WRITABLE_GRIDS + WRITABLE_SURFACES, "boundary": WRITABLE_SURFACES}
+
+    def check(self) -> None:
+        super().check()
+        check_format(self.files.output or "")
+
+    def work(self) -> None:
+        began = time.monotonic()
+        self.bars.show(READING, 0)
+        surfaces = self.read_bodies()
+        self.bars.finish()
+        self.seconds_read = time.monotonic() - began
+        takes_cells = ending(self.files.output or "") not in WRITABLE_SURFACES
+        options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
+        result = boolean(surfaces, self.options.boolean, tetrahedra=takes_cells, progress=self.show_progress, **options)
+        self.bars.finish()
+        self.warnings = self.warnings + result.warnings
+        self.statistics = dict(result.statistics)
+        self.names = result.names
+        try:
+            if result.surface.GetNumberOfCells() > 0:
+                self.write(result, takes_cells)
+        finally:
+            self.measure()
+        if not self.outputs:
+            raise Error(f"{self.files.name()}: nothing is left of {self.options.boolean}")
+
+    def write(self, result: Boolean, takes_cells: bool) -> None:
+        began = time.monotonic()
+        self.bars.show(WRITING, 0)
+        output, boundary = self.files.output or "", self.files.boundary
+        work_on(output)
+        if takes_cells:
+            write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1")
+        else:
+            write_surface(result.surface, output)
+        self.outputs["solid" if takes_cells else "surface"] = output
+        if boundary is not None:
+            work_on(boundary)
+            write_surface(result.surface, boundary)
+            self.outputs["boundary"] = boundary
+        self.bars.finish()
+        self.statistics["SecondsWrite"] = time.monotonic() - began
+
+    def success(self) -> str:
+        return "made"
+
+    def more_for_the_report(self) -> dict[str, object]:
+        return {"bodies": self.names}
+
+    def summary(self) -> list[str]:
+        return boolean_summary(self.names, self.options.boolean, self.statistics)
 
 
 def _print(lines: Sequence[str]) -> None:

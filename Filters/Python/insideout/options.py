@@ -347,6 +347,13 @@ class Options:
             "the lowest point's alone",
         )
     )
+    surface_only: bool = _is(
+        Switch(
+            "SurfaceOnly",
+            "only the boundary is wanted: of a closed surface it is found without tetrahedra, at the speed of resolving "
+            "self-intersections, where nothing else is asked for that takes them",
+        )
+    )
     tag_array: Optional[str] = _is(
         Option(
             "TagArrayName",

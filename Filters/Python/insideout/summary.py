@@ -45,6 +45,7 @@ TIMES = (
     ("SecondsCDT", stages.TETRAHEDRALIZING),
     ("SecondsW", stages.WINDING_NUMBERS),
     ("SecondsCut", stages.SEGMENTING),
+    ("SecondsBoolean", "resolving and choosing"),
     ("SecondsRefine", stages.REFINING),
     ("SecondsWrite", stages.WRITING),
     ("SecondsDraw", stages.DRAWING),
@@ -63,10 +64,27 @@ def tetrahedralizer(statistics: Mapping[str, float]) -> Optional[str]:
     return vtkConstrainedDelaunay3D.GetRungName(int(statistics["Rung"])) if "Rung" in statistics else None
 
 
+def _cells(statistics: Mapping[str, float]) -> list[str]:
+    """How many tetrahedra there are, if any were made."""
+    if "InsideCells" not in statistics:
+        return ["  the surface is closed: its boundary was found without tetrahedra"]
+    return [f"  {_count(statistics['InsideCells'])} tetrahedra inside, of {_count(statistics['HullCells'])} in the convex hull"]
+
+
+def _made_by(statistics: Mapping[str, float]) -> list[str]:
+    """What made the tetrahedra, and what it had to add."""
+    if "SteinerPoints" not in statistics:
+        return []
+    points, on_surface = (_count(statistics[key]) for key in ("SteinerPoints", "SurfaceSteinerPoints"))
+    return [f"  by {tetrahedralizer(statistics)}", f"  {points} Steiner points, {on_surface} of them on the surface"]
+
+
 def _mass(statistics: Mapping[str, float]) -> list[str]:
-    """The solid's volume and center of mass in words, if there is one."""
+    """The solid's volume in words, if there is one, and its center of mass, which takes tetrahedra."""
     if not statistics["Volume"]:
         return []
+    if "CenterOfMassX" not in statistics:
+        return [f"  volume {statistics['Volume']:.6g}"]
     center = ", ".join(f"{statistics['CenterOfMass' + axis]:.6g}" for axis in "XYZ")
     return [f"  volume {statistics['Volume']:.6g}, center of mass ({center})"]
 
@@ -173,14 +191,13 @@ def summary(
         *(f"  {line}" for line in what_it_bounds(statistics)),
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
-        f"  {count['InsideCells']} tetrahedra inside, of {count['HullCells']} in the convex hull",
+        *_cells(statistics),
         *_topology(statistics),
         *_parted(statistics),
         *_refined(statistics),
         *_mass(statistics),
         *_regions(volumes, regions),
-        f"  by {tetrahedralizer(statistics)}",
-        f"  {count['SteinerPoints']} Steiner points, {count['SurfaceSteinerPoints']} of them on the surface",
+        *_made_by(statistics),
         f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",
         *_tags(tags),
         f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
@@ -265,6 +282,21 @@ def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
     if "MinimumW" in statistics:
         lines.append(f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}")
     return [*lines, f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB"]
+
+
+def boolean_summary(names: Sequence[str], expression: str, statistics: Mapping[str, float]) -> list[str]:
+    """The lines that `--boolean` prints."""
+    way = f"by {_count(statistics.get('HullCells', 0))} tetrahedra of all" if statistics["Tetrahedra"] else "without tetrahedra"
+    return [
+        f"Bodies {_first(names)}",
+        *_scaled(statistics),
+        f"  {_count(statistics['IntersectingPairs'])} pairs of facets meet",
+        f"Solid {expression}",
+        f"  {_count(statistics['BoundaryFaces'])} boundary triangles, {way}",
+        f"  volume {statistics['Volume']:.6g}",
+        f"Time {statistics['SecondsTotal']:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+        *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
+    ]
 
 
 def table(jobs: Sequence[tuple[str, Mapping[str, float], str]], done: int, wanted: int) -> list[str]:

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .bodies import AnyBodies, as_bodies
+from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import mesh_of_solid
 from .options import DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
@@ -44,7 +45,7 @@ class Tetrahedralization(Result):
 
     solid: Union[Tetrahedra, Triangles]
     """The tetrahedra inside, with `w` and `RegionId` per cell, parted and refined where that was asked for. Empty, with a warning, when
-    nothing is inside."""
+    nothing is inside; and with `surface_only`, as the hull is."""
     boundary: Union[TriangleSurface, Polylines]
     """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle. Of
     bodies behind that the interfaces between regions: see `RegionIds`."""
@@ -69,13 +70,16 @@ class Tetrahedralization(Result):
 
     @property
     def regions(self) -> list[Region]:
-        """By their `RegionId`: the parts of the solid that faces connect; where there are bodies, what `region_rule` says."""
+        """By their `RegionId`: the parts of the solid that faces connect; where there are bodies, what `region_rule` says. None
+        where no tetrahedra were made."""
         if self.is_planar():
             fields = self.hull.GetFieldData()
             areas, centers = (vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Area", "CenterOfMass"))
             return [Region(area, (x, y, z), (0.0,) * 6) for area, (x, y, z) in zip(areas, centers)]
         # What a remeshed boundary encloses is told by the solid; one that is empty has no regions.
         fields = (self.solid if self.solid.GetFieldData().HasArray("RegionVolume") else self.hull).GetFieldData()
+        if not fields.HasArray("RegionVolume"):
+            return []
         volumes, centers, inertias = (
             vtk_to_numpy(fields.GetArray(f"Region{name}")).tolist() for name in ("Volume", "CenterOfMass", "Inertia")
         )
@@ -110,12 +114,15 @@ class Tetrahedralization(Result):
 
     def figures(self) -> list[tuple[str, str]]:
         least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
+        cells = [
+            ("triangles inside" if self.is_planar() else "tetrahedra inside", self.statistics.get("InsideCells")),
+            ("refined to", self.statistics.get("RefinedCells")),
+            ("in the convex hull", self.statistics.get("HullCells")),
+            ("bodies", len(self.bodies) or None),
+            ("regions", self.statistics.get("Regions")),
+        ]
         return [
-            ("triangles inside" if self.is_planar() else "tetrahedra inside", counted(int(self.statistics["InsideCells"]))),
-            *([("refined to", counted(int(self.statistics["RefinedCells"])))] if "RefinedCells" in self.statistics else []),
-            ("in the convex hull", counted(self.hull.GetNumberOfCells())),
-            *([("bodies", counted(len(self.bodies)))] if self.bodies else []),
-            ("regions", counted(len(self.regions))),
+            *((what, counted(int(count))) for what, count in cells if count is not None),
             ("boundary lines" if self.is_planar() else "boundary triangles", counted(self.boundary.GetNumberOfCells())),
             ("outliers", counted(self.outliers.GetNumberOfCells())),
             ("winding numbers", f"{least:.6g} to {most:.6g}"),
@@ -123,7 +130,9 @@ class Tetrahedralization(Result):
         ]
 
     def seen(self) -> dict[str, Any]:
-        return {"hull": self.hull, "solid": self.solid}
+        if self.hull.GetNumberOfCells() > 0:
+            return {"hull": self.hull, "solid": self.solid}
+        return check(self.boundary).seen()
 
     def to_meshio(self) -> Any:
         """The solid and its boundary as one meshio.Mesh: tetrahedra and triangles with all their arrays, in groups.
@@ -166,6 +175,7 @@ def tetrahedralize(
     quadrature_order: Optional[QuadratureOrder] = None,
     merge_coplanar_pieces: bool = False,
     split_seams: bool = False,
+    surface_only: bool = False,
     tag_array: Optional[str] = None,
     bodies: Optional[str] = None,
     region_rule: RegionRule = "by-priority",
@@ -195,6 +205,18 @@ def tetrahedralize(
     """
     options = Options.among(locals())
     tetrahedralizer = options.set_on(vtkRobustTetrahedralize())
+    polygons, before, body_array = as_bodies(surface, options.scale, bodies)
+    if body_array and options.parts():  # the filter says it too, but may hear of it in a second run
+        parting = "SeparateOverlaps" if options.separate_overlaps else "NonManifold of the kind Split"
+        raise Error(f"{parting} takes one body: it would part interfaces from their cells")
+    tetrahedralizer.SetInputData(polygons)
+    tetrahedralizer.SetBodyArrayName(body_array or "")
+    if options.surface_only:
+        tetrahedralizer.SetRefine(options.refines())
+        warnings = before + in_words_of_python(run(tetrahedralizer, progress))
+        nothing = tetrahedralizer.GetOutput()
+        add_statistic("Scale", options.factor(), nothing)
+        return _result_of(tetrahedralizer, nothing, nothing, statistics_of(nothing), warnings)
     # The hull comes out too: of the solid alone, which is parted or refined, a second run is made of what is there.
     tetrahedralizer.RefineOff()
     tetrahedralizer.SeparateOverlapsOff()
@@ -202,12 +224,6 @@ def tetrahedralize(
         tetrahedralizer.SetNonManifoldToKeep()
     runs_again = options.parts() or options.refines()
     shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if runs_again else 1
-    polygons, before, body_array = as_bodies(surface, options.scale, bodies)
-    if body_array and options.parts():  # the filter says it too, but hears of it in the second run
-        parting = "SeparateOverlaps" if options.separate_overlaps else "NonManifold of the kind Split"
-        raise Error(f"{parting} takes one body: it would part interfaces from their cells")
-    tetrahedralizer.SetInputData(polygons)
-    tetrahedralizer.SetBodyArrayName(body_array or "")
     tetrahedralizer.ExtractInsideOff()
     warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
 
@@ -218,8 +234,6 @@ def tetrahedralize(
     add_statistic("Scale", options.factor(), hull)
     solid = inside_cells(hull)
     statistics = statistics_of(hull)
-    is_planar = statistics.get("Dimension") == 2
-    cells, faces = (Triangles, Polylines) if is_planar else (Tetrahedra, TriangleSurface)
     if runs_again and solid.GetNumberOfCells() > 0:
         tetrahedralizer.ExtractInsideOn()
         tetrahedralizer.SetRefine(options.refines())
@@ -227,6 +241,17 @@ def tetrahedralize(
         warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, shares, 1)))
         solid = tetrahedralizer.GetOutput()
         statistics.update(statistics_of(solid))
+    return _result_of(tetrahedralizer, solid, hull, statistics, warnings)
+
+
+def _result_of(
+    tetrahedralizer: vtkRobustTetrahedralize,
+    solid: vtkUnstructuredGrid,
+    hull: vtkUnstructuredGrid,
+    statistics: dict[str, float],
+    warnings: list[str],
+) -> Tetrahedralization:
+    cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (Tetrahedra, TriangleSurface)
     return Tetrahedralization(
         solid=as_type(cells, solid),
         boundary=as_type(faces, tetrahedralizer.GetBoundary()),

@@ -3,7 +3,9 @@
 #include "vtkRobustTetrahedralize.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
@@ -21,6 +23,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <omp.h>
 #include <string>
 #include <vector>
 
@@ -147,4 +150,144 @@ TEST(vtkInsideOutBlock, AProbeNamesTheBlockOfItsSurface)
   const auto errors = ErrorsOf(probe);
   ASSERT_EQ(errors.size(), 2u);
   EXPECT_EQ(errors[0], "block broken: point 3 is not finite");
+}
+
+namespace
+{
+/** Boxes that cross each other, and are sheared; more of them in some. */
+vtkSmartPointer<vtkPolyData> CrossingBoxes(int number)
+{
+  const auto all = Box();
+  for (int i = 0; i < 1 + number % 3; ++i)
+  {
+    const auto box = Box();
+    const vtkIdType first = all->GetNumberOfPoints();
+    for (vtkIdType p = 0; p < 8; ++p)
+    {
+      double x[3];
+      box->GetPoint(p, x);
+      const double shear = 0.1 * i * x[(i + number) % 3];
+      all->GetPoints()->InsertNextPoint(x[0] + 0.3 * (i + 1) + shear, x[1] + shear, x[2] + 0.2 * i);
+    }
+    for (vtkIdType c = 0; c < box->GetNumberOfCells(); ++c)
+    {
+      vtkIdList* corners = box->GetCell(c)->GetPointIds();
+      all->GetPolys()->InsertNextCell(4);
+      for (vtkIdType k = 0; k < 4; ++k)
+      {
+        all->GetPolys()->InsertCellPoint(first + corners->GetId(k));
+      }
+    }
+  }
+  return all;
+}
+
+/** Of which one fails when it is read, and one when it is counted. */
+vtkSmartPointer<vtkMultiBlockDataSet> ManyBlocks()
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (int number = 0; number < 20; ++number)
+  {
+    blocks->SetBlock(number, CrossingBoxes(number));
+  }
+  blocks->SetBlock(7, BoxWithout(3));
+  auto flat = Box();
+  for (vtkIdType p = 0; p < 8; ++p)
+  {
+    flat->GetPoints()->SetPoint(p, p, 2 * p, 4 * p);
+  }
+  blocks->SetBlock(18, flat);
+  return blocks;
+}
+
+/** Points, corners and w of all solids, bit by bit. */
+std::vector<double> BitsOf(vtkDataObject* solids)
+{
+  std::vector<double> bits;
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(solids);
+  for (unsigned int b = 0; b < blocks->GetNumberOfBlocks(); ++b)
+  {
+    auto* solid = vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(b));
+    bits.push_back(solid ? static_cast<double>(solid->GetNumberOfCells()) : -1);
+    for (vtkIdType p = 0; solid && p < solid->GetNumberOfPoints(); ++p)
+    {
+      bits.insert(bits.end(), solid->GetPoint(p), solid->GetPoint(p) + 3);
+    }
+    for (vtkIdType c = 0; solid && c < solid->GetNumberOfCells(); ++c)
+    {
+      vtkIdList* corners = solid->GetCell(c)->GetPointIds();
+      bits.insert(bits.end(), corners->begin(), corners->end());
+      bits.push_back(solid->GetCellData()->GetArray("w")->GetTuple1(c));
+    }
+  }
+  return bits;
+}
+
+/** More than one, whatever the environment says. */
+class Threads
+{
+public:
+  explicit Threads(int number) { omp_set_num_threads(number); }
+  ~Threads() { omp_set_num_threads(this->Before); }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+private:
+  const int Before = omp_get_max_threads();
+};
+} // namespace
+
+TEST(vtkInsideOutMeshAhead, SolidsAndErrorsAreTheSameForBlocksAtOnce)
+{
+  const Threads threads(4);
+  const auto blocks = ManyBlocks();
+  vtkNew<vtkRobustTetrahedralize> alone;
+  alone->SetInputDataObject(blocks);
+  const std::vector<std::string> errors = ErrorsOf(alone);
+  ASSERT_EQ(errors.size(), 2u);
+  const std::vector<double> expected = BitsOf(alone->GetOutputDataObject(0));
+  EXPECT_GT(expected.size(), 1000u);
+  for (const bool release : { false, true })
+  {
+    vtkNew<vtkRobustTetrahedralize> several;
+    several->SetInputDataObject(blocks);
+    several->SetBlocksAtOnce(2);
+    several->SetReleaseDataFlag(release);
+    EXPECT_EQ(ErrorsOf(several), errors) << release;
+    EXPECT_EQ(BitsOf(several->GetOutputDataObject(0)), expected) << release;
+    several->SetGamma(1.5);
+    several->Update();
+    several->SetGamma(alone->GetGamma());
+    EXPECT_EQ(ErrorsOf(several), errors) << "a second time, release " << release;
+    EXPECT_EQ(BitsOf(several->GetOutputDataObject(0)), expected) << release;
+  }
+}
+
+TEST(vtkInsideOutMeshAhead, StopsAndThenMakesAll)
+{
+  const Threads threads(4);
+  vtkNew<vtkRobustTetrahedralize> several;
+  several->SetInputDataObject(ManyBlocks());
+  several->SetBlocksAtOnce(2);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*)
+    {
+      auto* stopped = vtkRobustTetrahedralize::SafeDownCast(filter);
+      if (stopped->GetProgressText())
+      {
+        stopped->SetAbortExecute(1);
+      }
+    });
+  const unsigned long observer = several->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_TRUE(ErrorsOf(several).empty());
+  for (const double cells : BitsOf(several->GetOutputDataObject(0)))
+  {
+    ASSERT_LE(cells, 0);
+  }
+  several->RemoveObserver(observer);
+  several->SetAbortExecute(0);
+  several->Modified();
+  EXPECT_EQ(ErrorsOf(several).size(), 2u);
+  EXPECT_GT(BitsOf(several->GetOutputDataObject(0)).size(), 1000u);
 }

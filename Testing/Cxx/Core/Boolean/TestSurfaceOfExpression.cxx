@@ -2,14 +2,11 @@
 #include "Boolean/CellsOfExpression.h"
 #include "Boolean/SurfaceOfExpression.h"
 
-#include "Resolve/FindIntersections.h"
+#include "Support/ExpectSound.h"
 #include "Support/TestMeshes.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <map>
 #include <memory>
 #include <random>
 
@@ -23,15 +20,7 @@ struct Made
   ResolvedBodies Bodies;
   std::optional<std::vector<BoundaryTriangle>> Triangles;
 
-  TriangleSoup Surface() const
-  {
-    TriangleSoup soup = { this->Bodies.Surface.Points, {} };
-    for (const BoundaryTriangle& triangle : *this->Triangles)
-    {
-      soup.Triangles.push_back(triangle.Corners);
-    }
-    return soup;
-  }
+  TriangleSoup Surface() const { return SoupOf(this->Bodies.Surface.Points, *this->Triangles); }
 };
 
 std::vector<std::string> Letters(std::size_t count)
@@ -81,27 +70,6 @@ double VolumeOf(const TriangleSoup& soup)
 double VolumeOf(const std::vector<TriangleSoup>& soups, const std::string& text)
 {
   return VolumeOf(Make(soups, text).Surface());
-}
-
-/** Watertight, and without crossings. */
-void ExpectSound(const TriangleSoup& surface)
-{
-  std::map<std::array<Id, 2>, int> edges;
-  for (const Triangle& t : surface.Triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Id from = t[k];
-      const Id to = t[(k + 1) % 3];
-      edges[{ { std::min(from, to), std::max(from, to) } }] += from < to ? 1 : -1;
-    }
-  }
-  for (const auto& [edge, sum] : edges)
-  {
-    EXPECT_EQ(sum, 0) << edge[0] << " " << edge[1];
-  }
-  Monitor monitor;
-  EXPECT_TRUE(FindIntersections(surface.Points, surface.Triangles, monitor).empty());
 }
 
 /** Boxes with corners on a grid, so that they cross, touch, coincide and contain each other; each
@@ -256,12 +224,7 @@ TEST(SurfaceOfExpression, IsTheBoundaryOfTheCells)
         FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(text, Letters(2)), monitor);
       const double volume = VolumeWithin(made.Bodies.Surface.Points, *made.Triangles);
       EXPECT_NEAR(VolumeWithin(cells.Mesh.Points, cells.Boundary), volume, 1e-9 * volume);
-      TriangleSoup boundary = { cells.Mesh.Points, {} };
-      for (const BoundaryTriangle& triangle : cells.Boundary)
-      {
-        boundary.Triangles.push_back(triangle.Corners);
-      }
-      ExpectSound(boundary);
+      ExpectSound(SoupOf(cells.Mesh.Points, cells.Boundary));
     }
   }
 }

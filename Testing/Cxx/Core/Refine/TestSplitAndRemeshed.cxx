@@ -131,6 +131,44 @@ TEST_P(SplitAndRemeshed, TakeWhatIsSqueezed)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SplitAndRemeshed, testing::Range(0U, 3U));
 
+TEST(RemeshedSurface, HasFewThinTrianglesBesideEdgesThatStayShort)
+{
+  // A disc of many sides, with a triangle from the centre to each: none of its rim may go.
+  constexpr int sides = 60;
+  std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 0, 1 } } };
+  std::vector<Tetrahedron> cells;
+  for (int k = 0; k < sides; ++k)
+  {
+    const double angle = k * 2 * std::acos(-1.0) / sides;
+    points.push_back({ { std::cos(angle), std::sin(angle), 0 } });
+    points.push_back({ { std::cos(angle), std::sin(angle), 1 } });
+    const Id low = 2 + 2 * k;
+    const Id next = 2 + 2 * ((k + 1) % sides);
+    cells.push_back({ { 0, low, next, next + 1 } });
+    cells.push_back({ { 0, low, next + 1, low + 1 } });
+    cells.push_back({ { 0, low + 1, next + 1, 1 } });
+  }
+  const TetrahedralMesh disc = ConnectCells(points, cells);
+  const RefinedMesh refined = Refined(disc, {}, Remeshed(1e-4, 0));
+  const TetrahedralMesh after = ConnectCells(refined.Points, refined.Cells);
+  int thin = 0;
+  int all = 0;
+  for (std::size_t c = 0; c < after.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (after.Neighbors[c][k] == None)
+      {
+        const auto [a, b, d] = CornersOf(after.Points, FaceOf(after.Cells[c], k));
+        const double longest = std::max({ Distance(a, b), Distance(b, d), Distance(d, a) });
+        thin += Length(NormalOf(a, b, d)) < 0.25 * longest * longest ? 1 : 0;
+        ++all;
+      }
+    }
+  }
+  EXPECT_LT(thin, 0.1 * all);
+}
+
 TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
 {
   const TetrahedralMesh ball = Ball(12); // edges of about 0.15

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutFailTogether.h"
+
+#include "vtkInsideOutGather.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkAlgorithmOutput.h>
+#include <vtkDataObject.h>
+#include <vtkExecutive.h>
+#include <vtkInformation.h>
+#include <vtkInformationRequestKey.h>
+#include <vtkMultiProcessController.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <string>
+#include <vector>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+/** As vtkExecutive::ForwardUpstream does. */
+bool Forward(vtkAlgorithm* algorithm, vtkInformation* request)
+{
+  bool isDone = true;
+  const int from = request->Get(vtkExecutive::FROM_OUTPUT_PORT());
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkExecutive* producer = algorithm->GetInputExecutive(port, i);
+      request->Set(
+        vtkExecutive::FROM_OUTPUT_PORT(), algorithm->GetInputConnection(port, i)->GetIndex());
+      isDone = producer->ProcessRequest(
+                 request, producer->GetInputInformation(), producer->GetOutputInformation()) &&
+        isDone;
+    }
+  }
+  request->Set(vtkExecutive::FROM_OUTPUT_PORT(), from);
+  return isDone;
+}
+
+/** VTK does not go on without an extent of what may be structured. */
+void GiveExtents(vtkAlgorithm* algorithm)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkInformation* input = algorithm->GetExecutive()->GetInputInformation(port, i);
+      if (!input->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        input->Set(Pipeline::WHOLE_EXTENT(), 0, -1, 0, -1, 0, -1);
+      }
+    }
+  }
+}
+
+/** The ranks that say so, as words; all ranks have to call it. */
+std::string RanksThat(bool say, vtkMultiProcessController* controller)
+{
+  const int own = say;
+  std::vector<int> all(controller->GetNumberOfProcesses());
+  controller->AllGather(&own, all.data(), 1);
+  std::string words;
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
+  {
+    if (all[rank])
+    {
+      words += (words.empty() ? "" : ", ") + std::to_string(rank);
+    }
+  }
+  return words;
+}
+} // namespace
+
+void vtkInsideOutFailTogether::AskForInformation(vtkAlgorithm* algorithm, vtkInformation* request)
+{
+  this->HasInformation = Forward(algorithm, request);
+  if (!this->HasInformation)
+  {
+    GiveExtents(algorithm);
+    request->Remove(Pipeline::REQUEST_INFORMATION()); // VTK would ask again, and give up
+  }
+}
+
+bool vtkInsideOutFailTogether::AskForData(
+  vtkAlgorithm* algorithm, vtkMultiProcessController* controller, vtkInformation* request)
+{
+  const bool hasData = this->HasInformation && Forward(algorithm, request);
+  if (!vtkInsideOutAllRanksWork(controller, algorithm->GetOutputInformation(0)))
+  {
+    return hasData;
+  }
+  const std::string failed = RanksThat(!hasData, controller);
+  if (failed.empty())
+  {
+    return true;
+  }
+  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
+  {
+    algorithm->GetOutputDataObject(port)->Initialize();
+  }
+  vtkErrorWithObjectMacro(algorithm,
+    << "the input of process " << failed << " fails, so that there is no output in any process");
+  return false;
+}
+
+int vtkInsideOutFailTogether::ModifyRequest(
+  vtkAlgorithm* algorithm, vtkMultiProcessController* controller, vtkInformation* request, int when)
+{
+  const bool isBefore = when == vtkExecutive::BeforeForward;
+  if (!controller || controller->GetNumberOfProcesses() == 1)
+  {
+    return 1;
+  }
+  if (isBefore && request->Has(Pipeline::REQUEST_DATA()))
+  {
+    return this->AskForData(algorithm, controller, request);
+  }
+  if (isBefore && request->Has(Pipeline::REQUEST_INFORMATION()))
+  {
+    this->IsAsking = true;
+    this->AskForInformation(algorithm, request);
+  }
+  else if (!isBefore && this->IsAsking)
+  {
+    request->Set(Pipeline::REQUEST_INFORMATION());
+    this->IsAsking = false;
+  }
+  return 1;
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkInsideOutReadCloud.h"
+
+#include "Common/Error.h"
+#include "vtkInsideOutArrays.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+using namespace insideout;
+
+bool vtkInsideOutIsCloud(vtkPolyData* input)
+{
+  return input->GetNumberOfPoints() > 0 && input->GetNumberOfPolys() == 0 &&
+    input->GetNumberOfStrips() == 0 && input->GetNumberOfLines() == 0;
+}
+
+vtkDataArray* vtkInsideOutFindNormals(vtkPolyData* input)
+{
+  vtkDataArray* const normals = input->GetPointData()->GetNormals();
+  vtkDataArray* const array = normals ? normals : input->GetPointData()->GetArray("Normals");
+  return array && array->GetNumberOfComponents() == 3 ? array : nullptr;
+}
+
+PointCloud vtkInsideOutReadCloud(vtkPolyData* input, const std::string& areas)
+{
+  vtkDataArray* const normals = vtkInsideOutFindNormals(input);
+  if (!normals)
+  {
+    throw Error(ErrorCode::EmptySurface,
+      "the surface is empty: it has no polygons, and its points have no normals, with which they "
+      "would "
+      "be a cloud");
+  }
+  PointCloud cloud;
+  cloud.Points = vtkInsideOutReadPoints(input, "the cloud");
+  cloud.Normals.resize(cloud.Points.size());
+  for (std::size_t i = 0; i < cloud.Points.size(); ++i)
+  {
+    normals->GetTuple(static_cast<vtkIdType>(i), cloud.Normals[i].data());
+  }
+  vtkDataArray* const array = input->GetPointData()->GetArray(areas.c_str());
+  if (array && array->GetNumberOfComponents() != 1)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the cloud's point array " + areas + " has " +
+        std::to_string(array->GetNumberOfComponents()) + " components; areas have one");
+  }
+  for (std::size_t i = 0; array && i < cloud.Points.size(); ++i)
+  {
+    cloud.Areas.push_back(array->GetComponent(static_cast<vtkIdType>(i), 0));
+  }
+  return cloud;
+}

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`point_cloud`: points with normals as a surface that can be asked, though it has no triangles."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.vtkCommonCore import VTK_DOUBLE
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .data import ARRAYS, make_points
+from .pipeline import Error
+from .serializing import vtk_array
+
+
+def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike] = None) -> vtkPolyData:
+    """Points on a surface, as scanners give them, for `winding_number`, `inside` and `voxels`.
+
+    points   an array with three columns
+    normals  the same, outward, of any length but 0
+    areas    what each point stands for, in squared units, at least 0; estimated from its neighbours where it is None
+
+    Raises `Error` where there are not as many of each. What is wrong with one of them is said when the cloud is asked.
+    """
+    cloud = vtkPolyData()
+    cloud.SetPoints(make_points(points, ARRAYS[0]))
+    size = cloud.GetNumberOfPoints()
+    given = {"normals": (normals, (size, 3)), "areas": (areas, (size,))}
+    for name, (values, shape) in given.items():
+        if values is None:
+            continue
+        array = np.asarray(values, float)
+        if array.shape != shape:
+            raise Error(f"{name} has the shape {array.shape}; with {size} points it must be {shape}")
+        made = vtk_array(np.ascontiguousarray(array), VTK_DOUBLE)
+        made.SetName("Normals" if name == "normals" else "Area")
+        cloud.GetPointData().AddArray(made)
+    cloud.GetPointData().SetActiveNormals("Normals")
+    return cloud

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes a wheel of the Python package: what pip calls (PEP 517), for the VTK that CMake finds, without TetGen.
+
+CMake gets the options in the environment variable CMAKE_ARGS, too. Of pip's `--config-settings` there is `build-dir`, the folder
+to build in, from the root of the tree on; by default build-wheel. What is up to date there stays, and so do the options of a
+folder that was configured before.
+"""
+
+import os
+import shlex
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import tomllib
+from pathlib import Path
+
+from wheel.wheelfile import WheelFile
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+
+def cmake(*arguments):
+    subprocess.run(["cmake", *map(str, arguments)], check=True)
+
+
+def build(folder):
+    if not (folder / "build.ninja").exists():
+        cmake("-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DPython3_EXECUTABLE={sys.executable}",
+              "-DINSIDEOUT_USE_PARAVIEW=OFF", "-DINSIDEOUT_USE_TETGEN=OFF", *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+    cmake("--build", folder, "--target", "InsideOutPythonFiles")
+
+
+def install(folder, prefix):
+    """Returns the package's files: its library, which is found beside the wrapped classes, comes last."""
+    for component in ("python", "runtime"):
+        cmake("--install", folder, "--prefix", prefix, "--component", component, "--strip")
+    files = [file for file in prefix.rglob("*") if file.is_file() and not file.is_symlink()]
+    return sorted(files, key=lambda file: (file.name.startswith("lib"), file))
+
+
+def version_in(files):
+    made = {}
+    exec(next(file for file in files if file.name == "version.py").read_text(encoding="utf-8"), made)
+    return made["__version__"]
+
+
+def headers(lines):
+    return "".join(f"{name}: {value}\n" for name, value in lines)
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    """Puts the wheel into a folder and returns its name."""
+    project = tomllib.loads((HERE / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    folder = ROOT / (config_settings or {}).get("build-dir", "build-wheel")
+    build(folder)
+    with tempfile.TemporaryDirectory() as prefix:
+        files = install(folder, Path(prefix))
+        named = f"{project['name']}-{version_in(files)}"
+        python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+        tag = f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+        metadata = [("Metadata-Version", "2.1"), ("Name", project["name"]), ("Version", version_in(files)),
+                    ("Summary", project["description"]), ("License", project["license"]["text"]),
+                    ("Requires-Python", project["requires-python"])]
+        metadata += [("Requires-Dist", name) for name in project["dependencies"]]
+        scripts = "".join(f"{name} = {function}\n" for name, function in project["scripts"].items())
+        with WheelFile(Path(wheel_directory, f"{named}-{tag}.whl"), "w") as wheel:
+            for file in files:
+                wheel.write(file, f"{project['name']}/{file.name}")
+            wheel.write(ROOT / "LICENSE", f"{named}.dist-info/LICENSE")
+            wheel.writestr(f"{named}.dist-info/METADATA", headers(metadata))
+            wheel.writestr(f"{named}.dist-info/WHEEL",
+                           headers([("Wheel-Version", "1.0"), ("Generator", __name__), ("Root-Is-Purelib", "false"), ("Tag", tag)]))
+            wheel.writestr(f"{named}.dist-info/entry_points.txt", f"[console_scripts]\n{scripts}")
+    return f"{named}-{tag}.whl"
