@@ -6,6 +6,7 @@
 #include "Common/ProgressRange.h"
 #include "Common/Types.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace insideout
@@ -60,5 +61,33 @@ SolidRegions FindRegions(const Neighbors& neighbors, const std::vector<unsigned 
     regions.Count += isNew;
   }
   return regions;
+}
+
+/** The parts of the outside. */
+struct OutsideRegions
+{
+  SolidRegions Regions;
+  std::vector<unsigned char> IsOpen; ///< per region 1 with a cell on the hull, 0 for a cavity
+};
+
+/** The same of the outside, and which of its parts reach beyond the hull. */
+template <typename Neighbors>
+OutsideRegions FindOutside(const Neighbors& neighbors, const std::vector<unsigned char>& inside,
+  Monitor& monitor, const ProgressRange& progress)
+{
+  std::vector<unsigned char> outside(inside.size());
+  std::transform(inside.begin(), inside.end(), outside.begin(),
+    [](unsigned char label) { return label == 0 ? 1 : 0; });
+  OutsideRegions found = { FindRegions(neighbors, outside, monitor, progress), {} };
+  found.IsOpen.assign(static_cast<std::size_t>(found.Regions.Count), 0);
+  for (std::size_t cell = 0; cell < outside.size(); ++cell)
+  {
+    const auto& beyond = neighbors[static_cast<Id>(cell)];
+    if (outside[cell] && std::find(beyond.begin(), beyond.end(), None) != beyond.end())
+    {
+      found.IsOpen[found.Regions.OfCell[cell]] = 1;
+    }
+  }
+  return found;
 }
 } // namespace insideout

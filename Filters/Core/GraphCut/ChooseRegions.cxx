@@ -117,18 +117,13 @@ RegionChanges ChooseRegions(const SimplicialCells& cells, const std::vector<std:
     changes.DroppedRegions, changes.DroppedVolume);
   if (parameters.FillCavities)
   {
-    std::vector<unsigned char> outside(inside.size());
-    std::transform(inside.begin(), inside.end(), outside.begin(),
-      [](unsigned char label) { return label == 0 ? 1 : 0; });
-    const SolidRegions holes =
-      FindRegions(cells, outside, monitor, { progress.Stage, progress.At(0.5), progress.End });
-    const std::vector<unsigned char> stay = RegionsWith(holes,
-      [&](Id cell)
-      {
-        const SimplicialCells::Range beyond = cells[cell];
-        return (!demands.empty() && demands[cell] < 0) ||
-          std::find(beyond.begin(), beyond.end(), None) != beyond.end();
-      });
+    const OutsideRegions outside =
+      FindOutside(cells, inside, monitor, { progress.Stage, progress.At(0.5), progress.End });
+    const SolidRegions& holes = outside.Regions;
+    std::vector<unsigned char> stay =
+      RegionsWith(holes, [&](Id cell) { return !demands.empty() && demands[cell] < 0; });
+    std::transform(stay.begin(), stay.end(), outside.IsOpen.begin(), stay.begin(),
+      [](unsigned char a, unsigned char b) { return a | b; });
     Relabel(holes, stay, SumByRegion(holes, sizes), 1, inside, changes.FilledCavities,
       changes.FilledVolume);
   }

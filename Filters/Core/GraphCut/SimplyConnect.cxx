@@ -364,19 +364,7 @@ bool SimpleCells::Allows(const GreedyLabels& labels, Id cell)
 bool IsBall(const SimplicialCells& cells, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress)
 {
-  std::vector<unsigned char> outside(inside.size());
-  std::transform(inside.begin(), inside.end(), outside.begin(),
-    [](unsigned char label) { return label == 0 ? 1 : 0; });
-  const SolidRegions beyond = FindRegions(cells, outside, monitor, progress);
-  std::vector<unsigned char> isOpen(static_cast<std::size_t>(beyond.Count), 0);
-  for (Id cell = 0; cell < static_cast<Id>(inside.size()); ++cell)
-  {
-    const SimplicialCells::Range next = cells[cell];
-    if (outside[cell] && std::find(next.begin(), next.end(), None) != next.end())
-    {
-      isOpen[beyond.OfCell[cell]] = 1;
-    }
-  }
+  const std::vector<unsigned char> isOpen = FindOutside(cells, inside, monitor, progress).IsOpen;
   // One component, no cavity; Euler's formula then leaves no tunnel. In a plane holes are cavities.
   return FindRegions(cells, inside, monitor, progress).Count == 1 &&
     std::find(isOpen.begin(), isOpen.end(), 0) == isOpen.end() &&

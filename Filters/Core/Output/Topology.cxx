@@ -85,19 +85,8 @@ PointCounts CountPoints(std::size_t points, const std::vector<std::array<Id, Siz
 Id CountCavities(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress)
 {
-  std::vector<unsigned char> outside(inside.size());
-  std::transform(inside.begin(), inside.end(), outside.begin(),
-    [](unsigned char label) { return label == 0 ? 1 : 0; });
-  const SolidRegions parts = FindRegions(mesh, outside, monitor, progress);
-  std::vector<unsigned char> isOpen(static_cast<std::size_t>(parts.Count), 0);
-  for (std::size_t cell = 0; cell < outside.size(); ++cell)
-  {
-    const std::array<Id, 4>& neighbors = mesh.Neighbors[cell];
-    if (outside[cell] && std::find(neighbors.begin(), neighbors.end(), None) != neighbors.end())
-    {
-      isOpen[parts.OfCell[cell]] = 1;
-    }
-  }
+  const std::vector<unsigned char> isOpen =
+    FindOutside(mesh.Neighbors, inside, monitor, progress).IsOpen;
   return static_cast<Id>(std::count(isOpen.begin(), isOpen.end(), 0));
 }
 
