@@ -384,7 +384,7 @@ void RemeshSurface(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound&
     }
     else
     {
-      if (round == RoundsOfWishes)
+      if (round == RoundsOfWishes && !sizes.IsAskedFor())
       {
         sizes.ShortenAtThinTriangles();
       }
