@@ -129,8 +129,11 @@ public:
   ///@{
   /**
    * Points at most this far apart become one, in units of the surfaces, also those of different
-   * bodies: a smaller gap between these closes. Default 0: only points with equal coordinates are
-   * merged. Range 0 to infinity.
+   * bodies; and so do flat faces of different bodies: where all corners of a facet are that near to
+   * the plane of a facet below it of an earlier body they are moved into it, with a warning. Gaps
+   * of uneven width, as between round faces, stay. Faces that were turned and touch but for
+   * rounding need a tolerance, too. Default 0: only points with equal coordinates are merged, and
+   * what is inside a body by a hair's breadth is inside. Range 0 to infinity.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MergeTolerance, double);

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/ResolveBodies.h"
 
+#include "Boolean/CloseGaps.h"
+#include "Common/BoxTree.h"
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
 #include "Common/PartMonitor.h"
+#include "Common/ScaledPoints.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Validate/MergePoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -95,6 +99,7 @@ private:
   };
   ChainPoints PointsOfChains();
   FacetComplex Together();
+  std::vector<Id> FacetsBesideOtherBodies(const FacetComplex& together) const;
   void TakeResolved(FacetComplex resolved);
   Id BodyOf(Id chainFacet) const;
   void Warn(const Body& body, const std::vector<std::string>& warnings);
@@ -332,6 +337,39 @@ FacetComplex BodyResolver::Together()
   return together;
 }
 
+/** The facets of one body in the box around another: those may touch its facets. */
+std::vector<Id> BodyResolver::FacetsBesideOtherBodies(const FacetComplex& together) const
+{
+  std::vector<Box> boxes(this->Chains.size(), Box::Empty());
+  const double width = std::ldexp(LargestCoordinate(together.Points), -40); // more than rounding
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
+  {
+    for (const Triangle& facet : this->Chains[b].Facets)
+    {
+      boxes[b].Add(BoundingBox(this->Chains[b].Points, facet));
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      boxes[b].Low[k] -= width;
+      boxes[b].High[k] += width;
+    }
+  }
+  const BoxTree tree(boxes);
+  std::vector<Id> beside;
+  for (Id f = 0; f < together.NumberOfFacets(); ++f)
+  {
+    const Id own = this->BodyOf(together.Sources[together.SourceOffsets[f]].Triangle);
+    bool isBeside = false;
+    tree.Visit(
+      BoundingBox(together.Points, together.Facets[f]), [&](Id body) { isBeside |= body != own; });
+    if (isBeside)
+    {
+      beside.push_back(f);
+    }
+  }
+  return beside;
+}
+
 /** Takes the resolved complex, and says of it in bodies and their triangles what it says in facets
  * of the chains. */
 void BodyResolver::TakeResolved(FacetComplex resolved)
@@ -390,6 +428,12 @@ ResolvedBodies BodyResolver::Resolve()
   if (this->Parameters.Chain.MergeTolerance > 0)
   {
     this->MergeGivenPoints();
+    if (const Id moved = CloseGaps(this->Given, this->Parameters.Chain.MergeTolerance); moved > 0)
+    {
+      this->Result.Warnings.push_back(std::to_string(moved) +
+        " points were moved into planes of other bodies, which were nearer than the merge "
+        "tolerance");
+    }
   }
   this->CountFacetsOfBodies();
   this->OrientBodies();
@@ -397,7 +441,12 @@ ResolvedBodies BodyResolver::Resolve()
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
   std::sort(this->Result.TurnedTriangles.begin(), this->Result.TurnedTriangles.end());
   std::sort(this->Result.SheetTriangles.begin(), this->Result.SheetTriangles.end());
-  Resolution resolution = ResolveSelfIntersections(this->Together(), this->Watch);
+  const FacetComplex together = this->Together();
+  // Without a tolerance what is inside by a hair's breadth is inside.
+  const std::vector<Id> mayTouch = this->Parameters.Chain.MergeTolerance > 0
+    ? this->FacetsBesideOtherBodies(together)
+    : std::vector<Id>();
+  Resolution resolution = ResolveSelfIntersections(together, this->Watch, mayTouch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   this->TakeResolved(std::move(resolution.Surface));
   for (Id p = 0; p < this->NumberOfIds; ++p)

@@ -50,12 +50,16 @@ struct Slab
   double Height;
 };
 
+/** Whether facets of these slabs are layers if they overlap. */
+bool AreInOneSlab(const Slab& first, const Slab& last, double radius)
+{
+  return first.Height >= LeastHeight * radius && last.Height >= LeastHeight * radius &&
+    (first.Holds(last, radius) || last.Holds(first, radius));
+}
+
 bool AreLayers(const FacetList& surface, Id a, Id b, double radius)
 {
-  const Slab first(surface, a);
-  const Slab last(surface, b);
-  return first.Height >= LeastHeight * radius && last.Height >= LeastHeight * radius &&
-    (first.Holds(last, radius) || last.Holds(first, radius)) &&
+  return AreInOneSlab({ surface, a }, { surface, b }, radius) &&
     OverlapInPlane(CornersOf(surface, a), CornersOf(surface, b));
 }
 
@@ -157,6 +161,34 @@ std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vec
   return groups;
 }
 } // namespace
+
+std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
+  double radius, Monitor& monitor, const ProgressRange& progress)
+{
+  std::vector<Slab> slabs;
+  std::vector<Box> boxes;
+  for (const Id f : among)
+  {
+    slabs.emplace_back(surface, f);
+    boxes.push_back(Around(surface, f, radius));
+  }
+  const BoxTree tree(boxes);
+  std::vector<std::array<Id, 2>> layers;
+  for (Id part = 0; part < tree.NumberOfParts(); ++part)
+  {
+    monitor.Check(progress.Stage, progress.Begin);
+    tree.VisitPairs(part,
+      [&](Id a, Id b)
+      {
+        if (AreInOneSlab(slabs[a], slabs[b], radius) &&
+          OverlapInPlane(CornersOf(surface, among[a]), CornersOf(surface, among[b])))
+        {
+          layers.push_back({ among[a], among[b] });
+        }
+      });
+  }
+  return layers;
+}
 
 std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
   const std::vector<std::array<Id, 2>>& pairs, double radius, Monitor& monitor,

@@ -7,6 +7,15 @@
 namespace insideout
 {
 /**
+ * All pairs, among some facets, of those that overlap nearly in one plane, nearer to it than
+ * `radius`, whether they cross or not. Facets too narrow to tell their plane are passed over.
+ *
+ * @throws Error (Stopped)
+ */
+std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
+  double radius, Monitor& monitor, const ProgressRange& progress);
+
+/**
  * Cuts layers: facets that overlap nearly in one plane, nearer to it than `radius`. Where rounding
  * turned what was meant to coincide a little, such facets cross along lines that mean nothing, the
  * next cut along others. Here they are cut along each other's edges as if they were in one plane;
@@ -15,7 +24,7 @@ namespace insideout
  * Facets too narrow to tell their plane are passed over. Facets in other planes that share an edge
  * of a layer have to be split there as its pieces are (SplitAlike).
  *
- * @param[in] pairs facets that cross
+ * @param[in] pairs facets that cross, or are layers; those that are none are passed over
  * @param[in] radius in units of the points
  * @return one subdivision for every group of layers, by lowest facet; sources are facet ids
  * @throws Error (Stopped)

@@ -75,12 +75,12 @@ class Resolver
 {
 public:
   Resolver(const FacetComplex& surface, Monitor& monitor);
-  Resolution Resolve();
+  Resolution Resolve(const std::vector<Id>& mayTouch);
 
 private:
   void CutRepeatedly();
   void Cut(const ProgressRange& progress);
-  void MergeLayers();
+  void MergeLayers(const std::vector<std::array<Id, 2>>& pairs);
   std::vector<std::vector<Id>> TakePieces(
     const std::vector<PlanarSubdivision>& subdivisions, double radius);
   void PrepareSnapping(const std::vector<char>& isCut, double radius);
@@ -109,17 +109,20 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
 {
 }
 
-Resolution Resolver::Resolve()
+Resolution Resolver::Resolve(const std::vector<Id>& mayTouch)
 {
   this->Now.FindCrossings(this->Watch);
   Resolution resolution;
   resolution.IntersectingPairs = this->Now.Crossings;
-  if (!this->Now.Crossings.empty())
+  const std::vector<std::array<Id, 2>> layers = FindLayers({ this->Now.Points, this->Now.Facets },
+    mayTouch, SnappingRadius(this->Size), this->Watch, { Stages::Resolving, 0, 0 });
+  if (!this->Now.Crossings.empty() || !layers.empty())
   {
     for (Id p = 0; p < static_cast<Id>(this->Now.Points.size()); ++p)
     {
       this->Positions.Add(this->Now.Points[p], p);
     }
+    this->MergeLayers(layers);
     this->CutRepeatedly();
   }
   resolution.Rounds = this->Round;
@@ -141,7 +144,7 @@ void Resolver::CutRepeatedly()
     // How many rounds there will be is unknown: each takes half of the progress that is left.
     const double begin = 1 - std::ldexp(1.0, 1 - this->Round);
     const double end = 1 - std::ldexp(1.0, -this->Round);
-    this->MergeLayers();
+    this->MergeLayers(this->Now.Crossings);
     this->Cut({ Stages::Resolving, begin, end });
     this->Collapse(this->Now.DegenerateFacets());
     this->Now.FindCrossings(this->Watch);
@@ -170,12 +173,12 @@ void Resolver::CutRepeatedly()
   }
 }
 
-/** Makes layers, which cross in nearly one plane, one. */
-void Resolver::MergeLayers()
+/** Makes layers one: of the pairs of facets those that lie in nearly one plane. */
+void Resolver::MergeLayers(const std::vector<std::array<Id, 2>>& pairs)
 {
   const double radius = SnappingRadius(this->Size);
   const std::vector<PlanarSubdivision> subdivisions =
-    CutLayers({ this->Now.Points, this->Now.Facets }, this->Now.Crossings, radius, this->Watch,
+    CutLayers({ this->Now.Points, this->Now.Facets }, pairs, radius, this->Watch,
       { Stages::Resolving, 0, 0 });
   if (!subdivisions.empty())
   {
@@ -405,8 +408,9 @@ void Resolver::Collapse(const std::vector<Id>& candidates)
 }
 } // namespace
 
-Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor)
+Resolution ResolveSelfIntersections(
+  const FacetComplex& surface, Monitor& monitor, const std::vector<Id>& mayTouch)
 {
-  return Resolver(surface, monitor).Resolve();
+  return Resolver(surface, monitor).Resolve(mayTouch);
 }
 } // namespace insideout

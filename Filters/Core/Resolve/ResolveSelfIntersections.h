@@ -26,7 +26,10 @@ struct Resolution
  * still cross after the last round stand behind Surface.NumberOfConstraints.
  *
  * @param[in] surface a validated complex
+ * @param[in] mayTouch facets that become one where they coincide up to rounding also if none of
+ *   them cross; they take a search of their own
  * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
  */
-Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor);
+Resolution ResolveSelfIntersections(
+  const FacetComplex& surface, Monitor& monitor, const std::vector<Id>& mayTouch = {});
 } // namespace insideout

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Boolean/Body.h"
+
+namespace insideout
+{
+/**
+ * Close narrow gaps between flat faces of bodies, whose points do not face each other: where all
+ * corners of a facet lie within the tolerance of the plane of a facet of an earlier body, and the
+ * two lie above each other by more than the tolerance, the corners are moved into that plane. What
+ * then coincides up to rounding becomes one when bodies are resolved together. A point moves by the
+ * tolerance at most, and into as many as three planes at once; one that would have to move farther,
+ * or that stands in a point of an earlier body, stays. Points of a body that are in one place stay
+ * in one.
+ *
+ * Gaps that are not of even width, as between round faces that are triangulated differently, stay.
+ *
+ * @param[in,out] bodies points may be NaN, and triangles refer to points that are not there: such
+ *   triangles are passed over
+ * @param[in] tolerance above 0
+ * @return how many places moved
+ */
+Id CloseGaps(std::vector<Body>& bodies, double tolerance);
+} // namespace insideout
