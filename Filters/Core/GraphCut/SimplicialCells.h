@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Tetrahedra or triangles, by what decides how they hang together. They fill a convex hull. */
+/** Tetrahedra or triangles, by what decides how they hang together. */
 class SimplicialCells
 {
 public:
