@@ -16,8 +16,7 @@ void Check(const ChooseRegionsParameters& parameters)
   {
     throw Error(ErrorCode::InvalidParameter,
       std::to_string(parameters.LargestRegions) +
-        " regions are to stay, which is no number of "
-        "them");
+        " regions are to stay, which is no number of them");
   }
   if (!(parameters.MinimumRegionVolume >= 0))
   {
