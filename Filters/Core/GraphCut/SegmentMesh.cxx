@@ -6,7 +6,6 @@
 #include "GraphCut/InteriorFaces.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace insideout
 {
@@ -57,14 +56,9 @@ std::vector<Id> DroppedSeeds(
   return cells;
 }
 
-/** In the units of the points. */
-std::vector<double> VolumesOf(const TetrahedralMesh& mesh)
+ScaledSizes VolumesOf(const TetrahedralMesh& mesh)
 {
-  std::vector<double> volumes = CellVolumes(mesh);
-  const int exponent = 3 * LargestExponent(mesh.Points);
-  std::transform(volumes.begin(), volumes.end(), volumes.begin(),
-    [&](double volume) { return std::ldexp(volume, exponent); });
-  return volumes;
+  return { CellVolumes(mesh), 3 * LargestExponent(mesh.Points) };
 }
 
 /** By face of a tetrahedron the corner that is not on it (TetrahedronFaces). */

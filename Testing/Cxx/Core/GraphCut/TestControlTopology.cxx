@@ -222,6 +222,28 @@ TEST(ChooseRegions, KeepsTheLargestAndThoseThatAreLargeEnough)
   }
 }
 
+TEST(ChooseRegions, KeepsTheSameInAnyUnit)
+{
+  const Case made = CubesCase(4, [](int i, int, int) { return i == 0 || i > 1; });
+  SegmentMeshParameters largest;
+  largest.Topology.Regions.LargestRegions = 1;
+  const std::vector<unsigned char> expected = Solve(made, largest).Inside;
+  EXPECT_EQ(Parts(made.Mesh, expected, 1).BySize().front().Cells.size(),
+    Parts(made.Mesh, Solve(made, {}).Inside, 1).BySize().front().Cells.size());
+  for (const int exponent : { -400, 400 }) // where volumes vanish, or overflow
+  {
+    Case scaled = made;
+    for (Point& point : scaled.Mesh.Points)
+    {
+      for (double& x : point)
+      {
+        x = std::ldexp(x, exponent);
+      }
+    }
+    EXPECT_EQ(Solve(scaled, largest).Inside, expected) << exponent;
+  }
+}
+
 TEST(ChooseRegions, KeepsThoseWithASeedInside)
 {
   const Case made = CubesCase(5, [](int i, int j, int k) { return i % 2 == 0 && j < 2 && k < 2; });
@@ -536,7 +558,10 @@ TEST(ControlTopology, StopsAtEveryReport)
   const CutEnergy energy(graph, {});
   const std::vector<unsigned char> labels = MinimumCut(energy);
   const SimplicialCells cells(made.Mesh.Points.size(), made.Mesh.Cells, made.Mesh.Neighbors,
-    { { 2, 0, 1, 3 } }, [&]() { return std::vector<double>(labels.size(), 1.0); });
+    { { 2, 0, 1, 3 } },
+    [&]() {
+      return ScaledSizes{ std::vector<double>(labels.size(), 1.0), 0 };
+    });
   ControlTopologyParameters parameters;
   parameters.Goal = TopologyGoal::SimplyConnected;
   parameters.Regions.LargestRegions = 20;
