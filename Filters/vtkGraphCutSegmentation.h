@@ -112,8 +112,9 @@ public:
   /**
    * How many regions of the solid stay at most, the largest by volume (in two dimensions by area);
    * regions are parts that faces connect. What is dropped counts in the statistics DroppedRegions
-   * and DroppedVolume, and its facets are outliers. Takes tetrahedra, as what follows does. Default
-   * 0: any number. Range 0 to VTK_INT_MAX.
+   * and DroppedVolume, and its facets are outliers; a seed that is to be inside goes with its
+   * region, and counts in SeedConflicts, with a warning. Takes tetrahedra, as what follows does.
+   * Default 0: any number. Range 0 to VTK_INT_MAX.
    */
   vtkSetClampMacro(LargestRegions, int, 0, VTK_INT_MAX);
   vtkGetMacro(LargestRegions, int);

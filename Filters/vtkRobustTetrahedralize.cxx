@@ -398,16 +398,16 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
     {
       const auto [input, names, warnings] = ReadInput(this, block);
       const auto key = vtkInsideOutAsTuple(parameters, names);
-      if (!this->Hulls->Find(block, key) &&
+      if (input && !this->Hulls->Find(block, key) &&
         vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_3)
       {
         hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
         this->Hulls->Remember(block, key, hulls.back());
       }
     }
-    catch (const Error&)
+    catch (const std::exception&)
     {
-      // is said when VTK comes to the block
+      // is said when VTK comes to the block; that there is no memory, too
     }
   }
   try

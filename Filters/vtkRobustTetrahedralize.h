@@ -252,7 +252,8 @@ public:
   /**
    * How many regions of the solid stay at most, the largest by volume (in two dimensions by area);
    * regions are parts that faces connect. What is dropped counts in the statistics DroppedRegions
-   * and DroppedVolume, and its facets are outliers. Where there are bodies each keeps so many.
+   * and DroppedVolume, and its facets are outliers; a seed that is to be inside goes with its
+   * region, and counts in SeedConflicts, with a warning. Where there are bodies each keeps so many.
    * Default 0: any number. Range 0 to VTK_INT_MAX.
    */
   vtkSetClampMacro(LargestRegions, int, 0, VTK_INT_MAX);

@@ -10,6 +10,19 @@
 
 using namespace insideout;
 
+namespace
+{
+void CheckLength(vtkDataArray* array, vtkPolyData* cloud, const std::string& what)
+{
+  if (array->GetNumberOfTuples() != cloud->GetNumberOfPoints())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the cloud has " + std::to_string(array->GetNumberOfTuples()) + " " + what + " for " +
+        std::to_string(cloud->GetNumberOfPoints()) + " points");
+  }
+}
+} // namespace
+
 bool vtkInsideOutIsCloud(vtkPolyData* input)
 {
   return input->GetNumberOfPoints() > 0 && input->GetNumberOfPolys() == 0 &&
@@ -30,9 +43,9 @@ PointCloud vtkInsideOutReadCloud(vtkPolyData* input, const std::string& areas)
   {
     throw Error(ErrorCode::EmptySurface,
       "the surface is empty: it has no polygons, and its points have no normals, with which they "
-      "would "
-      "be a cloud");
+      "would be a cloud");
   }
+  CheckLength(normals, input, "normals");
   PointCloud cloud;
   cloud.Points = vtkInsideOutReadPoints(input, "the cloud");
   cloud.Normals.resize(cloud.Points.size());
@@ -46,6 +59,10 @@ PointCloud vtkInsideOutReadCloud(vtkPolyData* input, const std::string& areas)
     throw Error(ErrorCode::InvalidParameter,
       "the cloud's point array " + areas + " has " +
         std::to_string(array->GetNumberOfComponents()) + " components; areas have one");
+  }
+  if (array)
+  {
+    CheckLength(array, input, "areas");
   }
   for (std::size_t i = 0; array && i < cloud.Points.size(); ++i)
   {

@@ -13,6 +13,8 @@
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringVectorKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
@@ -72,6 +74,31 @@ void MakeEmpty(vtkInformationVector* outputs)
     }
   }
 }
+
+/** VTK looks at the first block of a composite data set alone before it comes to all of them. */
+void CheckTypes(vtkAlgorithm* algorithm)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformation* wanted = algorithm->GetInputPortInformation(port);
+    const int count = wanted->Length(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* data = algorithm->GetInputDataObject(port, i);
+      bool isOne = !data || count == 0;
+      for (int k = 0; k < count && !isOne; ++k)
+      {
+        isOne = data->IsA(wanted->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), k)) != 0;
+      }
+      if (!isOne)
+      {
+        throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+          std::string("the input is a ") + data->GetClassName() + ", no " +
+            wanted->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), 0));
+      }
+    }
+  }
+}
 } // namespace
 
 int vtkInsideOutRun(
@@ -81,6 +108,7 @@ int vtkInsideOutRun(
   try
   {
     MakeEmpty(outputs);
+    CheckTypes(algorithm);
     insideout::AllocateThreadLocals();
     if (vtkInsideOutMonitor::ShouldAbort(algorithm))
     {

@@ -162,8 +162,17 @@ class TestClouds(unittest.TestCase):
             insideout.distance(insideout.point_cloud(points, normals), places(3))
         with self.assertRaisesRegex(insideout.Error, r"normals has the shape \(19, 3\); with 20 points it must be \(20, 3\)"):
             insideout.point_cloud(points, normals[1:])
+        with self.assertRaisesRegex(insideout.Error, "normals has the shape"):
+            insideout.point_cloud(points, None)
         with self.assertRaisesRegex(insideout.Error, r"areas has the shape \(20, 3\)"):
             insideout.point_cloud(points, normals, normals)
+
+    def test_arrays_of_another_length_are_refused(self):
+        for name, words in (("Normals", "the cloud has 3 normals for 20 points"), ("Area", "the cloud has 3 areas for 20 points")):
+            cloud = insideout.point_cloud(*sphere(20), np.ones(20))
+            cloud.GetPointData().GetArray(name).SetNumberOfTuples(3)
+            with self.assertRaisesRegex(insideout.Error, words):
+                insideout.winding_number(cloud, places(3))
 
     def test_the_command_takes_a_cloud_in_a_file(self):
         points, normals = sphere()

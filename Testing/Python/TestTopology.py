@@ -89,6 +89,14 @@ class Regions(unittest.TestCase):
                 self.assertEqual(result.statistics["OutlierFacets"], len(surfaces.BOX_FACETS) * (3 - len(left)))
                 self.assertEqual(result.statistics["EnergyBeforeTopology"], result.statistics["Energy"])
 
+    def test_seeds_that_are_dropped_with_their_region_are_told_of(self):
+        seeds = [((6, 1, 1), True), ((0.5, 0.5, 0.5), True)]
+        result = insideout.tetrahedralize(apart(), largest_regions=1, seeds=seeds)
+        self.assertEqual(volumes(result), [27])
+        self.assertEqual(result.statistics["SeedConflicts"], 1)
+        self.assertIn("1 seeds that are to be inside are outside, for their regions were dropped: seed 1", " ".join(result.warnings))
+        self.assertEqual(insideout.tetrahedralize(apart(), largest_regions=3, seeds=seeds).statistics["SeedConflicts"], 0)
+
     def test_that_all_were_dropped_is_told_once(self):
         result = insideout.tetrahedralize(apart(), minimum_region_volume=30)
         self.assertEqual(len(result.solid.cells), 0)

@@ -54,6 +54,15 @@ double ReachOf(double thirdMoment, double area, double radius, double least)
   }
   return far;
 }
+
+/** So that no coordinate and no area is above 1 once they are scaled: neither overflows in sums. */
+int ExponentOf(const PointCloud& cloud)
+{
+  int exponentOfArea = 0;
+  std::frexp(*std::max_element(cloud.Areas.begin(), cloud.Areas.end()), &exponentOfArea);
+  const int half = static_cast<int>(std::ceil(exponentOfArea / 2.0));
+  return std::max(LargestExponent(cloud.Points), half);
+}
 } // namespace
 
 /** In an order in which neighbours stand together. */
@@ -90,7 +99,7 @@ std::vector<Box> CloudWindingNumber::BoxesOf(const std::vector<Dipole>& dipoles)
 }
 
 CloudWindingNumber::CloudWindingNumber(const PointCloud& cloud, bool sums)
-  : Exponent(LargestExponent(cloud.Points))
+  : Exponent(ExponentOf(cloud))
   , Dipoles(DipolesOf(cloud, this->Exponent))
   , Tree(BoxesOf(this->Dipoles))
 {

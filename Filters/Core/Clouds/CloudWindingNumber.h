@@ -81,7 +81,7 @@ private:
   void Visit(const Point& scaled, const VisitFar& visitFar, const VisitNear& visitNear) const;
 
   int Exponent;
-  std::vector<Dipole> Dipoles; ///< scaled to below 1
+  std::vector<Dipole> Dipoles; ///< scaled, coordinates and areas to at most 1
   BoxTree Tree;
   std::vector<Far> Parts; ///< one per part of the tree; none where it sums
 };

@@ -16,8 +16,7 @@ void Check(const ChooseRegionsParameters& parameters)
   {
     throw Error(ErrorCode::InvalidParameter,
       std::to_string(parameters.LargestRegions) +
-        " regions are to stay, which is no number of "
-        "them");
+        " regions are to stay, which is no number of them");
   }
   if (!(parameters.MinimumRegionVolume >= 0))
   {
@@ -56,9 +55,10 @@ std::vector<unsigned char> RegionsWith(const SolidRegions& regions, const Predic
 }
 
 /** For each region whether it stays. */
-std::vector<unsigned char> Stay(const SolidRegions& regions, const std::vector<double>& volumes,
+std::vector<unsigned char> Stay(const SolidRegions& regions, const ScaledSizes& sizes,
   const std::vector<std::int8_t>& demands, const ChooseRegionsParameters& parameters)
 {
+  const std::vector<double> volumes = SumByRegion(regions, sizes.Scaled);
   std::vector<unsigned char> stays(volumes.size(), 1);
   if (parameters.SeededRegions)
   {
@@ -71,7 +71,8 @@ std::vector<unsigned char> Stay(const SolidRegions& regions, const std::vector<d
   Id count = 0;
   for (const Id region : bySize)
   {
-    const bool isWanted = stays[region] && volumes[region] >= parameters.MinimumRegionVolume &&
+    const bool isWanted = stays[region] &&
+      sizes.InUnits(volumes[region]) >= parameters.MinimumRegionVolume &&
       (parameters.LargestRegions == 0 || count < parameters.LargestRegions);
     stays[region] = isWanted ? 1 : 0;
     count += isWanted;
@@ -81,14 +82,17 @@ std::vector<unsigned char> Stay(const SolidRegions& regions, const std::vector<d
 
 /** Give another label to the regions whose value is not `stays`. */
 void Relabel(const SolidRegions& regions, const std::vector<unsigned char>& stays,
-  const std::vector<double>& volumes, unsigned char label, std::vector<unsigned char>& inside,
-  Id& count, double& volume)
+  const ScaledSizes& sizes, unsigned char label, std::vector<unsigned char>& inside, Id& count,
+  double& volume)
 {
+  const std::vector<double> volumes = SumByRegion(regions, sizes.Scaled);
+  double scaled = 0;
   for (std::size_t region = 0; region < stays.size(); ++region)
   {
     count += !stays[region];
-    volume += stays[region] ? 0 : volumes[region];
+    scaled += stays[region] ? 0 : volumes[region];
   }
+  volume = sizes.InUnits(scaled);
   for (std::size_t cell = 0; cell < inside.size(); ++cell)
   {
     if (regions.OfCell[cell] != None && !stays[regions.OfCell[cell]])
@@ -109,11 +113,10 @@ RegionChanges ChooseRegions(const SimplicialCells& cells, const std::vector<std:
   {
     return changes;
   }
-  const std::vector<double> sizes = cells.Sizes();
+  const ScaledSizes sizes = cells.Sizes();
   const SolidRegions regions =
     FindRegions(cells, inside, monitor, { progress.Stage, progress.Begin, progress.At(0.5) });
-  const std::vector<double> volumes = SumByRegion(regions, sizes);
-  Relabel(regions, Stay(regions, volumes, demands, parameters), volumes, 0, inside,
+  Relabel(regions, Stay(regions, sizes, demands, parameters), sizes, 0, inside,
     changes.DroppedRegions, changes.DroppedVolume);
   if (parameters.FillCavities)
   {
@@ -124,8 +127,7 @@ RegionChanges ChooseRegions(const SimplicialCells& cells, const std::vector<std:
       RegionsWith(holes, [&](Id cell) { return !demands.empty() && demands[cell] < 0; });
     std::transform(stay.begin(), stay.end(), outside.IsOpen.begin(), stay.begin(),
       [](unsigned char a, unsigned char b) { return a | b; });
-    Relabel(holes, stay, SumByRegion(holes, sizes), 1, inside, changes.FilledCavities,
-      changes.FilledVolume);
+    Relabel(holes, stay, sizes, 1, inside, changes.FilledCavities, changes.FilledVolume);
   }
   return changes;
 }

@@ -160,6 +160,21 @@ std::vector<double> CostsOfDropping(const CutEnergy& energy, const FixedLabels& 
   return costs;
 }
 
+Buckets<Id> CellsOf(const SolidRegions& regions)
+{
+  return Buckets<Id>(static_cast<std::size_t>(regions.Count),
+    [&](const auto& visit)
+    {
+      for (std::size_t cell = 0; cell < regions.OfCell.size(); ++cell)
+      {
+        if (regions.OfCell[cell] != None)
+        {
+          visit(static_cast<std::size_t>(regions.OfCell[cell]), static_cast<Id>(cell));
+        }
+      }
+    });
+}
+
 /** Does what a list of actions says, as far as each still means what it did. */
 class Round
 {
@@ -167,7 +182,7 @@ public:
   Round(const Ways& ways, const SolidRegions& regions, std::vector<unsigned char>& inside,
     ConnectedRegions& result)
     : Found(ways)
-    , Regions(regions)
+    , CellsOfRegions(CellsOf(regions))
     , Inside(inside)
     , Result(result)
     , Sets(static_cast<std::size_t>(regions.Count))
@@ -202,13 +217,10 @@ private:
     {
       return;
     }
-    for (Id cell = 0; cell < static_cast<Id>(this->Inside.size()); ++cell)
+    for (const Id cell : this->CellsOfRegions[region])
     {
-      if (this->Regions.OfCell[cell] == region)
-      {
-        this->Inside[cell] = 0;
-        this->Result.Dropped.push_back(cell);
-      }
+      this->Inside[cell] = 0;
+      this->Result.Dropped.push_back(cell);
     }
     this->Was[region] = IsDropped;
     ++this->Result.DroppedRegions;
@@ -247,7 +259,7 @@ private:
   }
 
   const Ways& Found;
-  const SolidRegions& Regions;
+  const Buckets<Id> CellsOfRegions;
   std::vector<unsigned char>& Inside;
   ConnectedRegions& Result;
   DisjointSets Sets;

@@ -116,11 +116,13 @@ ControlledTopology ControlTopology(const SimplicialCells& cells, const CutEnergy
   result.Regions.DroppedRegions += connected.DroppedRegions;
   if (connected.DroppedRegions > 0)
   {
-    const std::vector<double> sizes = cells.Sizes();
+    const ScaledSizes sizes = cells.Sizes();
+    double volume = 0;
     for (const Id cell : connected.Dropped)
     {
-      result.Regions.DroppedVolume += inside[cell] ? 0 : sizes[cell];
+      volume += inside[cell] ? 0 : sizes.Scaled[cell];
     }
+    result.Regions.DroppedVolume += sizes.InUnits(volume);
   }
   const Id left =
     FindRegions(cells, inside, monitor, { progress.Stage, progress.End, progress.End }).Count;

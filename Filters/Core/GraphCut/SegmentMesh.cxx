@@ -6,7 +6,6 @@
 #include "GraphCut/InteriorFaces.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace insideout
 {
@@ -42,14 +41,24 @@ Id CountUnsatisfied(const std::vector<FacetPiece>& pieces, const std::vector<uns
     { return !inside[piece.First] && (piece.Second == None || !inside[piece.Second]); }));
 }
 
-/** In the units of the points. */
-std::vector<double> VolumesOf(const TetrahedralMesh& mesh)
+/** Cells of seeds that are to be inside and are not, for their regions were dropped. */
+std::vector<Id> DroppedSeeds(
+  const std::vector<std::int8_t>& demands, const std::vector<unsigned char>& inside)
 {
-  std::vector<double> volumes = CellVolumes(mesh);
-  const int exponent = 3 * LargestExponent(mesh.Points);
-  std::transform(volumes.begin(), volumes.end(), volumes.begin(),
-    [&](double volume) { return std::ldexp(volume, exponent); });
-  return volumes;
+  std::vector<Id> cells;
+  for (std::size_t cell = 0; cell < demands.size(); ++cell)
+  {
+    if (demands[cell] > 0 && !inside[cell])
+    {
+      cells.push_back(static_cast<Id>(cell));
+    }
+  }
+  return cells;
+}
+
+ScaledSizes VolumesOf(const TetrahedralMesh& mesh)
+{
+  return { CellVolumes(mesh), 3 * LargestExponent(mesh.Points) };
 }
 
 /** By face of a tetrahedron the corner that is not on it (TetrahedronFaces). */
@@ -152,6 +161,14 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
     result.Warnings.push_back(
       std::to_string(dropped) + " pieces of facets are not kept, for their regions were dropped");
   }
+  const std::vector<Id> droppedSeeds = DroppedSeeds(graph.Demands, result.Inside);
+  const Id lostSeeds = static_cast<Id>(droppedSeeds.size());
+  if (lostSeeds > 0)
+  {
+    result.Warnings.push_back(std::to_string(lostSeeds) +
+      " seeds that are to be inside are outside, for their regions were dropped: seed " +
+      std::to_string(seeded.Seeds[droppedSeeds.front()]) + " is one");
+  }
   if (filled.LeftPoints > 0)
   {
     result.Warnings.push_back(std::to_string(filled.LeftPoints) +
@@ -163,7 +180,7 @@ MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
     { "ForcedCells", labels.NumberOfForced() + topology.ForcedCells },
     { "ChangedCells", CountDifferent(result.Inside, cut) },
     { "UnsatisfiedFacets", unsatisfied + dropped }, { "NonManifoldPoints", filled.LeftPoints },
-    { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints } };
+    { "SeedConflicts", seeded.Conflicts + unsatisfied + filled.LeftPoints + lostSeeds } };
   Tell(topology, result);
   monitor.Check(Stages::Segmenting, 1);
   return result;

@@ -3,11 +3,21 @@
 
 #include "Common/TetrahedralMesh.h"
 
+#include <cmath>
 #include <functional>
 
 namespace insideout
 {
-/** Tetrahedra or triangles, by what decides how they hang together. They fill a convex hull. */
+/** Volumes, or areas, scaled so that they neither overflow nor vanish. */
+struct ScaledSizes
+{
+  std::vector<double> Scaled; ///< one per cell
+  int Exponent;               ///< times two to this they are in the units of the points
+
+  double InUnits(double scaled) const { return std::ldexp(scaled, this->Exponent); }
+};
+
+/** Tetrahedra or triangles, by what decides how they hang together. */
 class SimplicialCells
 {
 public:
@@ -21,13 +31,13 @@ public:
   };
 
   /**
-   * @param[in] sizes of the cells, in units of their own: volumes, or areas
+   * @param[in] sizes measures the cells, where that is asked for
    * @param[in] opposite for each side of a cell the corner that is not on it
    */
   template <std::size_t Corners>
   SimplicialCells(std::size_t points, const std::vector<std::array<Id, Corners>>& cells,
     const std::vector<std::array<Id, Corners>>& neighbors, const std::array<int, Corners>& opposite,
-    std::function<std::vector<double>()> sizes)
+    std::function<ScaledSizes()> sizes)
     : NumberOfPoints(points)
     , NumberOfCorners(Corners)
     , MeasureSizes(std::move(sizes))
@@ -52,8 +62,7 @@ public:
 
   Range CornersOf(Id cell) const { return this->Of(this->Points, cell); }
 
-  /** Volumes, or areas, in the units of the points. */
-  std::vector<double> Sizes() const { return this->MeasureSizes(); }
+  ScaledSizes Sizes() const { return this->MeasureSizes(); }
 
   const std::size_t NumberOfPoints;
   const std::size_t NumberOfCorners; ///< of each cell: 4, or 3 in a plane
@@ -65,7 +74,7 @@ private:
     return { first, first + this->NumberOfCorners };
   }
 
-  std::function<std::vector<double>()> MeasureSizes;
+  std::function<ScaledSizes()> MeasureSizes;
   std::vector<Id> Points;
   std::vector<Id> Neighbors;
 };

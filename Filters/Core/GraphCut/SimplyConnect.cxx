@@ -303,6 +303,32 @@ Id EulerCharacteristic(const SimplicialCells& cells, const std::vector<unsigned 
   const Id low = static_cast<Id>(points.size()) - static_cast<Id>(edges.size());
   return cells.NumberOfCorners == 4 ? low + sides / 2 - tops : low + tops;
 }
+
+/** Whether points connect the sides of the cells inside that no other has, as they do a ball's. */
+bool IsBoundaryConnected(const SimplicialCells& cells, const std::vector<unsigned char>& inside)
+{
+  DisjointSets sets(cells.NumberOfPoints);
+  std::vector<Id> onBoundary;
+  for (Id cell = 0; cell < static_cast<Id>(inside.size()); ++cell)
+  {
+    const Id* const corners = cells.CornersOf(cell).First;
+    for (std::size_t k = 0; inside[cell] && k < cells.NumberOfCorners; ++k)
+    {
+      const Id next = cells[cell].First[k];
+      const Id first = corners[k == 0 ? 1 : 0]; // of the side
+      for (std::size_t c = 0; (next == None || !inside[next]) && c < cells.NumberOfCorners; ++c)
+      {
+        if (c != k)
+        {
+          sets.Join(first, corners[c]);
+          onBoundary.push_back(first);
+        }
+      }
+    }
+  }
+  return std::all_of(onBoundary.begin(), onBoundary.end(),
+    [&](Id point) { return sets.Find(point) == sets.Find(onBoundary.front()); });
+}
 } // namespace
 
 SimpleCells::SimpleCells(const SimplicialCells& cells)
@@ -366,9 +392,10 @@ bool IsBall(const SimplicialCells& cells, const std::vector<unsigned char>& insi
 {
   const std::vector<unsigned char> isOpen = FindOutside(cells, inside, monitor, progress).IsOpen;
   // One component, no cavity; Euler's formula then leaves no tunnel. In a plane holes are cavities.
+  // What no cell fills may be one as well, where they fill no convex hull: it has a boundary apart.
   return FindRegions(cells, inside, monitor, progress).Count == 1 &&
     std::find(isOpen.begin(), isOpen.end(), 0) == isOpen.end() &&
-    EulerCharacteristic(cells, inside) == 1;
+    EulerCharacteristic(cells, inside) == 1 && IsBoundaryConnected(cells, inside);
 }
 
 bool SimplyConnect(const SimplicialCells& cells, const CutEnergy& energy, const FixedLabels& fixed,

@@ -5,7 +5,6 @@
 #include "Planar/PlanarManifold.h"
 #include "Planar/TriangleLocator.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace insideout
@@ -38,13 +37,10 @@ std::vector<double> CellAreas(
 }
 
 /** In the units of the points in space. */
-std::vector<double> AreasInSpace(
+ScaledSizes AreasInSpace(
   const std::vector<PlanarPoint>& points, const PlanarMesh& mesh, const Plane& plane)
 {
-  std::vector<double> areas = CellAreas(points, mesh, plane.Metric);
-  std::transform(areas.begin(), areas.end(), areas.begin(),
-    [&](double area) { return std::ldexp(area, 2 * plane.Exponent); });
-  return areas;
+  return { CellAreas(points, mesh, plane.Metric), 2 * plane.Exponent };
 }
 
 /** By edge of a triangle the corner that is not on it (EdgeOf). */

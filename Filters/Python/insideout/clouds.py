@@ -29,7 +29,7 @@ def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike
     size = cloud.GetNumberOfPoints()
     given = {"normals": (normals, (size, 3)), "areas": (areas, (size,))}
     for name, (values, shape) in given.items():
-        if values is None:
+        if values is None and name == "areas":
             continue
         array = np.asarray(values, float)
         if array.shape != shape:

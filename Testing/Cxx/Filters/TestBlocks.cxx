@@ -140,6 +140,28 @@ TEST(vtkInsideOutBlock, APartThatIsAloneNeedsNoNumber)
   EXPECT_EQ(ErrorsOf(filter), std::vector<std::string>{ "block wing: point 3 is not finite" });
 }
 
+TEST(vtkInsideOutBlock, ABlockOfAnotherTypeIsAnErrorOfItsOwn)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Box());
+  blocks->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  blocks->SetBlock(2, Box());
+  for (const int atOnce : { 1, 2 })
+  {
+    vtkNew<vtkRobustTetrahedralize> filter;
+    filter->SetInputDataObject(blocks);
+    filter->SetBlocksAtOnce(atOnce);
+    EXPECT_EQ(ErrorsOf(filter),
+      std::vector<std::string>{ "block 1: the input is a vtkUnstructuredGrid, no vtkPolyData" });
+    auto* solids = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    ASSERT_NE(solids, nullptr);
+    for (const unsigned int sound : { 0u, 2u })
+    {
+      EXPECT_GT(vtkUnstructuredGrid::SafeDownCast(solids->GetBlock(sound))->GetNumberOfCells(), 0);
+    }
+  }
+}
+
 TEST(vtkInsideOutBlock, AProbeNamesTheBlockOfItsSurface)
 {
   vtkNew<vtkImageData> image;

@@ -228,6 +228,29 @@ TEST(CloudWindingNumber, IsTheSameOneByOneAndForAllAndWhereverUnitsAre)
   EXPECT_EQ(w.Gradient(places[100]), (Point{ 0, 0, 0 }));
 }
 
+TEST(CloudWindingNumber, TakesAreasFarLargerThanTheCloud)
+{
+  for (const double size : { 1e-160, 1e-20, 1.0 })
+  {
+    for (const double area : { 1.0, 1e308 })
+    {
+      PointCloud cloud = Sphere(200, size);
+      cloud.Normals.assign(200, { 0, 0, 1 });
+      cloud.Areas.assign(200, area);
+      const double away = 3 * std::sqrt(area);
+      const Point place = { away / 10, 0, -away };
+      const Sums expected = SumsOf(cloud, place);
+      EXPECT_GT(expected.W, 1);
+      for (const bool sums : { false, true })
+      {
+        EXPECT_NEAR(CloudWindingNumber(Checked(cloud), sums).At(place), expected.W,
+          CloudWindingNumber::Accuracy * expected.Magnitudes)
+          << size << " " << area;
+      }
+    }
+  }
+}
+
 TEST(CloudWindingNumber, CanBeStoppedAtEachReport)
 {
   const PointCloud cloud = RandomCloud(5, 200);

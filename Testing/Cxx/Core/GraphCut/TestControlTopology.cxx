@@ -222,6 +222,28 @@ TEST(ChooseRegions, KeepsTheLargestAndThoseThatAreLargeEnough)
   }
 }
 
+TEST(ChooseRegions, KeepsTheSameInAnyUnit)
+{
+  const Case made = CubesCase(4, [](int i, int, int) { return i == 0 || i > 1; });
+  SegmentMeshParameters largest;
+  largest.Topology.Regions.LargestRegions = 1;
+  const std::vector<unsigned char> expected = Solve(made, largest).Inside;
+  EXPECT_EQ(Parts(made.Mesh, expected, 1).BySize().front().Cells.size(),
+    Parts(made.Mesh, Solve(made, {}).Inside, 1).BySize().front().Cells.size());
+  for (const int exponent : { -400, 400 }) // where volumes vanish, or overflow
+  {
+    Case scaled = made;
+    for (Point& point : scaled.Mesh.Points)
+    {
+      for (double& x : point)
+      {
+        x = std::ldexp(x, exponent);
+      }
+    }
+    EXPECT_EQ(Solve(scaled, largest).Inside, expected) << exponent;
+  }
+}
+
 TEST(ChooseRegions, KeepsThoseWithASeedInside)
 {
   const Case made = CubesCase(5, [](int i, int j, int k) { return i % 2 == 0 && j < 2 && k < 2; });
@@ -418,6 +440,43 @@ TEST(SimplyConnect, MakesABallOfRingsAndHollowBlocks)
   }
 }
 
+/** Here a tunnel and a cavity of what no cell fills, which leave Euler's number as a ball's is. */
+TEST(SimplyConnect, KnowsHolesOfCellsThatFillNoConvexHull)
+{
+  const Case whole = CubesCase(
+    5, [](int i, int j, int k) { return !(i == 3 && j == 3) && !(i == 1 && j == 1 && k == 2); });
+  Case part;
+  part.Mesh.Points = whole.Mesh.Points;
+  std::vector<Id> newIds(whole.W.size(), None);
+  for (Id cell = 0; cell < whole.Mesh.NumberOfCells(); ++cell)
+  {
+    if (whole.W[cell] == 1)
+    {
+      newIds[cell] = part.Mesh.NumberOfCells();
+      part.Mesh.Cells.push_back(whole.Mesh.Cells[cell]);
+      part.Mesh.Neighbors.push_back(whole.Mesh.Neighbors[cell]);
+      part.Mesh.Facets.push_back({ None, None, None, None });
+      part.W.push_back(1);
+    }
+  }
+  for (std::array<Id, 4>& neighbors : part.Mesh.Neighbors)
+  {
+    for (Id& neighbor : neighbors)
+    {
+      neighbor = neighbor == None ? None : newIds[neighbor];
+    }
+  }
+  const BettiNumbers before = BettiOf(part.Mesh, Solve(part, {}).Inside);
+  ASSERT_EQ(before.Tunnels, 1);
+  ASSERT_EQ(before.Cavities, 1);
+  const MeshSegmentation ball = Solve(part, AskFor(TopologyGoal::SimplyConnected));
+  const BettiNumbers betti = BettiOf(part.Mesh, ball.Inside);
+  EXPECT_EQ(betti.Components, 1);
+  EXPECT_EQ(betti.Tunnels, 0);
+  EXPECT_EQ(betti.Cavities, 0);
+  EXPECT_TRUE(ball.Warnings.empty());
+}
+
 /** Across a narrow hole that is long comes a membrane, through a thin ring around a wide one a
  * wall.
  */
@@ -499,7 +558,10 @@ TEST(ControlTopology, StopsAtEveryReport)
   const CutEnergy energy(graph, {});
   const std::vector<unsigned char> labels = MinimumCut(energy);
   const SimplicialCells cells(made.Mesh.Points.size(), made.Mesh.Cells, made.Mesh.Neighbors,
-    { { 2, 0, 1, 3 } }, [&]() { return std::vector<double>(labels.size(), 1.0); });
+    { { 2, 0, 1, 3 } },
+    [&]() {
+      return ScaledSizes{ std::vector<double>(labels.size(), 1.0), 0 };
+    });
   ControlTopologyParameters parameters;
   parameters.Goal = TopologyGoal::SimplyConnected;
   parameters.Regions.LargestRegions = 20;
