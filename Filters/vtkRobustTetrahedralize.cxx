@@ -392,29 +392,29 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
   std::vector<vtkDataObject*> blocks = vtkInsideOutBlocksFromHere(this);
   blocks.resize(std::min(blocks.size(), most));
   std::vector<std::shared_ptr<vtkInsideOutHull>> hulls;
-  for (vtkDataObject* block : blocks)
-  {
-    try
-    {
-      const auto [input, names, warnings] = ReadInput(this, block);
-      const auto key = vtkInsideOutAsTuple(parameters, names);
-      if (input && !this->Hulls->Find(block, key) &&
-        vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_3)
-      {
-        hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
-        this->Hulls->Remember(block, key, hulls.back());
-      }
-    }
-    catch (const std::exception&)
-    {
-      // is said when VTK comes to the block; that there is no memory, too
-    }
-  }
   try
   {
+    for (vtkDataObject* block : blocks)
+    {
+      try
+      {
+        const auto [input, names, warnings] = ReadInput(this, block);
+        const auto key = vtkInsideOutAsTuple(parameters, names);
+        if (input && !this->Hulls->Find(block, key) &&
+          vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_3)
+        {
+          hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
+          this->Hulls->Remember(block, key, hulls.back());
+        }
+      }
+      catch (const Error&)
+      {
+        // is said when VTK comes to the block, as where that is no surface
+      }
+    }
     vtkInsideOutMeshAhead(hulls, parameters, !this->SurfaceOnly, this->BlocksAtOnce, monitor);
   }
-  catch (...)
+  catch (...) // no hull is remembered that was not made
   {
     std::for_each(
       blocks.begin(), blocks.end(), [this](vtkDataObject* block) { this->Hulls->Forget(block); });

@@ -11,6 +11,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <string>
+
 using namespace insideout;
 
 vtkStandardNewMacro(vtkSurfaceWriter);
@@ -31,6 +33,8 @@ void vtkSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 int vtkSurfaceWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // VTK would come with the blocks one after the other, but not to what has no outputs.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
@@ -52,6 +56,12 @@ void vtkSurfaceWriter::WriteData()
       if (!this->FileName || !*this->FileName)
       {
         throw Error(ErrorCode::FileUnwritable, "no file name is set");
+      }
+      if (!this->GetInput())
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          std::string("the input is a ") + this->Superclass::GetInput(0)->GetClassName() +
+            ", and a file holds one surface: extract one of the blocks, or append them");
       }
       vtkInsideOutMonitor monitor(this, { Stages::Writing });
       WriteSurface(this->FileName, vtkInsideOutReadPolygons(this->GetInput()), monitor);

@@ -12,7 +12,7 @@
  * and OBJ, every other numeric array to PLY, none to OFF. OBJ gets the groups that the cell array
  * BoundaryTag, or else GroupIds, and the materials that MaterialIds numbers, where the field array
  * BoundaryTagNames, GroupNames or MaterialNames has their names. Lines and vertices are not
- * written.
+ * written. A composite data set is an error: a file holds one surface.
  *
  * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the

@@ -29,23 +29,38 @@ namespace
 {
 using FieldData = std::vector<vtkSmartPointer<vtkFieldData>>;
 
+/** The outputs that there are: of some types VTK makes none for a block of a composite data set. */
+std::vector<vtkDataObject*> OutputsOf(vtkInformationVector* outputs)
+{
+  std::vector<vtkDataObject*> all;
+  for (int port = 0; outputs && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* output = vtkDataObject::GetData(outputs, port))
+    {
+      all.push_back(output);
+    }
+  }
+  return all;
+}
+
 /** VTK has put the input's field data on each output by now; whatever the work does keeps them. */
 FieldData FieldDataOf(vtkInformationVector* outputs)
 {
   FieldData fields;
-  for (int port = 0; outputs && port < outputs->GetNumberOfInformationObjects(); ++port)
+  for (vtkDataObject* output : OutputsOf(outputs))
   {
     fields.push_back(vtkSmartPointer<vtkFieldData>::New());
-    fields.back()->ShallowCopy(vtkDataObject::GetData(outputs, port)->GetFieldData());
+    fields.back()->ShallowCopy(output->GetFieldData());
   }
   return fields;
 }
 
 void AddFieldData(const FieldData& fields, vtkInformationVector* outputs)
 {
+  const std::vector<vtkDataObject*> all = OutputsOf(outputs);
   for (std::size_t port = 0; port < fields.size(); ++port)
   {
-    vtkFieldData* output = vtkDataObject::GetData(outputs, static_cast<int>(port))->GetFieldData();
+    vtkFieldData* output = all[port]->GetFieldData();
     for (int i = 0; i < fields[port]->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = fields[port]->GetAbstractArray(i);
@@ -60,9 +75,8 @@ void AddFieldData(const FieldData& fields, vtkInformationVector* outputs)
 /** VTK's XML writers crash on a grid that has no cell array at all. */
 void MakeEmpty(vtkInformationVector* outputs)
 {
-  for (int port = 0; outputs && port < outputs->GetNumberOfInformationObjects(); ++port)
+  for (vtkDataObject* output : OutputsOf(outputs))
   {
-    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
     output->Initialize();
     if (auto* points = vtkPointSet::SafeDownCast(output))
     {
@@ -75,26 +89,33 @@ void MakeEmpty(vtkInformationVector* outputs)
   }
 }
 
-/** VTK looks at the first block of a composite data set alone before it comes to all of them. */
-void CheckTypes(vtkAlgorithm* algorithm)
+/**
+ * VTK looks at what type an input is, but not at the blocks of a composite data set, which become
+ * the input one after the other.
+ *
+ * @throws insideout::Error InvalidParameter
+ */
+void CheckTypesOfInputs(vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     vtkInformation* wanted = algorithm->GetInputPortInformation(port);
-    const int count = wanted->Length(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+    const int types = wanted->Length(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
-      vtkDataObject* data = algorithm->GetInputDataObject(port, i);
-      bool isOne = !data || count == 0;
-      for (int k = 0; k < count && !isOne; ++k)
+      vtkDataObject* input = algorithm->GetInputDataObject(port, i);
+      bool fits = !input || types == 0;
+      std::string words;
+      for (int t = 0; t < types && !fits; ++t)
       {
-        isOne = data->IsA(wanted->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), k)) != 0;
+        const char* type = wanted->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), t);
+        fits = input->IsA(type) != 0;
+        words += (t == 0 ? "" : " or ") + std::string(type);
       }
-      if (!isOne)
+      if (!fits)
       {
         throw insideout::Error(insideout::ErrorCode::InvalidParameter,
-          std::string("the input is a ") + data->GetClassName() + ", no " +
-            wanted->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), 0));
+          std::string("the input is a ") + input->GetClassName() + ", not a " + words);
       }
     }
   }
@@ -108,11 +129,17 @@ int vtkInsideOutRun(
   try
   {
     MakeEmpty(outputs);
-    CheckTypes(algorithm);
     insideout::AllocateThreadLocals();
     if (vtkInsideOutMonitor::ShouldAbort(algorithm))
     {
       return 1;
+    }
+    CheckTypesOfInputs(algorithm);
+    if (outputs &&
+      OutputsOf(outputs).size() < static_cast<std::size_t>(algorithm->GetNumberOfOutputPorts()))
+    {
+      throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+        "VTK makes no output of this type for the blocks of a composite data set");
     }
     work();
     AddFieldData(fields, outputs);

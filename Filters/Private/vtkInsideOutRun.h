@@ -15,7 +15,8 @@ class vtkInformationVector;
 
 /**
  * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
- * is no error. Either way the outputs are then empty, but complete, so that every writer copes.
+ * is no error. Either way the outputs are then empty, but complete, so that every writer copes. An
+ * input of a type that the filter does not take, as a block may be, is an error before the work.
  *
  * @param outputs RequestData's, or nullptr for a writer, which has none
  * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed

@@ -22,7 +22,7 @@ from insideout.files import read_surface, write_grid, write_surface
 from insideout.writing import write_solid
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
@@ -449,6 +449,14 @@ except insideout.Error as error:
         with insideout.pipeline.Messages(writer) as messages:
             self.assertEqual(writer.Write(), 0)
         self.assertEqual(messages.errors, [self.path("missing/box.ply") + ": No such file or directory"])
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, surfaces.box())
+        writer.SetInputDataObject(blocks)
+        writer.SetFileName(self.path("blocks.ply"))
+        with insideout.pipeline.Messages(writer) as messages:
+            self.assertEqual(writer.Write(), 0)
+        self.assertIn("the input is a vtkMultiBlockDataSet, and a file holds one surface", messages.errors[0])
+        self.assertEqual(os.listdir(self.folder), ["box.ply"])
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The boundary of what a closed surface means, without tetrahedra: the same solid as by these."""
 
+import os
+import tempfile
 import unittest
 
 import insideout
@@ -122,6 +124,17 @@ class Data(unittest.TestCase):
         filter.Update()
         self.assertGreater(filter.GetOutput().GetNumberOfCells(), 0)
         self.assertEqual(insideout.pipeline.statistics_of(filter.GetOutput())["SecondsPre"], resolved)
+
+    def test_what_takes_cells_is_refused_of_the_boundary_alone(self):
+        square = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
+        for surface in (surfaces.two_boxes(), surfaces.open_box(), square):
+            made = insideout.tetrahedralize(surface, surface_only=True)
+            for ending in ("vtu", "msh", "xdmf"):
+                with tempfile.TemporaryDirectory() as folder:
+                    file = os.path.join(folder, f"solid.{ending}")
+                    self.assertRaisesRegex(insideout.Error, f"{file}.*surface_only left these away", insideout.write, made, file)
+                    self.assertEqual(os.listdir(folder), [])
+            self.assertRaisesRegex(insideout.Error, "surface_only left these away", made.to_meshio)
 
     def test_results_can_be_shown_and_joined_bodies_too(self):
         made = insideout.tetrahedralize(surfaces.two_boxes(), surface_only=True)

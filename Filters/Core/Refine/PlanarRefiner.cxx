@@ -6,8 +6,9 @@
 #include "Common/Stages.h"
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
-#include <string>
+#include <sstream>
 
 namespace insideout
 {
@@ -458,8 +459,10 @@ void PlanarRefiner::Run()
     PointsPerPoint * static_cast<double>(this->Mesh.Points().size()) + PointsPerCell * estimate;
   if (most > std::numeric_limits<Id>::max() / 16.0)
   {
-    throw Error(ErrorCode::TooLarge,
-      "there would be some " + std::to_string(estimate) + " triangles, more than can be counted");
+    std::ostringstream words;
+    words << "there would be about " << std::setprecision(2) << estimate
+          << " triangles, more than can be counted";
+    throw Error(ErrorCode::TooLarge, words.str());
   }
   for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
   {

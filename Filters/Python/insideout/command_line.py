@@ -15,6 +15,7 @@ import os
 import resource
 import sys
 import time
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any, Callable, Iterator, Optional, Sequence
 
@@ -195,17 +196,22 @@ class Job:
     def success(self) -> str:
         return verdict(self.statistics)
 
-    def read(self) -> vtkPolyData:
+    @contextmanager
+    def reading(self) -> Iterator[None]:
+        """Shows and times what is read within it."""
         began = time.monotonic()
         self.bars.show(READING, 0)
-
-        if self.options.together:
-            surface, warnings = join(self.read_bodies())
-            self.warnings = self.warnings + warnings
-        else:
-            surface = self.read_one(self.files.surface)
+        yield
         self.bars.finish()
         self.seconds_read = time.monotonic() - began
+
+    def read(self) -> vtkPolyData:
+        with self.reading():
+            if self.options.together:
+                surface, warnings = join(self.read_bodies())
+                self.warnings = self.warnings + warnings
+            else:
+                surface = self.read_one(self.files.surface)
         return surface
 
     def read_bodies(self) -> dict[str, vtkPolyData]:
@@ -444,11 +450,8 @@ class SolidCheckJob(Job):
         return {"plot": PICTURES}
 
     def work(self) -> None:
-        began = time.monotonic()
-        self.bars.show(READING, 0)
-        solid, self.warnings = read_solid(self.files.surface, lambda _, fraction: self.show((READING,), READING, fraction))
-        self.bars.finish()
-        self.seconds_read = time.monotonic() - began
+        with self.reading():
+            solid, self.warnings = read_solid(self.files.surface, lambda _, fraction: self.show((READING,), READING, fraction))
         result = check_solid(solid, progress=self.show_progress)
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
@@ -538,11 +541,8 @@ class BooleanJob(Job):
         check_format(self.files.output or "")
 
     def work(self) -> None:
-        began = time.monotonic()
-        self.bars.show(READING, 0)
-        surfaces = self.read_bodies()
-        self.bars.finish()
-        self.seconds_read = time.monotonic() - began
+        with self.reading():
+            surfaces = self.read_bodies()
         takes_cells = ending(self.files.output or "") not in WRITABLE_SURFACES
         options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
         result = boolean(surfaces, self.options.boolean, tetrahedra=takes_cells, progress=self.show_progress, **options)

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Sequence
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .pipeline import Error
 
@@ -36,6 +37,11 @@ def mesh_of(data: Any, kind: str, corners: NDArray[np.int64]) -> Any:
     """A surface or tetrahedra as a meshio.Mesh, with all arrays."""
     cell_data = {name: [values] for name, values in data.cell_arrays.items()}
     return import_meshio().Mesh(data.points, [(kind, corners)], point_data=data.point_arrays, cell_data=cell_data)
+
+
+def is_boundary_alone(solid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> bool:
+    """Whether there is a boundary of cells that there are not: `surface_only` makes no others."""
+    return solid.GetNumberOfCells() == 0 and boundary is not None and boundary.GetNumberOfCells() > 0
 
 
 def scalars_and_vectors(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:

@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkThreshold
 from .bodies import AnyBodies, as_bodies
 from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
-from .exporting import mesh_of_solid
+from .exporting import is_boundary_alone, mesh_of_solid
 from .options import DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
@@ -143,6 +143,8 @@ class Tetrahedralization(Result):
         is NaN at the other's cells, or -1, or 0 where it has no sign; FacetIds, of four components, becomes FacetIds_0
         to _3, for few formats have four.
         """
+        if is_boundary_alone(self.solid, self.boundary):
+            raise Error("the mesh has the solid's cells, and surface_only left these away")
         return self.solid.to_meshio() if isinstance(self.solid, Triangles) else mesh_of_solid(self.solid, self.boundary)
 
 

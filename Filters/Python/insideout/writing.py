@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .bodies import outer_boundary
 from .data import Tetrahedra, Triangles, as_type, is_flat
-from .exporting import import_meshio, scalars_and_vectors
+from .exporting import import_meshio, is_boundary_alone, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
 from .pipeline import Error, one_of, write_bytes
 from .tetrahedralization import Tetrahedralization
@@ -73,6 +73,8 @@ def write_solid(
     path = os.fspath(path)
     check_output(path, WRITABLE_GRIDS)
     check_format(path)
+    if is_boundary_alone(grid, boundary):
+        raise Error(f"{path}: such a file has the solid's cells, and surface_only left these away")
     if ending(path) in WRITABLE_SOLIDS:
         if is_flat(grid):
             raise Error(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkConstrainedDelaunay3D.h"
+#include "vtkGeneralizedWindingNumber.h"
 #include "vtkProbeWindingNumber.h"
+#include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
+#include "vtkSurfaceDefects.h"
+#include "vtkWindingNumberToImageStencil.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCell.h>
@@ -140,28 +145,6 @@ TEST(vtkInsideOutBlock, APartThatIsAloneNeedsNoNumber)
   EXPECT_EQ(ErrorsOf(filter), std::vector<std::string>{ "block wing: point 3 is not finite" });
 }
 
-TEST(vtkInsideOutBlock, ABlockOfAnotherTypeIsAnErrorOfItsOwn)
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Box());
-  blocks->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
-  blocks->SetBlock(2, Box());
-  for (const int atOnce : { 1, 2 })
-  {
-    vtkNew<vtkRobustTetrahedralize> filter;
-    filter->SetInputDataObject(blocks);
-    filter->SetBlocksAtOnce(atOnce);
-    EXPECT_EQ(ErrorsOf(filter),
-      std::vector<std::string>{ "block 1: the input is a vtkUnstructuredGrid, no vtkPolyData" });
-    auto* solids = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    ASSERT_NE(solids, nullptr);
-    for (const unsigned int sound : { 0u, 2u })
-    {
-      EXPECT_GT(vtkUnstructuredGrid::SafeDownCast(solids->GetBlock(sound))->GetNumberOfCells(), 0);
-    }
-  }
-}
-
 TEST(vtkInsideOutBlock, AProbeNamesTheBlockOfItsSurface)
 {
   vtkNew<vtkImageData> image;
@@ -172,6 +155,70 @@ TEST(vtkInsideOutBlock, AProbeNamesTheBlockOfItsSurface)
   const auto errors = ErrorsOf(probe);
   ASSERT_EQ(errors.size(), 2u);
   EXPECT_EQ(errors[0], "block broken: point 3 is not finite");
+}
+
+namespace
+{
+/** A surface, cells of a volume, and the surface again. */
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOfTwoTypes()
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetBlock(0, Box());
+  blocks->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
+  blocks->SetBlock(2, Box());
+  return blocks;
+}
+
+const std::vector<std::string> OfAnotherType = {
+  "block 1: the input is a vtkUnstructuredGrid, not a vtkPolyData"
+};
+} // namespace
+
+TEST(vtkInsideOutBlock, OneOfAnotherTypeIsAnErrorAndKeepsNoOtherFromItsSolid)
+{
+  for (const int atOnce : { 1, 2 })
+  {
+    vtkNew<vtkRobustTetrahedralize> filter;
+    filter->SetInputDataObject(BlocksOfTwoTypes());
+    filter->SetBlocksAtOnce(atOnce);
+    EXPECT_EQ(ErrorsOf(filter), OfAnotherType) << atOnce;
+    auto* solids = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    ASSERT_NE(solids, nullptr);
+    for (const unsigned int block : { 0u, 2u })
+    {
+      EXPECT_GT(vtkUnstructuredGrid::SafeDownCast(solids->GetBlock(block))->GetNumberOfCells(), 0);
+    }
+  }
+}
+
+TEST(vtkInsideOutBlock, OneOfAnotherTypeIsAnErrorOfAllFilters)
+{
+  const std::vector<vtkSmartPointer<vtkAlgorithm>> filters = {
+    vtkSmartPointer<vtkConstrainedDelaunay3D>::New(),
+    vtkSmartPointer<vtkGeneralizedWindingNumber>::New(),
+    vtkSmartPointer<vtkResolveSelfIntersections>::New(), vtkSmartPointer<vtkSurfaceDefects>::New()
+  };
+  for (const auto& filter : filters)
+  {
+    filter->SetInputDataObject(BlocksOfTwoTypes());
+    EXPECT_EQ(ErrorsOf(filter), OfAnotherType) << filter->GetClassName();
+  }
+  vtkNew<vtkProbeWindingNumber> probe;
+  probe->SetInputData(Box());
+  probe->SetInputDataObject(1, BlocksOfTwoTypes());
+  EXPECT_EQ(ErrorsOf(probe), OfAnotherType);
+}
+
+TEST(vtkInsideOutBlock, ThatVtkMakesNoOutputForIsAnError)
+{
+  vtkNew<vtkWindingNumberToImageStencil> stencil;
+  stencil->SetInputDataObject(Blocks());
+  const std::vector<std::string> errors = ErrorsOf(stencil);
+  EXPECT_FALSE(errors.empty());
+  for (const std::string& error : errors)
+  {
+    EXPECT_NE(error.find("VTK makes no output of this type"), std::string::npos) << error;
+  }
 }
 
 namespace
