@@ -47,8 +47,8 @@ namespace
 {
 /** An array with a value for each tetrahedron, and 0 for other cells. */
 template <typename Array, typename ValueOf>
-void AddArray(const char* name, const vtkInsideOutTetrahedra& tetrahedra, vtkUnstructuredGrid* grid,
-  const ValueOf& valueOf)
+void AddArray(const char* name, const vtkInsideOutGridTetrahedra& tetrahedra,
+  vtkUnstructuredGrid* grid, const ValueOf& valueOf)
 {
   const auto array = vtkInsideOutMakeArray<Array>(name, grid->GetNumberOfCells());
   array->Fill(0);
@@ -59,7 +59,7 @@ void AddArray(const char* name, const vtkInsideOutTetrahedra& tetrahedra, vtkUns
   grid->GetCellData()->AddArray(array);
 }
 
-void MarkCells(const vtkInsideOutTetrahedra& cells, const SolidDefects& defects,
+void MarkCells(const vtkInsideOutGridTetrahedra& cells, const SolidDefects& defects,
   const std::vector<CellQuality>& qualities, vtkUnstructuredGrid* grid)
 {
   AddArray<vtkDoubleArray>("MinDihedralAngle", cells, grid,
@@ -85,7 +85,7 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
     {
       vtkInsideOutMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Measuring });
-      const vtkInsideOutTetrahedra given = vtkInsideOutReadCorners(input);
+      const vtkInsideOutGridTetrahedra given = vtkInsideOutReadCorners(input);
       if (given.Cells.empty())
       {
         throw Error(ErrorCode::EmptySurface, "the grid has no tetrahedra");

@@ -118,7 +118,8 @@ std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
 }
 
 /** The tetrahedra that count. */
-std::vector<Tetrahedron> ReadInside(vtkUnstructuredGrid* solid, const vtkInsideOutTetrahedra& all)
+std::vector<Tetrahedron> ReadInside(
+  vtkUnstructuredGrid* solid, const vtkInsideOutGridTetrahedra& all)
 {
   vtkDataArray* const inside = solid->GetCellData()->GetArray("Inside");
   if (inside && inside->GetNumberOfTuples() != solid->GetNumberOfCells())
@@ -149,7 +150,7 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(this, { Stages::Measuring });
-      const vtkInsideOutTetrahedra tetrahedra = vtkInsideOutReadCorners(solid);
+      const vtkInsideOutGridTetrahedra tetrahedra = vtkInsideOutReadCorners(solid);
       const std::vector<double> fractions = VoxelFractions(tetrahedra.Points,
         ReadInside(solid, tetrahedra), ReadSides(input), monitor, { Stages::Measuring, 0, 1 });
       output->ShallowCopy(input);

@@ -86,9 +86,9 @@ vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid)
   return -1;
 }
 
-vtkInsideOutTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid)
+vtkInsideOutGridTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid)
 {
-  vtkInsideOutTetrahedra tetrahedra;
+  vtkInsideOutGridTetrahedra tetrahedra;
   tetrahedra.Points = vtkInsideOutReadPoints(grid, "the grid");
   const auto bad = std::find_if(tetrahedra.Points.begin(), tetrahedra.Points.end(),
     [](const Point& point) { return !IsFinite(point); });

@@ -22,7 +22,7 @@ vtkIdType vtkInsideOutFindOtherCell(vtkUnstructuredGrid* grid);
 std::string vtkInsideOutCellName(int type);
 
 /** The tetrahedra of a grid. */
-struct vtkInsideOutTetrahedra
+struct vtkInsideOutGridTetrahedra
 {
   std::vector<insideout::Point> Points; ///< all of the grid
   std::vector<insideout::Tetrahedron> Cells;
@@ -36,7 +36,7 @@ struct vtkInsideOutTetrahedra
  * @throws insideout::Error that names another cell of three dimensions, one without four different
  *         points, or a point that is not finite; TooLarge
  */
-vtkInsideOutTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid);
+vtkInsideOutGridTetrahedra vtkInsideOutReadCorners(vtkUnstructuredGrid* grid);
 
 /** @throws insideout::Error when there is no cell array w of one value per cell */
 std::vector<double> vtkInsideOutReadWindingNumbers(vtkUnstructuredGrid* grid);
