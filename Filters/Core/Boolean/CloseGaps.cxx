@@ -2,6 +2,8 @@
 #include "Boolean/CloseGaps.h"
 
 #include "Common/BoxTree.h"
+#include "Common/LoopProgress.h"
+#include "Common/Stages.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -118,9 +120,10 @@ Point MovedInto(const std::vector<Plane>& planes, const Point& p)
 class GapCloser
 {
 public:
-  GapCloser(std::vector<Body>& bodies, double tolerance)
+  GapCloser(std::vector<Body>& bodies, double tolerance, Monitor& monitor)
     : Bodies(bodies)
     , Tolerance(tolerance)
+    , Watch(monitor)
     , Facets(FacetsOf(bodies))
     , Tree(this->BoxesOfFacets())
   {
@@ -137,13 +140,18 @@ private:
   {
     return insideout::CornersOf(this->Bodies[facet.Body].Soup.Points, facet.Corners);
   }
-  Box Around(const std::array<Point, 3>& corners, double width) const;
+  Box BoxAround(const Facet& facet) const
+  {
+    return BoundingBox(this->Bodies[facet.Body].Soup.Points, facet.Corners)
+      .Widened(this->Tolerance);
+  }
   void FindPlanes(const Facet& facet, Places& places) const;
   Id Move(const Places& places, Body& body) const;
 
   std::vector<Body>& Bodies;
   const double Tolerance;
-  const std::vector<Facet> Facets; ///< that have corners, by body
+  Monitor& Watch;
+  const std::vector<Facet> Facets; ///< that have a plane, by body
   const BoxTree Tree;
   std::set<Point> Fixed; ///< places of points of earlier bodies
 };
@@ -158,7 +166,8 @@ std::vector<Facet> GapCloser::FacetsOf(const std::vector<Body>& bodies)
     {
       if (std::all_of(corners.begin(), corners.end(),
             [&](Id p)
-            { return p >= 0 && p < static_cast<Id>(points.size()) && IsFinite(points[p]); }))
+            { return p >= 0 && p < static_cast<Id>(points.size()) && IsFinite(points[p]); }) &&
+        PlaneOf(insideout::CornersOf(points, corners)))
       {
         facets.push_back({ static_cast<Id>(b), corners });
       }
@@ -167,27 +176,13 @@ std::vector<Facet> GapCloser::FacetsOf(const std::vector<Body>& bodies)
   return facets;
 }
 
-Box GapCloser::Around(const std::array<Point, 3>& corners, double width) const
-{
-  Box box = Box::Empty();
-  for (const Point& p : corners)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      box.Low[i] = std::min(box.Low[i], p[i] - width);
-      box.High[i] = std::max(box.High[i], p[i] + width);
-    }
-  }
-  return box;
-}
-
 /** Of facets as they are, and as they may come to be. */
 std::vector<Box> GapCloser::BoxesOfFacets() const
 {
   std::vector<Box> boxes;
   for (const Facet& facet : this->Facets)
   {
-    boxes.push_back(this->Around(this->CornersOf(facet), this->Tolerance));
+    boxes.push_back(this->BoxAround(facet));
   }
   return boxes;
 }
@@ -196,7 +191,7 @@ std::vector<Box> GapCloser::BoxesOfFacets() const
 void GapCloser::FindPlanes(const Facet& facet, Places& places) const
 {
   const std::array<Point, 3> corners = this->CornersOf(facet);
-  this->Tree.Visit(this->Around(corners, this->Tolerance),
+  this->Tree.Visit(this->BoxAround(facet),
     [&](Id other)
     {
       if (this->Facets[other].Body >= facet.Body)
@@ -240,6 +235,7 @@ Id GapCloser::Move(const Places& places, Body& body) const
 
 Id GapCloser::CloseAll()
 {
+  const LoopProgress progress(this->Watch, { Stages::Validating, 0, 0 }, this->Facets.size());
   Id moved = 0;
   auto facet = this->Facets.begin();
   for (std::size_t b = 0; b < this->Bodies.size(); ++b)
@@ -247,6 +243,7 @@ Id GapCloser::CloseAll()
     Places places;
     for (; facet != this->Facets.end() && facet->Body == static_cast<Id>(b); ++facet)
     {
+      progress.Check(static_cast<std::size_t>(facet - this->Facets.begin()));
       this->FindPlanes(*facet, places);
     }
     moved += this->Move(places, this->Bodies[b]);
@@ -262,8 +259,8 @@ Id GapCloser::CloseAll()
 }
 } // namespace
 
-Id CloseGaps(std::vector<Body>& bodies, double tolerance)
+Id CloseGaps(std::vector<Body>& bodies, double tolerance, Monitor& monitor)
 {
-  return GapCloser(bodies, tolerance).CloseAll();
+  return GapCloser(bodies, tolerance, monitor).CloseAll();
 }
 } // namespace insideout

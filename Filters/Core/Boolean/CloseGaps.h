@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boolean/Body.h"
+#include "Common/Monitor.h"
 
 namespace insideout
 {
@@ -20,6 +21,7 @@ namespace insideout
  *   triangles are passed over
  * @param[in] tolerance above 0
  * @return how many places moved
+ * @throws Error Stopped; some bodies may have moved
  */
-Id CloseGaps(std::vector<Body>& bodies, double tolerance);
+Id CloseGaps(std::vector<Body>& bodies, double tolerance, Monitor& monitor);
 } // namespace insideout

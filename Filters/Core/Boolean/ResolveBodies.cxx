@@ -340,18 +340,20 @@ FacetComplex BodyResolver::Together()
 /** The facets of one body in the box around another: those may touch its facets. */
 std::vector<Id> BodyResolver::FacetsBesideOtherBodies(const FacetComplex& together) const
 {
-  std::vector<Box> boxes(this->Chains.size(), Box::Empty());
+  std::vector<Id> bodies; // that are not empty
+  std::vector<Box> boxes;
   const double width = std::ldexp(LargestCoordinate(together.Points), -40); // more than rounding
   for (std::size_t b = 0; b < this->Chains.size(); ++b)
   {
-    for (const Triangle& facet : this->Chains[b].Facets)
+    if (!this->Chains[b].Facets.empty())
     {
-      boxes[b].Add(BoundingBox(this->Chains[b].Points, facet));
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      boxes[b].Low[k] -= width;
-      boxes[b].High[k] += width;
+      bodies.push_back(static_cast<Id>(b));
+      Box box = Box::Empty();
+      for (const Triangle& facet : this->Chains[b].Facets)
+      {
+        box.Add(BoundingBox(this->Chains[b].Points, facet));
+      }
+      boxes.push_back(box.Widened(width));
     }
   }
   const BoxTree tree(boxes);
@@ -360,8 +362,8 @@ std::vector<Id> BodyResolver::FacetsBesideOtherBodies(const FacetComplex& togeth
   {
     const Id own = this->BodyOf(together.Sources[together.SourceOffsets[f]].Triangle);
     bool isBeside = false;
-    tree.Visit(
-      BoundingBox(together.Points, together.Facets[f]), [&](Id body) { isBeside |= body != own; });
+    tree.Visit(BoundingBox(together.Points, together.Facets[f]),
+      [&](Id i) { isBeside |= bodies[i] != own; });
     if (isBeside)
     {
       beside.push_back(f);
@@ -428,11 +430,12 @@ ResolvedBodies BodyResolver::Resolve()
   if (this->Parameters.Chain.MergeTolerance > 0)
   {
     this->MergeGivenPoints();
-    if (const Id moved = CloseGaps(this->Given, this->Parameters.Chain.MergeTolerance); moved > 0)
+    const Id moved = CloseGaps(this->Given, this->Parameters.Chain.MergeTolerance, this->Watch);
+    if (moved > 0)
     {
       this->Result.Warnings.push_back(std::to_string(moved) +
-        " points were moved into planes of other bodies, which were nearer than the merge "
-        "tolerance");
+        (moved == 1 ? " point was" : " points were") +
+        " moved into planes of other bodies, which were nearer than the merge tolerance");
     }
   }
   this->CountFacetsOfBodies();

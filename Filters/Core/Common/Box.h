@@ -49,6 +49,18 @@ struct Box
       this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
   }
 
+  /** The box of all that is no farther along any axis. */
+  Box Widened(double by) const
+  {
+    Box wide = *this;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      wide.Low[axis] -= by;
+      wide.High[axis] += by;
+    }
+    return wide;
+  }
+
   void Add(const Point& point)
   {
     for (int axis = 0; axis < 3; ++axis)

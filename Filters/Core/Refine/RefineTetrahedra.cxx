@@ -192,13 +192,7 @@ bool LockCrossing(const RefinableMesh& mesh, SurfaceOfRun& run, Monitor& monitor
   const BoxTree tree(boxes);
   for (const Id facet : crossing)
   {
-    Box around = boxes[facet];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      around.Low[axis] -= run.Reach;
-      around.High[axis] += run.Reach;
-    }
-    tree.Visit(around, [&](Id near) { run.Locked[near] = 1; });
+    tree.Visit(boxes[facet].Widened(run.Reach), [&](Id near) { run.Locked[near] = 1; });
   }
   return run.NumberOfLocked() > before;
 }

@@ -123,13 +123,8 @@ bool TriangleTree::IsWithin(const LabelledTriangle& triangle, double distance, I
   {
     return rest.IsEmpty();
   }
-  Box around = BoundingBox({ triangle.Corners.begin(), triangle.Corners.end() });
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    around.Low[axis] -= distance;
-    around.High[axis] += distance;
-  }
-  this->Tree.Visit(around,
+  this->Tree.Visit(
+    BoundingBox({ triangle.Corners.begin(), triangle.Corners.end() }).Widened(distance),
     [&](Id t)
     {
       if (this->Triangles[t].Label == triangle.Label && !rest.IsEmpty() && !rest.IsHopeless())

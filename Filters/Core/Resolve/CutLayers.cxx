@@ -79,13 +79,7 @@ bool ShareAnAxis(const FacetList& surface, const std::vector<Id>& facets)
 
 Box Around(const FacetList& surface, Id facet, double radius)
 {
-  Box box = BoundingBox(surface.Points, surface.Facets[facet]);
-  for (int k = 0; k < 3; ++k)
-  {
-    box.Low[k] -= radius;
-    box.High[k] += radius;
-  }
-  return box;
+  return BoundingBox(surface.Points, surface.Facets[facet]).Widened(radius);
 }
 
 /** Facets of the pairs that cross where they should coincide: not exactly in one plane. */

@@ -120,12 +120,8 @@ double WindingNumberOfStraightCaps::Label(std::size_t cap, const Site& site) con
   }
   Box box = { from.High, from.High };
   box.Add({ low, high });
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.Low[axis] -= ReachOfStraightCap;
-    box.High[axis] += ReachOfStraightCap;
-  }
-  const std::vector<CountedTriangle> chain = this->ChainAround(cap, box);
+  const std::vector<CountedTriangle> chain =
+    this->ChainAround(cap, box.Widened(ReachOfStraightCap));
   const ChainFacets facets(this->Points, chain);
   for (int line = 0; line < MostLines; ++line)
   {

@@ -114,12 +114,13 @@ TEST(CloseGaps, MakesFacesOneThatTouchUpToRounding)
 
 TEST(CloseGaps, LeavesWiderGaps)
 {
+  Monitor monitor;
   for (const double gap : { 1.1, -1.1, 3.0 })
   {
     std::vector<Body> bodies = BodiesOf({ Box({ -1, -1, 0 }, { 1, 1, 1 }),
       Box({ -0.5, -0.5, 1 + gap * Tolerance }, { 0.5, 0.5, 2 }) });
     const std::vector<Point> points = bodies[1].Soup.Points;
-    EXPECT_EQ(CloseGaps(bodies, Tolerance), 0);
+    EXPECT_EQ(CloseGaps(bodies, Tolerance, monitor), 0);
     EXPECT_EQ(bodies[1].Soup.Points, points);
   }
 }
@@ -144,12 +145,14 @@ TEST(CloseGaps, LeavesFacesBesideEachOtherInOnePlane)
   // Tops that differ a little in height, of bodies that stand side by side and one in a wide gap.
   std::vector<Body> bodies = BodiesOf({ Box({ 0, 0, 0 }, { 1, 1, 1 }),
     Box({ 1 + 2 * Tolerance, 0, 0 }, { 2, 1, 1 + 0.5 * Tolerance }) });
-  EXPECT_EQ(CloseGaps(bodies, Tolerance), 0);
+  Monitor monitor;
+  EXPECT_EQ(CloseGaps(bodies, Tolerance, monitor), 0);
 }
 
 TEST(CloseGaps, MovesNoPointFartherAndTearsNothing)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  Monitor monitor;
   Id allMoved = 0;
   for (unsigned seed = 0; seed < 60; ++seed)
   {
@@ -168,7 +171,7 @@ TEST(CloseGaps, MovesNoPointFartherAndTearsNothing)
     bodies[3].Soup.Triangles.push_back({ -1, 1, 2 });
     const std::vector<Body> given = bodies;
     const double tolerance = 0.25;
-    allMoved += CloseGaps(bodies, tolerance);
+    allMoved += CloseGaps(bodies, tolerance, monitor);
     EXPECT_EQ(bodies[0].Soup.Points, given[0].Soup.Points);
     for (std::size_t b = 1; b < bodies.size(); ++b)
     {
@@ -183,5 +186,34 @@ TEST(CloseGaps, MovesNoPointFartherAndTearsNothing)
     }
   }
   EXPECT_GT(allMoved, 100);
+}
+TEST(CloseGaps, StopsWhenItIsToldTo)
+{
+  struct Stopper : Monitor
+  {
+    bool Continue(const char*, double) override { return false; }
+  } stopper;
+  std::vector<Body> bodies =
+    BodiesOf({ Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 0, 0, 1 }, { 1, 1, 2 }) });
+  try
+  {
+    CloseGaps(bodies, Tolerance, stopper);
+    FAIL() << "it went on";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::Stopped);
+  }
+}
+
+TEST(CloseGaps, TakesEmptyBodiesAndToleranceBeyondAllSizes)
+{
+  const TriangleSoup low = Box({ -1, -1, 0 }, { 1, 1, 1 });
+  const TriangleSoup high = Box({ -0.5, -0.5, 1 + Tolerance / 2 }, { 0.5, 0.5, 2 });
+  const double expected = AreasOfResolved({ low, high }).Common;
+  EXPECT_NEAR(expected, 1, 1e-12);
+  EXPECT_EQ(AreasOfResolved({ {}, low, {}, {}, high, {} }).Common, expected);
+  EXPECT_THROW(AreasOfResolved({ low, high }, 1e300), Error); // all points are one
+  EXPECT_THROW(AreasOfResolved({ low, high }, std::numeric_limits<double>::infinity()), Error);
 }
 } // namespace
