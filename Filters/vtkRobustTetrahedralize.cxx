@@ -284,16 +284,7 @@ void vtkRobustTetrahedralize::MakeTriangles(
     stages.emplace_back(Stages::Refining);
   }
   vtkInsideOutMonitor monitor(this, stages);
-  if (this->Refine && this->QuadraticCells)
-  {
-    throw Error(ErrorCode::InvalidParameter,
-      "QuadraticCells makes tetrahedra only, and the input lies in a plane");
-  }
-  if (this->SeparateOverlaps)
-  {
-    throw Error(ErrorCode::InvalidParameter,
-      "the input lies in a plane, where SeparateOverlaps does nothing: it separates tetrahedra");
-  }
+  this->CheckPlanarOptions();
   this->CheckOptions();
   const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
   const vtkInsideOutTags tags =
@@ -355,6 +346,25 @@ void vtkRobustTetrahedralize::CheckOptions()
   {
     refuse((changesPieces ? pieces : parting) +
       " takes a surface that is kept where the solid is refined");
+  }
+}
+
+void vtkRobustTetrahedralize::CheckPlanarOptions()
+{
+  const auto refuse = [](const std::string& words)
+  { throw Error(ErrorCode::InvalidParameter, words); };
+  if (this->Refine && this->QuadraticCells)
+  {
+    refuse("QuadraticCells makes tetrahedra only, and the input lies in a plane");
+  }
+  if (this->Refine && this->Surface == REMESHED)
+  {
+    refuse("the input lies in a plane, where the boundary can be kept or split, not remeshed");
+  }
+  if (this->SeparateOverlaps)
+  {
+    refuse(
+      "the input lies in a plane, where SeparateOverlaps does nothing: it separates tetrahedra");
   }
 }
 

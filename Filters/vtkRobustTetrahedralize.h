@@ -64,8 +64,8 @@
  * and MaximumVolume, the largest area. KEPT: the boundary and all lines at inside triangles stay.
  * SPLIT: they are cut, so that no angle is below 20.7 degrees but at sharp corners of the lines;
  * where these lie too close to each other for that a warning says so. REMESHED and QuadraticCells
- * are errors. Statistics are AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent,
- * MaxAngle, and with Before in front the angles of the triangles before.
+ * are errors, before any work. Statistics are AddedPoints, SurfacePoints, RefinedCells, MinAngle,
+ * Angle1Percent, MaxAngle, and with Before in front the angles of the triangles before.
  *
  * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
  * the constraints, seeds) does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -731,6 +731,7 @@ private:
     vtkInformationVector* outputVector);
   bool PartsSolid();
   void CheckOptions();
+  void CheckPlanarOptions();
   void CheckBodies(bool isPlanar);
 
   class Cache;

@@ -12,6 +12,7 @@ import unittest
 import insideout
 import numpy as np
 import surfaces
+from insideout.stages import TETRAHEDRALIZE
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -115,6 +116,17 @@ class Function(unittest.TestCase):
                     insideout.write(result, os.path.join(folder, name))
             self.assertEqual(os.listdir(folder), [])
 
+    def test_what_tetrahedra_alone_can_be_given_is_refused_before_the_work(self):
+        stages = []
+        for options, words in (
+            ({"separate_overlaps": True}, "separates tetrahedra"),
+            ({"quadratic": True}, "makes tetrahedra only"),
+            ({"edge_length": 0.5, "surface_treatment": "remeshed"}, "not remeshed"),
+        ):
+            with self.subTest(options), self.assertRaisesRegex(insideout.Error, words):
+                insideout.tetrahedralize(two_squares(), **options, progress=lambda stage, _: stages.append(stage))
+        self.assertEqual(set(stages) & set(TETRAHEDRALIZE), set())
+
     def test_a_picture_says_what_was_wrong(self):
         result = insideout.tetrahedralize(two_squares())
         with tempfile.TemporaryDirectory() as folder:
@@ -181,6 +193,23 @@ class Command(unittest.TestCase):
                 reader.SetFileName(self.path("boundary.vtp"))
                 reader.Update()
                 self.assertEqual(reader.GetOutput().GetNumberOfLines(), 2)
+
+    def test_files_that_cannot_hold_it_are_refused_before_the_work(self):
+        curve, mesh = self.path("curve.csv", CSV), self.path("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        stl, solver = self.path("fixed.stl"), self.path("solid.msh")
+        for arguments, words in (
+            ([curve, stl], f"{stl}: the boundary is lines"),
+            ([curve, solver], f"{solver}: such a file has tetrahedra"),
+            ([curve, self.path("out.vtu"), "--boundary", stl], f"{stl}: the boundary is lines"),
+            ([mesh, stl, "--dimension", "2"], f"{stl}: the boundary is lines"),
+        ):
+            command = [sys.executable, "-m", "insideout", *arguments]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            with self.subTest(arguments):
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertIn(words, done.stderr)
+                self.assertNotIn("validating", done.stderr)
+        self.assertEqual(sorted(os.listdir(os.path.dirname(curve))), ["curve.csv", "mesh.obj"])
 
     def test_the_picture_is_of_what_is_written(self):
         source = self.path("curve.csv", CSV)

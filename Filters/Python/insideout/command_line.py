@@ -31,6 +31,8 @@ from .files import (
     READABLE_SOLIDS,
     READABLE_SURFACES,
     WRITABLE_SURFACES,
+    are_lines,
+    check_holds_lines,
     check_input,
     check_output,
     ending,
@@ -54,7 +56,7 @@ from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .verdict import verdict
 from .version import __version__
 from .vtkFiltersInsideOut import vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects, vtkWindingBoolean
-from .writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, write_solid
+from .writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, check_holds_triangles, write_solid
 
 SUCCESS, FAILURE = 0, 1
 """Of the exit status; above are those of signals."""
@@ -322,8 +324,15 @@ class MeshJob(Job):
         files = self.files
         return ending(files.output or "") in WRITABLE_SURFACES and not (files.hull or files.plot or files.report)
 
+    def check_plane(self, surface: vtkPolyData) -> None:
+        """Raise `Error` for files that cannot hold what is in a plane, where it is known to be there."""
+        if are_lines(surface) or str(self.settings.dimension) == "2":
+            for path in filter(None, (self.files.output, self.files.hull, self.files.boundary, self.files.outliers)):
+                (check_holds_lines if ending(path) in WRITABLE_SURFACES else check_holds_triangles)(path)
+
     def work(self) -> None:
         surface = self.read()
+        self.check_plane(surface)
         if self.is_for_surface_only():
             self.settings = replace(self.settings, surface_only=True)
         result = tetrahedralize(surface, progress=self.show_progress, **vars(self.settings))

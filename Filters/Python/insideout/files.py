@@ -191,12 +191,23 @@ def temporary_folder() -> Iterator[str]:
         yield folder
 
 
+def are_lines(surface: vtkPolyData) -> bool:
+    """Whether it is lines without polygons."""
+    return bool(surface.GetNumberOfLines() > 0 and surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0)
+
+
+def check_holds_lines(path: str) -> None:
+    """Raise `Error` unless a file of a surface can be lines, as the boundary in a plane is."""
+    if ending(path) != ".vtp":
+        raise Error(f"{path}: the boundary is lines, which only .vtp files hold here")
+
+
 def write_surface(surface: vtkPolyData, path: Path) -> None:
     """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats), lines as .vtp. Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
-    if ending(path) != ".vtp" and surface.GetNumberOfLines() > 0 and surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
-        raise Error(f"{path}: the boundary is lines, which only .vtp files hold here")
+    if are_lines(surface):
+        check_holds_lines(path)
     if ending(path) == ".vtp":
         write_data(surface, path)
         return

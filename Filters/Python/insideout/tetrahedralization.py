@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .bodies import AnyBodies, as_bodies
@@ -208,56 +208,68 @@ def tetrahedralize(
     options = Options.among(locals())
     tetrahedralizer = options.set_on(vtkRobustTetrahedralize())
     polygons, before, body_array = as_bodies(surface, options.scale, bodies)
-    if body_array and options.parts():  # the filter says it too, but may hear of it in a second run
-        parting = "SeparateOverlaps" if options.separate_overlaps else "NonManifold of the kind Split"
-        raise Error(f"{parting} takes one body: it would part interfaces from their cells")
     tetrahedralizer.SetInputData(polygons)
     tetrahedralizer.SetBodyArrayName(body_array or "")
+    tetrahedralizer.SetRefine(options.refines())
     if options.surface_only:
-        tetrahedralizer.SetRefine(options.refines())
         warnings = before + in_words_of_python(run(tetrahedralizer, progress))
         nothing = tetrahedralizer.GetOutput()
         add_statistic("Scale", options.factor(), nothing)
-        return _result_of(tetrahedralizer, nothing, nothing, statistics_of(nothing), warnings)
-    # The hull comes out too: of the solid alone, which is parted or refined, a second run is made of what is there.
-    tetrahedralizer.RefineOff()
-    tetrahedralizer.SeparateOverlapsOff()
-    if options.non_manifold == "split":
-        tetrahedralizer.SetNonManifoldToKeep()
+        return _result_of(_outputs_of(tetrahedralizer), nothing, statistics_of(nothing), warnings)
+    # The hull comes out too. Where the solid is more than cells of it, the solid is made first, for then the filter
+    # refuses at once what it cannot do; and the hull of what is there already.
     runs_again = options.parts() or options.refines()
-    shares = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if runs_again else 1
+    share = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if runs_again else 0
+    if runs_again:
+        warnings = run(tetrahedralizer, part_of(progress, 0, share))
+        outputs = _outputs_of(tetrahedralizer)
+        tetrahedralizer.RefineOff()
+        tetrahedralizer.SeparateOverlapsOff()
+        if options.non_manifold == "split":
+            tetrahedralizer.SetNonManifoldToKeep()
     tetrahedralizer.ExtractInsideOff()
-    warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, 0, shares)))
-
-    hull = vtkUnstructuredGrid()
-    hull.ShallowCopy(tetrahedralizer.GetOutput())
+    of_hull = run(tetrahedralizer, part_of(progress, share, 1))
+    hull = _outputs_of(tetrahedralizer).solid
     if hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
     add_statistic("Scale", options.factor(), hull)
-    solid = inside_cells(hull)
     statistics = statistics_of(hull)
-    if runs_again and solid.GetNumberOfCells() > 0:
-        tetrahedralizer.ExtractInsideOn()
-        tetrahedralizer.SetRefine(options.refines())
-        options.set_on(tetrahedralizer, ("non_manifold", "separate_overlaps"))
-        warnings = before + in_words_of_python(run(tetrahedralizer, part_of(progress, shares, 1)))
-        solid = tetrahedralizer.GetOutput()
-        statistics.update(statistics_of(solid))
-    return _result_of(tetrahedralizer, solid, hull, statistics, warnings)
+    if runs_again and outputs.solid.GetNumberOfCells() > 0:
+        statistics.update(statistics_of(outputs.solid))
+    else:
+        warnings = of_hull
+        outputs = replace(_outputs_of(tetrahedralizer), solid=inside_cells(hull))
+    return _result_of(outputs, hull, statistics, before + in_words_of_python(warnings))
+
+
+@dataclass(frozen=True)
+class _Outputs:
+    solid: vtkUnstructuredGrid
+    boundary: vtkPolyData
+    outliers: vtkPolyData
+
+
+def _outputs_of(tetrahedralizer: vtkRobustTetrahedralize) -> _Outputs:
+    """Those of one run, which the next does not change."""
+    copies = []
+    for port in range(3):
+        output = tetrahedralizer.GetOutputDataObject(port)
+        copies.append(output.NewInstance())
+        copies[-1].ShallowCopy(output)
+    return _Outputs(*copies)
 
 
 def _result_of(
-    tetrahedralizer: vtkRobustTetrahedralize,
-    solid: vtkUnstructuredGrid,
+    outputs: _Outputs,
     hull: vtkUnstructuredGrid,
     statistics: dict[str, float],
     warnings: list[str],
 ) -> Tetrahedralization:
     cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (Tetrahedra, TriangleSurface)
     return Tetrahedralization(
-        solid=as_type(cells, solid),
-        boundary=as_type(faces, tetrahedralizer.GetBoundary()),
-        outliers=as_type(faces, tetrahedralizer.GetOutliers()),
+        solid=as_type(cells, outputs.solid),
+        boundary=as_type(faces, outputs.boundary),
+        outliers=as_type(faces, outputs.outliers),
         hull=as_type(cells, hull),
         statistics=statistics,
         left_out_cells=cells_of(hull, "LeftOutCellIds"),

@@ -66,6 +66,12 @@ def write(
         raise Error(f"what is to be written is of type {type(data).__name__}; it can be a result, a vtkPolyData or a vtkUnstructuredGrid")
 
 
+def check_holds_triangles(path: str) -> None:
+    """Raise `Error` unless a file of cells can have triangles in a plane."""
+    if ending(path) in WRITABLE_SOLIDS:
+        raise Error(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")
+
+
 def write_solid(
     grid: vtkUnstructuredGrid, path: Path, boundary: Optional[vtkPolyData] = None, msh_version: MshVersion = "4.1"
 ) -> None:
@@ -75,9 +81,9 @@ def write_solid(
     check_format(path)
     if is_boundary_alone(grid, boundary):
         raise Error(f"{path}: such a file has the solid's cells, and surface_only left these away")
+    if is_flat(grid):
+        check_holds_triangles(path)
     if ending(path) in WRITABLE_SOLIDS:
-        if is_flat(grid):
-            raise Error(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")
         versions = get_args(MshVersion)
         writer = vtkSolidWriter()
         writer.SetInputData(grid)
