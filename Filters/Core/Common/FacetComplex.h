@@ -22,8 +22,9 @@ struct TriangleSoup
 
 /**
  * Where a point comes from: the input points it interpolates and their weights (which sum to 1). An
- * input point is {i, i, i} with weights {1, 0, 0}; a Steiner point in the volume comes from
- * nowhere: {None, None, None}.
+ * input point is {i, i, i} with weights {1, 0, 0}, and no other point is, though one that is near
+ * to i may have these weights, rounded; a Steiner point in the volume comes from nowhere: {None,
+ * None, None}.
  */
 struct PointOrigin
 {
@@ -31,7 +32,15 @@ struct PointOrigin
   std::array<double, 3> Weights{ { 1, 0, 0 } };
 
   static PointOrigin Input(Id point) { return { { { point, point, point } }, { { 1, 0, 0 } } }; }
-  bool IsInput() const { return this->Points[0] != None && this->Weights[0] == 1; }
+
+  /** A new point that has the data of one input point. */
+  static PointOrigin Like(Id point) { return { { { point, point, point } }, { { 0.5, 0.5, 0 } } }; }
+
+  bool IsInput() const
+  {
+    const auto& [a, b, c] = this->Points;
+    return a != None && a == b && b == c && this->Weights[0] == 1;
+  }
 };
 
 /** An input triangle that a facet is a piece of, and whether the facet runs the other way. */

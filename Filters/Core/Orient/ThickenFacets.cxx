@@ -77,8 +77,7 @@ public:
           }
           both[side] = static_cast<Id>(points.size());
           points.push_back(corner);
-          const Id source = this->Surface.Origins[p].Points[0];
-          origins.push_back({ { { source, source, source } }, { { 0.5, 0.5, 0 } } });
+          origins.push_back(PointOrigin::Like(this->Surface.Origins[p].Points[0]));
         }
       }
       return both;

@@ -180,7 +180,9 @@ PointOrigin ComposeOrigin(
         static_cast<int>(std::find(points.begin(), points.begin() + count, point) - points.begin());
       if (slot == 3)
       {
-        return corners[std::max_element(weights.begin(), weights.end()) - weights.begin()];
+        const PointOrigin& nearest =
+          corners[std::max_element(weights.begin(), weights.end()) - weights.begin()];
+        return nearest.IsInput() ? PointOrigin::Like(nearest.Points[0]) : nearest;
       }
       if (slot == count)
       {
@@ -189,7 +191,11 @@ PointOrigin ComposeOrigin(
       sums[slot] += weight;
     }
   }
-  // Slots to spare repeat the first point with weight 0; a lone point has weight 1 to the last bit.
+  if (count == 1)
+  {
+    return PointOrigin::Like(points[0]);
+  }
+  // Slots to spare repeat the first point with weight 0.
   std::fill(points.begin() + count, points.end(), points[0]);
   const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
   return { points, { { sums[0] / total, sums[1] / total, sums[2] / total } } };

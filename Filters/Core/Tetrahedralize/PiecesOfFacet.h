@@ -33,7 +33,8 @@ bool MatchPiecesOfFacet(
 /**
  * The origin of a point that interpolates corners, each of which interpolates input points itself:
  * the weights multiplied and summed by input point. Where more than three input points take part,
- * PointOrigin cannot say it; then it is the origin of the corner with the largest weight.
+ * PointOrigin cannot say it; then it is the origin of the corner with the largest weight, or like
+ * it where that is an input point.
  *
  * @param[in] corners origins of the corners, none from nowhere
  * @param[in] weights at least 0, sum 1

@@ -146,6 +146,8 @@ void ExpectInputPointsFirst(const FacetComplex& before, const FacetComplex& afte
   EXPECT_TRUE(SameBits(before.Points, { after.Points.begin(), after.Points.begin() + count }));
   EXPECT_TRUE(
     SameOrigins(before.Origins, { after.Origins.begin(), after.Origins.begin() + count }));
+  EXPECT_TRUE(std::none_of(after.Origins.begin() + count, after.Origins.end(),
+    [](const PointOrigin& origin) { return origin.IsInput(); }));
 }
 
 /** The points' origins give the points, to the rounding that the resolver may do. */
@@ -478,6 +480,14 @@ TEST(ResolveSelfIntersections, UsesACornerOnAFacetByItsId)
   const FacetComplex resolved = Resolve(ToComplex(CorpusSurface("corner-on-a-facet"))).Surface;
   EXPECT_EQ(resolved.Points.size(), 6u);
   EXPECT_EQ(resolved.NumberOfFacets(), 4);
+}
+
+TEST(ResolveSelfIntersections, KnowsANewPointFromTheCornerThatItIsNextTo)
+{
+  ExpectLawsAndNothingLeftOut(
+    { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1e-20, 1e-20, -1 } },
+        { { 1e-20, 1e-20, 1 } }, { { 2, 2, 0 } } },
+      { { { 0, 1, 2 } }, { { 3, 4, 5 } } } });
 }
 
 TEST(ResolveSelfIntersections, CutsAFacetThatAThousandTouch)

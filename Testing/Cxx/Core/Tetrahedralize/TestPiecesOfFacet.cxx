@@ -182,6 +182,20 @@ TEST(ComposeOrigin, MultipliesWeightsWhereCornersInterpolateTheSamePoints)
   EXPECT_EQ(origin.Weights, (std::array<double, 3>{ { 0.375, 0.375, 0.25 } }));
 }
 
+TEST(ComposeOrigin, IsNeverThatOfAnInputPoint)
+{
+  const PointOrigin seven = PointOrigin::Input(7);
+  const PointOrigin edge = { { { 8, 9, 8 } }, { { 0.5, 0.5, 0 } } };
+  const PointOrigin other = { { { 10, 9, 10 } }, { { 0.5, 0.5, 0 } } };
+  for (const PointOrigin& origin :
+    { ComposeOrigin({ seven, edge, PointOrigin::Input(8) }, { 1, 0, 0 }),
+      ComposeOrigin({ seven, edge, other }, { 0.5, 0.25, 0.25 }) })
+  {
+    EXPECT_EQ(origin.Points, seven.Points);
+    EXPECT_FALSE(origin.IsInput());
+  }
+}
+
 TEST(ComposeOrigin, TakesTheNearestCornerWhereMoreThanThreePointsTakePart)
 {
   const PointOrigin first = { { { 7, 8, 9 } }, { { 0.5, 0.25, 0.25 } } };
