@@ -224,7 +224,7 @@ vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   vtkInsideOutSolidOptions options;
   options.Segment = { vtkInsideOutSegmentMeshParameters(filter),
     filter->GetConstrainedFacetsArrayName(), static_cast<RegionRule>(filter->GetRegionRule()),
-    filter->GetPriority() };
+    filter->GetPriority(), filter->GetMergeTolerance() };
   options.SplitPoints = filter->GetNonManifold() == vtkRobustTetrahedralize::NONMANIFOLD_SPLIT;
   options.SeparateOverlaps = filter->GetSeparateOverlaps();
   options.Boundary = { filter->GetMergeCoplanarPieces(), filter->GetSplitSeams(),

@@ -2,6 +2,7 @@
 #include "vtkWindingBoolean.h"
 
 #include "Boolean/CellsOfExpression.h"
+#include "Boolean/FindGaps.h"
 #include "Boolean/SurfaceOfExpression.h"
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutArrays.h"
@@ -244,13 +245,16 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
         ResolveBodies(TakeNamed(expression, inputs), ParametersOf(this), monitor);
       std::optional<std::vector<BoundaryTriangle>> surface;
       std::optional<CellsOfExpression> cells;
-      if (!this->Tetrahedra)
+      const bool hasGaps =
+        this->MergeTolerance > 0 && MayHaveGaps(resolved, this->MergeTolerance, monitor);
+      if (!this->Tetrahedra && !hasGaps)
       {
         surface = SurfaceOfExpression(resolved, expression, monitor);
       }
       if (!surface)
       {
-        cells = FindCellsOfExpression(resolved, NamesIn(expression, names), expression, monitor);
+        cells = FindCellsOfExpression(
+          resolved, NamesIn(expression, names), expression, this->MergeTolerance, monitor);
       }
 
       vtkInsideOutAttributes::RenameArrays(

@@ -14,9 +14,10 @@
  *
  * There are two ways to the result, and Statistics_Tetrahedra says which was taken (0 or 1). Where
  * all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes by
- * the winding numbers of all bodies on its two sides: no tetrahedra are made. Where one is open, or
- * with Tetrahedra on, all become one mesh of tetrahedra, in which each body has a cut of its own
- * (vtkRobustTetrahedralize says how), and the cells where the expression holds are the result.
+ * the winding numbers of all bodies on its two sides: no tetrahedra are made. Where one is open,
+ * where bodies may be nearer to each other than MergeTolerance, or with Tetrahedra on, all become
+ * one mesh of tetrahedra, in which each body has a cut of its own (vtkRobustTetrahedralize says
+ * how), and the cells where the expression holds are the result.
  *
  * Output 0 is the surface: watertight, oriented outward, its triangles meet in shared points and
  * edges only. Cells carry BodyId (int: the body that the triangle is a piece of, of several the
@@ -131,9 +132,11 @@ public:
    * Points at most this far apart become one, in units of the surfaces, also those of different
    * bodies; and so do flat faces of different bodies: where all corners of a facet are that near to
    * the plane of a facet below it of an earlier body they are moved into it, with a warning. Gaps
-   * of uneven width, as between round faces, stay. Faces that were turned and touch but for
-   * rounding need a tolerance, too. Default 0: only points with equal coordinates are merged, and
-   * what is inside a body by a hair's breadth is inside. Range 0 to infinity.
+   * of uneven width, as between round faces, are closed by tetrahedra that belong to the last body
+   * beside them, with a warning, Statistics_GapCells and Statistics_GapVolume. Faces that were
+   * turned and touch but for rounding need a tolerance, too. Default 0: only points with equal
+   * coordinates are merged, and what is inside a body by a hair's breadth is inside. Range 0 to
+   * infinity.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MergeTolerance, double);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutSegmentHull.h"
 
+#include "Boolean/FillGaps.h"
 #include "Boolean/SegmentBodies.h"
 #include "Common/Stages.h"
 
@@ -39,6 +40,12 @@ vtkInsideOutSegmentedHull vtkInsideOutSegmentHull(const vtkInsideOutHull& kept,
   segmented.InBodies = std::move(found.Inside);
   segmented.All.Statistics = std::move(found.Statistics);
   segmented.All.Warnings = std::move(found.Warnings);
+  if (options.MergeTolerance > 0)
+  {
+    AddFilledGaps(
+      FillGaps(hull.Mesh, options.MergeTolerance, priority, segmented.InBodies, monitor),
+      segmented.All.Statistics, segmented.All.Warnings);
+  }
   segmented.Regions =
     FindBodyRegions(segmented.InBodies, options.Rule, priority, monitor, findingRegions);
   for (const Id region : segmented.Regions.Regions.OfCell)

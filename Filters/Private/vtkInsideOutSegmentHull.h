@@ -18,6 +18,7 @@ struct vtkInsideOutSegmentOptions
   std::string ConstrainedArray; ///< the cell array that chooses which facets are kept
   insideout::RegionRule Rule;   ///< of several bodies, as all below
   std::string Priority;
+  double MergeTolerance; ///< narrower gaps between them are filled
 };
 
 /** What is inside, and the regions of that. */

@@ -31,6 +31,11 @@ def volume_of(region) -> float:
     return round(region.volume, 12)
 
 
+def area_of(surface, triangles=slice(None)) -> float:
+    a, b, c = surfaces.points_of(surface)[surfaces.triangles_of(surface)[triangles]].transpose(1, 0, 2)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
 LEFT, RIGHT = box((0, 0, 0), (2, 2, 2)), box((1, 0, 0), (4, 2, 2))
 
 
@@ -169,6 +174,37 @@ class TestBodies(unittest.TestCase):
         for tolerance, count in ((0, 0), (9e-5, 0), (1.1e-4, 2)):
             result = insideout.tetrahedralize({"lower": LEFT, "upper": upper}, merge_tolerance=tolerance)
             self.assertEqual(len(result.tags.get("lower|upper", ())), count)
+
+    def test_a_gap_between_round_faces_closes_as_well(self):
+        ball, socket = surfaces.ball_in_a_socket(gap=0.006)
+        bodies = {"ball": ball, "socket": socket}
+        apart = insideout.tetrahedralize(bodies)
+        for rule in ("by-priority", "all"):
+            closed = insideout.tetrahedralize(bodies, merge_tolerance=0.011, region_rule=rule)
+            self.assertEqual(closed.statistics["SolidCavities"], 0)
+            # Where points of both became one facets of the socket come into the ball.
+            overlap = sum(region.volume for region in closed.regions if len(region.bodies) == 2)
+            self.assertLess(overlap, 1e-3)
+            self.assertAlmostEqual(closed.bodies["ball"], surfaces.enclosed_volume(ball), 9, "it keeps its shape")
+            self.assertAlmostEqual(closed.statistics["Volume"], surfaces.enclosed_volume(surfaces.ball(2, 8, 9)), 9)
+            self.assertAlmostEqual(closed.statistics["Volume"] - apart.statistics["Volume"], closed.statistics["GapVolume"], 2)
+            between = sum(area_of(closed.boundary, rows) for tag, rows in closed.tags.items() if tag.startswith("ball|"))
+            self.assertAlmostEqual(between / area_of(ball), 1, 2, "all of the ball is interface")
+            self.assertNotIn("ball|outside", closed.tags)
+            self.assertIn(f"were closed by {closed.statistics['GapCells']} cells", closed.warnings[-1])
+        first = insideout.tetrahedralize(bodies, merge_tolerance=0.011, priority=["socket"])
+        self.assertGreater(first.bodies["ball"], closed.bodies["ball"] + closed.statistics["GapVolume"] / 2, "it fills the gap")
+        self.assertEqual(first.statistics["SolidCavities"], 0)
+
+    def test_a_wider_gap_between_round_faces_stays_bit_by_bit(self):
+        ball, socket = surfaces.ball_in_a_socket(gap=0.006)
+        apart = insideout.tetrahedralize({"ball": ball, "socket": socket})
+        below = insideout.tetrahedralize({"ball": ball, "socket": socket}, merge_tolerance=0.0015)
+        self.assertEqual((below.statistics["GapCells"], below.statistics["SolidCavities"]), (0, 1))
+        for name in ("points", "cells"):
+            self.assertEqual(getattr(below.solid, name).tobytes(), getattr(apart.solid, name).tobytes())
+        self.assertEqual(below.solid.cell_arrays["RegionId"].tobytes(), apart.solid.cell_arrays["RegionId"].tobytes())
+        self.assertEqual(below.boundary.triangles.tobytes(), apart.boundary.triangles.tobytes())
 
     def test_seeds_are_of_the_body_that_they_name(self):
         outside = insideout.tetrahedralize({"left": LEFT, "right": RIGHT}, seeds=[((0.5, 1.1, 0.9), False, "left")])

@@ -96,6 +96,27 @@ class Laws(unittest.TestCase):
             self.assertAlmostEqual(insideout.boolean(bodies, operation=operation).statistics["Volume"], size, 12)
 
 
+class Gaps(unittest.TestCase):
+    def test_close_below_the_tolerance_by_way_of_tetrahedra(self):
+        bodies = ball, _ = surfaces.ball_in_a_socket(gap=0.006)
+        whole, room = surfaces.enclosed_volume(surfaces.ball(2, 8, 9)), surfaces.enclosed_volume(ball)
+        for expression, expected in (("A | B", whole), ("A - B", room), ("B - A", whole - room), ("A & B", 0)):
+            made = insideout.boolean(bodies, expression, merge_tolerance=0.011)
+            self.assertEqual(made.statistics["Tetrahedra"], 1)
+            # Where points of both became one the socket's facets come into the ball.
+            self.assertAlmostEqual(made.statistics["Volume"], expected, 9 if expression == "A | B" else 3)
+            self.assertTrue(surfaces.is_watertight(made.surface) or expected == 0)
+            self.assertIn("gaps between bodies that are narrower than the merge tolerance were closed by", "".join(made.warnings))
+
+    def test_stay_above_it_without_tetrahedra(self):
+        bodies = surfaces.ball_in_a_socket(gap=0.006)
+        for expression in ("A | B", "B - A"):
+            apart, below = (insideout.boolean(bodies, expression, merge_tolerance=tolerance) for tolerance in (0, 0.0015))
+            self.assertEqual(below.statistics["Tetrahedra"], 0)
+            self.assertEqual(below.surface.points.tobytes(), apart.surface.points.tobytes())
+            self.assertEqual(below.surface.triangles.tobytes(), apart.surface.triangles.tobytes())
+
+
 class Data(unittest.TestCase):
     def test_each_triangle_and_point_knows_its_body_and_cell(self):
         first, second = surfaces.box((0, 0, 0), 4), surfaces.box((1, 1, 1), 2)

@@ -10,6 +10,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 BOX_FACETS = (
     *((0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)),
@@ -63,6 +64,24 @@ def open_box() -> vtkPolyData:
 
 def reversed_box() -> vtkPolyData:
     return box(facets=[facet[::-1] for facet in BOX_FACETS])
+
+
+def ball(radius, around, rings) -> vtkPolyData:
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(around)
+    source.SetPhiResolution(rings)
+    source.SetOutputPointsPrecision(source.DOUBLE_PRECISION)
+    source.Update()
+    return source.GetOutput()
+
+
+def ball_in_a_socket(gap) -> tuple[vtkPolyData, vtkPolyData]:
+    """Of radius 1 in a larger ball of radius 2, with triangles of their own, which bring it nearer by up to 0.004, and farther."""
+    inner, outer = ball(1 + gap, 43, 38), ball(2, 8, 9)
+    points = np.concatenate([points_of(outer), points_of(inner)[:, [1, 2, 0]]])
+    triangles = np.concatenate([triangles_of(outer), triangles_of(inner)[:, ::-1] + outer.GetNumberOfPoints()])
+    return ball(1, 40, 41), polydata(points, triangles)
 
 
 def closed_both_ways() -> vtkPolyData:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/CellsOfExpression.h"
 
+#include "Boolean/BodyRegions.h"
+#include "Boolean/FillGaps.h"
 #include "Boolean/SegmentBodies.h"
 #include "Boolean/WindingNumbersOfBodies.h"
 #include "Common/PointPredicates.h"
@@ -38,7 +40,8 @@ bool ArePlanar(const FacetComplex& surface)
 } // namespace
 
 CellsOfExpression FindCellsOfExpression(const ResolvedBodies& bodies,
-  const std::vector<std::string>& names, const SetExpression& expression, Monitor& monitor)
+  const std::vector<std::string>& names, const SetExpression& expression, double mergeTolerance,
+  Monitor& monitor)
 {
   CellsOfExpression cells;
   if (ArePlanar(bodies.Surface))
@@ -50,9 +53,15 @@ CellsOfExpression FindCellsOfExpression(const ResolvedBodies& bodies,
   AddMeshCounts(result, cells.Statistics);
   AddWarnings(result, cells.Warnings);
   cells.Mesh = std::move(result.Mesh);
-  const BodySegmentation segmentation = Segment(bodies, names, cells.Mesh, monitor);
+  BodySegmentation segmentation = Segment(bodies, names, cells.Mesh, monitor);
   cells.Warnings.insert(
     cells.Warnings.end(), segmentation.Warnings.begin(), segmentation.Warnings.end());
+  if (mergeTolerance > 0)
+  {
+    AddFilledGaps(
+      FillGaps(cells.Mesh, mergeTolerance, PriorityOf(names, {}), segmentation.Inside, monitor),
+      cells.Statistics, cells.Warnings);
+  }
 
   std::vector<char> isIn(bodies.Bodies.size());
   for (Id cell = 0; cell < cells.Mesh.NumberOfCells(); ++cell)

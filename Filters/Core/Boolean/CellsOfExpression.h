@@ -22,13 +22,18 @@ struct CellsOfExpression
  * all, and each body a winding number of its own in each cell, and a cut of its own
  * (SegmentBodies).
  *
+ * Narrow gaps between bodies are closed first (FillGaps); of the bodies beside one the last gets
+ * it.
+ *
  * Where all bodies are closed their boundary is SurfaceOfExpression, but for points that the mesh
  * adds. Where all facets lie in one plane there are no cells, with a warning.
  *
  * @param[in] bodies one for each of expression.Bodies()
  * @param[in] names of these, for messages
+ * @param[in] mergeTolerance of gaps; 0 closes none
  * @throws Error whatever ConstrainedDelaunay, WindingNumbersOfBodies and SegmentBodies throw
  */
 CellsOfExpression FindCellsOfExpression(const ResolvedBodies& bodies,
-  const std::vector<std::string>& names, const SetExpression& expression, Monitor& monitor);
+  const std::vector<std::string>& names, const SetExpression& expression, double mergeTolerance,
+  Monitor& monitor);
 } // namespace insideout

@@ -15,7 +15,8 @@ namespace insideout
  * or that stands in a point of an earlier body, stays. Points of a body that are in one place stay
  * in one.
  *
- * Gaps that are not of even width, as between round faces that are triangulated differently, stay.
+ * Gaps that are not of even width, as between round faces that are triangulated differently, stay:
+ * FillGaps closes those once there are cells.
  *
  * @param[in,out] bodies points may be NaN, and triangles refer to points that are not there: such
  *   triangles are passed over

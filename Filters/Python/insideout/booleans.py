@@ -30,7 +30,7 @@ class Boolean(Result):
     surface: TriangleSurface
     """The result's boundary: watertight, oriented outward, no two of its triangles cross; with the data of all bodies."""
     solid: Tetrahedra
-    """The result in tetrahedra where these were made, for a body was open or `tetrahedra` asked for them; else empty."""
+    """The result in tetrahedra where these were made, for a body was open, a gap closed or `tetrahedra` asked for them; else empty."""
     names: list[str]
     """What the bodies are called, by their `BodyId`."""
     statistics: dict[str, float]
@@ -83,7 +83,8 @@ def boolean(
                 that is more than letters, digits and underscores stands in quotes; #1 is the first body
     operation   without an expression, what to make of all: "union", "intersection", "difference" (the first less the
                 others) or "symmetric-difference"
-    tetrahedra  make the result's tetrahedra, too; without it they are made only where a body is open
+    tetrahedra  make the result's tetrahedra, too; without it they are made only where a body is open, or where gaps close that
+                are narrower than `merge_tolerance`
     progress    called with the stage and the fraction of all the work that is done; what it
                 raises stops the work and is raised
 

@@ -257,7 +257,7 @@ class Options:
     )
     thicken_all: bool = _is(Switch("ThickenAll", "thicken every facet, and not only sheets"))
     merge_tolerance: Optional[float] = _is(
-        Number("MergeTolerance", "points of the surface at most this far apart become one, in its units")
+        Number("MergeTolerance", "points of the surface at most this far apart become one, in its units; narrower gaps between bodies close")
     )
     count_duplicates: bool = _is(Switch("CountDuplicates", "count a facet as often as it is given"))
     time_budget: Optional[float] = _is(

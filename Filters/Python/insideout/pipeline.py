@@ -35,7 +35,7 @@ Progress = Callable[[str, float], object]
 STATISTICS_PREFIX = "Statistics_"
 MEASURED = (
     *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
-    *("OverlapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
+    *("OverlapVolume", "GapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
     *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area", "MinAngle", "Angle1Percent", "MaxAngle"),
     *("DroppedVolume", "FilledVolume", "Genus"),

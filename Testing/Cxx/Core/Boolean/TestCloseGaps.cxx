@@ -5,6 +5,7 @@
 #include "Common/Vectors.h"
 #include "Support/BodiesOfSoups.h"
 #include "Support/TestMeshes.h"
+#include "Support/Turn.h"
 
 #include <gtest/gtest.h>
 
@@ -19,36 +20,6 @@ using namespace insideout;
 using namespace testmeshes;
 
 constexpr double Tolerance = 1e-3;
-
-/** Turns about the origin by a random rotation: two reflections. */
-class Turn
-{
-public:
-  explicit Turn(std::mt19937& random)
-  {
-    std::normal_distribution<double> normal;
-    for (Point& mirror : this->Mirrors)
-    {
-      mirror = { normal(random), normal(random), normal(random) };
-    }
-  }
-
-  TriangleSoup operator()(TriangleSoup soup) const
-  {
-    for (Point& p : soup.Points)
-    {
-      for (const Point& mirror : this->Mirrors)
-      {
-        const double by = 2 * Dot(mirror, p) / Dot(mirror, mirror);
-        p = { p[0] - by * mirror[0], p[1] - by * mirror[1], p[2] - by * mirror[2] };
-      }
-    }
-    return soup;
-  }
-
-private:
-  std::array<Point, 2> Mirrors;
-};
 
 struct Areas
 {

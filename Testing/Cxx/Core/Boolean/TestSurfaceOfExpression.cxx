@@ -221,7 +221,7 @@ TEST(SurfaceOfExpression, IsTheBoundaryOfTheCells)
       const Made made = Make(soups, text);
       Monitor monitor;
       const CellsOfExpression cells =
-        FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(text, Letters(2)), monitor);
+        FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(text, Letters(2)), 0, monitor);
       const double volume = VolumeWithin(made.Bodies.Surface.Points, *made.Triangles);
       EXPECT_NEAR(VolumeWithin(cells.Mesh.Points, cells.Boundary), volume, 1e-9 * volume);
       ExpectSound(SoupOf(cells.Mesh.Points, cells.Boundary));
@@ -235,8 +235,8 @@ TEST(CellsOfExpression, AreNoneInAPlane)
   const Made made = Make({ flat, flat }, "A | B");
   EXPECT_FALSE(made.Triangles);
   Monitor monitor;
-  const CellsOfExpression cells =
-    FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(SetOperation::Union, 2), monitor);
+  const CellsOfExpression cells = FindCellsOfExpression(
+    made.Bodies, Letters(2), SetExpression(SetOperation::Union, 2), 0, monitor);
   EXPECT_TRUE(cells.Boundary.empty());
   EXPECT_EQ(cells.Warnings.size(), 1u);
 }

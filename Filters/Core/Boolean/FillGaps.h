@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/Statistics.h"
+#include "Common/TetrahedralMesh.h"
+
+#include <string>
+
+namespace insideout
+{
+/** What was given to bodies. */
+struct FilledGaps
+{
+  Id Cells = 0;
+  double Volume = 0;
+};
+
+/**
+ * Close narrow gaps between bodies, as between round faces that are triangulated differently: cells
+ * of no body that lie in one are given to a body beside it, so that the two share faces.
+ *
+ * A cell lies in a gap where no point of it is farther than the tolerance from the cells of either
+ * of two bodies (StaysNear), and both of these have faces on the part of the gap that it is in:
+ * cells that lie in a gap between the same two and are joined through faces. So a dent of one body
+ * is no gap, however near another body is behind it. A cell that reaches out of the gap stays
+ * outside.
+ *
+ * Of the bodies that a cell lies between the last in the order gets it: those before keep their
+ * shape.
+ *
+ * @param[in] tolerance above 0
+ * @param[in] order indices of all bodies
+ * @param[in,out] inside of each body, not 0 for the cells that it has; 1 for those that it gets
+ * @throws Error Stopped
+ */
+FilledGaps FillGaps(const TetrahedralMesh& mesh, double tolerance, const std::vector<Id>& order,
+  std::vector<std::vector<unsigned char>>& inside, Monitor& monitor);
+
+/** The figures GapCells and GapVolume, and a line where there is something to tell. */
+void AddFilledGaps(
+  const FilledGaps& filled, Statistics& statistics, std::vector<std::string>& warnings);
+} // namespace insideout
