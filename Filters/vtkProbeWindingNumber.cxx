@@ -7,8 +7,9 @@
 #include "Private/vtkInsideOutBlock.h"
 #include "Private/vtkInsideOutFailTogether.h"
 #include "Private/vtkInsideOutGather.h"
-#include "Private/vtkInsideOutMakeWindingNumber.h"
+#include "Private/vtkInsideOutMakeOutputs.h"
 #include "Private/vtkInsideOutMonitor.h"
+#include "Private/vtkInsideOutPieces.h"
 #include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutVisitPlaces.h"
@@ -41,7 +42,7 @@ vtkStandardNewMacro(vtkProbeWindingNumber);
 class vtkProbeWindingNumber::Internal
 {
 public:
-  std::unique_ptr<const vtkInsideOutWindingNumber> WindingNumber;
+  std::unique_ptr<vtkInsideOutPieces> Surface;
 };
 
 vtkProbeWindingNumber::vtkProbeWindingNumber()
@@ -83,6 +84,7 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
   os << indent << "AreaArrayName: " << this->AreaArrayName << "\n";
+  os << indent << "FacetsAtOnce: " << this->FacetsAtOnce << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }
 
@@ -188,36 +190,49 @@ Array* Add(Arrays& arrays, const char* name, vtkIdType size, int components = 1)
   return array;
 }
 
-/** w, if it is wanted, and Inside, which is the last. */
-Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
-  const vtkInsideOutWindingNumber& windingNumber, Monitor& monitor)
+/** w, if it is wanted or adds up, and Inside, which is the last. */
+Arrays AskWindingNumbers(
+  vtkProbeWindingNumber* filter, vtkDataSet* input, vtkInsideOutPieces& surface, Monitor& monitor)
 {
   const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
   const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
   const double threshold = filter->GetThreshold();
   const bool insideOut = filter->GetInsideOut();
   Arrays arrays;
-  double* const w = filter->GetOutputWindingNumber()
+  double* const w = filter->GetOutputWindingNumber() || surface.Size() > 1
     ? Add<vtkDoubleArray>(arrays, "w", size)->GetPointer(0)
     : nullptr;
   unsigned char* const inside = Add<vtkUnsignedCharArray>(arrays, "Inside", size)->GetPointer(0);
-  vtkInsideOutVisitPlaces(input, atPoints, windingNumber,
-    w ? std::nullopt : std::optional<double>(threshold), monitor,
-    [&](vtkIdType first, const std::vector<double>& values)
+  surface.TakeTurns(monitor,
+    [&](const vtkInsideOutPieces::Turn& turn)
     {
-      if (w)
-      {
-        std::copy(values.begin(), values.end(), w + first);
-      }
-      std::transform(values.begin(), values.end(), inside + first,
-        [threshold, insideOut](double value) { return Mark(value, threshold, insideOut); });
+      vtkInsideOutVisitPlaces(input, atPoints, turn.Piece,
+        w ? std::nullopt : std::optional<double>(threshold), monitor, turn.Progress,
+        [&](vtkIdType first, const std::vector<double>& values)
+        {
+          for (std::size_t i = 0; i < values.size(); ++i)
+          {
+            const vtkIdType place = first + static_cast<vtkIdType>(i);
+            const double sum = turn.IsFirst ? values[i] : w[place] + values[i];
+            const double value = turn.IsLast ? surface.Rounded(sum) : sum;
+            if (w)
+            {
+              w[place] = value;
+            }
+            inside[place] = Mark(value, threshold, insideOut);
+          }
+        });
     });
+  if (!filter->GetOutputWindingNumber() && w)
+  {
+    arrays.erase(arrays.begin());
+  }
   return arrays;
 }
 
 /** Distance, and what goes with it; the array Inside gives it its sign. */
-Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
-  const vtkInsideOutWindingNumber& windingNumber, vtkDataArray* inside, Monitor& monitor)
+Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input, vtkInsideOutPieces& surface,
+  vtkDataArray* inside, Monitor& monitor)
 {
   const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
   const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
@@ -227,80 +242,92 @@ Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
   auto* const place = closest ? Add<vtkDoubleArray>(arrays, "ClosestPoint", size, 3) : nullptr;
   auto* const cell = closest ? Add<vtkIdTypeArray>(arrays, "ClosestCellId", size) : nullptr;
   const double negative = filter->GetInsideOut() ? 0 : 1;
-  vtkInsideOutVisitNearest(input, atPoints, windingNumber, monitor,
-    [&](vtkIdType i, const vtkInsideOutNearest& nearest)
+  std::vector<vtkInsideOutNearest> best(surface.Size() > 1 ? size : 0); // so far
+  surface.TakeTurnsForDistances(
+    [&](const vtkInsideOutPieces::Turn& turn)
     {
-      const bool isNegative = inside->GetComponent(i, 0) == negative;
-      distance->SetValue(i, isNegative ? -nearest.Distance : nearest.Distance);
-      if (closest)
-      {
-        place->SetTuple(i, nearest.Place.data());
-        cell->SetValue(i, nearest.Cell);
-      }
+      vtkInsideOutVisitNearest(input, atPoints, turn.Piece, monitor, turn.Progress,
+        [&](vtkIdType i, const vtkInsideOutNearest& found)
+        {
+          const vtkInsideOutNearest& nearest =
+            turn.IsFirst || found.IsNearerThan(best[i]) ? found : best[i];
+          if (!turn.IsLast)
+          {
+            best[i] = nearest;
+            return;
+          }
+          const bool isNegative = inside->GetComponent(i, 0) == negative;
+          distance->SetValue(i, isNegative ? -nearest.Distance : nearest.Distance);
+          if (closest)
+          {
+            place->SetTuple(i, nearest.Place.data());
+            cell->SetValue(i, nearest.Cell);
+          }
+        });
     });
   return arrays;
 }
 } // namespace
 
-/** All of it, where this rank asked for a piece. Outside of what an error or a stop of one rank can
- * end: the others wait for it. */
-vtkSmartPointer<vtkPolyData> vtkProbeWindingNumber::WholeSurface(vtkInformation* surface)
-{
-  vtkPolyData* piece = vtkPolyData::GetData(surface);
-  return surface->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1
-    ? vtkInsideOutGather(piece, { this->NonParticipatingArrayName, "FacetMultiplicity" },
-        { this->AreaArrayName }, this->Controller)
-    : vtkSmartPointer<vtkPolyData>(piece);
-}
-
 int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  const vtkSmartPointer<vtkPolyData> surface =
-    this->WholeSurface(inputVector[1]->GetInformationObject(0));
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
-  this->Last->WindingNumber.reset();
-  return vtkInsideOutRun(this, outputVector,
-    [&]()
+  const bool isPiece = inputVector[1]->GetInformationObject(0)->Get(
+                         vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+  vtkMultiProcessController* const together = isPiece ? this->Controller.Get() : nullptr;
+  this->Last->Surface.reset();
+  const auto work = [&]()
+  {
+    vtkInsideOutWarnOfThreads(this);
+    std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
+      Stages::WindingNumbers };
+    if (this->Distance)
     {
-      vtkInsideOutWarnOfThreads(this);
-      std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
-        Stages::WindingNumbers };
-      if (this->Distance)
-      {
-        stages.emplace_back(Stages::Distances);
-      }
-      if (vtkInsideOutAreLines(surface))
-      {
-        // A curve is resolved, and its hull triangulated, before it is known which way it runs.
-        stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
-      }
-      vtkInsideOutMonitor monitor(this, stages);
-      std::vector<std::string> warnings;
-      this->Last->WindingNumber = std::make_unique<const vtkInsideOutWindingNumber>(
-        surface, ReadOptions(this), monitor, warnings);
-      const vtkInsideOutWindingNumber& windingNumber = *this->Last->WindingNumber;
-      Arrays arrays = AskWindingNumbers(this, input, windingNumber, monitor);
-      if (this->Distance)
-      {
-        const Arrays more = AskDistances(this, input, windingNumber, arrays.back(), monitor);
-        arrays.insert(arrays.end(), more.begin(), more.end());
-      }
-      output->ShallowCopy(input);
-      vtkDataSetAttributes* data = output->GetAttributes(
-        this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
-      for (const auto& array : arrays)
-      {
-        vtkInsideOutAttributes::RenameArrays(data, { array->GetName() }, warnings);
-        data->AddArray(array);
-      }
-      data->SetScalars(arrays.front());
-      if (!vtkInsideOutIsFurtherPiece(outputVector)) // all say the same of the surface
-      {
-        vtkInsideOutWarn(this, warnings);
-      }
-    });
+      stages.emplace_back(Stages::Distances);
+    }
+    if (vtkInsideOutAreLines(surface) || surface->GetNumberOfCells() == 0)
+    {
+      // A curve, all of which others may have, is resolved, and its hull triangulated, before it is
+      // known which way it runs.
+      stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
+    }
+    vtkInsideOutMonitor monitor(this, stages);
+    std::vector<std::string> warnings;
+    const vtkInsideOutSurfaceOptions options = ReadOptions(this);
+    this->Last->Surface = together
+      ? std::make_unique<vtkInsideOutPieces>(
+          surface, options, this->FacetsAtOnce, together, monitor, warnings)
+      : std::make_unique<vtkInsideOutPieces>(surface, options, monitor, warnings);
+    vtkInsideOutPieces& pieces = *this->Last->Surface;
+    Arrays arrays = AskWindingNumbers(this, input, pieces, monitor);
+    if (this->Distance)
+    {
+      const Arrays more = AskDistances(this, input, pieces, arrays.back(), monitor);
+      arrays.insert(arrays.end(), more.begin(), more.end());
+    }
+    output->ShallowCopy(input);
+    vtkDataSetAttributes* data = output->GetAttributes(
+      this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
+    for (const auto& array : arrays)
+    {
+      vtkInsideOutAttributes::RenameArrays(data, { array->GetName() }, warnings);
+      data->AddArray(array);
+    }
+    data->SetScalars(arrays.front());
+    if (together)
+    {
+      vtkInsideOutAddStatistics(
+        { { "SurfacePieces", static_cast<double>(pieces.Size()) } }, output);
+    }
+    if (!vtkInsideOutIsFurtherPiece(outputVector)) // all say the same of the surface
+    {
+      vtkInsideOutWarn(this, warnings);
+    }
+  };
+  return vtkInsideOutRun(this, outputVector, work, together);
 }
 
 int vtkProbeWindingNumber::IsInside(vtkIdType id)
@@ -316,7 +343,8 @@ int vtkProbeWindingNumber::IsInside(vtkIdType id)
 
 int vtkProbeWindingNumber::IsInsideSurface(double x, double y, double z)
 {
-  const auto& windingNumber = this->Last->WindingNumber;
+  const vtkInsideOutWindingNumber* windingNumber =
+    this->Last->Surface ? this->Last->Surface->Whole() : nullptr;
   return windingNumber ? Mark(windingNumber->At(Point{ x, y, z }), this->Threshold, this->InsideOut)
                        : 0;
 }

@@ -44,11 +44,15 @@
  * not finite, or has a normal of length 0 or an area below 0, is an error that names it.
  *
  * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
- * surface, whose pieces (ghost cells apart) are gathered and sent to all of them: so a process
- * holds the surface and its own places, and has the same w as one that does it all. ClosestCellId
- * then counts the cells of all pieces, one after the other. Where an input fails in one process
- * there is no output in any, and an error in each says in which. Where an input is composite each
- * process asks for the whole surface instead.
+ * surface, and has the same w as one that does it all. Pieces of the surface (ghost cells apart)
+ * are gathered in the first process, which validates and turns it as a whole. One of up to
+ * FacetsAtOnce polygons is then sent to all; a larger one is cut into pieces of at most as many
+ * facets, which all processes have in turn, so that but the first none holds more than a piece and
+ * its own places. Lines and clouds are sent to all. Field data: Statistics_SurfacePieces (double),
+ * how many pieces there were, 1 where the surface was whole. ClosestCellId then counts the cells of
+ * all pieces, one after the other. Where an input fails in one process there is no output in any,
+ * and an error in each says in which. Where an input is composite each process asks for the whole
+ * surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints
  *
@@ -253,6 +257,17 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  ///@{
+  /**
+   * Of several processes: how many facets of the surface each of them holds at once. A surface of
+   * more polygons is cut into pieces of at most as many, which all processes have in turn; one of
+   * no more is whole in each. Fewer take less memory, some 300 bytes for each, and more time, for
+   * every piece is asked at every place. Default 4194304 (2^22, some 1.3 GB), range 1 to infinity.
+   */
+  vtkSetClampMacro(FacetsAtOnce, int, 1, VTK_INT_MAX);
+  vtkGetMacro(FacetsAtOnce, int);
+  ///@}
+
   /**
    * After the filter was updated: whether the input's point (with Association CELLS, its cell) is
    * marked in the array Inside; 0 or 1, 0 for an id out of range.
@@ -294,13 +309,12 @@ protected:
   bool CountDuplicates;
   std::string NonParticipatingArrayName;
   std::string AreaArrayName;
+  int FacetsAtOnce = 1 << 22;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkProbeWindingNumber(const vtkProbeWindingNumber&) = delete;
   void operator=(const vtkProbeWindingNumber&) = delete;
-
-  vtkSmartPointer<vtkPolyData> WholeSurface(vtkInformation* surface);
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface

@@ -121,6 +121,7 @@ int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(reque
       const vtkIdType width = extent[1] - extent[0] + 1;
       const vtkIdType height = extent[3] - extent[2] + 1;
       vtkInsideOutVisitPlaces(image, true, windingNumber, this->Threshold, monitor,
+        { Stages::WindingNumbers, 0, 1 },
         [&](vtkIdType first, const std::vector<double>& w)
         {
           for (vtkIdType row = 0; row * width < static_cast<vtkIdType>(w.size()); ++row)

@@ -2,6 +2,7 @@
 #include "vtkInsideOutFailTogether.h"
 
 #include "vtkInsideOutGather.h"
+#include "vtkInsideOutTogether.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
@@ -13,7 +14,6 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <string>
-#include <vector>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -55,23 +55,6 @@ void GiveExtents(vtkAlgorithm* algorithm)
     }
   }
 }
-
-/** The ranks that say so, as words; all ranks have to call it. */
-std::string RanksThat(bool say, vtkMultiProcessController* controller)
-{
-  const int own = say;
-  std::vector<int> all(controller->GetNumberOfProcesses());
-  controller->AllGather(&own, all.data(), 1);
-  std::string words;
-  for (std::size_t rank = 0; rank < all.size(); ++rank)
-  {
-    if (all[rank])
-    {
-      words += (words.empty() ? "" : ", ") + std::to_string(rank);
-    }
-  }
-  return words;
-}
 } // namespace
 
 void vtkInsideOutFailTogether::AskForInformation(vtkAlgorithm* algorithm, vtkInformation* request)
@@ -92,7 +75,7 @@ bool vtkInsideOutFailTogether::AskForData(
   {
     return hasData;
   }
-  const std::string failed = RanksThat(!hasData, controller);
+  const std::string failed = vtkInsideOutRanksThat(!hasData, controller);
   if (failed.empty())
   {
     return true;

@@ -6,6 +6,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiProcessController.h>
 #include <vtkNew.h>
@@ -15,6 +16,8 @@
 
 namespace
 {
+constexpr int PieceTag = 4826; // of messages, unlike those of others
+
 vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece,
   const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays)
 {
@@ -32,7 +35,12 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece,
   }
   if (vtkInsideOutIsCloud(own))
   {
-    bare->GetPointData()->SetNormals(vtkInsideOutFindNormals(own));
+    // Messages name what has no name, and only what is called the same is appended.
+    vtkDataArray* found = vtkInsideOutFindNormals(own);
+    const auto normals = vtk::TakeSmartPointer(found->NewInstance());
+    normals->ShallowCopy(found);
+    normals->SetName("Normals");
+    bare->GetPointData()->SetNormals(normals);
     for (const std::string& name : cloudArrays)
     {
       bare->GetPointData()->AddArray(own->GetPointData()->GetArray(name.c_str()));
@@ -53,19 +61,22 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutGather(vtkPolyData* piece,
   const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays,
   vtkMultiProcessController* controller)
 {
-  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
-  controller->Gather(WithoutGhosts(piece, arrays, cloudArrays), pieces, 0);
-  vtkNew<vtkAppendPolyData> all;
-  if (controller->GetLocalProcessId() == 0)
+  const vtkSmartPointer<vtkPolyData> own = WithoutGhosts(piece, arrays, cloudArrays);
+  // One after the other: to gather all at once MPI would count their bytes together, in 32 bits.
+  if (controller->GetLocalProcessId() != 0)
   {
-    for (vtkDataObject* each : pieces)
-    {
-      all->AddInputData(vtkPolyData::SafeDownCast(each));
-    }
-    all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    all->Update();
+    controller->Send(own, 0, PieceTag);
+    return vtkSmartPointer<vtkPolyData>::New();
   }
-  vtkSmartPointer<vtkPolyData> whole = all->GetOutput();
-  controller->Broadcast(whole, 0);
-  return whole;
+  vtkNew<vtkAppendPolyData> all;
+  all->AddInputData(own);
+  for (int rank = 1; rank < controller->GetNumberOfProcesses(); ++rank)
+  {
+    vtkNew<vtkPolyData> other;
+    controller->Receive(other, rank, PieceTag);
+    all->AddInputData(other);
+  }
+  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  all->Update();
+  return all->GetOutput();
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * A surface whose pieces several processes (ranks) hold, whole on each of them.
+ * A surface whose pieces several processes (ranks) hold, whole on the first of them.
  *
  * Which facets count, and which way they face, is a matter of the whole surface: duplicates cancel,
- * points are merged and shells are turned across the border of pieces. So the surface is gathered
- * and broadcast, whatever its size; what is large and stays where it is are the places to evaluate.
+ * points are merged and shells are turned across the border of pieces.
  */
 #pragma once
 
@@ -25,8 +24,8 @@ class vtkPolyData;
 bool vtkInsideOutAllRanksWork(vtkMultiProcessController* controller, vtkInformation* output);
 
 /**
- * The pieces of all ranks, one after the other, without their ghost cells. All ranks have to call
- * it.
+ * The pieces of all ranks, one after the other, without their ghost cells, on the first rank; on
+ * the others an empty surface. All ranks have to call it.
  *
  * @param arrays the names of the cell arrays that matter
  * @param cloudArrays those of the point arrays that matter of a cloud, beside its normals; no other

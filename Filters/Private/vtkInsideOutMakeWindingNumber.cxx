@@ -24,6 +24,23 @@ void RefuseDistance(const vtkInsideOutSurfaceOptions& options, const std::string
 }
 } // namespace
 
+vtkInsideOutFacets::vtkInsideOutFacets(vtkPolyData* input,
+  const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
+  std::vector<std::string>& warnings)
+{
+  const vtkInsideOutSurface surface = vtkInsideOutReadSurface(input, options.NonParticipating);
+  insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
+  Add(chain.Warnings, warnings);
+  Add(surface.Warnings, warnings);
+  const insideout::FacetTurns turns = OrientFacets(chain.Surface, options.Orientation, monitor);
+  Add(turns.Warnings, warnings);
+  for (insideout::Id f = 0; options.Distance && f < chain.Surface.NumberOfFacets(); ++f)
+  {
+    this->Cells.push_back(surface.CellOfFacet(chain.Surface, f, 1));
+  }
+  this->Surface = std::move(chain.Surface);
+}
+
 void vtkInsideOutWindingNumber::OfCurve(vtkPolyData* input,
   const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor,
   std::vector<std::string>& warnings)
@@ -75,22 +92,32 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
     this->OfCloud(input, options, monitor, warnings);
     return;
   }
-  const vtkInsideOutSurface surface = vtkInsideOutReadSurface(input, options.NonParticipating);
-  insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
-  Add(chain.Warnings, warnings);
-  Add(surface.Warnings, warnings);
-  const insideout::FacetTurns turns = OrientFacets(chain.Surface, options.Orientation, monitor);
-  Add(turns.Warnings, warnings);
+  vtkInsideOutFacets facets(input, options, monitor, warnings);
   this->Surface = std::make_unique<const insideout::SurfaceWindingNumber>(
-    chain.Surface, options.WindingNumber, monitor);
+    facets.Surface, options.WindingNumber, monitor);
   if (options.Distance)
   {
-    this->Distance = std::make_unique<const insideout::SurfaceDistance>(chain.Surface);
-    for (insideout::Id f = 0; f < chain.Surface.NumberOfFacets(); ++f)
-    {
-      this->CellOfFacet.push_back(surface.CellOfFacet(chain.Surface, f, 1));
-    }
+    this->Distance = std::make_unique<const insideout::SurfaceDistance>(facets.Surface);
+    this->CellOfFacet = std::move(facets.Cells);
   }
+}
+
+vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(const vtkInsideOutPiece& piece,
+  const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor)
+  : Surface(std::make_unique<const insideout::SurfaceWindingNumber>(
+      piece.Surface, options.WindingNumber, monitor))
+{
+}
+
+vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(const vtkInsideOutPiece& piece, int exponent)
+  : WholeFacets(piece.WholeFacets)
+  , CellOfFacet(piece.Cells)
+{
+  insideout::FacetComplex withoutCaps;
+  withoutCaps.Points = piece.Surface.Points;
+  withoutCaps.Facets = piece.Surface.Facets;
+  withoutCaps.Facets.resize(piece.WholeFacets.size());
+  this->Distance = std::make_unique<const insideout::SurfaceDistance>(withoutCaps, exponent);
 }
 
 double vtkInsideOutWindingNumber::At(const insideout::Point& p) const
@@ -114,12 +141,12 @@ insideout::Point vtkInsideOutWindingNumber::Gradient(const insideout::Point& p) 
 }
 
 bool vtkInsideOutWindingNumber::InGrid(const insideout::GridPlaces& grid,
-  std::optional<double> sideOf, const insideout::SliceVisitor& visit,
-  insideout::Monitor& monitor) const
+  std::optional<double> sideOf, const insideout::SliceVisitor& visit, insideout::Monitor& monitor,
+  const insideout::ProgressRange& progress) const
 {
   if (this->Surface)
   {
-    this->Surface->InGrid(grid, sideOf, visit, monitor);
+    this->Surface->InGrid(grid, sideOf, visit, monitor, progress);
   }
   return this->Surface != nullptr;
 }
@@ -127,8 +154,13 @@ bool vtkInsideOutWindingNumber::InGrid(const insideout::GridPlaces& grid,
 vtkInsideOutNearest vtkInsideOutWindingNumber::InCells(
   const insideout::SurfaceDistance::Nearest& nearest) const
 {
-  return { nearest.Distance, nearest.Place,
-    nearest.Facet == insideout::None ? -1 : this->CellOfFacet[nearest.Facet] };
+  vtkInsideOutNearest found = { nearest, -1 };
+  if (nearest.Facet != insideout::None)
+  {
+    found.Cell = this->CellOfFacet[nearest.Facet];
+    found.Facet = this->WholeFacets.empty() ? nearest.Facet : this->WholeFacets[nearest.Facet];
+  }
+  return found;
 }
 
 vtkInsideOutNearest vtkInsideOutWindingNumber::NearestTo(const insideout::Point& p) const

@@ -9,6 +9,7 @@
 #include "Common/Stages.h"
 #include "Distance/SurfaceDistance.h"
 #include "Planar/CurveWindingNumber.h"
+#include "WindingNumber/SurfacePieces.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "vtkInsideOutOptions.h"
 
@@ -28,12 +29,16 @@ struct vtkInsideOutSurfaceOptions
   bool Distance = false;        ///< whether that is asked for, too
 };
 
-/** What of a surface is nearest to a place. */
-struct vtkInsideOutNearest
+/** What of a surface is nearest to a place. Facets have their numbers in the whole surface. */
+struct vtkInsideOutNearest : insideout::SurfaceDistance::Nearest
 {
-  double Distance;        ///< without sign; NaN where the place is not finite
-  insideout::Point Place; ///< on the surface
-  vtkIdType Cell;         ///< of the input; -1 where the place is not finite
+  vtkIdType Cell; ///< of the input; -1 where the place is not finite
+};
+
+/** A piece of a surface. */
+struct vtkInsideOutPiece : insideout::CountedPiece
+{
+  std::vector<vtkIdType> Cells; ///< of the input, for each facet; none where no distance is asked
 };
 
 /** The options that those classes have in common. */
@@ -46,6 +51,17 @@ vtkInsideOutSurfaceOptions vtkInsideOutReadSurfaceOptions(Class* object)
   options.NonParticipating = object->GetNonParticipatingArrayName();
   return options;
 }
+
+/** The facets that count of a polygonal surface, as they are meant to face. */
+struct vtkInsideOutFacets
+{
+  insideout::FacetComplex Surface;
+  std::vector<vtkIdType> Cells; ///< of the input, for each facet; none where no distance is asked
+
+  /** As the constructor of vtkInsideOutWindingNumber. */
+  vtkInsideOutFacets(vtkPolyData* input, const vtkInsideOutSurfaceOptions& options,
+    insideout::Monitor& monitor, std::vector<std::string>& warnings);
+};
 
 /** The winding number of a surface; of lines without polygons that of the curve in their plane, at
  * the places above and below it too; of points without both that of the cloud. */
@@ -61,6 +77,13 @@ public:
   vtkInsideOutWindingNumber(vtkPolyData* input, const vtkInsideOutSurfaceOptions& options,
     insideout::Monitor& monitor, std::vector<std::string>& warnings);
 
+  /** Of a piece; without its distance. */
+  vtkInsideOutWindingNumber(const vtkInsideOutPiece& piece,
+    const vtkInsideOutSurfaceOptions& options, insideout::Monitor& monitor);
+
+  /** The distance of a piece alone. @param exponent that of the whole surface's points */
+  vtkInsideOutWindingNumber(const vtkInsideOutPiece& piece, int exponent);
+
   /** As of SurfaceWindingNumber. */
   double At(const insideout::Point& p) const;
   std::vector<double> At(const std::vector<insideout::Point>& points, insideout::Monitor& monitor,
@@ -69,7 +92,8 @@ public:
 
   /** As of SurfaceWindingNumber. False, and nothing done, for a curve or cloud. */
   bool InGrid(const insideout::GridPlaces& grid, std::optional<double> sideOf,
-    const insideout::SliceVisitor& visit, insideout::Monitor& monitor) const;
+    const insideout::SliceVisitor& visit, insideout::Monitor& monitor,
+    const insideout::ProgressRange& progress) const;
 
   ///@{
   /** As of SurfaceDistance; only where the options ask for it. */
@@ -89,5 +113,6 @@ private:
   std::unique_ptr<const insideout::CurveWindingNumber> Curve;
   std::unique_ptr<const insideout::CloudWindingNumber> Cloud;
   std::unique_ptr<const insideout::SurfaceDistance> Distance;
-  std::vector<vtkIdType> CellOfFacet; ///< of those that the distance knows
+  std::vector<insideout::Id> WholeFacets; ///< of a piece: those that the distance knows
+  std::vector<vtkIdType> CellOfFacet;     ///< of those that the distance knows
 };

@@ -3,6 +3,7 @@
 
 #include "vtkInsideOutBlock.h"
 #include "vtkInsideOutMonitor.h"
+#include "vtkInsideOutTogether.h"
 #include "vtkInsideOutWholeInput.h"
 
 #include "Common/Team.h"
@@ -120,27 +121,33 @@ void CheckTypesOfInputs(vtkAlgorithm* algorithm)
     }
   }
 }
+
+/** Before the work. @throws insideout::Error Stopped, InvalidParameter */
+void Begin(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
+{
+  MakeEmpty(outputs);
+  insideout::AllocateThreadLocals();
+  if (vtkInsideOutMonitor::ShouldAbort(algorithm))
+  {
+    throw insideout::Error(insideout::ErrorCode::Stopped, "stopped before it began");
+  }
+  CheckTypesOfInputs(algorithm);
+  if (outputs &&
+    OutputsOf(outputs).size() < static_cast<std::size_t>(algorithm->GetNumberOfOutputPorts()))
+  {
+    throw insideout::Error(insideout::ErrorCode::InvalidParameter,
+      "VTK makes no output of this type for the blocks of a composite data set");
+  }
+}
 } // namespace
 
-int vtkInsideOutRun(
-  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work)
+int vtkInsideOutRun(vtkAlgorithm* algorithm, vtkInformationVector* outputs,
+  const std::function<void()>& work, vtkMultiProcessController* together)
 {
   const FieldData fields = FieldDataOf(outputs);
   try
   {
-    MakeEmpty(outputs);
-    insideout::AllocateThreadLocals();
-    if (vtkInsideOutMonitor::ShouldAbort(algorithm))
-    {
-      return 1;
-    }
-    CheckTypesOfInputs(algorithm);
-    if (outputs &&
-      OutputsOf(outputs).size() < static_cast<std::size_t>(algorithm->GetNumberOfOutputPorts()))
-    {
-      throw insideout::Error(insideout::ErrorCode::InvalidParameter,
-        "VTK makes no output of this type for the blocks of a composite data set");
-    }
+    vtkInsideOutDoTogether(together, [&] { Begin(algorithm, outputs); });
     work();
     AddFieldData(fields, outputs);
     return 1;

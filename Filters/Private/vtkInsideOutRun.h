@@ -12,6 +12,7 @@
 
 class vtkAlgorithm;
 class vtkInformationVector;
+class vtkMultiProcessController;
 
 /**
  * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
@@ -19,10 +20,12 @@ class vtkInformationVector;
  * input of a type that the filter does not take, as a block may be, is an error before the work.
  *
  * @param outputs RequestData's, or nullptr for a writer, which has none
+ * @param together where several processes do the work together: whether they begin it is decided
+ * for all of them
  * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed
  */
-int vtkInsideOutRun(
-  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
+int vtkInsideOutRun(vtkAlgorithm* algorithm, vtkInformationVector* outputs,
+  const std::function<void()>& work, vtkMultiProcessController* together = nullptr);
 
 /** The same for a filter that needs all of its input: further pieces of its output are empty. */
 int vtkInsideOutRunOnWhole(

@@ -100,7 +100,7 @@ namespace
 {
 /** Call work(first, places, progress) for some places after the other. */
 template <typename Work>
-void ForEachPart(vtkDataSet* input, bool atPoints, const char* stage, const Work& work)
+void ForEachPart(vtkDataSet* input, bool atPoints, const ProgressRange& progress, const Work& work)
 {
   const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
   const double all = static_cast<double>(size);
@@ -110,15 +110,16 @@ void ForEachPart(vtkDataSet* input, bool atPoints, const char* stage, const Work
     const vtkIdType last = std::min(size, first + PlacesAtOnce);
     places.resize(last - first);
     ReadPlaces(input, atPoints, first, places);
-    const ProgressRange progress = { stage, static_cast<double>(first) / all,
-      static_cast<double>(last) / all };
-    work(first, places, progress);
+    work(first, places,
+      { progress.Stage, progress.At(static_cast<double>(first) / all),
+        progress.At(static_cast<double>(last) / all) });
   }
 }
 } // namespace
 
 void vtkInsideOutVisitPlaces(vtkDataSet* input, bool atPoints,
   const vtkInsideOutWindingNumber& windingNumber, std::optional<double> sideOf, Monitor& monitor,
+  const ProgressRange& progress,
   const std::function<void(vtkIdType first, const std::vector<double>& values)>& visit)
 {
   GridPlaces grid;
@@ -126,25 +127,25 @@ void vtkInsideOutVisitPlaces(vtkDataSet* input, bool atPoints,
   {
     const vtkIdType slice = static_cast<vtkIdType>(grid.SizeOfSlice());
     const auto visitSlice = [&](Id k, const std::vector<double>& w) { visit(k * slice, w); };
-    if (windingNumber.InGrid(grid, sideOf, visitSlice, monitor))
+    if (windingNumber.InGrid(grid, sideOf, visitSlice, monitor, progress))
     {
       return;
     }
   }
-  ForEachPart(input, atPoints, Stages::WindingNumbers,
-    [&](vtkIdType first, const std::vector<Point>& places, const ProgressRange& progress)
-    { visit(first, windingNumber.At(places, monitor, progress)); });
+  ForEachPart(input, atPoints, progress,
+    [&](vtkIdType first, const std::vector<Point>& places, const ProgressRange& part)
+    { visit(first, windingNumber.At(places, monitor, part)); });
 }
 
 void vtkInsideOutVisitNearest(vtkDataSet* input, bool atPoints,
-  const vtkInsideOutWindingNumber& windingNumber, Monitor& monitor,
+  const vtkInsideOutWindingNumber& windingNumber, Monitor& monitor, const ProgressRange& progress,
   const std::function<void(vtkIdType place, const vtkInsideOutNearest& nearest)>& visit)
 {
-  ForEachPart(input, atPoints, Stages::Distances,
-    [&](vtkIdType first, const std::vector<Point>& places, const ProgressRange& progress)
+  ForEachPart(input, atPoints, progress,
+    [&](vtkIdType first, const std::vector<Point>& places, const ProgressRange& part)
     {
       vtkIdType place = first;
-      for (const vtkInsideOutNearest& nearest : windingNumber.NearestTo(places, monitor, progress))
+      for (const vtkInsideOutNearest& nearest : windingNumber.NearestTo(places, monitor, part))
       {
         visit(place++, nearest);
       }

@@ -29,7 +29,7 @@ bool vtkInsideOutReadAxes(vtkDataSet* input, bool atPoints, insideout::GridPlace
  */
 void vtkInsideOutVisitPlaces(vtkDataSet* input, bool atPoints,
   const vtkInsideOutWindingNumber& windingNumber, std::optional<double> sideOf,
-  insideout::Monitor& monitor,
+  insideout::Monitor& monitor, const insideout::ProgressRange& progress,
   const std::function<void(vtkIdType first, const std::vector<double>& values)>& visit);
 
 /** Call visit(place, nearest) with what of the surface is nearest to each place, one after the
@@ -39,4 +39,5 @@ void vtkInsideOutVisitPlaces(vtkDataSet* input, bool atPoints,
  */
 void vtkInsideOutVisitNearest(vtkDataSet* input, bool atPoints,
   const vtkInsideOutWindingNumber& windingNumber, insideout::Monitor& monitor,
+  const insideout::ProgressRange& progress,
   const std::function<void(vtkIdType place, const vtkInsideOutNearest& nearest)>& visit);

@@ -52,12 +52,23 @@ def image(low, high):
     return places
 
 
-def winding_numbers(surface, places, pieces):
+def probed(surface, places, pieces, **properties):
+    """The arrays at the places, and how many pieces of the surface all ranks had in turn."""
     probe = vtkProbeWindingNumber()
     probe.SetInputData(places)
     probe.SetSurfaceData(surface)
+    for name, value in properties.items():
+        getattr(probe, "Set" + name)(value)
     probe.UpdatePiece(RANK if pieces > 1 else 0, pieces, 0)
-    return vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("w"))
+    output = probe.GetOutput()
+    data = output.GetPointData()
+    arrays = {data.GetArrayName(k): vtk_to_numpy(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
+    turns = output.GetFieldData().GetArray("Statistics_SurfacePieces")
+    return arrays, int(turns.GetValue(0)) if turns else 1
+
+
+def winding_numbers(surface, places, pieces):
+    return probed(surface, places, pieces)[0]["w"]
 
 
 for name, steps, turned, hole in (("closed", 12, True, 0), ("open", 12, False, 9), ("sparse", 2, False, 0)):
@@ -77,6 +88,20 @@ for name, steps, turned, hole in (("closed", 12, True, 0), ("open", 12, False, 9
     if not hole:
         away = (serial == 0) | (serial == 1) # on the surface itself it is the mean of both sides
         assert away.mean() > 0.9 and (found[away] == serial[away]).all(), (name, RANK)
+
+    # The same of a surface that no rank but the first holds as a whole.
+    nearest = {"Distance": True, "ClosestPoints": True}
+    facets = sum(len({tuple(point) for point in points[triangle]}) == 3 for triangle in triangles)
+    whole, turns = probed(piece, places, RANKS, **nearest)
+    assert turns == 1, turns
+    for facets_at_once in (1 + facets // 5, 7):
+        in_turn, turns = probed(piece, places, RANKS, FacetsAtOnce=facets_at_once, **nearest)
+        assert turns == (-(-facets // facets_at_once) if RANKS > 1 else 1), (name, turns)
+        assert np.abs(in_turn["w"] - serial).max() < 1e-12, (name, RANK, np.abs(in_turn["w"] - serial).max())
+        assert hole or (in_turn["w"][away] == serial[away]).all(), (name, RANK)
+        assert np.array_equal(in_turn["ClosestCellId"], whole["ClosestCellId"]), (name, RANK)
+        assert np.array_equal(in_turn["ClosestPoint"], whole["ClosestPoint"]), (name, RANK)
+        assert np.abs(np.abs(in_turn["Distance"]) - np.abs(whole["Distance"])).max() < 1e-15, (name, RANK)
 
 # Points with normals, of which some are ghosts.
 def cloud(points, normals, is_ghost=None):

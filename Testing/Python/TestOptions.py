@@ -143,7 +143,7 @@ class ParaView(unittest.TestCase):
                 if isinstance(default, bool):
                     self.assertRegex(words, rf"\b{'On' if default else 'Off'}( by|, the) default")
                 elif not constants(class_name, name) and isinstance(default, (int, float)):
-                    number = re.escape(f"{default:g}")
+                    number = re.escape(f"{default:.10g}")
                     self.assertRegex(words, rf"Default {number}\.$|(?<![\d.]){number}, the default")
 
     def test_the_inputs_and_outputs_are_the_ports(self):
@@ -187,7 +187,7 @@ class Readme(unittest.TestCase):
             with self.subTest(filter=class_name, property=name):
                 value = properties(class_name)[name]
                 plain = {"bool": {True: "on", False: "off"}, "str": {value: value or "none"}, "int": constants(class_name, name)}
-                self.assertEqual(default, plain.get(type(value).__name__, {}).get(value) or f"{value:g}")
+                self.assertEqual(default, plain.get(type(value).__name__, {}).get(value) or f"{value:.10g}")
                 least = re.search(r"at least ([-\d.e]+)", meaning)
                 if least:
                     self.assertEqual(read_back(class_name, name, -HUGE), float(least[1]))
@@ -290,7 +290,7 @@ class Python(unittest.TestCase):
                 else:
                     self.assertIsNone(option.default)
                 if isinstance(option, Number):
-                    self.assertIn(f"default {self.defaults[option.vtk_property]:g}", option.help())
+                    self.assertIn(f"default {self.defaults[option.vtk_property]:.10g}", option.help())
 
     def test_what_vtk_would_clamp_is_an_error_and_what_it_would_not_is_none(self):
         for name, option in OPTIONS.items():

@@ -47,8 +47,13 @@ std::vector<Box> BoxesOf(const std::vector<std::array<Point, 3>>& facets)
 } // namespace
 
 SurfaceDistance::SurfaceDistance(const FacetComplex& surface)
-  : Exponent(LargestExponent(surface.Points))
-  , Facets(CornersOfFacets(surface, -this->Exponent))
+  : SurfaceDistance(surface, LargestExponent(surface.Points))
+{
+}
+
+SurfaceDistance::SurfaceDistance(const FacetComplex& part, int exponent)
+  : Exponent(exponent)
+  , Facets(CornersOfFacets(part, -this->Exponent))
   , Tree(BoxesOf(this->Facets))
 {
 }
@@ -59,7 +64,7 @@ SurfaceDistance::Nearest SurfaceDistance::NearestTo(const Point& place, Id hint)
   if (!IsFinite(place))
   {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    return { nan, { nan, nan, nan }, None };
+    return { nan, { nan, nan, nan }, None, nan };
   }
   const PowerOfTwo down(-this->Exponent);
   const PowerOfTwo up(this->Exponent);
@@ -70,22 +75,23 @@ SurfaceDistance::Nearest SurfaceDistance::NearestTo(const Point& place, Id hint)
   if (!IsNear(scaled))
   {
     const Point there = unscaled(this->Facets[0][0]);
-    return { Distance(place, there), there, 0 };
+    return { Distance(place, there), there, 0, 0 }; // all parts are as near
   }
-  Nearest best = { std::numeric_limits<double>::infinity(), {}, None };
+  const double infinity = std::numeric_limits<double>::infinity();
+  Nearest best = { infinity, {}, None, infinity };
   const auto look = [&](Id facet)
   {
     const Point there = NearestPointOf(this->Facets[facet], scaled);
     const Point d = Difference(there, scaled);
-    const double squared = Dot(d, d);
-    if (squared < best.Distance || (squared == best.Distance && facet < best.Facet))
+    const Nearest found = { 0, there, facet, Dot(d, d) };
+    if (found.IsNearerThan(best))
     {
-      best = { squared, there, facet };
+      best = found;
     }
   };
   look(hint);
   this->Tree.VisitNearestFirst([&](const Box& box) { return SquaredDistance(box, scaled); },
-    [&] { return best.Distance * RoundedUp; }, look);
+    [&] { return best.Squared * RoundedUp; }, look);
   best.Distance = up.Times(Distance(best.Place, scaled));
   best.Place = unscaled(best.Place);
   return best;

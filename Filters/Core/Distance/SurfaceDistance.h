@@ -14,12 +14,24 @@ public:
   /** @param[in] surface at least one facet; every one counts, also at multiplicity 0 */
   explicit SurfaceDistance(const FacetComplex& surface);
 
+  /** The same of a part of a surface, whose points have coordinates below 2^exponent. */
+  SurfaceDistance(const FacetComplex& part, int exponent);
+
   /** What is nearest to a place. */
   struct Nearest
   {
     double Distance; ///< in units of the surface; NaN where the place is not finite
     Point Place;     ///< on the surface
     Id Facet; ///< of several the lowest, as far as rounding tells; None where it is not finite
+    double Squared; ///< the distance's square, scaled; 0 from afar, where all facets are as near
+
+    /** Of what two parts of a surface, scaled alike, have nearest to a place: whether the whole has
+     * this, and not the other, if facets have their numbers in the whole. */
+    bool IsNearerThan(const Nearest& other) const
+    {
+      return this->Squared < other.Squared ||
+        (this->Squared == other.Squared && this->Facet < other.Facet);
+    }
   };
 
   /** Right to rounding of coordinates. Safe to call from several threads. */
