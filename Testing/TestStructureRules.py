@@ -162,6 +162,15 @@ class TestStructureRules(unittest.TestCase):
         for command in ("@class", "@brief"):
             self.expect_one(name, f"has no {command}", **{name: KEPT[name].replace(command, "")})
 
+    def test_each_type_has_a_name_of_its_own(self):
+        name = "Filters/Core/Upper/Tower.h"
+        for first, second in (("struct Beam\n{\n", "class Beam : public Wood\n{\n"), ("enum class Beam\n{\n", "struct Beam { int A;\n")):
+            texts = {"Filters/Core/Ground/Base.h": f"{first}}};\n", name: f"{second}}};\n"}
+            self.expect_one(name, "Beam is declared in Filters/Core/Ground/Base.h, too", **texts)
+        for second in ("struct Beam;\n", "  struct Beam\n  {\n  };\n", "// struct Beam\n{\n", "Beam Make();\n"):
+            texts = {"Filters/Core/Ground/Base.h": "struct Beam\n{\n};\n", name: second}
+            self.assertEqual(self.complaints(**texts), [])
+
     def test_documented_classes_are_there(self):
         name = "Filters/vtkHouse.h"
         for declared in ("class vtkHouses\n{\n", "class vtkHouse;\n", "// class vtkHouse\n{\n"):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rules of the tree's structure: the order of the rooms, a page that names each file, short functions, documented classes.
+"""Rules of the tree's structure: the order of the rooms, a page that names each file, short functions, documented
+classes, and a name of its own for each type.
 
     python3 check-structure.py [ROOT]
 
@@ -187,9 +188,18 @@ def check_classes(root: Path) -> Iterator[str]:
                 yield f"{file.relative_to(root)}: @class {name}, but declares no such class"
 
 
+def check_names(root: Path) -> Iterator[str]:
+    """Two types of one name are one to the linker, which takes the functions of either: no compiler sees it."""
+    first: dict[str, Path] = {}
+    for file in files_in(root / "Filters", (".h",)):
+        for name in re.findall(r"^(?:class|struct|union|enum(?: class)?)\s+(?:\w+\s+)?(\w+)\s*(?::[^:;{][^;{]*)?\{", code_of(read(file)), re.MULTILINE):
+            if first.setdefault(name, file) != file:
+                yield f"{file.relative_to(root)}: {name} is declared in {first[name].relative_to(root)}, too"
+
+
 def check(root: Path) -> list[str]:
     """What breaks a rule, one line each."""
-    rules = (check_rooms, check_pages, check_functions, check_classes)
+    rules = (check_rooms, check_pages, check_functions, check_classes, check_names)
     return [complaint for rule in rules for complaint in rule(root)]
 
 
