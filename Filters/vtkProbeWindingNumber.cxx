@@ -198,11 +198,19 @@ Arrays AskWindingNumbers(
   const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
   const double threshold = filter->GetThreshold();
   const bool insideOut = filter->GetInsideOut();
+  const bool addsUp = surface.Size() > 1;
   Arrays arrays;
-  double* const w = filter->GetOutputWindingNumber() || surface.Size() > 1
-    ? Add<vtkDoubleArray>(arrays, "w", size)->GetPointer(0)
-    : nullptr;
-  unsigned char* const inside = Add<vtkUnsignedCharArray>(arrays, "Inside", size)->GetPointer(0);
+  double* w = nullptr;
+  unsigned char* inside = nullptr;
+  surface.DoTogether(
+    [&]()
+    {
+      if (filter->GetOutputWindingNumber() || addsUp)
+      {
+        w = Add<vtkDoubleArray>(arrays, "w", size)->GetPointer(0);
+      }
+      inside = Add<vtkUnsignedCharArray>(arrays, "Inside", size)->GetPointer(0);
+    });
   surface.TakeTurns(monitor,
     [&](const vtkInsideOutPieces::Turn& turn)
     {
@@ -213,8 +221,12 @@ Arrays AskWindingNumbers(
           for (std::size_t i = 0; i < values.size(); ++i)
           {
             const vtkIdType place = first + static_cast<vtkIdType>(i);
-            const double sum = turn.IsFirst ? values[i] : w[place] + values[i];
-            const double value = turn.IsLast ? surface.Rounded(sum) : sum;
+            double value = values[i];
+            if (addsUp)
+            {
+              const double sum = turn.IsFirst ? value : w[place] + value;
+              value = turn.IsLast ? surface.Rounded(sum) : sum;
+            }
             if (w)
             {
               w[place] = value;
@@ -237,12 +249,20 @@ Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input, vtkInsideO
   const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
   const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
   const bool closest = filter->GetClosestPoints();
-  Arrays arrays;
-  auto* const distance = Add<vtkDoubleArray>(arrays, "Distance", size);
-  auto* const place = closest ? Add<vtkDoubleArray>(arrays, "ClosestPoint", size, 3) : nullptr;
-  auto* const cell = closest ? Add<vtkIdTypeArray>(arrays, "ClosestCellId", size) : nullptr;
   const double negative = filter->GetInsideOut() ? 0 : 1;
-  std::vector<vtkInsideOutNearest> best(surface.Size() > 1 ? size : 0); // so far
+  Arrays arrays;
+  vtkDoubleArray* distance = nullptr;
+  vtkDoubleArray* place = nullptr;
+  vtkIdTypeArray* cell = nullptr;
+  std::vector<vtkInsideOutNearest> best; // so far
+  surface.DoTogether(
+    [&]()
+    {
+      distance = Add<vtkDoubleArray>(arrays, "Distance", size);
+      place = closest ? Add<vtkDoubleArray>(arrays, "ClosestPoint", size, 3) : nullptr;
+      cell = closest ? Add<vtkIdTypeArray>(arrays, "ClosestCellId", size) : nullptr;
+      best.resize(surface.Size() > 1 ? size : 0);
+    });
   surface.TakeTurnsForDistances(
     [&](const vtkInsideOutPieces::Turn& turn)
     {

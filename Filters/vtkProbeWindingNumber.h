@@ -261,8 +261,8 @@ public:
   /**
    * Of several processes: how many facets of the surface each of them holds at once. A surface of
    * more polygons is cut into pieces of at most as many, which all processes have in turn; one of
-   * no more is whole in each. Fewer take less memory, some 300 bytes for each, and more time, for
-   * every piece is asked at every place. Default 4194304 (2^22, some 1.3 GB), range 1 to infinity.
+   * no more is whole in each. Fewer take less memory, some 400 bytes for each, and more time, for
+   * every piece is asked at every place. Default 4194304 (2^22, some 1.7 GB), range 1 to infinity.
    */
   vtkSetClampMacro(FacetsAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(FacetsAtOnce, int);

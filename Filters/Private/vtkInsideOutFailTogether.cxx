@@ -7,10 +7,12 @@
 #include <vtkAlgorithm.h>
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataObject.h>
+#include <vtkDataObjectTypes.h>
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationRequestKey.h>
 #include <vtkMultiProcessController.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <string>
@@ -40,6 +42,26 @@ bool Forward(vtkAlgorithm* algorithm, vtkInformation* request)
   return isDone;
 }
 
+/** VTK does not go on without data of a type that the algorithm takes. */
+void GiveDataObjects(vtkAlgorithm* algorithm)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    const char* type =
+      algorithm->GetInputPortInformation(port)->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), 0);
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkInformation* input = algorithm->GetExecutive()->GetInputInformation(port, i);
+      if (!input->Has(vtkDataObject::DATA_OBJECT()))
+      {
+        const auto empty = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(
+          std::string(type) == "vtkDataSet" ? "vtkPolyData" : type));
+        input->Set(vtkDataObject::DATA_OBJECT(), empty);
+      }
+    }
+  }
+}
+
 /** VTK does not go on without an extent of what may be structured. */
 void GiveExtents(vtkAlgorithm* algorithm)
 {
@@ -57,20 +79,30 @@ void GiveExtents(vtkAlgorithm* algorithm)
 }
 } // namespace
 
-void vtkInsideOutFailTogether::AskForInformation(vtkAlgorithm* algorithm, vtkInformation* request)
+bool vtkInsideOutFailTogether::AskForDataObjects(vtkAlgorithm* algorithm, vtkInformation* request)
+{
+  this->HasDataObjects = Forward(algorithm, request);
+  if (!this->HasDataObjects)
+  {
+    GiveDataObjects(algorithm);
+  }
+  return this->HasDataObjects;
+}
+
+bool vtkInsideOutFailTogether::AskForInformation(vtkAlgorithm* algorithm, vtkInformation* request)
 {
   this->HasInformation = Forward(algorithm, request);
-  if (!this->HasInformation)
+  if (!this->HasInformation || !this->HasDataObjects)
   {
     GiveExtents(algorithm);
-    request->Remove(Pipeline::REQUEST_INFORMATION()); // VTK would ask again, and give up
   }
+  return this->HasInformation;
 }
 
 bool vtkInsideOutFailTogether::AskForData(
   vtkAlgorithm* algorithm, vtkMultiProcessController* controller, vtkInformation* request)
 {
-  const bool hasData = this->HasInformation && Forward(algorithm, request);
+  const bool hasData = this->HasDataObjects && this->HasInformation && Forward(algorithm, request);
   if (!vtkInsideOutAllRanksWork(controller, algorithm->GetOutputInformation(0)))
   {
     return hasData;
@@ -101,15 +133,22 @@ int vtkInsideOutFailTogether::ModifyRequest(
   {
     return this->AskForData(algorithm, controller, request);
   }
-  if (isBefore && request->Has(Pipeline::REQUEST_INFORMATION()))
+  if (isBefore)
   {
-    this->IsAsking = true;
-    this->AskForInformation(algorithm, request);
+    const bool isDone = request->Has(Pipeline::REQUEST_DATA_OBJECT())
+      ? this->AskForDataObjects(algorithm, request)
+      : !request->Has(Pipeline::REQUEST_INFORMATION()) ||
+        this->AskForInformation(algorithm, request);
+    if (!isDone)
+    {
+      this->Held = request->GetRequest();
+      request->Remove(this->Held); // VTK would ask again, and give up
+    }
   }
-  else if (!isBefore && this->IsAsking)
+  else if (this->Held)
   {
-    request->Set(Pipeline::REQUEST_INFORMATION());
-    this->IsAsking = false;
+    request->Set(this->Held);
+    this->Held = nullptr;
   }
   return 1;
 }

@@ -5,17 +5,17 @@
  *
  * VTK runs no filter whose input fails. Where the filters of all ranks talk to each other, the
  * others would wait for that one for ever. So what a filter asks of its inputs is asked here, and
- * ranks tell each other how that went before any of them goes on. While inputs are asked for
- * information it is not known yet whether all ranks work: that it failed is kept back until they
- * are asked for data. (Of extents VTK goes on where they fail.)
- *
- * What has no data object at all, as a reader that learns from its file of which type it is, is
- * beyond help: VTK comes to no filter that follows it.
+ * ranks tell each other how that went before any of them goes on. While inputs are asked for data
+ * objects and information it is not known yet whether all ranks work: that it failed is kept back
+ * until they are asked for data. An input without a data object, as of a reader that learns from
+ * its file of which type it is, has an empty one until then. (Of extents VTK goes on where they
+ * fail.)
  */
 #pragma once
 
 class vtkAlgorithm;
 class vtkInformation;
+class vtkInformationRequestKey;
 class vtkMultiProcessController;
 
 class vtkInsideOutFailTogether
@@ -26,10 +26,12 @@ public:
     vtkInformation* request, int when);
 
 private:
-  void AskForInformation(vtkAlgorithm* algorithm, vtkInformation* request);
+  bool AskForDataObjects(vtkAlgorithm* algorithm, vtkInformation* request);
+  bool AskForInformation(vtkAlgorithm* algorithm, vtkInformation* request);
   bool AskForData(
     vtkAlgorithm* algorithm, vtkMultiProcessController* controller, vtkInformation* request);
 
-  bool HasInformation = true; ///< of the inputs, when it was asked for last
-  bool IsAsking = false;      ///< for information
+  vtkInformationRequestKey* Held = nullptr; ///< what VTK is not to ask again
+  bool HasDataObjects = true;               ///< whether all inputs had, when they were asked last
+  bool HasInformation = true;
 };

@@ -2,6 +2,7 @@
 #include "vtkInsideOutGather.h"
 
 #include "vtkInsideOutReadCloud.h"
+#include "vtkInsideOutTogether.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
@@ -61,22 +62,33 @@ vtkSmartPointer<vtkPolyData> vtkInsideOutGather(vtkPolyData* piece,
   const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays,
   vtkMultiProcessController* controller)
 {
-  const vtkSmartPointer<vtkPolyData> own = WithoutGhosts(piece, arrays, cloudArrays);
+  vtkSmartPointer<vtkPolyData> own;
+  vtkInsideOutDoTogether(controller, [&] { own = WithoutGhosts(piece, arrays, cloudArrays); });
   // One after the other: to gather all at once MPI would count their bytes together, in 32 bits.
-  if (controller->GetLocalProcessId() != 0)
+  vtkNew<vtkAppendPolyData> all;
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  if (isFirst)
+  {
+    all->AddInputData(own);
+  }
+  else
   {
     controller->Send(own, 0, PieceTag);
-    return vtkSmartPointer<vtkPolyData>::New();
   }
-  vtkNew<vtkAppendPolyData> all;
-  all->AddInputData(own);
-  for (int rank = 1; rank < controller->GetNumberOfProcesses(); ++rank)
+  for (int rank = 1; isFirst && rank < controller->GetNumberOfProcesses(); ++rank)
   {
     vtkNew<vtkPolyData> other;
     controller->Receive(other, rank, PieceTag);
     all->AddInputData(other);
   }
-  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  all->Update();
+  vtkInsideOutDoTogether(controller,
+    [&]()
+    {
+      if (isFirst)
+      {
+        all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+        all->Update();
+      }
+    });
   return all->GetOutput();
 }

@@ -30,6 +30,7 @@ bool vtkInsideOutAllRanksWork(vtkMultiProcessController* controller, vtkInformat
  * @param arrays the names of the cell arrays that matter
  * @param cloudArrays those of the point arrays that matter of a cloud, beside its normals; no other
  * data go along
+ * @throws insideout::Error where memory is short on a rank, on all of them
  */
 vtkSmartPointer<vtkPolyData> vtkInsideOutGather(vtkPolyData* piece,
   const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays,

@@ -89,6 +89,11 @@ bool vtkInsideOutPieces::IsFirstRank() const
   return this->Together->GetLocalProcessId() == 0;
 }
 
+void vtkInsideOutPieces::DoTogether(const std::function<void()>& work) const
+{
+  vtkInsideOutDoTogether(this->Together, work);
+}
+
 void vtkInsideOutPieces::Cut(
   vtkPolyData* surface, Id facetsAtOnce, Monitor& monitor, std::vector<std::string>& warnings)
 {

@@ -43,6 +43,12 @@ public:
   /** How many there are; a whole surface is one piece. */
   int Size() const { return this->NumberOfPieces; }
 
+  /** Do what may throw before all pieces are visited. All ranks have to call it.
+   *
+   * @throws insideout::Error what it throws, on all ranks where on one
+   */
+  void DoTogether(const std::function<void()>& work) const;
+
   /** The surface, where it is whole here; else nullptr. */
   const vtkInsideOutWindingNumber* Whole() const { return this->WholeSurface.get(); }
 

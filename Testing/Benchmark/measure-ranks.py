@@ -4,13 +4,12 @@
     measure-ranks.py [RANKS...]
 
 Runs itself by pvbatch on each number of ranks (1, 2 and 4), one thread each, medians of three; and the assembly on one rank
-with two threads that mesh a part each (BlocksAtOnce). `--facets`, `--queries` and `--parts` change the sizes. Prints a line for
-each run and two targets.
+with two threads that mesh a part each (BlocksAtOnce). `--facets`, `--queries`, `--parts` and `--facets-at-once` (pieces of a probe's surface, which all ranks have in turn) change the
+sizes. Prints a line for each run and two targets.
 """
 
 import argparse
 import os
-import resource
 import statistics
 import subprocess
 import sys
@@ -55,6 +54,7 @@ def probe_piece(sizes, rank, ranks):
     probe = insideout.vtkProbeWindingNumber()
     probe.SetInputData(places)
     probe.SetSurfaceData(piece)
+    probe.SetFacetsAtOnce(sizes.facets_at_once)
     return [probe]
 
 
@@ -76,8 +76,22 @@ def assembly_piece(sizes, rank, ranks):
     return [parts, solids]
 
 
+def memory_now(name):
+    """Of this process, in KiB: what it holds (VmRSS), and the most that it held (VmHWM)."""
+    with open("/proc/self/status", encoding="utf-8") as status:
+        return int(next(line for line in status if line.startswith(name)).split()[1])
+
+
+def forget_peak():
+    """Let VmHWM begin anew. Gives what is held now."""
+    with open("/proc/self/clear_refs", "w", encoding="utf-8") as references:
+        references.write("5")
+    return memory_now("VmRSS")
+
+
 def work(sizes):
-    """On each rank; the first prints the slowest rank's seconds, the most processor seconds, and the most memory that was added."""
+    """On each rank; the first prints the slowest rank's seconds, the most processor seconds, and the most memory that was added, also
+    by others than the first."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
     from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -86,21 +100,22 @@ def work(sizes):
     controller = vtkMultiProcessController.GetGlobalController()
     rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
     filters = (probe_piece if sizes.run == "probe" else assembly_piece)(sizes, rank, ranks)
-    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    memory = forget_peak()
     controller.Barrier()
     began, busy = time.perf_counter(), time.process_time()
     filters[-1].UpdatePiece(rank, ranks, 0)
     busy = time.process_time() - busy
     controller.Barrier()
-    own = [time.perf_counter() - began, busy, (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory) / 1024]
-    most = numpy_to_vtk(np.zeros(3))
+    memory = (memory_now("VmHWM") - memory) / 1024
+    own = [time.perf_counter() - began, busy, memory, 0 if rank == 0 else memory]
+    most = numpy_to_vtk(np.zeros(4))
     controller.AllReduce(numpy_to_vtk(np.array(own)), most, 0)  # vtkCommunicator.MAX_OP
     if rank == 0:
         print("measured", *vtk_to_numpy(most))
 
 
 def run(name, ranks, arguments):
-    """Medians of [seconds, processor seconds of the busiest rank, MiB of the largest]."""
+    """Medians of [seconds, processor seconds of the busiest rank, MiB of the largest, MiB of the largest but the first]."""
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     environment["OMP_NUM_THREADS"] = next((word.split("=")[1] for word in arguments if word.startswith("--threads=")), "1")
     # A rank that is bound to one core, as one or two are, would have both of its threads there.
@@ -120,18 +135,19 @@ def main():
     parser.add_argument("--facets", type=int, default=20000)
     parser.add_argument("--queries", type=int, default=160000000)
     parser.add_argument("--parts", type=int, default=100)
+    parser.add_argument("--facets-at-once", type=int, default=1 << 22, help="of a probe's surface on each rank")
     parser.add_argument("--threads", type=int, default=1, help="of each rank, which mesh a part each")
     parser.add_argument("--run", choices=("probe", "assembly"))
     sizes = parser.parse_args()
     if sizes.run:
         work(sizes)
         return
-    arguments = [f"--{name}={getattr(sizes, name)}" for name in ("facets", "queries", "parts")]
+    arguments = [f"--{name.replace('_', '-')}={getattr(sizes, name)}" for name in ("facets", "queries", "parts", "facets_at_once")]
     for name in ("probe", "assembly"):
         all_found = {}
         for ranks in sizes.ranks:
-            seconds, busy, memory = all_found[ranks] = run(name, ranks, arguments)
-            print(f"ranks/{name:10} {ranks:3} ranks {seconds:8.3f} s   busiest rank {busy:8.3f} s of processor   {memory:8.1f} MiB more")
+            seconds, busy, memory, others = all_found[ranks] = run(name, ranks, arguments)
+            print(f"ranks/{name:10} {ranks:3} ranks {seconds:8.3f} s   busiest rank {busy:8.3f} s of processor   {memory:8.1f} MiB more, of others {others:8.1f}")
         if 1 in all_found and 2 in all_found:
             print(f"ratio ranks/{name} {all_found[1][0] / all_found[2][0]:.2f} at least {LIMIT:g}", flush=True)
     one, two = (run("assembly", 1, [*arguments, f"--threads={threads}"]) for threads in (1, 2))

@@ -9,7 +9,7 @@ import sys
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -61,6 +61,11 @@ class Source(VTKPythonAlgorithmBase):
     def mend(self):
         self.fails_in = None
         self.Modified()
+
+    def RequestDataObject(self, _request, _inputs, outputs):
+        if self.fails_in != "object":
+            outputs.GetInformationObject(0).Set(vtkDataObject.DATA_OBJECT(), self.data.NewInstance())
+        return self.fails_in != "object"
 
     def RequestInformation(self, _request, _inputs, outputs):
         outputs.GetInformationObject(0).Set(self.CAN_HANDLE_PIECE_REQUEST(), 1)
@@ -168,11 +173,13 @@ def places_of(fails_in):
 
 
 def size(output):
+    if output is None:  # of a process that works alone VTK runs no filter behind what has no data object
+        return 0
     return output.GetNumberOfBlocks() if output.IsA("vtkMultiBlockDataSet") else output.GetNumberOfPoints()
 
 
 for make in (parts_of, surface_of, places_of):
-    for fails_in in ("information", "data"):
+    for fails_in in ("object", "information", "data"):
         source, last = make(fails_in)
         found = update(last)
         if RANKS > 1:
@@ -181,6 +188,52 @@ for make in (parts_of, surface_of, places_of):
         source.mend()
         assert not update(last), (make.__name__, fails_in)
         assert size(last.GetOutputDataObject(0)) == (PARTS if make is parts_of else 125), (make.__name__, fails_in)
+
+# --- The surface fails, or one rank is stopped, where all ranks have its pieces in turn -----------
+
+def in_turn(surface, distance=True):
+    """A probe of a surface of which each rank has a copy, 5 facets at once."""
+    probe = vtkProbeWindingNumber()
+    probe.SetInputData(image())
+    probe.SetSurfaceData(surface)
+    probe.SetFacetsAtOnce(5)
+    probe.SetDistance(distance)
+    return probe
+
+
+broken = box()
+if RANK == RANKS - 1:
+    not_finite(broken)
+found = update(in_turn(broken))
+assert len(found) == 1, (RANK, found)
+assert ("is not finite" if RANK == 0 else "process 0 fails") in found[0], (RANK, found)
+
+for stopped_at in (0.05, 0.4, 0.6):  # soon, and in different turns
+
+    def stop(probe, _event):
+        if RANK == RANKS - 1 and probe.GetProgress() >= stopped_at:
+            probe.SetAbortExecute(1)
+
+    probe = in_turn(box())
+    observer = probe.AddObserver("ProgressEvent", stop)
+    assert not update(probe), RANK
+    assert probe.GetOutputDataObject(0).GetNumberOfPoints() == 0, (RANK, stopped_at)
+    probe.RemoveObserver(observer)
+    probe.SetAbortExecute(0)
+    probe.Modified()
+    assert not update(probe), RANK
+    assert probe.GetOutputDataObject(0).GetNumberOfPoints() == 125, (RANK, stopped_at)
+
+# --- A block of the surface is none ---------------------------------------------------------------
+
+several = vtkMultiBlockDataSet()
+several.SetBlock(0, box())
+several.SetBlock(1, image())
+probe = vtkProbeWindingNumber()
+probe.SetInputData(image())
+probe.SetInputDataObject(1, several)
+found = update(probe)
+assert found and all("block" in each for each in found), (RANK, found)
 
 controller.Barrier()
 if RANK == 0:

@@ -7,6 +7,8 @@
 #include "WindingNumber/HoleCaps.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace insideout
@@ -23,6 +25,8 @@ constexpr Id CapOfCut = -1;
 // With these the surface is closed, so that the edges of any part of it are whole loops. No piece
 // keeps them.
 constexpr Id CapOfHole = -2;
+
+using FacetCount = std::numeric_limits<std::int16_t>;
 
 class Cutter
 {
@@ -44,7 +48,7 @@ public:
     }
     if (pieces > 1)
     {
-      this->AddCaps(this->CapsOf(parts), -1, CapOfHole, parts);
+      this->AddCaps(this->CapsToClose(parts), 1, CapOfHole, parts);
     }
     this->Cut(std::move(parts), pieces);
     return std::move(this->Pieces);
@@ -116,9 +120,9 @@ private:
       [&](const Part& part) { return this->KeyOf(part, axis) < middle; });
     std::vector<Part> rest(second, parts.end());
     parts.erase(second, parts.end());
-    const std::vector<CountedTriangle> caps = this->CapsOf(parts);
-    this->AddCaps(caps, -1, CapOfCut, parts);
-    this->AddCaps(caps, 1, CapOfCut, rest);
+    const std::vector<CountedTriangle> caps = this->CapsToClose(parts);
+    this->AddCaps(caps, 1, CapOfCut, parts);
+    this->AddCaps(caps, -1, CapOfCut, rest);
     this->Cut(std::move(parts), share);
     this->Cut(std::move(rest), pieces - share);
   }
@@ -155,8 +159,8 @@ private:
     return { { this->Local[t[0]], this->Local[t[1]], this->Local[t[2]] } };
   }
 
-  /** What has the same boundary as the parts. */
-  std::vector<CountedTriangle> CapsOf(const std::vector<Part>& parts)
+  /** What leaves the parts no boundary; each triangle once, as often as it counts. */
+  std::vector<CountedTriangle> CapsToClose(const std::vector<Part>& parts)
   {
     const std::vector<Id> used = this->NumberPoints(parts);
     std::vector<Point> points;
@@ -174,14 +178,13 @@ private:
       }
     }
     this->ForgetNumbers(used);
-    std::vector<CountedTriangle> caps;
-    for (const std::vector<CountedTriangle>& cap :
-      CapHoles(points, CountedBoundary(triangles, static_cast<Id>(points.size()))))
+    std::vector<CountedTriangle> caps =
+      CloseChain({}, CapHoles(points, CountedBoundary(triangles, static_cast<Id>(points.size()))));
+    for (CountedTriangle& cap : caps)
     {
-      for (const CountedTriangle& t : cap)
+      for (Id& p : cap.Corners)
       {
-        const Triangle& c = t.Corners;
-        caps.push_back({ { { used[c[0]], used[c[1]], used[c[2]] } }, t.Count });
+        p = used[p];
       }
     }
     return caps;
@@ -211,8 +214,14 @@ private:
     }
     for (const Part& part : parts)
     {
-      surface.Facets.push_back(this->LocalCorners(part));
-      surface.Multiplicity.push_back(static_cast<std::int16_t>(part.Triangle.Count));
+      int left = part.Triangle.Count; // of a cap, where many facets end, it may be any number
+      do
+      {
+        const int count = std::clamp<int>(left, FacetCount::min(), FacetCount::max());
+        surface.Facets.push_back(this->LocalCorners(part));
+        surface.Multiplicity.push_back(static_cast<std::int16_t>(count));
+        left -= count;
+      } while (left != 0);
       if (part.Facet >= 0)
       {
         piece.WholeFacets.push_back(part.Facet);
