@@ -193,14 +193,14 @@ TEST(SurfacePieces, AreClosedWhereTheWholeIsAndAddWholeNumbers)
 TEST(SurfacePieces, HaveCapsThatCountAsOftenAsItTakes)
 {
   Monitor silent;
-  FacetComplex whole = Counted(CutBall(4));
+  FacetComplex whole = Counted(CutBall(1));
   std::fill(whole.Multiplicity.begin(), whole.Multiplicity.end(), std::int16_t(30000));
   const std::vector<Triangle> facets = whole.Facets;
   whole.Facets.insert(whole.Facets.end(), facets.begin(), facets.end());
   whole.Multiplicity.resize(whole.Facets.size(), 30000);
   double sum = 0;
   const Point within = { 0.1, 0.2, 0.3 };
-  for (const CountedPiece& piece : CutIntoPieces(whole, 50, silent))
+  for (const CountedPiece& piece : CutIntoPieces(whole, 12, silent))
   {
     EXPECT_TRUE(IsClosed(piece.Surface));
     sum += SurfaceWindingNumber(piece.Surface, {}, silent).At(within);
