@@ -66,6 +66,7 @@ vtkRobustTetrahedralize::vtkRobustTetrahedralize()
   this->MergeTolerance = hull.Chain.MergeTolerance;
   this->CountDuplicates = hull.Chain.CountDuplicates;
   this->QuadratureOrder = hull.QuadratureOrder;
+  this->PartsApart = hull.PartsApart;
   this->Engine = static_cast<int>(hull.Budgets.Engine);
   this->TimeBudget = hull.Budgets.TimeBudget;
   this->MemoryBudget = hull.Budgets.MemoryBudget;
@@ -110,6 +111,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BodyArrayName: " << this->BodyArrayName << "\n";
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
   os << indent << "BlocksAtOnce: " << this->BlocksAtOnce << "\n";
+  os << indent << "PartsApart: " << this->PartsApart << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
   os << indent << "Priority: " << this->Priority << "\n";
   os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
@@ -217,6 +219,13 @@ std::vector<std::string> StagesWith(bool refine)
   return stages;
 }
 
+HullMeshParameters HullParametersOf(vtkRobustTetrahedralize* filter)
+{
+  HullMeshParameters parameters = vtkInsideOutHullMeshParameters(filter);
+  parameters.PartsApart = filter->GetPartsApart();
+  return parameters;
+}
+
 vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
 {
   static_assert(vtkRobustTetrahedralize::BY_PRIORITY == static_cast<int>(RegionRule::Priority));
@@ -314,6 +323,10 @@ void vtkRobustTetrahedralize::MakeTriangles(
   {
     vtkWarningMacro(<< "Thicken does nothing in two dimensions");
   }
+  if (this->PartsApart)
+  {
+    vtkWarningMacro(<< "PartsApart does nothing in two dimensions");
+  }
 }
 
 /** Whether the solid is more than a choice of the hull's cells. */
@@ -337,6 +350,10 @@ void vtkRobustTetrahedralize::CheckOptions()
   if (this->PartsSolid() && !this->ExtractInside)
   {
     refuse(parting + " takes ExtractInside: of the hull only the solid can be parted");
+  }
+  if (this->PartsApart && this->Topology != TOPOLOGY_ANY)
+  {
+    refuse("Topology takes one hull, and PartsApart leaves no cells between parts to join them by");
   }
   if (this->PartsSolid() && changesPieces)
   {
@@ -377,6 +394,11 @@ void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
     throw Error(ErrorCode::InvalidParameter,
       "BlocksAreBodies and BodyArrayName both say what is a body: set one of them");
   }
+  if (areThere && this->PartsApart)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "PartsApart takes one body, and " + option + " makes several of the input");
+  }
   if (areThere && isPlanar)
   {
     throw Error(ErrorCode::InvalidParameter,
@@ -396,7 +418,7 @@ void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
 
 void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
 {
-  const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+  const HullMeshParameters parameters = HullParametersOf(this);
   constexpr std::size_t BlocksPerThread = 8; // so that threads end at about the same time
   const std::size_t most = BlocksPerThread * std::min(this->BlocksAtOnce, MostThreads());
   std::vector<vtkDataObject*> blocks = vtkInsideOutBlocksFromHere(this);
@@ -458,7 +480,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       }
       const vtkInsideOutTags tags =
         vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
-      const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
+      const HullMeshParameters parameters = HullParametersOf(this);
       if (this->BlocksAtOnce > 1 &&
         !this->Hulls->Find(given, vtkInsideOutAsTuple(parameters, names)))
       {

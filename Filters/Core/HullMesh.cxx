@@ -2,12 +2,23 @@
 #include "HullMesh.h"
 
 #include "Resolve/ResolveSelfIntersections.h"
+#include "Tetrahedralize/TetrahedralizeApart.h"
 #include "WindingNumber/WindingNumberOfCells.h"
 
 #include <algorithm>
 
 namespace insideout
 {
+namespace
+{
+void TakeMesh(Tetrahedralization result, HullMesh& hull)
+{
+  AddMeshCounts(result, hull.Statistics);
+  AddWarnings(result, hull.Warnings);
+  hull.Mesh = std::move(result.Mesh);
+}
+} // namespace
+
 HullMesh ResolveHull(
   const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor)
 {
@@ -40,7 +51,16 @@ HullMesh ResolveHull(
 void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Monitor& monitor)
 {
   Stopwatch stopwatch;
-  FillHull(parameters.Budgets, hull, monitor);
+  if (parameters.PartsApart)
+  {
+    Tetrahedralization result = TetrahedralizeApart(hull.Surface, parameters.Budgets, monitor);
+    hull.Statistics.emplace_back("PartsApart", result.Parts);
+    TakeMesh(std::move(result), hull);
+  }
+  else
+  {
+    FillHull(parameters.Budgets, hull, monitor);
+  }
   const double meshSeconds = stopwatch.Lap();
 
   hull.W = WindingNumberOfCells(hull.Surface, hull.Mesh, monitor, parameters.QuadratureOrder);
@@ -75,10 +95,7 @@ void TakeResolved(FacetComplex surface, std::size_t intersectingPairs, HullMesh&
 
 void FillHull(const ConstrainedDelaunayParameters& budgets, HullMesh& hull, Monitor& monitor)
 {
-  Tetrahedralization result = ConstrainedDelaunay(hull.Surface, budgets, monitor);
-  AddMeshCounts(result, hull.Statistics);
-  AddWarnings(result, hull.Warnings);
-  hull.Mesh = std::move(result.Mesh);
+  TakeMesh(ConstrainedDelaunay(hull.Surface, budgets, monitor), hull);
 }
 
 void AddRangeOfW(bool isClosed, HullMesh& hull)

@@ -17,9 +17,11 @@ struct HullMeshParameters
   ThickenParameters Thicken;
   ConstrainedDelaunayParameters Budgets;
   int QuadratureOrder = 1; ///< see WindingNumberOfCells
+  bool PartsApart = false; ///< a hull for each part (TetrahedralizeApart.h); not of several bodies
 };
 
-/** The convex hull of a surface in tetrahedra, and the surface's winding number in each. */
+/** The convex hull of a surface in tetrahedra, or those of its parts, and the surface's winding
+ * number in each. */
 struct HullMesh
 {
   FacetComplex Surface;  ///< resolved; facets turned over as the orientation asked for

@@ -34,13 +34,14 @@ struct vtkInsideOutHullArrays
 inline auto vtkInsideOutAsTuple(
   const insideout::HullMeshParameters& parameters, const vtkInsideOutHullArrays& names)
 {
-  const auto& [chain, orientation, thicken, budgets, quadratureOrder] = parameters;
+  const auto& [chain, orientation, thicken, budgets, quadratureOrder, partsApart] = parameters;
   const auto& [mergeTolerance, countDuplicates] = chain;
   const auto& [width, all] = thicken;
   const auto& [seconds, mebibytes, engine] = budgets;
   const auto& [nonParticipating, bodies, blockNames, blocksTime] = names;
   return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
-    mebibytes, engine, quadratureOrder, nonParticipating, bodies, blockNames, blocksTime);
+    mebibytes, engine, quadratureOrder, partsApart, nonParticipating, bodies, blockNames,
+    blocksTime);
 }
 
 /** The same in two dimensions. */

@@ -125,7 +125,7 @@ class Success(CommandLine):
                         **{"constrain_facets": False, "non_manifold": "keep", "separate_overlaps": False},
                         **{"largest_regions": 0, "minimum_region_volume": 0, "seeded_regions": False, "fill_cavities": False, "topology": "any"},
                         **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False, "surface_only": False},
-                        **{"bodies": None, "region_rule": "by-priority", "priority": None},
+                        **{"bodies": None, "parts_apart": False, "region_rule": "by-priority", "priority": None},
                         **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "surface_treatment": "kept"},
                         **{"surface_tolerance": 0, "feature_angle": 30, "quadratic": False},
                     },

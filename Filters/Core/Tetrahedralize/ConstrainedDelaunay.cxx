@@ -208,7 +208,9 @@ void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& war
   warnings.insert(warnings.end(), result.Failures.begin(), result.Failures.end());
   if (!result.Failures.empty())
   {
-    warnings.push_back(std::string("the tetrahedra come from: ") + RungName(result.Rung));
+    warnings.push_back(
+      std::string(result.Parts == 1 ? "the tetrahedra" : "the tetrahedra of some parts") +
+      " come from: " + RungName(result.Rung));
   }
   if (!result.Mesh.LostFacets.empty())
   {

@@ -41,6 +41,7 @@ struct Tetrahedralization
   TetrahedralMesh Mesh;
   int Rung = 0; ///< that the mesh comes from, counted from 1 (RungName in Ladder.h)
   std::vector<std::string> Failures; ///< why rungs before it, or after it, were not good enough
+  Id Parts = 1; ///< that have a hull each (TetrahedralizeApart.h); of several Rung is the last
 };
 
 /**

@@ -368,6 +368,13 @@ class Options:
             "one mesh, of a region for each",
         )
     )
+    parts_apart: bool = _is(
+        Switch(
+            "PartsApart",
+            "tetrahedralize parts of the surface whose boxes do not meet apart, by several threads at once, without cells "
+            "between them: the same solid where the surface is closed, in other tetrahedra; all open pieces are one part",
+        )
+    )
     region_rule: RegionRule = _is(
         Choice(
             "RegionRule",

@@ -180,6 +180,7 @@ def tetrahedralize(
     surface_only: bool = False,
     tag_array: Optional[str] = None,
     bodies: Optional[str] = None,
+    parts_apart: bool = False,
     region_rule: RegionRule = "by-priority",
     priority: Union[str, Sequence[str], None] = None,
     refine: bool = False,

@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
 
 using namespace insideout;
 
@@ -210,7 +211,8 @@ TYPED_TEST(OptionsOfTetrahedra, AreThoseOfTheStages)
 TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
 {
   vtkNew<TypeParam> filter;
-  const auto [chain, orientation, thicken, budgets, quadratureOrder] = HullMeshParameters();
+  const auto [chain, orientation, thicken, budgets, quadratureOrder, partsApart] =
+    HullMeshParameters();
   EXPECT_EQ(filter->GetMergeTolerance(), chain.MergeTolerance);
   EXPECT_EQ(filter->GetCountDuplicates(), chain.CountDuplicates);
   EXPECT_EQ(filter->GetOrientation(), static_cast<int>(orientation));
@@ -221,6 +223,10 @@ TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
   EXPECT_EQ(filter->GetMemoryBudget(), budgets.MemoryBudget);
   EXPECT_EQ(filter->GetEngine(), static_cast<int>(budgets.Engine));
   EXPECT_EQ(filter->GetQuadratureOrder(), quadratureOrder);
+  if constexpr (std::is_same_v<TypeParam, vtkRobustTetrahedralize>)
+  {
+    EXPECT_EQ(filter->GetPartsApart(), partsApart);
+  }
 
   const auto takesOrder = [](int order)
   { return IsTaken([&]() { TetrahedronQuadrature(order); }); };
