@@ -97,7 +97,8 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(vtkPolyData* input,
     facets.Surface, options.WindingNumber, monitor);
   if (options.Distance)
   {
-    this->Distance = std::make_unique<const insideout::SurfaceDistance>(facets.Surface);
+    this->Distance = std::make_unique<const insideout::SurfaceDistance>(
+      facets.Surface.Points, facets.Surface.Facets);
     this->CellOfFacet = std::move(facets.Cells);
   }
 }
@@ -113,11 +114,10 @@ vtkInsideOutWindingNumber::vtkInsideOutWindingNumber(const vtkInsideOutPiece& pi
   : WholeFacets(piece.WholeFacets)
   , CellOfFacet(piece.Cells)
 {
-  insideout::FacetComplex withoutCaps;
-  withoutCaps.Points = piece.Surface.Points;
-  withoutCaps.Facets = piece.Surface.Facets;
-  withoutCaps.Facets.resize(piece.WholeFacets.size());
-  this->Distance = std::make_unique<const insideout::SurfaceDistance>(withoutCaps, exponent);
+  std::vector<insideout::Triangle> withoutCaps = piece.Surface.Facets;
+  withoutCaps.resize(piece.WholeFacets.size());
+  this->Distance =
+    std::make_unique<const insideout::SurfaceDistance>(piece.Surface.Points, withoutCaps, exponent);
 }
 
 double vtkInsideOutWindingNumber::At(const insideout::Point& p) const

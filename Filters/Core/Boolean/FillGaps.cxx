@@ -80,19 +80,16 @@ private:
 
 BodyBoundary GapFiller::BoundaryOf(Id body) const
 {
-  FacetComplex surface;
+  BodyBoundary boundary;
   for (const BoundaryFace& face :
     BoundaryFaces(this->Mesh, this->Inside[body], this->Watch, Progress))
   {
-    surface.Facets.push_back(face.Corners);
+    boundary.Facets.push_back(face.Corners);
   }
-  BodyBoundary boundary;
-  if (!surface.Facets.empty())
+  if (!boundary.Facets.empty())
   {
-    surface.Points = this->Points;
-    boundary.Distances = std::make_unique<SurfaceDistance>(surface);
+    boundary.Distances = std::make_unique<SurfaceDistance>(this->Points, boundary.Facets);
   }
-  boundary.Facets = std::move(surface.Facets);
   return boundary;
 }
 

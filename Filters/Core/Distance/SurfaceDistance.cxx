@@ -19,16 +19,21 @@ namespace
 // that no facet is passed over which another order would find.
 constexpr double RoundedUp = 1 + 0x1p-40;
 
-std::vector<std::array<Point, 3>> CornersOfFacets(const FacetComplex& surface, int exponent)
+std::vector<std::array<Point, 3>> ScaledCorners(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, int exponent)
 {
-  const std::vector<Point> points = ScaledPoints(surface.Points, exponent);
-  std::vector<std::array<Point, 3>> facets;
-  facets.reserve(surface.Facets.size());
-  for (const Triangle& facet : surface.Facets)
+  const PowerOfTwo scale(exponent);
+  std::vector<std::array<Point, 3>> scaled;
+  scaled.reserve(facets.size());
+  for (const Triangle& facet : facets)
   {
-    facets.push_back(CornersOf(points, facet));
+    scaled.push_back(CornersOf(points, facet));
+    for (Point& corner : scaled.back())
+    {
+      corner = { scale.Times(corner[0]), scale.Times(corner[1]), scale.Times(corner[2]) };
+    }
   }
-  return facets;
+  return scaled;
 }
 
 std::vector<Box> BoxesOf(const std::vector<std::array<Point, 3>>& facets)
@@ -46,14 +51,16 @@ std::vector<Box> BoxesOf(const std::vector<std::array<Point, 3>>& facets)
 }
 } // namespace
 
-SurfaceDistance::SurfaceDistance(const FacetComplex& surface)
-  : SurfaceDistance(surface, LargestExponent(surface.Points))
+SurfaceDistance::SurfaceDistance(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets)
+  : SurfaceDistance(points, facets, LargestExponent(points))
 {
 }
 
-SurfaceDistance::SurfaceDistance(const FacetComplex& part, int exponent)
+SurfaceDistance::SurfaceDistance(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, int exponent)
   : Exponent(exponent)
-  , Facets(CornersOfFacets(part, -this->Exponent))
+  , Facets(ScaledCorners(points, facets, -this->Exponent))
   , Tree(BoxesOf(this->Facets))
 {
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Common/BoxTree.h"
-#include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
+#include "Common/ProgressRange.h"
 
 namespace insideout
 {
@@ -11,11 +11,12 @@ namespace insideout
 class SurfaceDistance
 {
 public:
-  /** @param[in] surface at least one facet; every one counts, also at multiplicity 0 */
-  explicit SurfaceDistance(const FacetComplex& surface);
+  /** @param[in] facets at least one; points of none are no part of the surface */
+  SurfaceDistance(const std::vector<Point>& points, const std::vector<Triangle>& facets);
 
   /** The same of a part of a surface, whose points have coordinates below 2^exponent. */
-  SurfaceDistance(const FacetComplex& part, int exponent);
+  SurfaceDistance(
+    const std::vector<Point>& points, const std::vector<Triangle>& facets, int exponent);
 
   /** What is nearest to a place. */
   struct Nearest

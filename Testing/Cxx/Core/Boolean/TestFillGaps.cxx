@@ -151,7 +151,7 @@ void ExpectFilledIsNarrow(
   std::vector<std::unique_ptr<SurfaceDistance>> distances;
   for (const TriangleSoup& soup : soups)
   {
-    distances.push_back(std::make_unique<SurfaceDistance>(ToComplex(soup)));
+    distances.push_back(std::make_unique<SurfaceDistance>(soup.Points, soup.Triangles));
   }
   std::mt19937 random(1);
   std::exponential_distribution<double> weight;

@@ -54,7 +54,7 @@ TEST(StaysNear, IsTrueWhereEachPlaceIsNear)
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(0.2, 0.8), size(0.02, 0.3);
     const FacetComplex surface = ToComplex(RandomSoup(seed, 40));
-    const SurfaceDistance distances(surface);
+    const SurfaceDistance distances(surface.Points, surface.Facets);
     std::array<Point, 4> corners;
     const Point middle = { place(random), place(random), place(random) };
     const double radius = size(random);
@@ -99,7 +99,10 @@ TEST(StaysNear, SeesAPitBetweenTheCorners)
   const std::array<Point, 4> flat = { { { 1.1, 1.2, 0.3 }, { 7.1, 1.3, 0.3 }, { 4.2, 7.3, 0.3 },
     { 4.3, 3.4, 0.31 } } };
   const auto staysNear = [&](const FacetComplex& surface, double most)
-  { return StaysNear(flat, surface.Points, surface.Facets, SurfaceDistance(surface), most); };
+  {
+    return StaysNear(
+      flat, surface.Points, surface.Facets, SurfaceDistance(surface.Points, surface.Facets), most);
+  };
   EXPECT_TRUE(staysNear(plane(0), 0.3101));
   EXPECT_FALSE(staysNear(plane(0), 0.3099));
   EXPECT_TRUE(staysNear(plane(0.1), 0.41));
@@ -111,7 +114,7 @@ TEST(StaysNear, TakesTetrahedraAndFacetsWithoutSize)
 {
   const FacetComplex surface =
     ToComplex({ { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } } });
-  const SurfaceDistance distances(surface);
+  const SurfaceDistance distances(surface.Points, surface.Facets);
   const Point p = { 0.5, 1, 0 };
   const Point q = { 1.5, 1, 0 };
   const std::array<Point, 4> point = { { p, p, p, p } };

@@ -110,7 +110,7 @@ TEST(SurfaceDistance, IsThatInTwiceTheDigits)
 {
   for (const FacetComplex& surface : Surfaces())
   {
-    const SurfaceDistance distance(surface);
+    const SurfaceDistance distance(surface.Points, surface.Facets);
     for (const Point& place : Places(surface))
     {
       const SurfaceDistance::Nearest nearest = distance.At(place);
@@ -147,7 +147,8 @@ TEST(SurfaceDistance, FindsTheFootOnANeedle)
       place[axis] = (a[axis] + b[axis] + 2 * c[axis]) / 4 +
         static_cast<double>(3 * normal[axis] / sqrtq(Dot(normal, normal)));
     }
-    const SurfaceDistance::Nearest nearest = SurfaceDistance(surface).At(place);
+    const SurfaceDistance::Nearest nearest =
+      SurfaceDistance(surface.Points, surface.Facets).At(place);
     EXPECT_NEAR(nearest.Distance, DistanceInQuads(surface, 0, place), 1e-13);
     EXPECT_NEAR(DistanceInQuads(surface, 0, nearest.Place), 0, 1e-13);
   }
@@ -158,7 +159,7 @@ TEST(SurfaceDistance, IsTheSameForOnePlaceAndForMany)
   Monitor monitor;
   for (const FacetComplex& surface : Surfaces())
   {
-    const SurfaceDistance distance(surface);
+    const SurfaceDistance distance(surface.Points, surface.Facets);
     const std::vector<Point> places = Places(surface);
     const auto many = distance.At(places, monitor, { "", 0, 1 });
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -188,8 +189,8 @@ TEST(SurfaceDistance, IsThatOfAnySize)
     }
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      EXPECT_EQ(SurfaceDistance(surface).At(places[i]).Distance,
-        std::ldexp(SurfaceDistance(unit).At(original[i]).Distance, exponent));
+      EXPECT_EQ(SurfaceDistance(surface.Points, surface.Facets).At(places[i]).Distance,
+        std::ldexp(SurfaceDistance(unit.Points, unit.Facets).At(original[i]).Distance, exponent));
       i += 20;
     }
   }
@@ -198,7 +199,8 @@ TEST(SurfaceDistance, IsThatOfAnySize)
 TEST(SurfaceDistance, IsKnownAfarAndNotWherePlacesAreNotFinite)
 {
   Monitor monitor;
-  const SurfaceDistance distance(Surfaces().front());
+  const FacetComplex surface = Surfaces().front();
+  const SurfaceDistance distance(surface.Points, surface.Facets);
   EXPECT_NEAR(distance.At({ 1e250, 0, 0 }).Distance / 1e250, 1, 1e-15);
   EXPECT_NEAR(distance.At({ 1e15, 0, 0 }).Distance / 1e15, 1, 1e-13);
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -256,13 +256,13 @@ TEST(SurfacePieces, HaveNearestWhatTheWholeHas)
     std::vector<Point> places = PlacesAround(whole);
     places.push_back({ 1e30, 0, 0 });
     const int exponent = LargestExponent(whole.Points);
-    const SurfaceDistance ofWhole(whole);
+    const SurfaceDistance ofWhole(whole.Points, whole.Facets);
     std::vector<SurfaceDistance::Nearest> best;
     for (const CountedPiece& piece : CutIntoPieces(whole, whole.NumberOfFacets() / 9 + 1, silent))
     {
-      FacetComplex facets = piece.Surface;
-      facets.Facets.resize(piece.WholeFacets.size());
-      const SurfaceDistance ofPiece(facets, exponent);
+      std::vector<Triangle> facets = piece.Surface.Facets;
+      facets.resize(piece.WholeFacets.size());
+      const SurfaceDistance ofPiece(piece.Surface.Points, facets, exponent);
       best.resize(places.size(), { 0, {}, None, std::numeric_limits<double>::infinity() });
       for (std::size_t i = 0; i < places.size(); ++i)
       {
