@@ -380,10 +380,11 @@ public:
    * Points at most this far apart become one, in units of the surface; of several the one with the
    * lowest id stays. Of several bodies flat faces become one, too: where all corners of a facet are
    * that near to the plane of a facet below it of an earlier body they are moved into it, with a
-   * warning; faces that were turned and touch but for rounding need a tolerance for that. And cells
-   * between bodies no point of which is farther from either become cells of the last of these in
-   * the order of Priority, with a warning, Statistics_GapCells and Statistics_GapVolume. Default 0:
-   * only points with equal coordinates are merged. Range 0 to infinity.
+   * warning; faces that were turned and touch but for rounding need a tolerance for that: a warning
+   * says which, and Statistics_NearTriangles counts these triangles. And cells between bodies no
+   * point of which is farther from either become cells of the last of these in the order of
+   * Priority, with a warning, Statistics_GapCells and Statistics_GapVolume. Default 0: only points
+   * with equal coordinates are merged. Range 0 to infinity.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MergeTolerance, double);

@@ -202,6 +202,7 @@ Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryT
   statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
   statistics.emplace_back("ResolvedPoints", surface.Points.size());
   statistics.emplace_back("ResolvedFacets", surface.NumberOfFacets());
+  statistics.emplace_back("NearTriangles", resolved.NearTriangles);
   statistics.emplace_back("LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
   statistics.emplace_back("BoundaryFaces", boundary.size());
   statistics.emplace_back("Volume", VolumeWithin(points, boundary));

@@ -134,9 +134,9 @@ public:
    * the plane of a facet below it of an earlier body they are moved into it, with a warning. Gaps
    * of uneven width, as between round faces, are closed by tetrahedra that belong to the last body
    * beside them, with a warning, Statistics_GapCells and Statistics_GapVolume. Faces that were
-   * turned and touch but for rounding need a tolerance, too. Default 0: only points with equal
-   * coordinates are merged, and what is inside a body by a hair's breadth is inside. Range 0 to
-   * infinity.
+   * turned and touch but for rounding need a tolerance, too: a warning says which, and
+   * Statistics_NearTriangles counts these triangles. Default 0: only points with equal coordinates
+   * are merged, and what is inside a body by a hair's breadth is inside. Range 0 to infinity.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MergeTolerance, double);

@@ -110,6 +110,7 @@ HullOfBodies MeshBodies(
   hull.Counts = SumOf(resolved.Bodies);
   hull.Counts.Diagonal = diagonal;
   hull.Statistics.emplace_back("Bodies", resolved.NumberOfBodies());
+  hull.Statistics.emplace_back("NearTriangles", resolved.NearTriangles);
   AddCounts(hull.Counts, hull.Statistics);
   AddUp(TurnsOf(resolved, areas), hull.Statistics);
   hull.Statistics.emplace_back("ThickenedFacets", ThickenedFacetsOf(resolved.Bodies));

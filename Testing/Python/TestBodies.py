@@ -175,6 +175,23 @@ class TestBodies(unittest.TestCase):
             result = insideout.tetrahedralize({"lower": LEFT, "upper": upper}, merge_tolerance=tolerance)
             self.assertEqual(len(result.tags.get("lower|upper", ())), count)
 
+    def test_faces_that_touch_but_for_rounding_are_told_of_and_close_as_advised(self):
+        told = 0
+        for seed in range(12):
+            lower, upper = surfaces.turned_boxes(seed)
+            apart = insideout.tetrahedralize({"lower": lower, "upper": upper})
+            lines = [line for line in apart.warnings if "nearly touch" in line]
+            self.assertEqual(len(lines), apart.statistics["NearTriangles"] > 0)
+            if lines:
+                told += 1
+                match = re.fullmatch(r"bodies lower and upper nearly touch: (\d+) triangles .* merge_tolerance (\S+) makes.*", lines[0])
+                self.assertEqual(int(match[1]), apart.statistics["NearTriangles"])
+                touching = insideout.tetrahedralize({"lower": lower, "upper": upper}, merge_tolerance=float(match[2]))
+                self.assertEqual(touching.statistics["NearTriangles"], 0)
+                self.assertFalse(any("nearly touch" in line for line in touching.warnings))
+                self.assertAlmostEqual(area_of(touching.boundary, touching.tags["lower|upper"]), 1, 12)
+        self.assertGreater(told, 0)
+
     def test_a_gap_between_round_faces_closes_as_well(self):
         ball, socket = surfaces.ball_in_a_socket(gap=0.006)
         bodies = {"ball": ball, "socket": socket}

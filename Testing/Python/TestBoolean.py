@@ -108,6 +108,15 @@ class Gaps(unittest.TestCase):
             self.assertTrue(surfaces.is_watertight(made.surface) or expected == 0)
             self.assertIn("gaps between bodies that are narrower than the merge tolerance were closed by", "".join(made.warnings))
 
+    def test_a_hairs_breadth_is_told_of(self):
+        told = 0
+        for seed in range(12):
+            made = insideout.boolean(surfaces.turned_boxes(seed))
+            lines = [line for line in made.warnings if line.startswith("bodies A and B nearly touch")]
+            self.assertEqual(len(lines), made.statistics["NearTriangles"] > 0)
+            told += len(lines)
+        self.assertGreater(told, 0)
+
     def test_stay_above_it_without_tetrahedra(self):
         bodies = surfaces.ball_in_a_socket(gap=0.006)
         for expression in ("A | B", "B - A"):

@@ -76,6 +76,14 @@ def ball(radius, around, rings) -> vtkPolyData:
     return source.GetOutput()
 
 
+def turned_boxes(seed: int) -> list[vtkPolyData]:
+    """Two boxes, one on top of the other, turned together: the faces between them coincide but for rounding."""
+    turn, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    turn *= np.sign(np.linalg.det(turn))
+    boxes = box((0, 0, 0), 2), box((0.5, 0.5, 2), 1)
+    return [polydata(points_of(given) @ turn, triangles_of(given)) for given in boxes]
+
+
 def ball_in_a_socket(gap) -> tuple[vtkPolyData, vtkPolyData]:
     """Of radius 1 in a larger ball of radius 2, with triangles of their own, which bring it nearer by up to 0.004, and farther."""
     inner, outer = ball(1 + gap, 43, 38), ball(2, 8, 9)

@@ -2,7 +2,8 @@
 #include "Boolean/ResolveBodies.h"
 
 #include "Boolean/CloseGaps.h"
-#include "Common/BoxTree.h"
+#include "Boolean/FacetsNearOthers.h"
+#include "Boolean/NearBodies.h"
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
 #include "Common/PartMonitor.h"
@@ -10,6 +11,7 @@
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Resolve/ResolveSelfIntersections.h"
+#include "Resolve/SnappingRadius.h"
 #include "Validate/MergePoints.h"
 
 #include <algorithm>
@@ -101,6 +103,7 @@ private:
   FacetComplex Together();
   std::vector<Id> FacetsBesideOtherBodies(const FacetComplex& together) const;
   void TakeResolved(FacetComplex resolved);
+  void TellOfNearBodies();
   Id BodyOf(Id chainFacet) const;
   void Warn(const Body& body, const std::vector<std::string>& warnings);
 
@@ -337,39 +340,16 @@ FacetComplex BodyResolver::Together()
   return together;
 }
 
-/** The facets of one body in the box around another: those may touch its facets. */
+/** The facets that may touch those of another body, or nearly. */
 std::vector<Id> BodyResolver::FacetsBesideOtherBodies(const FacetComplex& together) const
 {
-  std::vector<Id> bodies; // that are not empty
-  std::vector<Box> boxes;
-  const double width = std::ldexp(LargestCoordinate(together.Points), -40); // more than rounding
-  for (std::size_t b = 0; b < this->Chains.size(); ++b)
-  {
-    if (!this->Chains[b].Facets.empty())
-    {
-      bodies.push_back(static_cast<Id>(b));
-      Box box = Box::Empty();
-      for (const Triangle& facet : this->Chains[b].Facets)
-      {
-        box.Add(BoundingBox(this->Chains[b].Points, facet));
-      }
-      boxes.push_back(box.Widened(width));
-    }
-  }
-  const BoxTree tree(boxes);
-  std::vector<Id> beside;
+  std::vector<Id> bodies;
   for (Id f = 0; f < together.NumberOfFacets(); ++f)
   {
-    const Id own = this->BodyOf(together.Sources[together.SourceOffsets[f]].Triangle);
-    bool isBeside = false;
-    tree.Visit(BoundingBox(together.Points, together.Facets[f]),
-      [&](Id i) { isBeside |= bodies[i] != own; });
-    if (isBeside)
-    {
-      beside.push_back(f);
-    }
+    bodies.push_back(this->BodyOf(together.Sources[together.SourceOffsets[f]].Triangle));
   }
-  return beside;
+  return FacetsNearOthers(
+    together.Points, together.Facets, bodies, SnappingRadius(LargestCoordinate(together.Points)));
 }
 
 /** Takes the resolved complex, and says of it in bodies and their triangles what it says in facets
@@ -417,6 +397,24 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
   this->Result.Surface = std::move(resolved);
 }
 
+void BodyResolver::TellOfNearBodies()
+{
+  std::vector<std::string> names;
+  for (const Body& body : this->Given)
+  {
+    names.push_back(body.Name);
+  }
+  const std::vector<NearBodies> near = FindNearBodies(this->Result, this->Watch);
+  for (const NearBodies& pair : near)
+  {
+    this->Result.NearTriangles += pair.Triangles;
+  }
+  for (const std::string& line : WordsOf(near, names, this->Parameters.Chain.MergeTolerance))
+  {
+    this->Result.Warnings.push_back(line);
+  }
+}
+
 Id BodyResolver::BodyOf(Id chainFacet) const
 {
   // Of bodies that begin alike all but the last are empty.
@@ -452,6 +450,7 @@ ResolvedBodies BodyResolver::Resolve()
   Resolution resolution = ResolveSelfIntersections(together, this->Watch, mayTouch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   this->TakeResolved(std::move(resolution.Surface));
+  this->TellOfNearBodies();
   for (Id p = 0; p < this->NumberOfIds; ++p)
   {
     this->Result.MergedInto.push_back(this->SamePoints.Find(p));

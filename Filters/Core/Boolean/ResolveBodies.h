@@ -51,6 +51,7 @@ struct ResolvedBodies
   std::vector<Id> TurnedTriangles;     ///< turned over; ascending
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
   Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
+  Id NearTriangles = 0;                ///< of bodies that touch but for rounding (FindNearBodies)
   double SecondsValidate = 0;          ///< until they met
   std::vector<std::string> Warnings;
 

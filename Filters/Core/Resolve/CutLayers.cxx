@@ -157,7 +157,7 @@ std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vec
 } // namespace
 
 std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
-  double radius, Monitor& monitor, const ProgressRange& progress)
+  double radius, Monitor& monitor, const ProgressRange& progress, const std::vector<Id>& bodies)
 {
   std::vector<Slab> slabs;
   std::vector<Box> boxes;
@@ -174,7 +174,8 @@ std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::v
     tree.VisitPairs(part,
       [&](Id a, Id b)
       {
-        if (AreInOneSlab(slabs[a], slabs[b], radius) &&
+        const bool areOfOneBody = !bodies.empty() && bodies[among[a]] == bodies[among[b]];
+        if (!areOfOneBody && AreInOneSlab(slabs[a], slabs[b], radius) &&
           OverlapInPlane(CornersOf(surface, among[a]), CornersOf(surface, among[b])))
         {
           layers.push_back({ among[a], among[b] });

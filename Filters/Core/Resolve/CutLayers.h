@@ -10,10 +10,12 @@ namespace insideout
  * All pairs, among some facets, of those that overlap nearly in one plane, nearer to it than
  * `radius`, whether they cross or not. Facets too narrow to tell their plane are passed over.
  *
+ * @param[in] bodies of each facet of the surface, or none: pairs of one body are passed over
  * @throws Error (Stopped)
  */
 std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
-  double radius, Monitor& monitor, const ProgressRange& progress);
+  double radius, Monitor& monitor, const ProgressRange& progress,
+  const std::vector<Id>& bodies = {});
 
 /**
  * Cuts layers: facets that overlap nearly in one plane, nearer to it than `radius`. Where rounding

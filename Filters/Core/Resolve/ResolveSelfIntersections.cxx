@@ -9,6 +9,7 @@
 #include "Resolve/CutFacets.h"
 #include "Resolve/CutLayers.h"
 #include "Resolve/PointIndex.h"
+#include "Resolve/SnappingRadius.h"
 #include "Resolve/SplitAlike.h"
 #include "Resolve/SplitAtLoosePoints.h"
 #include "Resolve/WorkingSurface.h"
@@ -32,16 +33,6 @@ constexpr int Patience = 6;
 /** Where crossings become this many times more than they once were, cutting makes things worse:
  * facets in nearly one plane, that cross along ever more lines. */
 constexpr std::size_t Divergence = 4;
-
-/**
- * How near two points, a point and an edge, or layers are at most taken for one: some spacings of
- * the doubles, because what lies nearer makes slivers that cross again. Three times that in each
- * round stays below 1e-12 of the largest coordinate.
- */
-double SnappingRadius(double largestCoordinate)
-{
-  return std::ldexp(largestCoordinate, -45);
-}
 
 /**
  * Facets to leave out so that none of the pairs is left whole: again and again the one in most

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * The facets that may be near one of another body: all whose boxes, widened by `radius`, meet that
+ * of one, and some more. It costs little where few are: a grid tells, not a tree.
+ *
+ * @param[in] points finite
+ * @param[in] bodyOf one per facet; None for facets that are passed over
+ * @return ascending
+ */
+std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, const std::vector<Id>& bodyOf, double radius);
+} // namespace insideout

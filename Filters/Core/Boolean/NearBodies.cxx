@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boolean/NearBodies.h"
+
+#include "Boolean/FacetsNearOthers.h"
+#include "Common/ScaledPoints.h"
+#include "Common/SortUniquely.h"
+#include "Common/Stages.h"
+#include "Common/Vectors.h"
+#include "Resolve/CutLayers.h"
+#include "Resolve/SnappingRadius.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace insideout
+{
+namespace
+{
+/** So many pairs of bodies are named one by one: nobody reads more. */
+constexpr std::size_t MostNamed = 10;
+
+/** What is found of two bodies. */
+struct Contact
+{
+  std::vector<Id> Triangles;
+  double Distance = 0;
+};
+
+using Contacts = std::map<std::array<Id, 2>, Contact>;
+
+/** Per facet a body that it counts for, if there is one: of a constraint. */
+std::vector<Id> BodyOfFacets(const ResolvedBodies& bodies)
+{
+  std::vector<Id> body(bodies.Surface.Facets.size(), None);
+  for (Id f = 0; f < bodies.Surface.NumberOfConstraints; ++f)
+  {
+    if (bodies.CountOffsets[f] < bodies.CountOffsets[f + 1])
+    {
+      body[f] = bodies.Counts[bodies.CountOffsets[f]].Body;
+    }
+  }
+  return body;
+}
+
+/** How far the corners of a triangle are from the plane of another, at most. */
+double LargestHeight(const std::array<Point, 3>& triangle, const std::array<Point, 3>& other)
+{
+  const Point normal = NormalOf(triangle[0], triangle[1], triangle[2]);
+  double largest = 0;
+  for (const Point& p : other)
+  {
+    largest = std::max(largest, std::abs(Dot(normal, Difference(p, triangle[0]))));
+  }
+  return largest / Length(normal);
+}
+
+double DistanceOf(const FacetComplex& surface, Id f, Id g)
+{
+  const std::array<Point, 3> first = CornersOf(surface.Points, surface.Facets[f]);
+  const std::array<Point, 3> second = CornersOf(surface.Points, surface.Facets[g]);
+  return std::min(LargestHeight(first, second), LargestHeight(second, first));
+}
+
+/** Of layers of two bodies what they tell; an interface is no neighbor of what it is part of. */
+void AddLayers(const ResolvedBodies& bodies, Id f, Id g, Contacts& contacts)
+{
+  const FacetComplex& surface = bodies.Surface;
+  for (Id i = bodies.CountOffsets[f]; i < bodies.CountOffsets[f + 1]; ++i)
+  {
+    const Id first = bodies.Counts[i].Body;
+    for (Id j = bodies.CountOffsets[g]; j < bodies.CountOffsets[g + 1]; ++j)
+    {
+      const Id second = bodies.Counts[j].Body;
+      if (CountFor(bodies, g, first) != 0 || CountFor(bodies, f, second) != 0)
+      {
+        continue;
+      }
+      Contact& contact = contacts[{ std::min(first, second), std::max(first, second) }];
+      contact.Distance = std::max(contact.Distance, DistanceOf(surface, f, g));
+      for (const Id facet : { f, g })
+      {
+        for (Id s = surface.SourceOffsets[facet]; s < surface.SourceOffsets[facet + 1]; ++s)
+        {
+          contact.Triangles.push_back(surface.Sources[s].Triangle);
+        }
+      }
+    }
+  }
+}
+
+/** The least power of ten that is not below it. */
+double PowerOfTenFrom(double distance)
+{
+  return std::pow(10, std::ceil(std::log10(distance)));
+}
+} // namespace
+
+std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor)
+{
+  const FacetComplex& surface = bodies.Surface;
+  const double size = LargestCoordinate(surface.Points);
+  const double radius = SnappingRadius(size);
+  const std::vector<Id> body = BodyOfFacets(bodies);
+  const std::vector<Id> mayBeNear = FacetsNearOthers(surface.Points, surface.Facets, body, radius);
+  Contacts contacts;
+  for (const auto& [f, g] : FindLayers({ surface.Points, surface.Facets }, mayBeNear, radius,
+         monitor, { Stages::Resolving, 1, 1 }, body))
+  {
+    AddLayers(bodies, f, g, contacts);
+  }
+  const double spacing = std::ldexp(size, -53); // what is nearer is this far but for rounding
+  std::vector<NearBodies> near;
+  for (auto& [pair, contact] : contacts)
+  {
+    SortUniquely(contact.Triangles);
+    near.push_back({ pair[0], pair[1], static_cast<Id>(contact.Triangles.size()),
+      std::max(contact.Distance, spacing) });
+  }
+  return near;
+}
+
+std::vector<std::string> WordsOf(
+  const std::vector<NearBodies>& near, const std::vector<std::string>& names, double tolerance)
+{
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(near.size(), MostNamed); ++i)
+  {
+    const NearBodies& pair = near[i];
+    std::ostringstream line;
+    line.precision(2);
+    line << "bodies " << names[pair.First] << " and " << names[pair.Second]
+         << " nearly touch: " << pair.Triangles << " triangles are within " << pair.Distance
+         << " of the other's";
+    const double enough = PowerOfTenFrom(pair.Distance);
+    if (tolerance < enough)
+    {
+      line << "; MergeTolerance " << enough << " makes them one interface";
+    }
+    lines.push_back(line.str());
+  }
+  if (near.size() > MostNamed)
+  {
+    lines.push_back(std::to_string(near.size() - MostNamed) + " more pairs of bodies nearly touch");
+  }
+  return lines;
+}
+} // namespace insideout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Boolean/ResolveBodies.h"
+
+#include <string>
+#include <vector>
+
+namespace insideout
+{
+/** Two bodies with facets that coincide up to rounding, but are not one. */
+struct NearBodies
+{
+  Id First;
+  Id Second;
+  Id Triangles;    ///< of the input, of either body
+  double Distance; ///< at most, up to rounding
+};
+
+/**
+ * Find bodies that touch but for a hair's breadth: facets of different bodies lie above each other,
+ * within the radius that the resolver snaps in (FindLayers, SnappingRadius). What is so near and
+ * crosses has become one; what does not cross stays as it is, for that is exact, though hardly ever
+ * what is meant.
+ *
+ * @return by bodies
+ * @throws Error (Stopped)
+ */
+std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor);
+
+/**
+ * A line for each pair of bodies, of many for the first: which they are, and the merge tolerance
+ * that makes them touch where a larger one than was used does.
+ *
+ * @param[in] names of all bodies
+ * @param[in] tolerance that was used
+ */
+std::vector<std::string> WordsOf(
+  const std::vector<NearBodies>& near, const std::vector<std::string>& names, double tolerance);
+} // namespace insideout
