@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/AllowedThreads.h"
 #include "vtkConstrainedDelaunay3D.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkProbeWindingNumber.h"
@@ -28,7 +29,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <omp.h>
 #include <string>
 #include <vector>
 
@@ -291,24 +291,11 @@ std::vector<double> BitsOf(vtkDataObject* solids)
   }
   return bits;
 }
-
-/** More than one, whatever the environment says. */
-class Threads
-{
-public:
-  explicit Threads(int number) { omp_set_num_threads(number); }
-  ~Threads() { omp_set_num_threads(this->Before); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
-private:
-  const int Before = omp_get_max_threads();
-};
 } // namespace
 
 TEST(vtkInsideOutMeshAhead, SolidsAndErrorsAreTheSameForBlocksAtOnce)
 {
-  const Threads threads(4);
+  const testthreads::Allowed threads(4);
   const auto blocks = ManyBlocks();
   vtkNew<vtkRobustTetrahedralize> alone;
   alone->SetInputDataObject(blocks);
@@ -334,7 +321,7 @@ TEST(vtkInsideOutMeshAhead, SolidsAndErrorsAreTheSameForBlocksAtOnce)
 
 TEST(vtkInsideOutMeshAhead, StopsAndThenMakesAll)
 {
-  const Threads threads(4);
+  const testthreads::Allowed threads(4);
   vtkNew<vtkRobustTetrahedralize> several;
   several->SetInputDataObject(ManyBlocks());
   several->SetBlocksAtOnce(2);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/AllowedThreads.h"
 #include "vtkRobustTetrahedralize.h"
 
 #include <vtkCallbackCommand.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <omp.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,18 +140,6 @@ std::vector<double> BitsOf(vtkUnstructuredGrid* solid)
   }
   return bits;
 }
-
-class Threads
-{
-public:
-  explicit Threads(int number) { omp_set_num_threads(number); }
-  ~Threads() { omp_set_num_threads(this->Before); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
-private:
-  const int Before = omp_get_max_threads();
-};
 } // namespace
 
 TEST(PartsApart, GiveTheSameSolid)
@@ -209,7 +197,7 @@ TEST(PartsApart, AreTheSameOnAnyNumberOfThreadsAndWhenTheCutChanges)
   std::vector<double> expected;
   for (const int number : { 1, 2, 8 })
   {
-    const Threads threads(number);
+    const testthreads::Allowed threads(number);
     vtkNew<vtkRobustTetrahedralize> apart;
     apart->SetInputData(Assembly());
     apart->PartsApartOn();
@@ -309,7 +297,7 @@ TEST(PartsApart, ASeedBetweenThemThatIsToBeInsideDoesNotCountAndAWarningSaysSo)
 
 TEST(PartsApart, StopAndThenGiveTheSolid)
 {
-  const Threads threads(4);
+  const testthreads::Allowed threads(4);
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputData(Assembly());
   filter->PartsApartOn();
