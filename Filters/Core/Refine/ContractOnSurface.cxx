@@ -144,11 +144,9 @@ bool SurfaceContraction::MakePieces(Id point, Id target)
     const RefinableCell& cell = this->Mesh.Cell(c);
     for (int k = 0; k < 4; ++k)
     {
-      const Id neighbor = cell.Neighbors[k];
-      const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
-      if (cell.Corners[k] == point || cell.Facets[k] == None || cell.Region < beyond)
+      if (cell.Corners[k] == point || !this->Mesh.HasPiece(c, k))
       {
-        continue; // or seen from the other side
+        continue;
       }
       Triangle face = FaceAcross(cell.Corners, k);
       this->Gone.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });

@@ -362,6 +362,26 @@ bool SurfaceInsertion::FitsTogether() const
     });
 }
 
+/** Whether the pieces between the rim and the place cross no others. */
+bool SurfaceInsertion::StaysApart()
+{
+  std::vector<SurfacePiece> gone;
+  std::vector<SurfacePiece> fresh;
+  for (const PieceOfCell& piece : this->Pieces)
+  {
+    const Triangle corners = this->CornersOf(piece);
+    gone.push_back(
+      { corners, insideout::CornersOf(this->Mesh.Points, corners), this->FacetOf(piece) });
+  }
+  for (const RimEdge& rim : this->Rim)
+  {
+    fresh.push_back({ { { rim.From, rim.To, this->Mesh.NextPoint() } },
+      { { this->Mesh.Points[rim.From], this->Mesh.Points[rim.To], this->Place } },
+      this->FacetOf(rim.Piece) });
+  }
+  return this->Bound.AllowsCut(gone, fresh);
+}
+
 /** Given the certain pieces and cells: the rest, trimmed so that the place sees all walls. */
 bool SurfaceInsertion::Complete()
 {
@@ -387,7 +407,7 @@ bool SurfaceInsertion::Complete()
     }
   }
   this->CollectRim();
-  return this->FitsTogether();
+  return this->FitsTogether() && this->StaysApart();
 }
 
 bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
@@ -465,20 +485,6 @@ double SurfaceInsertion::SquaredSpacing() const
   return least;
 }
 
-/** Tell the bound that a point is in the middle of an edge of all pieces. */
-void SurfaceInsertion::HalvePieces(Id point)
-{
-  for (const PieceOfCell& piece : this->Pieces)
-  {
-    const Triangle whole = this->CornersOf(piece);
-    Triangle first = whole;
-    Triangle second = whole;
-    std::replace(first.begin(), first.end(), this->Halved[1], point);
-    std::replace(second.begin(), second.end(), this->Halved[0], point);
-    this->Bound.Halve(whole, first, second);
-  }
-}
-
 Id SurfaceInsertion::Insert(SizingField& sizes)
 {
   const bool isOnRidge =
@@ -499,10 +505,7 @@ Id SurfaceInsertion::Insert(SizingField& sizes)
   {
     exchange.Facets.push_back({ { { rim.From, rim.To, point } }, this->FacetOf(rim.Piece) });
   }
-  if (this->Surface.Treatment() == SurfaceTreatment::Remeshed)
-  {
-    this->HalvePieces(point);
-  }
+  this->Bound.Replace();
   this->Mesh.Replace(exchange);
   if (isOnRidge)
   {

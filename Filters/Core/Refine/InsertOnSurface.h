@@ -94,9 +94,9 @@ private:
   bool CollectWalls();
   bool DropPieces();
   void KeepConnected();
-  void HalvePieces(Id point);
   void CollectRim();
   bool FitsTogether() const;
+  bool StaysApart();
 
   RefinableMesh& Mesh;
   RefinableSurface& Surface;

@@ -139,7 +139,7 @@ bool Reconnection::TurnDiagonal()
   if (this->Surface.Treatment() == SurfaceTreatment::Split)
   {
     return ring.EndFacets[0] == ring.EndFacets[1] &&
-      AreUnfolded(this->FreshPieces, NormalOf(this->GonePieces.front()));
+      this->Bound.Allows(this->GonePieces, this->FreshPieces);
   }
   if (this->Surface.IsPinched(first))
   {

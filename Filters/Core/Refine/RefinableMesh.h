@@ -96,10 +96,23 @@ public:
   /** One of the cells around a point, None where it is in no cell. */
   Id CellAt(Id point) const { return this->CellOf[point]; }
 
+  /** Whether the face across from corner k is a piece of a facet, and seen from its side of the
+   * larger region, which none beyond the boundary is: each piece is from one side. */
+  bool HasPiece(Id cell, int k) const
+  {
+    const RefinableCell& here = this->Cells[cell];
+    const Id neighbor = here.Neighbors[k];
+    return here.Facets[k] != None &&
+      here.Region > (neighbor == None ? None : this->Cells[neighbor].Region);
+  }
+
   int CornerIndex(Id cell, Id point) const;
 
   /** The index that `cell` has among the neighbors of the cell across its face k. */
   int MirrorIndex(Id cell, int k) const;
+
+  /** The id that AddPoint gives next. */
+  Id NextPoint() const { return static_cast<Id>(this->Points.size()); }
 
   /** A point in no cell yet. */
   Id AddPoint(const Point& place, PointKind kind, double size);

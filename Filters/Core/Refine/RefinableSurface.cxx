@@ -90,8 +90,7 @@ void RefinableSurface::FindRidges(double featureAngle)
     {
       const Id neighbor = cell.Neighbors[k];
       const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
-      // Each facet once, seen from the side of the larger region, which no boundary is.
-      if (cell.Facets[k] != None && cell.Region > beyond)
+      if (this->Mesh.HasPiece(c, k))
       {
         const Triangle f = FaceAcross(cell.Corners, k);
         const auto [a, b, d] = CornersOf(this->Mesh.Points, f);

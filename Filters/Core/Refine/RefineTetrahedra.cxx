@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/RefineTetrahedra.h"
 
-#include "Common/BoxTree.h"
+#include "Common/Box.h"
 #include "Common/PointPredicates.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
@@ -19,9 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iomanip>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -34,11 +34,6 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
-
-/** To refine without new crossings, with some facets kept; then all are. Each takes as long as the
- * first, and locks farther around what crosses than the one before. */
-constexpr int MostAttempts = 6;
-constexpr double GrowthOfReach = 2;
 
 /** Whether a face has a cell that sees it from the same side as its neighbour does. */
 bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
@@ -156,13 +151,12 @@ void CheckEstimate(const SizingField& sizes)
   }
 }
 
-/** A surface that is being refined: its facets, and those that are to stay. */
+/** A surface that is being refined. */
 struct SurfaceOfRun
 {
   std::vector<FacetOfInput> Facets;
-  std::vector<char> Locked;
+  std::vector<char> Locked; ///< those that are to stay
   double Tolerance;
-  double Reach; ///< how far from facets that cross others are locked, too
 
   Id NumberOfLocked() const
   {
@@ -170,89 +164,61 @@ struct SurfaceOfRun
   }
 };
 
-/**
- * Lock the facets whose pieces cross others, and those as near to them as a surface may move.
- * @return whether any was not locked before
- */
-bool LockCrossing(const RefinableMesh& mesh, SurfaceOfRun& run, Monitor& monitor, double progress)
+/** The facets with pieces on the boundary that cross others, each marked; none where it is kept. */
+std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& run,
+  SurfaceTreatment treatment, Monitor& monitor, double progress)
 {
-  const std::vector<Id> crossing =
-    CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress });
-  if (crossing.empty())
+  std::vector<char> marks(run.Facets.size(), 0);
+  if (treatment != SurfaceTreatment::Kept)
   {
-    return false;
+    for (const Id facet : CrossingFacets(mesh, monitor, { Stages::Refining, progress, progress }))
+    {
+      marks[facet] = 1;
+    }
   }
-  const Id before = run.NumberOfLocked();
-  run.Locked.resize(run.Facets.size(), 0);
-  std::vector<Box> boxes;
-  for (const FacetOfInput& facet : run.Facets)
-  {
-    boxes.push_back(BoundingBox({ facet.Corners.begin(), facet.Corners.end() }));
-  }
-  const BoxTree tree(boxes);
-  for (const Id facet : crossing)
-  {
-    tree.Visit(boxes[facet].Widened(run.Reach), [&](Id near) { run.Locked[near] = 1; });
-  }
-  return run.NumberOfLocked() > before;
+  return marks;
 }
 
-/**
- * Refine the mesh; its surface is treated as is asked for, but for locked facets.
- * @return none where pieces of others cross, which are locked then
- */
-std::optional<RefinableMesh> Run(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
-  SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
+/** Refine the mesh; its surface is treated as is asked for, but for locked facets. */
+void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementParameters& parameters,
+  Monitor& monitor)
 {
-  monitor.Check(Stages::Refining, 0);
-  RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
-  const std::vector<char> locked = run.Locked;
   RefinableSurface surface(
-    refinable, run.Facets, locked, parameters.Surface, parameters.FeatureAngle);
-  SurfaceBound bound = parameters.Surface == SurfaceTreatment::Remeshed
-    ? SurfaceBound(refinable, run.Facets, run.Tolerance)
-    : SurfaceBound();
+    refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle);
+  SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
   SizingField sizes(refinable, parameters.Sizes);
   CheckEstimate(sizes);
   monitor.Check(Stages::Refining, 0.05);
-  const bool mayCross = parameters.Surface != SurfaceTreatment::Kept;
-  if (mayCross)
+  if (parameters.Surface != SurfaceTreatment::Kept)
   {
     parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles()
                                                   : sizes.FollowWishes();
     CheckEstimate(sizes);
     RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
-    if (LockCrossing(refinable, run, monitor, 0.2))
-    {
-      return std::nullopt;
-    }
     sizes.FollowSurface();
   }
   ThinPoints(refinable);
   FillWithPoints(
     refinable, sizes, parameters.Sizes.MaximumVolume, monitor, { Stages::Refining, 0.2, 0.4 });
   ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
-  return mayCross && LockCrossing(refinable, run, monitor, 0.9)
-    ? std::nullopt
-    : std::optional<RefinableMesh>(std::move(refinable));
 }
 
-/** The same with facets locked until no pieces of the surface cross that did not before. */
-RefinableMesh RunUntilNothingCrosses(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+/** Refine a mesh without new crossings: facets that cross others stay as they are. */
+RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   SurfaceOfRun& run, const RefinementParameters& parameters, Monitor& monitor)
 {
-  for (int attempt = 0;; ++attempt)
+  RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
+  run.Locked = MarkCrossing(refinable, run, parameters.Surface, monitor, 0);
+  Run(refinable, run, parameters, monitor);
+  // SurfaceBound allows none that would cross; this does not take that on trust.
+  const std::vector<char> crossing = MarkCrossing(refinable, run, parameters.Surface, monitor, 0.9);
+  if (!std::equal(crossing.begin(), crossing.end(), run.Locked.begin(), std::less_equal<>()))
   {
-    if (attempt == MostAttempts)
-    {
-      run.Locked.assign(run.Facets.size(), 1); // pieces of these are as they were
-    }
-    if (std::optional<RefinableMesh> refinable = Run(mesh, regions, run, parameters, monitor))
-    {
-      return *std::move(refinable);
-    }
-    run.Reach *= GrowthOfReach;
+    run.Locked.assign(run.Facets.size(), 1); // pieces of these are as they were
+    refinable = MakeRefinable(mesh, regions, run.Facets);
+    Run(refinable, run, parameters, monitor);
   }
+  return refinable;
 }
 
 /** How far the surfaces before and after are apart. @throws Error Stopped */
@@ -291,15 +257,15 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   const RefinementParameters& parameters, Monitor& caller)
 {
   ForwardMonitor monitor(caller);
-  SurfaceOfRun run = { FacetsOf(mesh, regions, parameters.Labels), {}, parameters.SurfaceTolerance,
-    0 };
+  SurfaceOfRun run = { FacetsOf(mesh, regions, parameters.Labels), {},
+    parameters.SurfaceTolerance };
   if (!(run.Tolerance > 0))
   {
     const Box box = BoundingBox(mesh.Points);
     run.Tolerance = RefinementParameters::DefaultTolerance * box.Extent(box.LongestAxis());
   }
-  run.Reach = parameters.Surface == SurfaceTreatment::Remeshed ? run.Tolerance : 0;
-  RefinableMesh refinable = RunUntilNothingCrosses(mesh, regions, run, parameters, monitor);
+  monitor.Check(Stages::Refining, 0);
+  RefinableMesh refinable = RunWithoutCrossings(mesh, regions, run, parameters, monitor);
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
     FindNearestFacets(run.Facets, refinable, monitor, { Stages::Refining, 0.9, 0.9 });

@@ -37,24 +37,6 @@ private:
 };
 } // namespace
 
-std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)
-{
-  std::vector<SurfacePiece> pieces;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
-    {
-      const RefinableCell& cell = mesh.Cell(c);
-      if (cell.Facets[k] != None && cell.Neighbors[k] < c)
-      {
-        const Triangle face = FaceAcross(cell.Corners, k);
-        pieces.push_back({ face, CornersOf(mesh.Points, face), cell.Facets[k] });
-      }
-    }
-  }
-  return pieces;
-}
-
 std::vector<Id> CrossingFacets(
   const RefinableMesh& mesh, Monitor& monitor, const ProgressRange& progress)
 {

@@ -3,15 +3,13 @@
 
 #include "Common/Monitor.h"
 #include "Refine/RefinableSurface.h"
-#include "Refine/SurfaceBound.h"
+#include "Refine/SurfacePiece.h"
+#include "Refine/TriangleTree.h"
 
 #include <vector>
 
 namespace insideout
 {
-/** All pieces of facets, each once, by the points of the mesh. */
-std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh);
-
 /**
  * The facets that have pieces on the boundary that meet others in more than corners and edges: a
  * surface that moves, if only by rounding, may touch a part that was next to it.

@@ -208,14 +208,15 @@ private:
   bool SplitEdge(const EdgeOfCell& edge)
   {
     const bool isSplit = this->Surface.Treatment() == SurfaceTreatment::Split;
-    const bool mayHalve = this->Splitting.Find(edge.Ends[0], edge.Ends[1], edge.Cell);
-    if ((isSplit || mayHalve) && this->Insertion.FindOnEdge(edge))
+    const auto mayHalve = [&]
+    { return this->Splitting.Find(edge.Ends[0], edge.Ends[1], edge.Cell); };
+    if ((isSplit || mayHalve()) && this->Insertion.FindOnEdge(edge))
     {
       this->Insertion.Insert(this->Sizes);
       return true;
     }
     // Where a surface is remeshed halves of cells would be flat, and others take the edge's place.
-    if (isSplit && mayHalve)
+    if (isSplit && mayHalve())
     {
       this->Splitting.Split(this->Sizes);
       return true;

@@ -50,9 +50,7 @@ void PointSmoothing::CollectPieces(Id point)
     const RefinableCell& cell = this->Mesh.Cell(c);
     for (int k = 0; k < 4; ++k)
     {
-      const Id neighbor = cell.Neighbors[k];
-      const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
-      if (cell.Corners[k] != point && cell.Facets[k] != None && cell.Region > beyond)
+      if (cell.Corners[k] != point && this->Mesh.HasPiece(c, k))
       {
         const Triangle face = FaceAcross(cell.Corners, k);
         this->Pieces.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
@@ -109,14 +107,7 @@ bool PointSmoothing::MoveInFacet(Id point, const Point& place)
       piece.Places[k] = piece.Corners[k] == point ? place : piece.Places[k];
     }
   }
-  const bool isAllowed = this->Surface.Treatment() == SurfaceTreatment::Split
-    ? AreUnfolded(this->Moved, NormalOf(this->Pieces.front()))
-    : this->Bound.Allows(this->Pieces, this->Moved);
-  if (!isAllowed)
-  {
-    return false;
-  }
-  if (!this->MoveTo(point, place))
+  if (!this->Bound.Allows(this->Pieces, this->Moved) || !this->MoveTo(point, place))
   {
     return false;
   }

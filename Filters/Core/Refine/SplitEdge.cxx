@@ -22,7 +22,7 @@ constexpr double MostTimesLonger = 1.4;
 template <class Corners>
 Corners With(Corners corners, Id point, Id instead)
 {
-  std::replace(corners.begin(), corners.end(), point, instead);
+  std::replace(corners.begin(), corners.end(), instead, point);
   return corners;
 }
 } // namespace
@@ -63,7 +63,7 @@ bool EdgeSplitting::Find(Id u, Id v, Id cell)
   }
   const std::vector<Point>& points = this->Mesh.Points;
   this->Middle = Midpoint(points[u], points[v]);
-  return std::all_of(this->Ring.Cells.begin(), this->Ring.Cells.end(),
+  const bool isPositive = std::all_of(this->Ring.Cells.begin(), this->Ring.Cells.end(),
     [&](Id c)
     {
       const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
@@ -77,6 +77,36 @@ bool EdgeSplitting::Find(Id u, Id v, Id cell)
       return Orient3D(first[0], first[1], first[2], first[3]) > 0 &&
         Orient3D(second[0], second[1], second[2], second[3]) > 0;
     });
+  return isPositive && this->StaysApart();
+}
+
+/** Whether the halves of the pieces at the edge cross no others. */
+bool EdgeSplitting::StaysApart()
+{
+  this->Gone.clear();
+  this->Halves.clear();
+  const Id middle = this->Mesh.NextPoint();
+  for (const Id c : this->Ring.Cells)
+  {
+    const RefinableCell& cell = this->Mesh.Cell(c);
+    for (int k = 0; k < 4; ++k)
+    {
+      const bool isAtEdge = cell.Corners[k] != this->Ring.U && cell.Corners[k] != this->Ring.V;
+      if (isAtEdge && this->Mesh.HasPiece(c, k))
+      {
+        const Triangle face = FaceAcross(cell.Corners, k);
+        const std::array<Point, 3> places = CornersOf(this->Mesh.Points, face);
+        this->Gone.push_back({ face, places, cell.Facets[k] });
+        for (const Id end : { this->Ring.V, this->Ring.U })
+        {
+          SurfacePiece half = { With(face, middle, end), places, cell.Facets[k] };
+          half.Places[std::find(face.begin(), face.end(), end) - face.begin()] = this->Middle;
+          this->Halves.push_back(half);
+        }
+      }
+    }
+  }
+  return this->Bound.AllowsCut(this->Gone, this->Halves);
 }
 
 Id EdgeSplitting::Split(SizingField& sizes)
@@ -93,20 +123,18 @@ Id EdgeSplitting::Split(SizingField& sizes)
   for (const Id c : this->Ring.Cells)
   {
     const RefinableCell& cell = this->Mesh.Cell(c);
-    exchange.Add(With(cell.Corners, v, middle), c);
-    exchange.Add(With(cell.Corners, u, middle), c);
-    for (int k = 0; k < 4; ++k)
-    {
-      const Triangle face = FaceAcross(cell.Corners, k);
-      if (cell.Facets[k] != None && cell.Corners[k] != u && cell.Corners[k] != v)
-      {
-        exchange.Gone.push_back(SortedTriangle(face).Points);
-        exchange.Facets.push_back({ With(face, v, middle), cell.Facets[k] });
-        exchange.Facets.push_back({ With(face, u, middle), cell.Facets[k] });
-        this->Bound.Halve(face, With(face, v, middle), With(face, u, middle));
-      }
-    }
+    exchange.Add(With(cell.Corners, middle, v), c);
+    exchange.Add(With(cell.Corners, middle, u), c);
   }
+  for (const SurfacePiece& piece : this->Gone)
+  {
+    exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
+  }
+  for (const SurfacePiece& half : this->Halves)
+  {
+    exchange.Facets.push_back({ half.Corners, half.Facet });
+  }
+  this->Bound.Replace();
   this->Mesh.Replace(exchange);
   this->Surface.Split(u, v, middle);
   return middle;

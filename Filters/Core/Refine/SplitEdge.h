@@ -23,7 +23,7 @@ public:
   /**
    * Look for the cells around an edge of `cell`.
    * @return false where it is locked, where a piece at it has a much longer edge, or where rounding
-   * leaves no room between its ends
+   * leaves no room between its ends, or puts its middle beyond another piece
    */
   bool Find(Id u, Id v, Id cell);
 
@@ -32,11 +32,14 @@ public:
 
 private:
   bool IsBesideLonger() const;
+  bool StaysApart();
 
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SurfaceBound& Bound;
   RefinableRing Ring;
   Point Middle;
+  std::vector<SurfacePiece> Gone;
+  std::vector<SurfacePiece> Halves; ///< in their place
 };
 } // namespace insideout

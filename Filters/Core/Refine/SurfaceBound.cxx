@@ -6,6 +6,7 @@
 #include "Refine/QuadraticCells.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <unordered_set>
 #include <utility>
@@ -14,19 +15,6 @@ namespace insideout
 {
 namespace
 {
-/** Of the angle between a piece and those in whose place it comes: the surface would fold over. */
-constexpr double LeastCosine = 0.4;
-
-/** Height over the longest edge: thinner pieces of a surface may fold over by rounding. */
-constexpr double LeastHeight = 1e-6;
-
-bool IsThin(const std::array<Point, 3>& t)
-{
-  const double longest =
-    std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
-  return !(Length(NormalOf(t[0], t[1], t[2])) > LeastHeight * longest * longest);
-}
-
 Triangle KeyOf(const Triangle& corners)
 {
   return SortedTriangle(corners).Points;
@@ -52,166 +40,143 @@ Point CentreOf(const std::array<Point, 3>& t)
   }
   return centre;
 }
-
-/** Whether all fresh pieces look where the gone ones do, all together. */
-bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
-{
-  Point sum = { { 0, 0, 0 } };
-  for (const SurfacePiece& piece : gone)
-  {
-    const Point normal = NormalOf(piece);
-    sum = { { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] } };
-  }
-  return std::all_of(fresh.begin(), fresh.end(),
-    [&](const SurfacePiece& piece)
-    {
-      const Point normal = NormalOf(piece);
-      return !IsThin(piece.Places) && Dot(normal, sum) > LeastCosine * Length(normal) * Length(sum);
-    });
-}
 } // namespace
 
-Point NormalOf(const SurfacePiece& piece)
+SurfaceBound::SurfaceBound(const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
+  SurfaceTreatment treatment, double tolerance)
+  : Facets(facets)
+  , Tolerance(tolerance)
+  , Boundary(this->OnBoundary(PiecesOf(mesh)))
 {
-  return insideout::NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]);
-}
-
-bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal)
-{
-  return std::all_of(pieces.begin(), pieces.end(),
-    [&](const SurfacePiece& piece)
-    { return !IsThin(piece.Places) && Dot(NormalOf(piece), normal) > 0; });
-}
-
-SurfaceBound::SurfaceBound(
-  const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets, double tolerance)
-  : Tolerance(tolerance)
-  , Mesh(&mesh)
-  , Facets(&facets)
-  , Input(std::make_unique<TriangleTree>(TrianglesOf(facets)))
-{
-  // Each corner and edge once, at one of the facets that share it.
-  std::vector<char> isTaken(mesh.Points.size(), 0);
-  std::unordered_set<Edge, HashOfEdge> edges;
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  if (treatment == SurfaceTreatment::Remeshed)
   {
-    for (int k = 0; k < 4; ++k)
+    this->Input = std::make_unique<TriangleTree>(TrianglesOf(facets));
+    this->TakeSamples(PiecesOf(mesh));
+  }
+}
+
+void SurfaceBound::TakeSamples(const std::vector<SurfacePiece>& pieces)
+{
+  // Each corner and edge once, at one of the pieces that share it.
+  std::unordered_set<Id> corners;
+  std::unordered_set<Edge, HashOfEdge> edges;
+  for (const auto& [ids, places, facet] : pieces)
+  {
+    const auto add = [this, &samples = this->AtPieces[KeyOf(ids)]](const Point& place)
     {
-      const Triangle f = FaceAcross(mesh.Cell(c).Corners, k);
-      if (mesh.Cell(c).Facets[k] == None)
+      samples.push_back(static_cast<Id>(this->Places.size()));
+      this->Places.push_back(place);
+    };
+    add(CentreOf(places));
+    for (int i = 0; i < 3; ++i)
+    {
+      if (corners.insert(ids[i]).second)
       {
-        continue;
+        add(places[i]);
       }
-      const auto [entry, isNew] = this->AtPieces.try_emplace(KeyOf(f));
-      const auto add = [&, &samples = entry->second](const Point& place)
+      if (edges.insert(EdgeBetween(ids[i], ids[(i + 1) % 3])).second)
       {
-        samples.push_back(static_cast<Id>(this->Places.size()));
-        this->Places.push_back(place);
-      };
-      if (!isNew)
-      {
-        continue; // seen from the other side
-      }
-      const std::array<Point, 3> places = CornersOf(mesh.Points, f);
-      add(CentreOf(places));
-      for (int i = 0; i < 3; ++i)
-      {
-        if (std::exchange(isTaken[f[i]], 1) == 0)
-        {
-          add(places[i]);
-        }
-        if (edges.insert(EdgeBetween(f[i], f[(i + 1) % 3])).second)
-        {
-          add(Midpoint(places[i], places[(i + 1) % 3]));
-        }
+        add(Midpoint(places[i], places[(i + 1) % 3]));
       }
     }
   }
 }
 
-/** Put samples down at the nearest of the fresh pieces. @return the largest of their distances */
-double SurfaceBound::PutDown(const Samples& samples, const std::vector<SurfacePiece>& fresh)
+std::vector<SurfacePiece> SurfaceBound::OnBoundary(const std::vector<SurfacePiece>& pieces) const
 {
+  std::vector<SurfacePiece> result;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(result),
+    [this](const SurfacePiece& piece) { return this->Facets[piece.Facet].Faces[1] == None; });
+  return result;
+}
+
+/** Put the samples of gone pieces down at the nearest fresh ones. @return the largest of their
+ * distances */
+double SurfaceBound::PutDown(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+{
+  this->AtFresh.assign(fresh.size(), {});
   double largest = 0;
-  for (const Id sample : samples)
+  for (const SurfacePiece& piece : gone)
   {
-    const Point& place = this->Places[sample];
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < fresh.size(); ++i)
+    const auto found = this->AtPieces.find(KeyOf(piece.Corners));
+    if (found == this->AtPieces.end())
     {
-      const double distance = Distance(NearestPointOf(fresh[i].Places, place), place);
-      if (distance < least)
-      {
-        least = distance;
-        nearest = i;
-      }
+      continue;
     }
-    largest = std::max(largest, least);
-    this->Fresh[nearest].second.push_back(sample);
+    for (const Id sample : found->second)
+    {
+      const Point& place = this->Places[sample];
+      double least = std::numeric_limits<double>::infinity();
+      std::size_t nearest = 0;
+      for (std::size_t i = 0; i < fresh.size(); ++i)
+      {
+        const double distance = Distance(NearestPointOf(fresh[i].Places, place), place);
+        if (distance < least)
+        {
+          least = distance;
+          nearest = i;
+        }
+      }
+      largest = std::max(largest, least);
+      this->AtFresh[nearest].push_back(sample);
+    }
   }
   return largest;
 }
 
 bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
 {
-  if (!this->Input || !LookAlike(gone, fresh))
+  if (!this->Input)
+  {
+    return AreUnfolded(fresh, NormalOf(gone.front())) && this->Accepts(gone, fresh);
+  }
+  if (!LookAlike(gone, fresh) || !(this->PutDown(gone, fresh) <= this->Tolerance))
   {
     return false;
   }
-  this->Gone.clear();
-  this->Fresh.clear();
   for (SurfacePiece& piece : fresh)
   {
-    const Id label = (*this->Facets)[piece.Facet].Label;
+    const Id label = this->Facets[piece.Facet].Label;
     if (!this->Input->IsWithin({ piece.Places, label }, this->Tolerance, piece.Facet))
     {
       return false;
     }
     piece.Facet = this->Input->NearestTo(CentreOf(piece.Places), label, piece.Facet).Triangle;
-    this->Fresh.push_back({ KeyOf(piece.Corners), {} });
   }
-  for (const SurfacePiece& piece : gone)
-  {
-    this->Gone.push_back(KeyOf(piece.Corners));
-    const auto found = this->AtPieces.find(this->Gone.back());
-    if (found != this->AtPieces.end() && !(this->PutDown(found->second, fresh) <= this->Tolerance))
-    {
-      return false;
-    }
-  }
-  return true;
+  return this->Accepts(gone, fresh);
+}
+
+bool SurfaceBound::AllowsCut(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+{
+  this->PutDown(gone, fresh);
+  return this->Accepts(gone, fresh);
+}
+
+bool SurfaceBound::Accepts(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+{
+  this->Gone = gone;
+  this->Fresh = fresh;
+  return this->Boundary.StayApart(this->OnBoundary(gone), this->OnBoundary(fresh));
 }
 
 void SurfaceBound::Replace()
 {
-  for (const Triangle& gone : this->Gone)
+  for (const SurfacePiece& piece : this->Gone)
   {
-    this->AtPieces.erase(gone);
+    this->AtPieces.erase(KeyOf(piece.Corners));
   }
-  for (auto& [piece, samples] : this->Fresh)
+  for (std::size_t i = 0; this->Input && i < this->Fresh.size(); ++i)
   {
-    this->AtPieces[piece] = std::move(samples);
+    this->AtPieces[KeyOf(this->Fresh[i].Corners)] = std::move(this->AtFresh[i]);
   }
-}
-
-void SurfaceBound::Halve(const Triangle& piece, const Triangle& first, const Triangle& second)
-{
-  const auto found = this->AtPieces.find(KeyOf(piece));
-  if (found == this->AtPieces.end())
-  {
-    return;
-  }
-  this->Fresh = { { KeyOf(first), {} }, { KeyOf(second), {} } };
-  this->Gone = { KeyOf(piece) };
-  this->PutDown(found->second,
-    { { first, CornersOf(this->Mesh->Points, first), None },
-      { second, CornersOf(this->Mesh->Points, second), None } });
-  this->Replace();
+  this->Boundary.Replace(this->OnBoundary(this->Gone), this->OnBoundary(this->Fresh));
 }
 
 Point SurfaceBound::PlaceOn(const Point& place, Id facet) const
 {
-  return this->Input->NearestTo(place, (*this->Facets)[facet].Label, facet).Place;
+  return this->Input->NearestTo(place, this->Facets[facet].Label, facet).Place;
 }
 } // namespace insideout

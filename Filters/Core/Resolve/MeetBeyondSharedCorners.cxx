@@ -42,16 +42,15 @@ bool Apart(const std::array<int, 3>& sides, const std::array<int, 3>& shared)
 }
 
 /** SidesOfPlane, but a corner that both share is on the plane without asking. */
-std::array<int, 3> SidesOfPlane(const std::vector<FilteredPoint>& points, const Triangle& triangle,
-  const Triangle& other, const std::array<int, 3>& sharedOfOther)
+std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other,
+  const std::array<int, 3>& sharedOfOther)
 {
   std::array<int, 3> sides{ { 0, 0, 0 } };
   for (int k = 0; k < 3; ++k)
   {
     if (sharedOfOther[k] == None)
     {
-      sides[k] = CGAL::orientation(
-        points[triangle[0]], points[triangle[1]], points[triangle[2]], points[other[k]]);
+      sides[k] = CGAL::orientation(triangle[0], triangle[1], triangle[2], other[k]);
     }
   }
   return sides;
@@ -225,11 +224,15 @@ bool ClearlyOnEitherSide(
 bool MeetBeyondSharedCorners(
   const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b)
 {
+  return MeetBeyondSharedCorners(a, Corners(points, a), b, Corners(points, b));
+}
+
+bool MeetBeyondSharedCorners(
+  const Triangle& a, const FilteredTriangle& p, const Triangle& b, const FilteredTriangle& q)
+{
   const std::array<int, 3> sharedOfA = SharedCorners(a, b);
   const std::array<int, 3> sharedOfB = SharedCorners(b, a);
   const int shared = (sharedOfA[0] != None) + (sharedOfA[1] != None) + (sharedOfA[2] != None);
-  const FilteredTriangle p = Corners(points, a);
-  const FilteredTriangle q = Corners(points, b);
   if (shared == 2)
   {
     const int apexOfA =
@@ -245,14 +248,14 @@ bool MeetBeyondSharedCorners(
   {
     return false;
   }
-  const std::array<int, 3> sidesOfB = SidesOfPlane(points, a, b, sharedOfB);
+  const std::array<int, 3> sidesOfB = SidesOfPlane(p, q, sharedOfB);
   const bool coplanar = sidesOfB[0] == 0 && sidesOfB[1] == 0 && sidesOfB[2] == 0;
   if (Apart(sidesOfB, sharedOfB))
   {
     return false;
   }
   const std::array<int, 3> sidesOfA =
-    coplanar ? std::array<int, 3>{ { 0, 0, 0 } } : SidesOfPlane(points, b, a, sharedOfA);
+    coplanar ? std::array<int, 3>{ { 0, 0, 0 } } : SidesOfPlane(q, p, sharedOfA);
   if (Apart(sidesOfA, sharedOfA))
   {
     return false;

@@ -11,4 +11,8 @@ namespace insideout
  */
 bool MeetBeyondSharedCorners(
   const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b);
+
+/** The same of triangles by ids and places. */
+bool MeetBeyondSharedCorners(const Triangle& a, const FilteredTriangle& placesOfA,
+  const Triangle& b, const FilteredTriangle& placesOfB);
 } // namespace insideout

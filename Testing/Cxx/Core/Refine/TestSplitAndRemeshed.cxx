@@ -5,7 +5,6 @@
 #include "Common/Vectors.h"
 #include "GraphCut/ConnectCells.h"
 #include "Refine/MakeRefinable.h"
-#include "Refine/RefinedSurface.h"
 #include "Refine/RemeshSurface.h"
 #include "Support/RefinementLaws.h"
 #include "Support/TestTetrahedra.h"
@@ -311,10 +310,10 @@ TEST(SplitSurface, LeavesLockedFacetsWhole)
     locked[kept] = 1;
     RefinableMesh mesh = MakeRefinable(cube, {}, facets);
     RefinableSurface surface(mesh, facets, locked, SurfaceTreatment::Split, 30);
-    SurfaceBound none;
+    SurfaceBound bound(mesh, facets, SurfaceTreatment::Split, 0);
     SizingField sizes(mesh, lengths);
     Monitor monitor;
-    RemeshSurface(mesh, surface, none, sizes, monitor, { "", 0, 1 });
+    RemeshSurface(mesh, surface, bound, sizes, monitor, { "", 0, 1 });
     std::vector<int> pieces(facets.size(), 0);
     for (const SurfacePiece& piece : PiecesOf(mesh))
     {

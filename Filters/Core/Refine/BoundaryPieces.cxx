@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/BoundaryPieces.h"
+
+#include "Resolve/MeetBeyondSharedCorners.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+Box BoxOf(const SurfacePiece& piece)
+{
+  const auto& [a, b, c] = piece.Places;
+  Box box = { a, a };
+  box.Add(b);
+  box.Add(c);
+  return box;
+}
+
+Box BoxOf(const std::vector<SurfacePiece>& pieces)
+{
+  Box box = Box::Empty();
+  for (const SurfacePiece& piece : pieces)
+  {
+    box.Add(BoxOf(piece));
+  }
+  return box;
+}
+
+Triangle KeyOf(const SurfacePiece& piece)
+{
+  return SortedTriangle(piece.Corners).Points;
+}
+
+/** Also where they are the same from two sides. */
+bool Meet(const SurfacePiece& a, const SurfacePiece& b)
+{
+  const auto filtered = [](const SurfacePiece& piece) -> FilteredTriangle
+  {
+    return { ToFiltered(piece.Places[0]), ToFiltered(piece.Places[1]),
+      ToFiltered(piece.Places[2]) };
+  };
+  return KeyOf(a) == KeyOf(b) ||
+    MeetBeyondSharedCorners(a.Corners, filtered(a), b.Corners, filtered(b));
+}
+} // namespace
+
+BoundaryPieces::BoundaryPieces(const std::vector<SurfacePiece>& pieces)
+  : Octree(BoxOf(pieces))
+{
+  for (const SurfacePiece& piece : pieces)
+  {
+    this->Add(piece);
+  }
+}
+
+void BoundaryPieces::Add(const SurfacePiece& piece)
+{
+  Id id = static_cast<Id>(this->Pieces.size());
+  if (this->Unused.empty())
+  {
+    this->Pieces.push_back(piece);
+  }
+  else
+  {
+    id = this->Unused.back();
+    this->Unused.pop_back();
+    this->Pieces[id] = piece;
+  }
+  this->Ids.emplace(KeyOf(piece), id);
+  this->Octree.Insert(id, BoxOf(piece));
+}
+
+bool BoundaryPieces::StayApart(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh) const
+{
+  std::vector<Id> goneIds;
+  goneIds.reserve(gone.size());
+  for (const SurfacePiece& piece : gone)
+  {
+    goneIds.push_back(this->Ids.at(KeyOf(piece)));
+  }
+  for (auto piece = fresh.begin(); piece != fresh.end(); ++piece)
+  {
+    const Box box = BoxOf(*piece);
+    const bool meets =
+      this->Octree.AnyMeeting(box,
+        [&](Id other)
+        {
+          return std::find(goneIds.begin(), goneIds.end(), other) == goneIds.end() &&
+            Meet(*piece, this->Pieces[other]);
+        }) ||
+      std::any_of(fresh.begin(), piece,
+        [&](const SurfacePiece& other) { return box.Meets(BoxOf(other)) && Meet(*piece, other); });
+    if (meets)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void BoundaryPieces::Replace(
+  const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+{
+  for (const SurfacePiece& piece : gone)
+  {
+    const auto found = this->Ids.find(KeyOf(piece));
+    this->Octree.Remove(found->second, BoxOf(this->Pieces[found->second]));
+    this->Unused.push_back(found->second);
+    this->Ids.erase(found);
+  }
+  for (const SurfacePiece& piece : fresh)
+  {
+    this->Add(piece);
+  }
+}
+} // namespace insideout

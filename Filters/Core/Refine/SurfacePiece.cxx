@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/SurfacePiece.h"
+
+#include "Common/Vectors.h"
+
+#include <algorithm>
+
+namespace insideout
+{
+namespace
+{
+/** Of the angle between a piece and those in whose place it comes: the surface would fold over. */
+constexpr double LeastCosine = 0.4;
+
+/** Height over the longest edge: thinner pieces of a surface may fold over by rounding. */
+constexpr double LeastHeight = 1e-6;
+} // namespace
+
+Point NormalOf(const SurfacePiece& piece)
+{
+  return insideout::NormalOf(piece.Places[0], piece.Places[1], piece.Places[2]);
+}
+
+bool IsThin(const std::array<Point, 3>& t)
+{
+  const double longest =
+    std::max({ Distance(t[0], t[1]), Distance(t[1], t[2]), Distance(t[2], t[0]) });
+  return !(Length(NormalOf(t[0], t[1], t[2])) > LeastHeight * longest * longest);
+}
+
+bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal)
+{
+  return std::all_of(pieces.begin(), pieces.end(),
+    [&](const SurfacePiece& piece)
+    { return !IsThin(piece.Places) && Dot(NormalOf(piece), normal) > 0; });
+}
+
+bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
+{
+  Point sum = { { 0, 0, 0 } };
+  for (const SurfacePiece& piece : gone)
+  {
+    const Point normal = NormalOf(piece);
+    sum = { { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] } };
+  }
+  return std::all_of(fresh.begin(), fresh.end(),
+    [&](const SurfacePiece& piece)
+    {
+      const Point normal = NormalOf(piece);
+      return !IsThin(piece.Places) && Dot(normal, sum) > LeastCosine * Length(normal) * Length(sum);
+    });
+}
+
+std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)
+{
+  std::vector<SurfacePiece> pieces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+    {
+      const RefinableCell& cell = mesh.Cell(c);
+      if (cell.Facets[k] != None && cell.Neighbors[k] < c)
+      {
+        const Triangle face = FaceAcross(cell.Corners, k);
+        pieces.push_back({ face, CornersOf(mesh.Points, face), cell.Facets[k] });
+      }
+    }
+  }
+  return pieces;
+}
+} // namespace insideout
