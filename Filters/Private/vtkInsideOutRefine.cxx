@@ -281,7 +281,7 @@ void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameter
   if (const double kept = StatisticOf(refined, "KeptFacets"); kept > 0)
   {
     warnings.push_back(std::to_string(static_cast<Id>(kept)) +
-      " triangles of the surface stay as they are: pieces of them would cross others");
+      " triangles of the surface stay as they are, since they cross others");
   }
   const double distance = StatisticOf(refined, "InputDistance");
   if (const double tolerance = StatisticOf(refined, "SurfaceTolerance"); distance > tolerance)

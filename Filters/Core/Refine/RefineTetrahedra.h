@@ -60,7 +60,7 @@ struct RefinedMesh
  *
  * Statistics: AddedPoints and RemovedPoints, CellsAboveMaximumVolume, where that is given; of a
  * surface that is not kept SurfacePoints, how many of the added ones are on it, and KeptFacets, how
- * many facets stay as they are since they would cross others; and of a remeshed one
+ * many facets stay as they are since they cross others; and of a remeshed one
  * SurfaceTolerance, SurfaceDistance, how far it is from the input's at most, and InputDistance, how
  * far that is from it.
  *
