@@ -24,10 +24,10 @@ public:
   /** @param[in] box as it was inserted */
   void Remove(Id item, const Box& box);
 
-  /** Whether is(item) holds for any whose box meets this one; asked until it does, in an order that
-   * depends on what was inserted and removed before. */
-  template <class Is>
-  bool AnyMeeting(const Box& box, const Is& is) const
+  /** Calls visit(item) for every box that meets this one, in an order that depends on what was
+   * inserted and removed before. */
+  template <class Visitor>
+  void Visit(const Box& box, const Visitor& visit) const
   {
     std::array<Id, 8 * MostLevels> stack;
     std::size_t size = 0;
@@ -37,9 +37,9 @@ public:
       const Node& here = this->Nodes[stack[--size]];
       for (const Entry& entry : here.Entries)
       {
-        if (entry.Bounds.Meets(box) && is(entry.Item))
+        if (entry.Bounds.Meets(box))
         {
-          return true;
+          visit(entry.Item);
         }
       }
       for (const Id child : here.Children)
@@ -50,7 +50,6 @@ public:
         }
       }
     }
-    return false;
   }
 
 private:

@@ -81,19 +81,22 @@ bool BoundaryPieces::StayApart(
   {
     goneIds.push_back(this->Ids.at(KeyOf(piece)));
   }
+  std::vector<Id> near;
+  this->Octree.Visit(BoxOf(fresh),
+    [&](Id other)
+    {
+      if (std::find(goneIds.begin(), goneIds.end(), other) == goneIds.end())
+      {
+        near.push_back(other);
+      }
+    });
   for (auto piece = fresh.begin(); piece != fresh.end(); ++piece)
   {
     const Box box = BoxOf(*piece);
-    const bool meets =
-      this->Octree.AnyMeeting(box,
-        [&](Id other)
-        {
-          return std::find(goneIds.begin(), goneIds.end(), other) == goneIds.end() &&
-            Meet(*piece, this->Pieces[other]);
-        }) ||
-      std::any_of(fresh.begin(), piece,
-        [&](const SurfacePiece& other) { return box.Meets(BoxOf(other)) && Meet(*piece, other); });
-    if (meets)
+    const auto meets = [&](const SurfacePiece& other)
+    { return box.Meets(BoxOf(other)) && Meet(*piece, other); };
+    if (std::any_of(fresh.begin(), piece, meets) ||
+      std::any_of(near.begin(), near.end(), [&](Id other) { return meets(this->Pieces[other]); }))
     {
       return false;
     }

@@ -8,6 +8,7 @@
 #include "Resolve/FindIntersections.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace insideout
 {
@@ -97,9 +98,17 @@ double LargestDistance(const std::vector<LabelledTriangle>& from,
   const ProgressRange& progress)
 {
   const TriangleTree tree(to);
-  std::vector<double> distances(from.size());
+  // Few triangles are farther than those before them, and the rest need not be looked at closely.
+  std::atomic<double> largest{ 0 };
   ParallelLoop(from.size(), CostOfDistance, monitor, progress,
-    [&](std::size_t i) { distances[i] = tree.LargestDistanceOf(from[i], enough); });
-  return distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
+    [&](std::size_t i)
+    {
+      double known = largest;
+      const double distance = tree.LargestDistanceOf(from[i], enough, std::max(enough, known));
+      while (distance > known && !largest.compare_exchange_weak(known, distance))
+      {
+      }
+    });
+  return largest;
 }
 } // namespace insideout

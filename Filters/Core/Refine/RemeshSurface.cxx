@@ -15,6 +15,7 @@
 #include <deque>
 #include <limits>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace insideout
@@ -127,9 +128,11 @@ public:
       {
         looked.Check(i);
         const SurfaceEdge& edge = edges[i];
-        const bool isSplit =
-          this->IsThere(edge) && this->MaySplit(edge) && this->SplitEdge({ edge.Ends, edge.Cell });
-        splits += isSplit ? 1 : 0;
+        if (this->IsThere(edge) && this->MaySplit(edge) && this->HasChanged(edge.Ends))
+        {
+          const bool isSplit = this->SplitEdge({ edge.Ends, edge.Cell });
+          splits += isSplit ? 1 : 0;
+        }
       }
       if (splits == 0)
       {
@@ -222,6 +225,16 @@ private:
       return true;
     }
     return false;
+  }
+
+  /** Whether anything has around the ends since this was asked last: else nothing comes of it. */
+  bool HasChanged(const Edge& ends)
+  {
+    const auto [tried, isNew] = this->SplitTriedAt.emplace(ends, 0);
+    const bool hasChanged = isNew ||
+      std::max(this->Mesh.ChangedAt(ends[0]), this->Mesh.ChangedAt(ends[1])) > tried->second;
+    tried->second = this->Mesh.NumberOfChanges();
+    return hasChanged;
   }
 
   void AddPiecesOf(Id cell, std::deque<Candidate>& queue) const
@@ -362,6 +375,7 @@ private:
   Reconnection Reconnect;
   PointSmoothing Smooth;
   RefinableRing Ring;
+  std::unordered_map<Edge, Id, HashOfEdge> SplitTriedAt; ///< in changes of the mesh
 };
 } // namespace
 

@@ -6,6 +6,7 @@
 #include "Refine/QuadraticCells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <unordered_set>
@@ -111,10 +112,11 @@ double SurfaceBound::PutDown(
       std::size_t nearest = 0;
       for (std::size_t i = 0; i < fresh.size(); ++i)
       {
-        const double distance = Distance(NearestPointOf(fresh[i].Places, place), place);
-        if (distance < least)
+        const Point apart = Difference(NearestPointOf(fresh[i].Places, place), place);
+        const double squared = Dot(apart, apart);
+        if (squared < least)
         {
-          least = distance;
+          least = squared;
           nearest = i;
         }
       }
@@ -122,7 +124,7 @@ double SurfaceBound::PutDown(
       this->AtFresh[nearest].push_back(sample);
     }
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
@@ -138,13 +140,35 @@ bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<Sur
   for (SurfacePiece& piece : fresh)
   {
     const Id label = this->Facets[piece.Facet].Label;
-    if (!this->Input->IsWithin({ piece.Places, label }, this->Tolerance, piece.Facet))
+    std::array<TriangleTree::Nearest, 3> near;
+    for (int k = 0; k < 3; ++k)
+    {
+      near[k] = this->NearestTo(piece.Corners[k], piece.Places[k], piece.Facet);
+    }
+    if (!this->Input->IsWithin({ piece.Places, label }, this->Tolerance, near))
     {
       return false;
     }
-    piece.Facet = this->Input->NearestTo(CentreOf(piece.Places), label, piece.Facet).Triangle;
+    piece.Facet = near[0].Triangle;
   }
   return this->Accepts(gone, fresh);
+}
+
+/** The point of the input's surface that is nearest to a point's place, of a facet's label. Points
+ * stay for many changes of the pieces at them, and so does this. */
+TriangleTree::Nearest SurfaceBound::NearestTo(Id point, const Point& place, Id facet)
+{
+  if (this->AtPoints.size() <= static_cast<std::size_t>(point))
+  {
+    this->AtPoints.resize(2 * point + 1, { { { 0, 0, 0 } }, None, {} });
+  }
+  NearestToPoint& last = this->AtPoints[point];
+  const Id label = this->Facets[facet].Label;
+  if (last.Label != label || last.Place != place)
+  {
+    last = { place, label, this->Input->NearestTo(place, label, facet) };
+  }
+  return last.Nearest;
 }
 
 bool SurfaceBound::AllowsCut(

@@ -31,8 +31,8 @@ public:
    * Whether other pieces may take the place of some: crossing none, not turned over, and where the
    * surface is remeshed near enough to facets of their labels.
    *
-   * @param[in,out] fresh each with a facet of its label; then with the one that it is nearest to,
-   *   where the surface is remeshed
+   * @param[in,out] fresh each with a facet of its label; then with one that it is near, where the
+   *   surface is remeshed
    */
   bool Allows(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
 
@@ -53,11 +53,22 @@ private:
   bool Accepts(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
   std::vector<SurfacePiece> OnBoundary(const std::vector<SurfacePiece>& pieces) const;
 
+  TriangleTree::Nearest NearestTo(Id point, const Point& place, Id facet);
+
+  /** What a point was nearest to when it was asked for last. */
+  struct NearestToPoint
+  {
+    Point Place;
+    Id Label;
+    TriangleTree::Nearest Nearest;
+  };
+
   const std::vector<FacetOfInput>& Facets;
   double Tolerance;
   BoundaryPieces Boundary;
   std::unique_ptr<TriangleTree> Input; ///< where the surface is remeshed
-  std::vector<Point> Places;           ///< of the samples
+  std::vector<NearestToPoint> AtPoints;
+  std::vector<Point> Places; ///< of the samples
   std::unordered_map<Triangle, Samples, HashOfTriangle> AtPieces;
 
   /** What was allowed last. */

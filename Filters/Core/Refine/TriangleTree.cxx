@@ -7,6 +7,7 @@
 #include "Refine/UncoveredPart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace insideout
@@ -16,8 +17,8 @@ namespace
 /** Of a triangle into four, until it is clear how far it is: each halves what is not known. */
 constexpr int MostDivisions = 3;
 
-/** Of `enough`: what is known so well need not be known better. */
-constexpr double Precision = 0.1;
+/** Less than what is known: rounding decides nothing, so that the order of triangles does not. */
+constexpr double ClearlyLess = 1 - 1e-9;
 
 std::vector<Box> BoxesOf(const std::vector<LabelledTriangle>& triangles)
 {
@@ -39,16 +40,19 @@ TriangleTree::TriangleTree(std::vector<LabelledTriangle> triangles)
 
 TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id hint) const
 {
-  Nearest best = { None, place, std::numeric_limits<double>::infinity() };
+  Nearest best = { None, place, 0 };
+  double least = std::numeric_limits<double>::infinity();
   const auto look = [&](Id t)
   {
     if (this->Triangles[t].Label == label)
     {
       const Point there = NearestPointOf(this->Triangles[t].Corners, place);
-      const double distance = Distance(there, place);
-      if (distance < best.Distance)
+      const Point apart = Difference(there, place);
+      const double squared = Dot(apart, apart);
+      if (squared < least)
       {
-        best = { t, there, distance };
+        least = squared;
+        best = { t, there, 0 };
       }
     }
   };
@@ -56,30 +60,32 @@ TriangleTree::Nearest TriangleTree::NearestTo(const Point& place, Id label, Id h
   {
     look(hint);
   }
-  this->Tree.VisitNearestFirst([&](const Box& box) { return SquaredDistance(box, place); },
-    [&] { return best.Distance * best.Distance; }, look);
+  this->Tree.VisitNearestFirst(
+    [&](const Box& box) { return SquaredDistance(box, place); }, [&] { return least; }, look);
+  best.Distance = std::sqrt(least);
   return best;
 }
 
 double TriangleTree::LargestDistanceOf(
-  const LabelledTriangle& triangle, double enough, Id hint, int divisions) const
+  const LabelledTriangle& triangle, const Interest& interest, Id hint, int divisions) const
 {
   const auto& [a, b, c] = triangle.Corners;
   double least = 0;
-  std::array<Id, 3> near;
+  std::array<Nearest, 3> near;
   for (int k = 0; k < 3; ++k)
   {
-    const Nearest nearest = this->NearestTo(triangle.Corners[k], triangle.Label, hint);
-    near[k] = hint = nearest.Triangle;
-    least = std::max(least, nearest.Distance);
+    near[k] = this->NearestTo(triangle.Corners[k], triangle.Label, hint);
+    hint = near[k].Triangle;
+    least = std::max(least, near[k].Distance);
   }
-  if (hint == None || divisions == MostDivisions)
+  if (hint == None || divisions == MostDivisions ||
+    (divisions == 0 && this->IsWithin(triangle, ClearlyLess * interest.Known, near)))
   {
-    return least; // there is no triangle of that label
+    return least; // or there is no triangle of that label
   }
   // The distance from one triangle is convex, so that the corners tell how large it is.
   double most = std::numeric_limits<double>::infinity();
-  for (const Id t : near)
+  for (const auto& [t, place, distance] : near)
   {
     double farthest = 0;
     for (const Point& corner : triangle.Corners)
@@ -89,7 +95,7 @@ double TriangleTree::LargestDistanceOf(
     }
     most = std::min(most, farthest);
   }
-  if (most <= enough || most - least <= Precision * enough)
+  if (most <= ClearlyLess * interest.Known || most - least <= interest.Precision)
   {
     return least;
   }
@@ -101,23 +107,29 @@ double TriangleTree::LargestDistanceOf(
       std::array<Point, 3>{ { ab, b, bc } }, std::array<Point, 3>{ { ca, bc, c } } })
   {
     least = std::max(
-      least, this->LargestDistanceOf({ part, triangle.Label }, enough, hint, divisions + 1));
+      least, this->LargestDistanceOf({ part, triangle.Label }, interest, hint, divisions + 1));
   }
   return least;
 }
 
-bool TriangleTree::IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const
+bool TriangleTree::IsWithin(
+  const LabelledTriangle& triangle, double distance, const std::array<Nearest, 3>& ofCorners) const
 {
-  UncoveredPart rest(triangle.Corners, distance);
-  for (const Point& corner : triangle.Corners)
+  if (std::any_of(ofCorners.begin(), ofCorners.end(),
+        [&](const Nearest& nearest) { return !(nearest.Distance <= distance); }))
   {
-    const Nearest nearest = this->NearestTo(corner, triangle.Label, hint);
-    if (!(nearest.Distance <= distance))
+    return false;
+  }
+  UncoveredPart rest(triangle.Corners, distance);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Id near = ofCorners[k].Triangle;
+    const bool isNew =
+      (k == 0 || near != ofCorners[k - 1].Triangle) && (k < 2 || near != ofCorners[0].Triangle);
+    if (isNew)
     {
-      return false;
+      rest.Cover(this->Triangles[near].Corners);
     }
-    hint = nearest.Triangle;
-    rest.Cover(this->Triangles[hint].Corners);
   }
   if (rest.IsEmpty() || rest.IsHopeless())
   {

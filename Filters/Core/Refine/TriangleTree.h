@@ -35,22 +35,34 @@ public:
 
   /**
    * The largest distance that a point of a triangle has from the triangles of its label, as far as
-   * samples tell, eight along each edge: it may be more by a small part of `enough`, and where the
+   * samples tell, eight along each edge: it may be more by a tenth of `enough`, and where the
    * triangle is not near one other triangle, but several, by what is between samples.
    *
-   * @param[in] enough what is below it need not be told more exactly
+   * @param[in] enough what is below it need not be told exactly
+   * @param[in] known at least `enough`: what is below it need not be told at all
    */
-  double LargestDistanceOf(const LabelledTriangle& triangle, double enough) const
+  double LargestDistanceOf(
+    const LabelledTriangle& triangle, double enough, double known, Id hint = None) const
   {
-    return this->LargestDistanceOf(triangle, enough, None, 0);
+    return this->LargestDistanceOf(triangle, { Precision * enough, known }, hint, 0);
   }
 
-  /** Whether no point of a triangle is farther than that; no where that would take long to tell. */
-  bool IsWithin(const LabelledTriangle& triangle, double distance, Id hint) const;
+  /** Whether no point of a triangle is farther than that; no where that would take long to tell.
+   * @param[in] ofCorners the nearest points of its label to the corners */
+  bool IsWithin(const LabelledTriangle& triangle, double distance,
+    const std::array<Nearest, 3>& ofCorners) const;
 
 private:
+  static constexpr double Precision = 0.1;
+
+  /** Of a distance: what it need not be told better than, and more than. */
+  struct Interest
+  {
+    double Precision;
+    double Known;
+  };
   double LargestDistanceOf(
-    const LabelledTriangle& triangle, double enough, Id hint, int divisions) const;
+    const LabelledTriangle& triangle, const Interest& interest, Id hint, int divisions) const;
 
   std::vector<LabelledTriangle> Triangles;
   BoxTree Tree;

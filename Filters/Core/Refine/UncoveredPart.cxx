@@ -58,7 +58,10 @@ bool IsNear(const Polygon& polygon, const std::array<Point, 3>& triangle, double
 {
   return std::all_of(polygon.begin(), polygon.end(),
     [&](const Point& corner)
-    { return Distance(NearestPointOf(triangle, corner), corner) <= near; });
+    {
+      const Point apart = Difference(NearestPointOf(triangle, corner), corner);
+      return Dot(apart, apart) <= near * near;
+    });
 }
 
 /** How high the plane of a triangle is above a place of this plane. */
