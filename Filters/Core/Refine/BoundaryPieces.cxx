@@ -75,31 +75,36 @@ void BoundaryPieces::Add(const SurfacePiece& piece)
 bool BoundaryPieces::StayApart(
   const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh) const
 {
-  std::vector<Id> goneIds;
-  goneIds.reserve(gone.size());
+  std::vector<Triangle> goneKeys;
   for (const SurfacePiece& piece : gone)
   {
-    goneIds.push_back(this->Ids.at(KeyOf(piece)));
+    goneKeys.push_back(KeyOf(piece));
   }
-  std::vector<Id> near;
+  struct BoxedPiece
+  {
+    const SurfacePiece* Piece;
+    Box Bounds;
+  };
+  std::vector<BoxedPiece> others;
   this->Octree.Visit(BoxOf(fresh),
-    [&](Id other)
+    [&](Id id)
     {
-      if (std::find(goneIds.begin(), goneIds.end(), other) == goneIds.end())
+      const SurfacePiece& piece = this->Pieces[id];
+      if (std::find(goneKeys.begin(), goneKeys.end(), KeyOf(piece)) == goneKeys.end())
       {
-        near.push_back(other);
+        others.push_back({ &piece, BoxOf(piece) });
       }
     });
-  for (auto piece = fresh.begin(); piece != fresh.end(); ++piece)
+  for (const SurfacePiece& piece : fresh)
   {
-    const Box box = BoxOf(*piece);
-    const auto meets = [&](const SurfacePiece& other)
-    { return box.Meets(BoxOf(other)) && Meet(*piece, other); };
-    if (std::any_of(fresh.begin(), piece, meets) ||
-      std::any_of(near.begin(), near.end(), [&](Id other) { return meets(this->Pieces[other]); }))
+    const Box box = BoxOf(piece);
+    if (std::any_of(others.begin(), others.end(),
+          [&](const BoxedPiece& other)
+          { return box.Meets(other.Bounds) && Meet(piece, *other.Piece); }))
     {
       return false;
     }
+    others.push_back({ &piece, box });
   }
   return true;
 }

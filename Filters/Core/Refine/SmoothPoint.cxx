@@ -13,6 +13,9 @@ namespace insideout
 namespace
 {
 constexpr double LeastGain = 1.001;
+
+/** Of the wanted length: how far the middle of the points around has to be to go there. */
+constexpr double LeastMove = 0.1;
 } // namespace
 
 void PointSmoothing::Collect(Id point)
@@ -156,6 +159,10 @@ bool PointSmoothing::Relax(Id point, double wanted)
   const Point place =
     this->PlaceOnSurface({ { mean[0] / weights, mean[1] / weights, mean[2] / weights } });
   const std::vector<Point>& points = this->Mesh.Points;
+  if (!(Distance(place, points[point]) > LeastMove * this->Mesh.Sizes[point]))
+  {
+    return false;
+  }
   const double any = -std::numeric_limits<double>::infinity();
   const double before = WorstShapeAt(points, this->Walls, points[point], any);
   const double least = std::min(wanted, std::max(before, 0.0) / 2);
