@@ -15,7 +15,7 @@ namespace
 constexpr double LeastGain = 1.001;
 
 /** Of the wanted length: how far the middle of the points around has to be to go there. */
-constexpr double LeastMove = 0.1;
+constexpr double LeastMove = 0.03;
 } // namespace
 
 void PointSmoothing::Collect(Id point)

@@ -54,14 +54,18 @@ void Cut(const Polygon& polygon, const Point& from, const Point& to, Polygon& le
 }
 
 /** Whether all of a convex polygon is near a triangle: distances from one are convex. */
-bool IsNear(const Polygon& polygon, const std::array<Point, 3>& triangle, double near)
+bool IsNear(
+  const Polygon& polygon, const std::array<Point, 3>& triangle, const Box& reach, double near)
 {
+  // What costs least comes first: hardly any is.
   return std::all_of(polygon.begin(), polygon.end(),
-    [&](const Point& corner)
-    {
-      const Point apart = Difference(NearestPointOf(triangle, corner), corner);
-      return Dot(apart, apart) <= near * near;
-    });
+           [&](const Point& corner) { return reach.Holds(corner); }) &&
+    std::all_of(polygon.begin(), polygon.end(),
+      [&](const Point& corner)
+      {
+        const Point apart = Difference(NearestPointOf(triangle, corner), corner);
+        return Dot(apart, apart) <= near * near;
+      });
 }
 
 /** How high the plane of a triangle is above a place of this plane. */
@@ -102,9 +106,15 @@ Point UncoveredPart::ToPlane(const Point& place) const
 }
 
 /** Leave what is not near: where only some is, what is beyond each edge of the triangle. */
-void UncoveredPart::CoverPart(const Polygon& part, const std::array<Point, 3>& near)
+void UncoveredPart::CoverPart(
+  const Polygon& part, const std::array<Point, 3>& near, const Box& reach)
 {
-  if (IsNear(part, near, this->Near))
+  if (!BoundingBox(part).Meets(reach))
+  {
+    this->Left.push_back(part);
+    return;
+  }
+  if (IsNear(part, near, reach, this->Near))
   {
     return;
   }
@@ -116,7 +126,7 @@ void UncoveredPart::CoverPart(const Polygon& part, const std::array<Point, 3>& n
   for (int k = 0; k < 3 && over.size() > 2; ++k)
   {
     Cut(over, near[k], near[(k + 1) % 3], within, beyond);
-    if (beyond.size() > 2 && !IsNear(beyond, near, this->Near))
+    if (beyond.size() > 2 && !IsNear(beyond, near, reach, this->Near))
     {
       this->Left.push_back(beyond);
     }
@@ -140,10 +150,11 @@ void UncoveredPart::Cover(const std::array<Point, 3>& near)
   {
     std::swap(there[1], there[2]);
   }
+  const Box reach = BoundingBox({ there.begin(), there.end() }).Widened(this->Near);
   this->Left.clear();
   for (const Polygon& part : this->Parts)
   {
-    this->CoverPart(part, there);
+    this->CoverPart(part, there, reach);
   }
   this->Parts.swap(this->Left);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Types.h"
+#include "Common/Box.h"
 
 #include <array>
 #include <vector>
@@ -36,7 +36,7 @@ private:
   using Polygon = std::vector<Point>;
 
   Point ToPlane(const Point& place) const;
-  void CoverPart(const Polygon& part, const std::array<Point, 3>& near);
+  void CoverPart(const Polygon& part, const std::array<Point, 3>& near, const Box& reach);
 
   Point Origin;
   std::array<Point, 3> Axes; ///< of length 1; the third is the normal
