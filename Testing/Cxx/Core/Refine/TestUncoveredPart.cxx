@@ -110,6 +110,16 @@ TEST(TriangleTree, KnowsThatATriangleIsAmidNeedles)
   {
     surface.push_back({ needle, 0 });
   }
-  EXPECT_TRUE(TriangleTree(surface).IsWithin({ Whole, 0 }, 1e-6, None));
-  EXPECT_FALSE(TriangleTree(surface).IsWithin({ Whole, 1 }, 1e-6, None));
+  const TriangleTree tree(surface);
+  const auto isWithin = [&](double distance)
+  {
+    std::array<TriangleTree::Nearest, 3> ofCorners;
+    for (int k = 0; k < 3; ++k)
+    {
+      ofCorners[k] = tree.NearestTo(Whole[k], 0);
+    }
+    return tree.IsWithin({ Whole, 0 }, distance, ofCorners);
+  };
+  EXPECT_TRUE(isWithin(1e-6));
+  EXPECT_EQ(tree.NearestTo(Whole[0], 1).Triangle, None);
 }
