@@ -61,8 +61,8 @@ public:
   ///@{
   /**
    * How long edges are to be at most, in units of the input; 0: as long as those of the surface
-   * allow, or twice as long where it is remeshed and stays near enough. Edges of faces that stay may
-   * be longer. Default 0, range 0 to infinity.
+   * allow, or twice as long where it is remeshed and stays near enough. Edges of faces that stay
+   * may be longer. Default 0, range 0 to infinity.
    */
   vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
