@@ -31,7 +31,7 @@ constexpr double LeastSpacing = 0.7;
 constexpr double LargestRadiusEdgeRatio = 2;
 
 /** Larger cavities would be of places far from the cell that is to go. */
-constexpr std::size_t LargestCavity = 400;
+constexpr std::size_t LargestCavity = 2000;
 
 /** Of the length, where edges are shorter: beside two points that are all but one there would be
  * points without number. */

@@ -37,7 +37,7 @@ constexpr double LeastGainByPoint = 1.2;
 
 /** Of cells in whose place a point may come: where they are flat there are hundreds, and then the
  * cells around the point are hardly ever better. */
-constexpr std::size_t LargestCavity = 100;
+constexpr std::size_t LargestCavity = 25;
 
 /** How long, of the lengths wanted, edges may get for a point less. */
 constexpr double LongestEdge = 1.8;

@@ -162,15 +162,14 @@ void SurfaceInsertion::GrowPieces()
   }
 }
 
-/** Add the cells whose circumsphere holds the place, up to facets. */
-bool SurfaceInsertion::GrowCavity()
+/** Add the cells whose circumsphere holds the place, up to facets, the nearest first. */
+void SurfaceInsertion::GrowCavity()
 {
-  // Of flat cells circumspheres are so large that a cavity might be most of the mesh.
-  for (std::size_t next = 0; next < this->Cavity.size() && this->Cavity.size() <= LargestCavity;
+  for (std::size_t next = 0; next < this->Cavity.size() && this->Cavity.size() < LargestCavity;
        ++next)
   {
     const RefinableCell& here = this->Mesh.Cell(this->Cavity[next]);
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4 && this->Cavity.size() < LargestCavity; ++k)
     {
       const Id neighbor = here.Neighbors[k];
       if (here.Facets[k] == None && !this->Mesh.IsMarked(neighbor))
@@ -185,7 +184,6 @@ bool SurfaceInsertion::GrowCavity()
       }
     }
   }
-  return this->Cavity.size() <= LargestCavity;
 }
 
 /**
@@ -390,10 +388,7 @@ bool SurfaceInsertion::Complete()
   {
     this->GrowPieces();
   }
-  if (!this->GrowCavity())
-  {
-    return false;
-  }
+  this->GrowCavity();
   while (this->CollectWalls())
   {
     if (!this->DropPieces())

@@ -89,7 +89,7 @@ private:
   bool WalkTo(PieceOfCell& piece, const Point& place);
   PieceOfCell Across(PieceOfCell piece, Id u, Id v) const;
   void GrowPieces();
-  bool GrowCavity();
+  void GrowCavity();
   bool Complete();
   bool CollectWalls();
   bool DropPieces();

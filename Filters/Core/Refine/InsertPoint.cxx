@@ -60,20 +60,17 @@ bool PointInsertion::Walk(Id cell)
   return false;
 }
 
-bool PointInsertion::GrowCavity(std::size_t most)
+/** The nearest first, in steps from cell to cell. */
+void PointInsertion::GrowCavity(std::size_t most)
 {
   const std::vector<Point>& points = this->Mesh.Points;
   this->Cavity.assign(1, this->Holding);
   this->Mesh.StartMarking();
   this->Mesh.Mark(this->Holding);
-  for (std::size_t next = 0; next < this->Cavity.size(); ++next)
+  for (std::size_t next = 0; next < this->Cavity.size() && this->Cavity.size() < most; ++next)
   {
-    if (this->Cavity.size() > most)
-    {
-      return false;
-    }
     const RefinableCell& here = this->Mesh.Cell(this->Cavity[next]);
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4 && this->Cavity.size() < most; ++k)
     {
       const Id neighbor = here.Neighbors[k];
       if (here.Facets[k] != None || this->Mesh.IsMarked(neighbor))
@@ -91,7 +88,6 @@ bool PointInsertion::GrowCavity(std::size_t most)
       }
     }
   }
-  return true;
 }
 
 /**
@@ -193,7 +189,12 @@ bool PointInsertion::KeepsItsPoints() const
 bool PointInsertion::Find(Id cell, const Point& place, std::size_t most)
 {
   this->Place = place;
-  return this->Walk(cell) && this->GrowCavity(most) && this->TrimCavity() && this->KeepsItsPoints();
+  if (!this->Walk(cell))
+  {
+    return false;
+  }
+  this->GrowCavity(most);
+  return this->TrimCavity() && this->KeepsItsPoints();
 }
 
 double PointInsertion::SquaredSpacing() const

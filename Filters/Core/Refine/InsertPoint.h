@@ -21,8 +21,8 @@ public:
 
   /**
    * Look for a place from a cell on, and for the cells it would replace.
-   * @param[in] most of these cells, for which circumspheres are looked at: around flat cells there
-   * may be hundreds
+   * @param[in] most cells that it replaces, those nearest to it: circumspheres of flat cells hold
+   *   hundreds of others
    * @return false where a facet is between, or where it cannot be inserted
    */
   bool Find(Id cell, const Point& place, std::size_t most);
@@ -44,7 +44,7 @@ public:
 
 private:
   bool Walk(Id cell);
-  bool GrowCavity(std::size_t most);
+  void GrowCavity(std::size_t most);
   bool CollectWalls(bool& isHopeless);
   void KeepConnected();
   bool TrimCavity();
