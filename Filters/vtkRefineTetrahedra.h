@@ -61,8 +61,7 @@ public:
   ///@{
   /**
    * How long edges are to be at most, in units of the input; 0: as long as those of the surface
-   * allow, or twice as long where it is remeshed and stays near enough. Edges of faces that stay
-   * may be longer. Default 0, range 0 to infinity.
+   * allow. Edges of faces that stay may be longer. Default 0, range 0 to infinity.
    */
   vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
@@ -131,7 +130,8 @@ public:
   ///@{
   /**
    * Where the surface is REMESHED: edges stay where they are between triangles whose normals differ
-   * by more than this. In degrees; default 30, range 0 to 180.
+   * by more than this, but for those of steps lower than SurfaceTolerance. In degrees; default 30,
+   * range 0 to 180.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

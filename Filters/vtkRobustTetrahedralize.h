@@ -683,7 +683,8 @@ public:
   ///@{
   /**
    * Where the surface is REMESHED: edges stay where they are between triangles whose normals differ
-   * by more than this, and between those of different tags. In degrees; default 30, range 0 to 180.
+   * by more than this, but for those of steps lower than SurfaceTolerance, and between those of
+   * different tags. In degrees; default 30, range 0 to 180.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

@@ -134,11 +134,12 @@ bool SurfaceContraction::MakeCells(Id point, Id target, double wanted)
   return true;
 }
 
-/** The pieces that go and come, and whether they may. */
-bool SurfaceContraction::MakePieces(Id point, Id target)
+/** The pieces that go and come. */
+void SurfaceContraction::MakePieces(Id point, Id target)
 {
   this->Gone.clear();
   this->Fresh.clear();
+  this->Moved.clear();
   for (const Id c : this->OfPoint.Cells)
   {
     const RefinableCell& cell = this->Mesh.Cell(c);
@@ -152,12 +153,61 @@ bool SurfaceContraction::MakePieces(Id point, Id target)
       this->Gone.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
       if (!Has(face, target))
       {
+        this->Moved.push_back(this->Gone.back());
         std::replace(face.begin(), face.end(), point, target);
         this->Fresh.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
       }
     }
   }
-  return this->Bound.Allows(this->Gone, this->Fresh);
+}
+
+/** What goes and comes, and whether it is connected as before. What costs least comes first: most
+ * contractions are refused. */
+bool SurfaceContraction::MakeExchange(Id point, Id target, double wanted)
+{
+  this->OfPoint.Cells.clear();
+  this->Mesh.Star(point, this->OfPoint.Cells);
+  if (!this->MakeCells(point, target, wanted))
+  {
+    return false;
+  }
+  this->Look(point, this->OfPoint);
+  this->Look(target, this->OfTarget);
+  if (!std::binary_search(
+        this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target) ||
+    !this->KeepsTopology(point, target))
+  {
+    return false;
+  }
+  this->MakePieces(point, target);
+  return true;
+}
+
+/** Whether each label of a piece that goes for good has another beside it. */
+bool SurfaceContraction::KeepsLabels() const
+{
+  const auto labelOf = [&](const SurfacePiece& piece)
+  { return this->Surface.Facet(piece.Facet).Label; };
+  return std::all_of(this->Gone.begin(), this->Gone.end(),
+    [&](const SurfacePiece& gone)
+    {
+      return std::any_of(this->Moved.begin(), this->Moved.end(),
+        [&](const SurfacePiece& moved) { return labelOf(moved) == labelOf(gone); });
+    });
+}
+
+void SurfaceContraction::Replace()
+{
+  for (const SurfacePiece& piece : this->Gone)
+  {
+    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
+  }
+  for (const SurfacePiece& piece : this->Fresh)
+  {
+    this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });
+  }
+  this->Bound.Replace();
+  this->Mesh.Replace(this->Exchange);
 }
 
 bool SurfaceContraction::Contract(Id point, Id target, double wanted, double longest)
@@ -170,36 +220,31 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
   {
     return false;
   }
-  // What costs least comes first: most contractions are refused.
-  this->OfPoint.Cells.clear();
-  this->Mesh.Star(point, this->OfPoint.Cells);
-  if (!this->MakeCells(point, target, wanted))
+  if (!this->MakeExchange(point, target, wanted) || !this->KeepsLengths(target, longest) ||
+    !(isRidge ? this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh)
+              : this->Bound.Allows(this->Gone, this->Fresh)))
   {
     return false;
-  }
-  this->Look(point, this->OfPoint);
-  this->Look(target, this->OfTarget);
-  if (!std::binary_search(
-        this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target) ||
-    !this->KeepsLengths(target, longest) || !this->KeepsTopology(point, target) ||
-    !this->MakePieces(point, target))
-  {
-    return false;
-  }
-  for (const SurfacePiece& piece : this->Gone)
-  {
-    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
-  }
-  for (const SurfacePiece& piece : this->Fresh)
-  {
-    this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });
   }
   if (isRidge)
   {
     this->Surface.Contract(point, target);
   }
-  this->Bound.Replace();
-  this->Mesh.Replace(this->Exchange);
+  this->Replace();
+  return true;
+}
+
+bool SurfaceContraction::ContractStep(Id point, Id target, double wanted)
+{
+  if (!this->Surface.MayLeave(point) || this->Surface.IsPinched(target) ||
+    !this->MakeExchange(point, target, wanted) || !this->KeepsLabels() ||
+    !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
+  {
+    return false;
+  }
+  this->Surface.Contract(point, target);
+  this->Mesh.Kinds[target] = PointKind::Fixed;
+  this->Replace();
   return true;
 }
 

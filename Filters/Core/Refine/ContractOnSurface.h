@@ -29,6 +29,12 @@ public:
    */
   bool Contract(Id point, Id target, double wanted, double longest);
 
+  /**
+   * Move a point with all its ridges into a neighbour, which has to stay then: if all new cells
+   * have a shape above `wanted`, each piece looks where it did, and no label loses its last piece.
+   */
+  bool ContractStep(Id point, Id target, double wanted);
+
   /** Move a point into the first of its neighbours where that can be done. */
   bool Remove(Id point, double wanted, double longest);
 
@@ -46,7 +52,10 @@ private:
   bool KeepsTopology(Id point, Id target);
   bool KeepsLengths(Id target, double longest) const;
   bool MakeCells(Id point, Id target, double wanted);
-  bool MakePieces(Id point, Id target);
+  bool MakeExchange(Id point, Id target, double wanted);
+  void MakePieces(Id point, Id target);
+  bool KeepsLabels() const;
+  void Replace();
 
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
@@ -56,5 +65,6 @@ private:
   CellExchange Exchange;
   std::vector<SurfacePiece> Gone;
   std::vector<SurfacePiece> Fresh;
+  std::vector<SurfacePiece> Moved; ///< those of the gone ones that the fresh ones were
 };
 } // namespace insideout

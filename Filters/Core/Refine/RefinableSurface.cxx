@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/RefinableSurface.h"
 
+#include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -55,9 +56,9 @@ void RefinableSurface::FindPinched()
   std::vector<Id> around(this->Mesh.Points.size(), 0);
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
-    for (const Id corner : this->Mesh.Cell(c).Corners)
+    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
     {
-      ++around[corner];
+      ++around[this->Mesh.Cell(c).Corners[k]];
     }
   }
   this->Pinched.assign(around.size(), 0);
@@ -86,7 +87,7 @@ void RefinableSurface::FindRidges(double featureAngle)
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
     const RefinableCell& cell = this->Mesh.Cell(c);
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
     {
       const Id neighbor = cell.Neighbors[k];
       const Id beyond = neighbor == None ? None : this->Mesh.Cell(neighbor).Region;
@@ -123,10 +124,11 @@ void RefinableSurface::FindRidges(double featureAngle)
 
 void RefinableSurface::SetKinds(double featureAngle)
 {
+  this->Mesh.Kinds.assign(this->Mesh.Points.size(), PointKind::Free);
   for (Id c = 0; c < this->Mesh.NumberOfCells(); ++c)
   {
     const RefinableCell& cell = this->Mesh.Cell(c);
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4 && !this->Mesh.IsDead(c); ++k)
     {
       if (cell.Facets[k] != None)
       {
@@ -184,37 +186,49 @@ void RefinableSurface::Split(Id u, Id v, Id middle)
   }
 }
 
-/** The other end of the other edge of the ridge at a point, None where it ends there. */
-Id RefinableSurface::NextOnRidge(Id point, Id before) const
+/** The other ends of the ridges at a point, in the order of their ids. */
+std::vector<Id> RefinableSurface::RidgesFrom(Id point) const
 {
   std::vector<Id> star;
   this->Mesh.Star(point, star);
+  std::vector<Id> ends;
   for (const Id cell : star)
   {
     for (const Id other : this->Mesh.Cell(cell).Corners)
     {
-      if (other != point && other != before && this->IsRidge(point, other))
+      if (other != point && this->IsRidge(point, other))
       {
-        return other;
+        ends.push_back(other);
       }
     }
   }
-  return None;
+  SortUniquely(ends);
+  return ends;
 }
 
 bool RefinableSurface::MayContract(Id point, Id target) const
 {
-  const Id next = this->NextOnRidge(point, target);
-  return next == None || !this->IsRidge(target, next);
+  const std::vector<Id> ends = this->RidgesFrom(point);
+  return std::none_of(
+    ends.begin(), ends.end(), [&](Id end) { return end != target && this->IsRidge(target, end); });
+}
+
+bool RefinableSurface::MayLeave(Id point) const
+{
+  const std::vector<Id> ends = this->RidgesFrom(point);
+  return !this->IsPinched(point) &&
+    std::none_of(ends.begin(), ends.end(), [&](Id end) { return this->IsLocked(point, end); });
 }
 
 void RefinableSurface::Contract(Id point, Id target)
 {
-  const Id next = this->NextOnRidge(point, target);
-  this->Ridges.erase(EdgeBetween(point, target));
-  if (next != None && this->Ridges.erase(EdgeBetween(point, next)) > 0)
+  for (const Id end : this->RidgesFrom(point))
   {
-    this->Ridges.emplace(EdgeBetween(target, next), false);
+    this->Ridges.erase(EdgeBetween(point, end));
+    if (end != target)
+    {
+      this->Ridges.emplace(EdgeBetween(target, end), false);
+    }
   }
 }
 } // namespace insideout

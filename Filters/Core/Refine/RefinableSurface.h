@@ -74,12 +74,15 @@ public:
    * up, and what is within would be gone. */
   bool MayContract(Id point, Id target) const;
 
-  /** A point on a ridge is to go into the next one; the ridge goes on from there. */
+  /** Whether a corner of ridges may go: where it is not pinched, and none of them is locked. */
+  bool MayLeave(Id point) const;
+
+  /** A point is to go into the next one; its ridges go on from there. */
   void Contract(Id point, Id target);
 
 private:
   struct EdgeUse;
-  Id NextOnRidge(Id point, Id before) const;
+  std::vector<Id> RidgesFrom(Id point) const;
   void FindPinched();
   void FindRidges(double featureAngle);
   bool MustBeRidge(const EdgeUse* first, const EdgeUse* last, double cosine) const;

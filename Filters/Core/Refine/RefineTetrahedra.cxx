@@ -9,6 +9,7 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
+#include "Refine/ContractSmallSteps.h"
 #include "Refine/FillWithPoints.h"
 #include "Refine/ImproveCells.h"
 #include "Refine/LocateCells.h"
@@ -183,9 +184,19 @@ std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& ru
 void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementParameters& parameters,
   Monitor& monitor)
 {
-  RefinableSurface surface(
-    refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle);
   SurfaceBound bound(refinable, run.Facets, parameters.Surface, run.Tolerance);
+  const auto surfaceNow = [&]
+  {
+    return RefinableSurface(
+      refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle);
+  };
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    RefinableSurface withSteps = surfaceNow();
+    ContractSmallSteps(
+      refinable, withSteps, bound, run.Tolerance, monitor, { Stages::Refining, 0, 0.05 });
+  }
+  RefinableSurface surface = surfaceNow();
   SizingField sizes(refinable, parameters.Sizes);
   CheckEstimate(sizes);
   monitor.Check(Stages::Refining, 0.05);

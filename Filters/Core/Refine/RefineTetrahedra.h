@@ -21,7 +21,8 @@ struct RefinementParameters
   double SurfaceTolerance = 0;
   static constexpr double DefaultTolerance = 1e-3;
 
-  /** Remeshed: edges stay where the normals differ by more; in degrees. */
+  /** Remeshed: edges stay where the normals differ by more, but for those of steps lower than the
+   * tolerance; in degrees. */
   double FeatureAngle = 30;
 
   /** Remeshed: per face of each cell, a number; edges between faces of different ones stay. Empty:

@@ -26,6 +26,9 @@ namespace
 constexpr double LongestEdge = 4.0 / 3;
 constexpr double ShortestEdge = 4.0 / 5;
 
+/** Edges that are longer yet are split where they stay, at the price of flat cells. */
+constexpr double LongestUncut = 4;
+
 /** How long edges may get where others are contracted. */
 constexpr double LongestContracted = 1.6;
 
@@ -218,13 +221,27 @@ private:
       this->Insertion.Insert(this->Sizes);
       return true;
     }
-    // Where a surface is remeshed halves of cells would be flat, and others take the edge's place.
-    if (isSplit && mayHalve())
+    // Halves of cells are flat: where a surface is remeshed others may take the edge's place.
+    if ((isSplit || this->RatioOf(edge.Ends) > LongestUncut) && mayHalve())
     {
-      this->Splitting.Split(this->Sizes);
+      this->ImproveAround(this->Splitting.Split(this->Sizes));
       return true;
     }
     return false;
+  }
+
+  /** Take others in the place of flat cells. */
+  void ImproveAround(Id point)
+  {
+    std::vector<Id> star;
+    this->Mesh.Star(point, star);
+    for (const Id cell : star)
+    {
+      if (!this->Mesh.IsDead(cell))
+      {
+        this->Reconnect.ImproveCell(cell);
+      }
+    }
   }
 
   /** Whether anything has around the ends since this was asked last: else nothing comes of it. */

@@ -21,9 +21,6 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 /** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
 constexpr double LeastShare = 1.0 / 4;
 
-/** Of the edges of a surface that is remeshed, if it stays near enough with such edges. */
-constexpr double TimesLonger = 2;
-
 /** Of a triangle that is not thin: its longest edge over its least height, 1.2 of a regular one. */
 constexpr double MostHeights = 2;
 
@@ -110,7 +107,7 @@ void SizingField::FollowWishes()
 {
   for (Lengths& there : this->AtPoints)
   {
-    there.Surface = there.Wanted < Infinite ? Infinite : TimesLonger * there.Surface;
+    there.Surface = there.Wanted < Infinite ? Infinite : there.Surface;
   }
   this->SetSizes();
 }

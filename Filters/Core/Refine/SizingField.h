@@ -43,7 +43,7 @@ public:
   void ShortenAtThinTriangles();
 
   /** Set them for a surface that is to be remeshed: what is asked for, whatever the surface has; if
-   * nothing is, twice as long as its edges are. */
+   * nothing is, as FollowSurface does. */
   void FollowWishes();
 
   /** At a place in or near a cell. */

@@ -133,7 +133,20 @@ bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<Sur
   {
     return AreUnfolded(fresh, NormalOf(gone.front())) && this->Accepts(gone, fresh);
   }
-  if (!LookAlike(gone, fresh) || !(this->PutDown(gone, fresh) <= this->Tolerance))
+  return LookAlike(gone, fresh) && this->StaysNear(gone, fresh) && this->Accepts(gone, fresh);
+}
+
+bool SurfaceBound::AllowsEach(const std::vector<SurfacePiece>& moved,
+  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
+{
+  return EachLooksAlike(moved, fresh) && this->StaysNear(gone, fresh) && this->Accepts(gone, fresh);
+}
+
+/** Whether both surfaces are near each other; sets the facets that fresh pieces are near to. */
+bool SurfaceBound::StaysNear(
+  const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh)
+{
+  if (!(this->PutDown(gone, fresh) <= this->Tolerance))
   {
     return false;
   }
@@ -151,7 +164,7 @@ bool SurfaceBound::Allows(const std::vector<SurfacePiece>& gone, std::vector<Sur
     }
     piece.Facet = near[0].Triangle;
   }
-  return this->Accepts(gone, fresh);
+  return true;
 }
 
 /** The point of the input's surface that is nearest to a point's place, of a facet's label. Points

@@ -36,6 +36,12 @@ public:
    */
   bool Allows(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
 
+  /** The same where each of the fresh pieces comes in the place of one, and is not turned from
+   * that.
+   * @param[in] moved of those that are gone, one for each fresh one */
+  bool AllowsEach(const std::vector<SurfacePiece>& moved, const std::vector<SurfacePiece>& gone,
+    std::vector<SurfacePiece>& fresh);
+
   /** Whether others that differ only in how they are cut, but for rounding, may. */
   bool AllowsCut(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
@@ -48,6 +54,7 @@ public:
 
 private:
   using Samples = std::vector<Id>;
+  bool StaysNear(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
   void TakeSamples(const std::vector<SurfacePiece>& pieces);
   double PutDown(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
   bool Accepts(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);

@@ -14,6 +14,13 @@ constexpr double LeastCosine = 0.4;
 
 /** Height over the longest edge: thinner pieces of a surface may fold over by rounding. */
 constexpr double LeastHeight = 1e-6;
+
+/** Whether a piece looks about where a normal does, and is not too thin to tell. */
+bool LooksWhere(const SurfacePiece& piece, const Point& normal)
+{
+  const Point own = NormalOf(piece);
+  return !IsThin(piece.Places) && Dot(own, normal) > LeastCosine * Length(own) * Length(normal);
+}
 } // namespace
 
 Point NormalOf(const SurfacePiece& piece)
@@ -43,12 +50,15 @@ bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfaceP
     const Point normal = NormalOf(piece);
     sum = { { sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2] } };
   }
-  return std::all_of(fresh.begin(), fresh.end(),
-    [&](const SurfacePiece& piece)
-    {
-      const Point normal = NormalOf(piece);
-      return !IsThin(piece.Places) && Dot(normal, sum) > LeastCosine * Length(normal) * Length(sum);
-    });
+  return std::all_of(
+    fresh.begin(), fresh.end(), [&](const SurfacePiece& piece) { return LooksWhere(piece, sum); });
+}
+
+bool EachLooksAlike(const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh)
+{
+  return std::equal(fresh.begin(), fresh.end(), before.begin(),
+    [](const SurfacePiece& now, const SurfacePiece& then)
+    { return LooksWhere(now, NormalOf(then)); });
 }
 
 std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)

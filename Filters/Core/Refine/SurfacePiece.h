@@ -28,6 +28,10 @@ bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
 /** Whether all fresh pieces look where the gone ones do, all together. */
 bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
+/** Whether each fresh piece looks where the one that it was does. */
+bool EachLooksAlike(
+  const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh);
+
 /** All pieces of facets, each once, by the points of the mesh. */
 std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh);
 } // namespace insideout

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/ContractSmallSteps.h"
+
+#include "Common/LoopProgress.h"
+#include "Common/SortUniquely.h"
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+#include "Refine/ContractEdge.h"
+#include "Refine/ContractOnSurface.h"
+#include "Refine/ReconnectCells.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace insideout
+{
+namespace
+{
+/** Of the longest edge of a triangle: a longer edge of it does not make it a needle. */
+constexpr double LargestShare = 0.1;
+
+/** One contraction may make room for another. */
+constexpr int MostRounds = 10;
+
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+/** Of the worst cell at a point that goes: the shape that cells are to have after it. */
+constexpr double LeastShare = 0.5;
+
+/** Cells with such an angle, in degrees, may be in the way. */
+constexpr double FlatAngle = 3;
+
+/** An edge of the surface that may go. */
+struct Step
+{
+  double Length;
+  Edge Ends;
+
+  bool operator<(const Step& other) const
+  {
+    return std::tie(this->Length, this->Ends) < std::tie(other.Length, other.Ends);
+  }
+  bool operator==(const Step& other) const { return this->Ends == other.Ends; }
+};
+
+/** The shortest first. */
+std::vector<Step> FindSteps(const RefinableMesh& mesh, double tolerance)
+{
+  std::vector<Step> steps;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+    {
+      if (mesh.Cell(c).Facets[k] == None)
+      {
+        continue;
+      }
+      const Triangle f = FaceAcross(mesh.Cell(c).Corners, k);
+      std::array<double, 3> lengths;
+      for (int i = 0; i < 3; ++i)
+      {
+        lengths[i] = Distance(mesh.Points[f[i]], mesh.Points[f[(i + 1) % 3]]);
+      }
+      const double longest = *std::max_element(lengths.begin(), lengths.end());
+      for (int i = 0; i < 3; ++i)
+      {
+        const Edge ends = EdgeBetween(f[i], f[(i + 1) % 3]);
+        if (lengths[i] <= std::min(tolerance, LargestShare * longest))
+        {
+          steps.push_back({ lengths[i], ends });
+        }
+      }
+    }
+  }
+  SortUniquely(steps);
+  return steps;
+}
+
+class StepContraction
+{
+public:
+  StepContraction(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound)
+    : Mesh(mesh)
+    , OnSurface(mesh, surface, bound)
+    , InSolid(mesh)
+    , Reconnect(mesh, surface, bound)
+  {
+  }
+
+  /** Move a point into the next one, if both are there and it can be done. */
+  bool Contract(Id point, Id target)
+  {
+    if (this->Mesh.CellAt(point) == None || this->Mesh.CellAt(target) == None)
+    {
+      return false;
+    }
+    const double wanted = std::max(this->InSolid.WorstAround(point), 0.0) * LeastShare;
+    return this->OnSurface.Contract(point, target, wanted, Infinite) ||
+      this->OnSurface.ContractStep(point, target, wanted);
+  }
+
+  /** Cells between nearly coplanar points are in the way of any move: take others in their place.
+   */
+  bool MakeRoom(Id point)
+  {
+    if (this->Mesh.CellAt(point) == None)
+    {
+      return false;
+    }
+    this->Star.clear();
+    this->Mesh.Star(point, this->Star);
+    const std::vector<Id> cells = this->Star;
+    bool isChanged = false;
+    for (const Id cell : cells)
+    {
+      isChanged |= !this->Mesh.IsDead(cell) &&
+        ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners) < this->Flat &&
+        this->Reconnect.ImproveCell(cell);
+    }
+    return isChanged;
+  }
+
+private:
+  const double Flat = ShapeOfAngle(FlatAngle);
+  RefinableMesh& Mesh;
+  SurfaceContraction OnSurface;
+  Contraction InSolid;
+  Reconnection Reconnect;
+  std::vector<Id> Star;
+};
+} // namespace
+
+void ContractSmallSteps(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
+  double tolerance, Monitor& monitor, const ProgressRange& progress)
+{
+  StepContraction contraction(mesh, surface, bound);
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    const std::vector<Step> steps = FindSteps(mesh, tolerance);
+    const LoopProgress looked(monitor, progress, steps.size());
+    bool isChanged = false;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+    {
+      looked.Check(i);
+      const auto [u, v] = steps[i].Ends;
+      isChanged |= contraction.Contract(u, v) || contraction.Contract(v, u) ||
+        contraction.MakeRoom(u) || contraction.MakeRoom(v);
+    }
+    if (!isChanged)
+    {
+      return;
+    }
+  }
+}
+} // namespace insideout

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Common/Vectors.h"
+#include "GraphCut/ConnectCells.h"
+#include "Refine/RefineTetrahedra.h"
+#include "Support/RefinementLaws.h"
+#include "Support/TestTetrahedra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace insideout;
+using testmeshes::ExpectRemeshingLaws;
+using testmeshes::LeastSines;
+using testtetrahedra::Cubes;
+using testtetrahedra::EvenGrid;
+using testtetrahedra::Part;
+
+namespace
+{
+constexpr double Tolerance = 1;
+constexpr int Size = 4;
+
+/** A block of edge 400, half of whose top is higher by a step. The surface has corners there, and
+ * triangles as low as the step. */
+TetrahedralMesh BlockWithStep(double step)
+{
+  const TetrahedralMesh grid = EvenGrid(Size);
+  TetrahedralMesh block =
+    Part(grid, Cubes(grid, [](int x, int, int z) { return z < Size - 1 || x < Size / 2; }));
+  for (Point& p : block.Points)
+  {
+    p[2] = p[2] == 100 * Size ? 100 * (Size - 1) + step : p[2];
+  }
+  return ConnectCells(block.Points, block.Cells);
+}
+
+RefinementParameters Remeshed(double length)
+{
+  RefinementParameters parameters;
+  parameters.Surface = SurfaceTreatment::Remeshed;
+  parameters.SurfaceTolerance = Tolerance;
+  parameters.Sizes.EdgeLength = length;
+  return parameters;
+}
+
+RefinedMesh Refined(const TetrahedralMesh& mesh, const RefinementParameters& parameters)
+{
+  Monitor monitor;
+  return RefineTetrahedra(mesh, {}, parameters, monitor);
+}
+
+double ShortestEdge(const RefinedMesh& refined)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Tetrahedron& cell : refined.Cells)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < i; ++j)
+      {
+        shortest = std::min(shortest, Distance(refined.Points[cell[i]], refined.Points[cell[j]]));
+      }
+    }
+  }
+  return shortest;
+}
+} // namespace
+
+class SmallSteps : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(SmallSteps, GoWhereTheyAreSmallerThanTheTolerance)
+{
+  const TetrahedralMesh block = BlockWithStep(GetParam());
+  for (const double length : { 0.0, 150.0 })
+  {
+    const RefinedMesh refined = Refined(block, Remeshed(length));
+    ExpectRemeshingLaws(block, {}, refined, Tolerance);
+    EXPECT_GT(ShortestEdge(refined), 10 * Tolerance);
+    EXPECT_GT(LeastSines(refined.Points, refined.Cells).front(), std::sin(0.05));
+    EXPECT_LT(refined.Cells.size(), 3000U);
+  }
+}
+
+TEST_P(SmallSteps, StayWhereTheyAreALabelOfTheirOwn)
+{
+  const TetrahedralMesh block = BlockWithStep(GetParam());
+  RefinementParameters parameters = Remeshed(150);
+  parameters.Labels.assign(block.Cells.size(), { { 0, 0, 0, 0 } });
+  for (std::size_t c = 0; c < block.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto places = CornersOf(block.Points, FaceOf(block.Cells[c], k));
+      const bool isOfStep = std::all_of(places.begin(), places.end(),
+        [](const Point& p) { return p[0] == 100 * (Size / 2) && p[2] >= 100 * (Size - 1); });
+      parameters.Labels[c][k] = isOfStep ? 1 : 0;
+    }
+  }
+  const RefinedMesh refined = Refined(block, parameters);
+  ExpectRemeshingLaws(block, {}, refined, Tolerance);
+  std::ptrdiff_t ofStep = 0;
+  for (const std::array<Id, 4>& faces : refined.OriginalFaces)
+  {
+    ofStep += std::count_if(faces.begin(), faces.end(),
+      [&](Id face) { return face != None && parameters.Labels[face / 4][face % 4] == 1; });
+  }
+  EXPECT_GT(ofStep, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Heights, SmallSteps, testing::Values(0.5, 0.01, 1e-4, 1e-7));
+
+TEST(SmallSteps, StayWhereTheyAreLargerThanTheTolerance)
+{
+  const TetrahedralMesh block = BlockWithStep(20);
+  const RefinedMesh refined = Refined(block, Remeshed(150));
+  ExpectRemeshingLaws(block, {}, refined, Tolerance);
+  EXPECT_LE(ShortestEdge(refined), 20.5);
+}
