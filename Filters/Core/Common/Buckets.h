@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace insideout
@@ -64,6 +65,9 @@ public:
     Value* const values = this->Values.data();
     std::sort(values + this->Begin[bucket], values + this->Begin[bucket + 1], less);
   }
+
+  /** All values, one bucket after the other, of buckets that nobody needs any more. */
+  std::vector<Value> TakeAll() && { return std::move(this->Values); }
 
 private:
   std::vector<std::size_t> Begin;

@@ -44,11 +44,25 @@ PointIndex::Cell PointIndex::CellOf(const Point& p) const
   return cell;
 }
 
+void PointIndex::Reserve(std::size_t count)
+{
+  this->Entries.reserve(count);
+  std::size_t buckets = 1024;
+  while (buckets <= count)
+  {
+    buckets *= 2;
+  }
+  if (buckets > this->Buckets.size())
+  {
+    this->Rehash(buckets);
+  }
+}
+
 void PointIndex::Add(const Point& p, Id id)
 {
   if (this->Entries.size() + 1 >= this->Buckets.size())
   {
-    this->Grow();
+    this->Rehash(std::max<std::size_t>(1024, 2 * this->Buckets.size()));
   }
   const Cell cell = this->CellOf(p);
   Id& bucket = this->Buckets[HashOf(cell) & (this->Buckets.size() - 1)];
@@ -56,9 +70,9 @@ void PointIndex::Add(const Point& p, Id id)
   bucket = static_cast<Id>(this->Entries.size()) - 1;
 }
 
-void PointIndex::Grow()
+void PointIndex::Rehash(std::size_t buckets)
 {
-  this->Buckets.assign(std::max<std::size_t>(1024, 2 * this->Buckets.size()), None);
+  this->Buckets.assign(buckets, None);
   for (std::size_t i = 0; i < this->Entries.size(); ++i)
   {
     Id& bucket = this->Buckets[HashOf(this->Entries[i].Place) & (this->Buckets.size() - 1)];

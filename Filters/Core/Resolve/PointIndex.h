@@ -14,6 +14,9 @@ public:
   /** @param[in] radius 0 for equal coordinates only */
   explicit PointIndex(double radius);
 
+  /** Make room for so many points. */
+  void Reserve(std::size_t count);
+
   void Add(const Point& p, Id id);
 
   /** The nearest point at most the radius away, of several the one of lowest id; None for none. */
@@ -31,7 +34,7 @@ private:
   };
 
   Cell CellOf(const Point& p) const;
-  void Grow();
+  void Rehash(std::size_t buckets);
 
   double Radius;
   std::vector<Entry> Entries;

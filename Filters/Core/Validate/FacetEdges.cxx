@@ -31,16 +31,13 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
         }
       }
     });
-  std::vector<FacetEdge> edges;
-  edges.reserve(3 * facets.size());
   for (std::size_t low = 0; low < byLow.Size(); ++low)
   {
     byLow.Sort(low,
       [](const FacetEdge& a, const FacetEdge& b)
       { return a.High != b.High ? a.High < b.High : a.Facet < b.Facet; });
-    edges.insert(edges.end(), byLow[low].begin(), byLow[low].end());
   }
-  return edges;
+  return std::move(byLow).TakeAll();
 }
 
 FacetComponents ComponentsOfFacets(Id numberOfFacets, const std::vector<FacetEdge>& edges)

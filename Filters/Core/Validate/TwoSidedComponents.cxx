@@ -4,6 +4,7 @@
 #include "Common/Numbers.h"
 #include "Common/Vectors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace insideout
@@ -139,6 +140,10 @@ TwoSidedComponents KeepTwoSidedSolids(
   for (Id f = 0; f < numberOfFacets; ++f)
   {
     twoSided[components.Component[f]] &= surface.Multiplicity[f] == 0;
+  }
+  if (std::find(twoSided.begin(), twoSided.end(), 1) == twoSided.end())
+  {
+    return {};
   }
 
   const OrientedPatches patches = OrientAlongEdges(numberOfFacets, edges);
