@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/NearBodies.h"
 
-#include "Boolean/FacetsNearOthers.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Resolve/CutLayers.h"
+#include "Resolve/FacetsNearOthers.h"
 #include "Resolve/SnappingRadius.h"
 
 #include <algorithm>

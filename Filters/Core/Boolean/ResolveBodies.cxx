@@ -2,7 +2,6 @@
 #include "Boolean/ResolveBodies.h"
 
 #include "Boolean/CloseGaps.h"
-#include "Boolean/FacetsNearOthers.h"
 #include "Boolean/NearBodies.h"
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
@@ -10,6 +9,7 @@
 #include "Common/ScaledPoints.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
+#include "Resolve/FacetsNearOthers.h"
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Resolve/SnappingRadius.h"
 #include "Validate/MergePoints.h"

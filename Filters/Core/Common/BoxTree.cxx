@@ -109,6 +109,28 @@ BoxTree::BoxTree(const std::vector<Box>& given)
   }
 }
 
+std::vector<Id> BoxTree::SetsOfParts(const std::vector<Id>& setOf) const
+{
+  std::vector<Id> sets(this->Nodes.size(), None);
+  for (std::size_t node = this->Nodes.size(); node-- > 0;)
+  {
+    const Node& here = this->Nodes[node];
+    const auto first = this->Order.begin() + here.Begin;
+    const auto last = this->Order.begin() + here.End;
+    if (first == last)
+    {
+      const Id second = sets[this->Nodes[node + 1].Next];
+      sets[node] = sets[node + 1] == second ? second : None;
+    }
+    else
+    {
+      const Id set = setOf[*first];
+      sets[node] = std::all_of(first, last, [&](Id i) { return setOf[i] == set; }) ? set : None;
+    }
+  }
+  return sets;
+}
+
 /** Puts the centres in order of a part's halves, along the axis on which they lie widest apart. */
 void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
 {

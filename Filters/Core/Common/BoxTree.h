@@ -133,8 +133,51 @@ public:
   template <class Visitor>
   void VisitPairs(Id part, const Visitor& visit) const
   {
+    this->VisitPairsWith(
+      part, [](std::size_t) { return true; }, visit);
+  }
+
+  /** Per part the set that all its boxes are of, or None. @param[in] setOf one per box */
+  std::vector<Id> SetsOfParts(const std::vector<Id>& setOf) const;
+
+  /**
+   * The same for pairs of boxes of different sets only.
+   *
+   * @param[in] setOf one per box, not None
+   * @param[in] setsOfParts what SetsOfParts says of them
+   */
+  template <class Visitor>
+  void VisitPairsBetween(Id part, const std::vector<Id>& setOf, const std::vector<Id>& setsOfParts,
+    const Visitor& visit) const
+  {
+    const Id own = setsOfParts[part];
+    this->VisitPairsWith(
+      part, [&](std::size_t other) { return own == None || setsOfParts[other] != own; },
+      [&](Id i, Id j)
+      {
+        if (setOf[i] != setOf[j])
+        {
+          visit(i, j);
+        }
+      });
+  }
+
+private:
+  /** Nodes stand in depth-first order; an inner node holds no boxes itself (Begin = End). */
+  struct Node
+  {
+    Box Bounds;
+    Id Begin;
+    Id End;
+    std::size_t Next; ///< the node to go on with where this one is passed over
+  };
+
+  /** Passes over nodes that isWanted(node) is not true for, and all in them. */
+  template <class IsWanted, class Visitor>
+  void VisitPairsWith(Id part, const IsWanted& isWanted, const Visitor& visit) const
+  {
     const Node& leaf = this->Nodes[part];
-    for (Id k = leaf.Begin; k < leaf.End; ++k)
+    for (Id k = leaf.Begin; isWanted(part) && k < leaf.End; ++k)
     {
       this->VisitLeaf(k, k + 1, leaf.End, visit);
     }
@@ -143,7 +186,7 @@ public:
          node < this->Nodes.size();)
     {
       const Node& other = this->Nodes[node];
-      if (!other.Bounds.Meets(leaf.Bounds))
+      if (!other.Bounds.Meets(leaf.Bounds) || !isWanted(node))
       {
         node = other.Next;
         continue;
@@ -158,16 +201,6 @@ public:
       ++node;
     }
   }
-
-private:
-  /** Nodes stand in depth-first order; an inner node holds no boxes itself (Begin = End). */
-  struct Node
-  {
-    Box Bounds;
-    Id Begin;
-    Id End;
-    std::size_t Next; ///< the node to go on with where this one is passed over
-  };
 
   template <class Visitor>
   void VisitLeaf(Id k, Id begin, Id end, const Visitor& visit) const

@@ -36,13 +36,7 @@ Triangle KeyOf(const SurfacePiece& piece)
 /** Also where they are the same from two sides. */
 bool Meet(const SurfacePiece& a, const SurfacePiece& b)
 {
-  const auto filtered = [](const SurfacePiece& piece) -> FilteredTriangle
-  {
-    return { ToFiltered(piece.Places[0]), ToFiltered(piece.Places[1]),
-      ToFiltered(piece.Places[2]) };
-  };
-  return KeyOf(a) == KeyOf(b) ||
-    MeetBeyondSharedCorners(a.Corners, filtered(a), b.Corners, filtered(b));
+  return KeyOf(a) == KeyOf(b) || MeetBeyondSharedCorners(a.Corners, a.Places, b.Corners, b.Places);
 }
 } // namespace
 

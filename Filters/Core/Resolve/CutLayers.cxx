@@ -161,21 +161,26 @@ std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::v
 {
   std::vector<Slab> slabs;
   std::vector<Box> boxes;
+  std::vector<Id> bodyOf; // where there are none each facet is one
+  slabs.reserve(among.size());
+  boxes.reserve(among.size());
+  bodyOf.reserve(among.size());
   for (const Id f : among)
   {
     slabs.emplace_back(surface, f);
     boxes.push_back(Around(surface, f, radius));
+    bodyOf.push_back(bodies.empty() ? f : bodies[f]);
   }
   const BoxTree tree(boxes);
+  const std::vector<Id> bodyOfParts = tree.SetsOfParts(bodyOf);
   std::vector<std::array<Id, 2>> layers;
   for (Id part = 0; part < tree.NumberOfParts(); ++part)
   {
     monitor.Check(progress.Stage, progress.Begin);
-    tree.VisitPairs(part,
+    tree.VisitPairsBetween(part, bodyOf, bodyOfParts,
       [&](Id a, Id b)
       {
-        const bool areOfOneBody = !bodies.empty() && bodies[among[a]] == bodies[among[b]];
-        if (!areOfOneBody && AreInOneSlab(slabs[a], slabs[b], radius) &&
+        if (AreInOneSlab(slabs[a], slabs[b], radius) &&
           OverlapInPlane(CornersOf(surface, among[a]), CornersOf(surface, among[b])))
         {
           layers.push_back({ among[a], among[b] });

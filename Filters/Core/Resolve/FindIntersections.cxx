@@ -4,7 +4,9 @@
 #include "Common/BoxTree.h"
 #include "Common/ParallelLoop.h"
 #include "Common/Stages.h"
+#include "Resolve/FacetsNearOthers.h"
 #include "Resolve/MeetBeyondSharedCorners.h"
+#include "Resolve/SurfaceParts.h"
 
 #include <algorithm>
 
@@ -12,88 +14,296 @@ namespace insideout
 {
 namespace
 {
+using Pairs = std::vector<std::array<Id, 2>>;
+
 /** Facets, or parts of the tree, that a thread takes at once. */
 constexpr Id BlockSize = 256;
+
+/** A guess, of the time for each. */
+constexpr double NanosecondsPerFacet = 1000;
+
+/** To build a tree for so many pairs of facets is as quick as to look at each. */
+constexpr std::size_t ManyPairs = 4096;
+
+/** Fewer are not cut into parts: there are too few cubes to tell by some of them whether it pays.
+ */
+constexpr std::size_t ManyFacets = 8192;
 
 Id NumberOfBlocks(Id count)
 {
   return (count + BlockSize - 1) / BlockSize;
 }
 
-/** The bounding boxes of the facets from `begin` on. */
-std::vector<Box> BoundingBoxes(
-  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id begin)
+/** Calls search(i, pairs) for every i below count, on all threads. @return what was found, sorted
+ */
+template <class Search>
+Pairs Collect(Id count, double cost, Monitor& monitor, const Search& search)
+{
+  std::vector<Pairs> found(static_cast<std::size_t>(count));
+  ParallelLoop(count, cost, monitor, { Stages::FindingIntersections, 0, 1 },
+    [&](Id i) { search(i, found[i]); });
+  Pairs pairs;
+  for (const Pairs& some : found)
+  {
+    pairs.insert(pairs.end(), some.begin(), some.end());
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/** Compares facets whose boxes meet. */
+class FacetComparer
+{
+public:
+  FacetComparer(const std::vector<Point>& points, const std::vector<Triangle>& facets)
+    : Points(points)
+    , Facets(facets)
+  {
+  }
+
+  Box BoxOf(Id facet) const { return BoundingBox(this->Points, this->Facets[facet]); }
+
+  std::vector<Box> BoxesOf(const std::vector<Id>& facets) const
+  {
+    std::vector<Box> boxes;
+    boxes.reserve(facets.size());
+    for (const Id f : facets)
+    {
+      boxes.push_back(this->BoxOf(f));
+    }
+    return boxes;
+  }
+
+  void Compare(Id i, Id j, Pairs& pairs) const
+  {
+    if (MeetBeyondSharedCorners(this->Points, this->Facets[i], this->Facets[j]))
+    {
+      pairs.push_back({ std::min(i, j), std::max(i, j) });
+    }
+  }
+
+private:
+  const std::vector<Point>& Points;
+  const std::vector<Triangle>& Facets;
+};
+
+/** Searches the facets from firstNew on among themselves, then some others with them. */
+Pairs SearchNew(const FacetComparer& comparer, Id count, Id firstNew, const std::vector<Id>& others,
+  Monitor& monitor)
 {
   std::vector<Box> boxes;
-  boxes.reserve(facets.size() - begin);
-  for (auto facet = facets.begin() + begin; facet != facets.end(); ++facet)
+  boxes.reserve(static_cast<std::size_t>(count - firstNew));
+  for (Id f = firstNew; f < count; ++f)
   {
-    boxes.push_back(BoundingBox(points, *facet));
+    boxes.push_back(comparer.BoxOf(f));
   }
-  return boxes;
+  const BoxTree tree(boxes);
+  const Id blocksOfNew = NumberOfBlocks(tree.NumberOfParts());
+  const Id numberOfOthers = static_cast<Id>(others.size());
+  const Id blocks = blocksOfNew + NumberOfBlocks(numberOfOthers);
+  return Collect(blocks, NanosecondsPerFacet * BlockSize, monitor,
+    [&](Id block, Pairs& pairs)
+    {
+      if (block < blocksOfNew)
+      {
+        const Id begin = block * BlockSize;
+        for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
+        {
+          tree.VisitPairs(
+            part, [&](Id a, Id b) { comparer.Compare(firstNew + a, firstNew + b, pairs); });
+        }
+        return;
+      }
+      const Id begin = (block - blocksOfNew) * BlockSize;
+      for (Id i = begin; i < std::min(begin + BlockSize, numberOfOthers); ++i)
+      {
+        tree.Visit(comparer.BoxOf(others[i]),
+          [&](Id leaf) { comparer.Compare(others[i], firstNew + leaf, pairs); });
+      }
+    });
 }
+
+/** The old facets that may meet new ones. */
+std::vector<Id> OldNearNew(
+  const std::vector<Point>& points, const std::vector<Triangle>& facets, Id firstNew)
+{
+  std::vector<Id> isNew(facets.size(), 0);
+  std::fill(isNew.begin() + firstNew, isNew.end(), 1);
+  std::vector<Id> near = FacetsNearOthers(points, facets, isNew, 0);
+  near.erase(std::lower_bound(near.begin(), near.end(), firstNew), near.end());
+  return near;
+}
+
+/** Searches the parts of a surface: those that are no terrains, and those whose boxes meet. */
+class PartSearcher
+{
+public:
+  PartSearcher(const FacetComparer& comparer, const SurfaceParts& surface)
+    : Comparer(comparer)
+    , Surface(surface)
+    , Boxes(comparer.BoxesOf(surface.Facets))
+  {
+    for (const SurfacePart& part : surface.Parts)
+    {
+      Box box = Box::Empty();
+      for (Id i = part.Begin; i < part.End; ++i)
+      {
+        box.Add(this->Boxes[i]);
+      }
+      this->BoxesOfParts.push_back(box);
+    }
+  }
+
+  Pairs Search(Monitor& monitor) const
+  {
+    std::vector<std::array<Id, 2>> meeting;
+    for (Id part = 0; part < static_cast<Id>(this->Surface.Parts.size()); ++part)
+    {
+      if (!this->Surface.Parts[part].IsTerrain)
+      {
+        meeting.push_back({ part, part });
+      }
+    }
+    const BoxTree tree(this->BoxesOfParts);
+    for (Id node = 0; node < tree.NumberOfParts(); ++node)
+    {
+      tree.VisitPairs(node, [&](Id a, Id b) { meeting.push_back({ a, b }); });
+    }
+    const double facets = static_cast<double>(this->Surface.Facets.size());
+    return Collect(static_cast<Id>(meeting.size()),
+      NanosecondsPerFacet * facets / static_cast<double>(meeting.size() + 1), monitor,
+      [&](Id i, Pairs& pairs)
+      {
+        const auto [a, b] = meeting[i];
+        if (a == b)
+        {
+          this->SearchIn(this->Surface.Parts[a], pairs);
+        }
+        else
+        {
+          this->SearchBetween(a, b, pairs);
+        }
+      });
+  }
+
+private:
+  void SearchIn(const SurfacePart& part, Pairs& pairs) const
+  {
+    const BoxTree tree({ this->Boxes.begin() + part.Begin, this->Boxes.begin() + part.End });
+    const Id* const facets = this->Surface.Facets.data() + part.Begin;
+    for (Id node = 0; node < tree.NumberOfParts(); ++node)
+    {
+      tree.VisitPairs(
+        node, [&](Id i, Id j) { this->Comparer.Compare(facets[i], facets[j], pairs); });
+    }
+  }
+
+  /** Facets of a part, and their boxes. */
+  struct Some
+  {
+    std::vector<Id> Facets;
+    std::vector<Box> Boxes;
+    Box Bounds = Box::Empty();
+  };
+
+  Some Within(const SurfacePart& part, const Box& box) const
+  {
+    Some some;
+    for (Id i = part.Begin; i < part.End; ++i)
+    {
+      if (this->Boxes[i].Meets(box))
+      {
+        some.Facets.push_back(this->Surface.Facets[i]);
+        some.Boxes.push_back(this->Boxes[i]);
+        some.Bounds.Add(this->Boxes[i]);
+      }
+    }
+    return some;
+  }
+
+  void SearchBetween(Id a, Id b, Pairs& pairs) const
+  {
+    const Some first = this->Within(this->Surface.Parts[a], this->BoxesOfParts[b]);
+    const Some second = this->Within(this->Surface.Parts[b], first.Bounds);
+    if (first.Facets.size() * second.Facets.size() > ManyPairs)
+    {
+      const BoxTree tree(first.Boxes);
+      for (std::size_t j = 0; j < second.Facets.size(); ++j)
+      {
+        tree.Visit(second.Boxes[j],
+          [&](Id i) { this->Comparer.Compare(first.Facets[i], second.Facets[j], pairs); });
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < first.Facets.size(); ++i)
+    {
+      for (std::size_t j = 0; j < second.Facets.size(); ++j)
+      {
+        if (first.Boxes[i].Meets(second.Boxes[j]))
+        {
+          this->Comparer.Compare(first.Facets[i], second.Facets[j], pairs);
+        }
+      }
+    }
+  }
+
+  const FacetComparer& Comparer;
+  const SurfaceParts& Surface;
+  const std::vector<Box> Boxes; ///< of the facets, part by part
+  std::vector<Box> BoxesOfParts;
+};
 } // namespace
 
-std::vector<std::array<Id, 2>> FindIntersections(
+Pairs FindIntersections(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor)
 {
   return FindIntersections(points, facets, 0, monitor);
 }
 
-std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor)
+Pairs FindIntersectionsBetween(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor)
 {
   monitor.Check(Stages::FindingIntersections, 0);
-  if (firstNew == static_cast<Id>(facets.size()))
+  const std::vector<Id> near = FacetsNearOthers(points, facets, setOf, 0);
+  std::vector<Id> sets;
+  for (const Id f : near)
   {
-    return {};
+    sets.push_back(setOf[f]);
   }
-  const BoxTree tree(BoundingBoxes(points, facets, firstNew));
-  std::vector<FilteredPoint> filtered;
-  filtered.reserve(points.size());
-  for (const Point& p : points)
-  {
-    filtered.push_back(ToFiltered(p));
-  }
-
-  // First among the new facets, then of the others with them.
-  const Id blocksOfNew = NumberOfBlocks(tree.NumberOfParts());
-  const Id blocks = blocksOfNew + NumberOfBlocks(firstNew);
-  std::vector<std::vector<std::array<Id, 2>>> found(blocks);
-  const auto search = [&](Id block)
-  {
-    const auto test = [&](Id i, Id j)
-    {
-      if (MeetBeyondSharedCorners(filtered, facets[i], facets[j]))
-      {
-        found[block].push_back({ std::min(i, j), std::max(i, j) });
-      }
-    };
-    if (block < blocksOfNew)
+  const FacetComparer comparer(points, facets);
+  const BoxTree tree(comparer.BoxesOf(near));
+  const std::vector<Id> setsOfParts = tree.SetsOfParts(sets);
+  return Collect(NumberOfBlocks(tree.NumberOfParts()), NanosecondsPerFacet * BlockSize, monitor,
+    [&](Id block, Pairs& pairs)
     {
       const Id begin = block * BlockSize;
       for (Id part = begin; part < std::min(begin + BlockSize, tree.NumberOfParts()); ++part)
       {
-        tree.VisitPairs(part, [&](Id a, Id b) { test(firstNew + a, firstNew + b); });
+        tree.VisitPairsBetween(
+          part, sets, setsOfParts, [&](Id a, Id b) { comparer.Compare(near[a], near[b], pairs); });
       }
-      return;
-    }
-    const Id begin = (block - blocksOfNew) * BlockSize;
-    for (Id i = begin; i < std::min(begin + BlockSize, firstNew); ++i)
-    {
-      tree.Visit(BoundingBox(points, facets[i]), [&](Id leaf) { test(i, firstNew + leaf); });
-    }
-  };
-  const double nanosecondsPerFacet = 1000;
-  ParallelLoop(blocks, nanosecondsPerFacet * BlockSize, monitor,
-    { Stages::FindingIntersections, 0, 1 }, search);
+    });
+}
 
-  std::vector<std::array<Id, 2>> pairs;
-  for (const auto& part : found)
+Pairs FindIntersections(const std::vector<Point>& points, const std::vector<Triangle>& facets,
+  Id firstNew, Monitor& monitor)
+{
+  monitor.Check(Stages::FindingIntersections, 0);
+  const Id count = static_cast<Id>(facets.size());
+  if (firstNew == count)
   {
-    pairs.insert(pairs.end(), part.begin(), part.end());
+    return {};
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  const FacetComparer comparer(points, facets);
+  if (firstNew == 0 && facets.size() >= ManyFacets)
+  {
+    const std::optional<SurfaceParts> parts =
+      CutIntoParts(points, facets, monitor, { Stages::FindingIntersections, 0, 0 });
+    if (parts)
+    {
+      return PartSearcher(comparer, *parts).Search(monitor);
+    }
+  }
+  return SearchNew(comparer, count, firstNew, OldNearNew(points, facets, firstNew), monitor);
 }
 } // namespace insideout

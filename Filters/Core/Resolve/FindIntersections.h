@@ -19,6 +19,11 @@ namespace insideout
 std::vector<std::array<Id, 2>> FindIntersections(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, Monitor& monitor);
 
+/** The same, but only the pairs of facets of different sets. Costs little where few are near.
+ * @param[in] setOf one per facet, at least 0 */
+std::vector<std::array<Id, 2>> FindIntersectionsBetween(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, Monitor& monitor);
+
 /** The same, but only the pairs (i, j) with j at least `firstNew`: those that new facets made. */
 std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, Id firstNew, Monitor& monitor);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/MeetBeyondSharedCorners.h"
 
+#include "Common/TrianglePredicates.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,10 +121,31 @@ bool EdgeMeets(const FilteredTriangle& a, const std::array<int, 3>& sides,
   return false;
 }
 
-FilteredTriangle Corners(const std::vector<FilteredPoint>& points, const Triangle& triangle)
+/** The corners of a triangle, where they are. */
+class CornersInPlace
 {
-  return { points[triangle[0]], points[triangle[1]], points[triangle[2]] };
-}
+public:
+  CornersInPlace(const std::vector<Point>& points, const Triangle& triangle)
+    : Corners{ { &points[triangle[0]], &points[triangle[1]], &points[triangle[2]] } }
+  {
+  }
+
+  CornersInPlace(const std::array<Point, 3>& places)
+    : Corners{ { &places[0], &places[1], &places[2] } }
+  {
+  }
+
+  const Point& operator[](int k) const { return *this->Corners[k]; }
+
+  FilteredTriangle ToFiltered() const
+  {
+    return { { insideout::ToFiltered(*this->Corners[0]), insideout::ToFiltered(*this->Corners[1]),
+      insideout::ToFiltered(*this->Corners[2]) } };
+  }
+
+private:
+  std::array<const Point*, 3> Corners;
+};
 
 /** A floating-point value and a bound of its error. */
 struct Estimate
@@ -136,12 +159,11 @@ constexpr double RelativeError = 16 * std::numeric_limits<double>::epsilon();
 constexpr double Underflow = 16 * std::numeric_limits<double>::min();
 
 /** The component of p - origin along a direction. */
-Estimate Along(
-  const std::array<double, 3>& direction, const FilteredPoint& origin, const FilteredPoint& p)
+Estimate Along(const std::array<double, 3>& direction, const Point& origin, const Point& p)
 {
-  const double x = direction[0] * (p.x() - origin.x());
-  const double y = direction[1] * (p.y() - origin.y());
-  const double z = direction[2] * (p.z() - origin.z());
+  const double x = direction[0] * (p[0] - origin[0]);
+  const double y = direction[1] * (p[1] - origin[1]);
+  const double z = direction[2] * (p[2] - origin[2]);
   return { x + y + z, RelativeError * (std::abs(x) + std::abs(y) + std::abs(z)) + Underflow };
 }
 
@@ -150,10 +172,10 @@ Estimate Along(
  * line between their centres, through that corner, has one on either side. Spares neighbours in one
  * plane the exact arithmetic. Where overflow leaves no number it compares as false, which is safe.
  */
-bool ClearlyApart(const FilteredTriangle& a, const std::array<int, 3>& sharedOfA,
-  const FilteredTriangle& b, const std::array<int, 3>& sharedOfB)
+bool ClearlyApart(const CornersInPlace& a, const std::array<int, 3>& sharedOfA,
+  const CornersInPlace& b, const std::array<int, 3>& sharedOfB)
 {
-  FilteredPoint origin = a[0];
+  const Point* origin = &a[0];
   bool through = false;
   std::array<double, 3> direction;
   for (int k = 0; k < 3; ++k)
@@ -161,14 +183,14 @@ bool ClearlyApart(const FilteredTriangle& a, const std::array<int, 3>& sharedOfA
     direction[k] = (a[0][k] + a[1][k] + a[2][k]) - (b[0][k] + b[1][k] + b[2][k]);
     if (sharedOfA[k] != None)
     {
-      origin = a[k];
+      origin = &a[k];
       through = true;
     }
   }
   std::array<Estimate, 3> ofB;
   for (int k = 0; k < 3; ++k)
   {
-    ofB[k] = Along(direction, origin, b[k]);
+    ofB[k] = Along(direction, *origin, b[k]);
     if (through && sharedOfB[k] == None && !(ofB[k].Value < -ofB[k].Error))
     {
       return false;
@@ -180,7 +202,7 @@ bool ClearlyApart(const FilteredTriangle& a, const std::array<int, 3>& sharedOfA
     {
       continue;
     }
-    const Estimate ofA = Along(direction, origin, a[k]);
+    const Estimate ofA = Along(direction, *origin, a[k]);
     for (int i = 0; i < 3; ++i)
     {
       if (!(ofA.Value - ofA.Error > ofB[i].Value + ofB[i].Error))
@@ -195,15 +217,14 @@ bool ClearlyApart(const FilteredTriangle& a, const std::array<int, 3>& sharedOfA
 /**
  * Whether triangles with a common edge lie clearly on either side of its line, seen along an axis.
  */
-bool ClearlyOnEitherSide(
-  const FilteredPoint& p, const FilteredPoint& q, const FilteredPoint& r, const FilteredPoint& s)
+bool ClearlyOnEitherSide(const Point& p, const Point& q, const Point& r, const Point& s)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     const double along[2] = { q[u] - p[u], q[v] - p[v] };
-    const auto side = [&](const FilteredPoint& t) -> Estimate
+    const auto side = [&](const Point& t) -> Estimate
     {
       const double left = along[0] * (t[v] - p[v]);
       const double right = along[1] * (t[u] - p[u]);
@@ -219,16 +240,9 @@ bool ClearlyOnEitherSide(
   }
   return false;
 }
-} // namespace
 
-bool MeetBeyondSharedCorners(
-  const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b)
-{
-  return MeetBeyondSharedCorners(a, Corners(points, a), b, Corners(points, b));
-}
-
-bool MeetBeyondSharedCorners(
-  const Triangle& a, const FilteredTriangle& p, const Triangle& b, const FilteredTriangle& q)
+bool Meet(const Triangle& a, const CornersInPlace& placesOfA, const Triangle& b,
+  const CornersInPlace& placesOfB)
 {
   const std::array<int, 3> sharedOfA = SharedCorners(a, b);
   const std::array<int, 3> sharedOfB = SharedCorners(b, a);
@@ -239,15 +253,22 @@ bool MeetBeyondSharedCorners(
       static_cast<int>(std::find(sharedOfA.begin(), sharedOfA.end(), None) - sharedOfA.begin());
     const int apexOfB =
       static_cast<int>(std::find(sharedOfB.begin(), sharedOfB.end(), None) - sharedOfB.begin());
+    if (ClearlyOnEitherSide(placesOfA[(apexOfA + 1) % 3], placesOfA[(apexOfA + 2) % 3],
+          placesOfA[apexOfA], placesOfB[apexOfB]))
+    {
+      return false;
+    }
     // Where they lie in two planes they have only the edge in common, too.
-    return !ClearlyOnEitherSide(
-             p[(apexOfA + 1) % 3], p[(apexOfA + 2) % 3], p[apexOfA], q[apexOfB]) &&
-      CGAL::coplanar(p[0], p[1], p[2], q[apexOfB]) && OverlapInPlane(p, q);
+    const FilteredTriangle p = placesOfA.ToFiltered();
+    const FilteredTriangle q = placesOfB.ToFiltered();
+    return CGAL::coplanar(p[0], p[1], p[2], q[apexOfB]) && OverlapInPlane(p, q);
   }
-  if (ClearlyApart(p, sharedOfA, q, sharedOfB))
+  if (ClearlyApart(placesOfA, sharedOfA, placesOfB, sharedOfB))
   {
     return false;
   }
+  const FilteredTriangle p = placesOfA.ToFiltered();
+  const FilteredTriangle q = placesOfB.ToFiltered();
   const std::array<int, 3> sidesOfB = SidesOfPlane(p, q, sharedOfB);
   const bool coplanar = sidesOfB[0] == 0 && sidesOfB[1] == 0 && sidesOfB[2] == 0;
   if (Apart(sidesOfB, sharedOfB))
@@ -261,5 +282,17 @@ bool MeetBeyondSharedCorners(
     return false;
   }
   return EdgeMeets(p, sidesOfA, sharedOfA, q) || EdgeMeets(q, sidesOfB, sharedOfB, p);
+}
+} // namespace
+
+bool MeetBeyondSharedCorners(const std::vector<Point>& points, const Triangle& a, const Triangle& b)
+{
+  return Meet(a, { points, a }, b, { points, b });
+}
+
+bool MeetBeyondSharedCorners(const Triangle& a, const std::array<Point, 3>& placesOfA,
+  const Triangle& b, const std::array<Point, 3>& placesOfB)
+{
+  return Meet(a, placesOfA, b, placesOfB);
 }
 } // namespace insideout

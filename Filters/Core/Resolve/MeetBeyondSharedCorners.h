@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/TrianglePredicates.h"
+#include "Common/Types.h"
+
+#include <vector>
 
 namespace insideout
 {
@@ -10,9 +12,9 @@ namespace insideout
  * by id. Equal coordinates under two ids are no shared corner. The three ids must not all agree.
  */
 bool MeetBeyondSharedCorners(
-  const std::vector<FilteredPoint>& points, const Triangle& a, const Triangle& b);
+  const std::vector<Point>& points, const Triangle& a, const Triangle& b);
 
 /** The same of triangles by ids and places. */
-bool MeetBeyondSharedCorners(const Triangle& a, const FilteredTriangle& placesOfA,
-  const Triangle& b, const FilteredTriangle& placesOfB);
+bool MeetBeyondSharedCorners(const Triangle& a, const std::array<Point, 3>& placesOfA,
+  const Triangle& b, const std::array<Point, 3>& placesOfB);
 } // namespace insideout

@@ -188,6 +188,26 @@ TEST(FindIntersections, TakesOnlyPairsWithANewFacetWhenAsked)
   }
 }
 
+TEST(FindIntersections, TakesOnlyPairsOfDifferentSetsWhenAsked)
+{
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    const TriangleSoup soup = seed % 2 == 0 ? GridSoup(seed, 80, 5) : RandomSoup(seed, 200);
+    std::vector<Id> setOf;
+    for (std::size_t f = 0; f < soup.Triangles.size(); ++f)
+    {
+      setOf.push_back(static_cast<Id>(f * f % (1 + seed / 4)));
+    }
+    const Pairs all = Find(soup);
+    Pairs expected;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+      [&](const std::array<Id, 2>& pair) { return setOf[pair[0]] != setOf[pair[1]]; });
+    EXPECT_EQ(expected.empty(), seed < 4);
+    Monitor monitor;
+    EXPECT_EQ(FindIntersectionsBetween(soup.Points, soup.Triangles, setOf, monitor), expected);
+  }
+}
+
 TEST(FindIntersections, IsTheSameForAnyThreadCount)
 {
   const WholeTeams teams;

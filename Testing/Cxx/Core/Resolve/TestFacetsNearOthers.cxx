@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Boolean/FacetsNearOthers.h"
+#include "Resolve/FacetsNearOthers.h"
 
 #include "Common/Box.h"
 #include "Support/TestMeshes.h"

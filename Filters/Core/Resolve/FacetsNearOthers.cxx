@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Boolean/FacetsNearOthers.h"
+#include "Resolve/FacetsNearOthers.h"
 
 #include "Common/Box.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -13,7 +14,7 @@ namespace
 /** A grid in which facets take more cells than this on average is made coarser. */
 constexpr std::size_t CellsPerFacet = 16;
 
-constexpr Id Several = -2; ///< bodies in one cell
+constexpr Id Several = -2; ///< sets in one cell
 
 using GridPlace = std::array<std::uint16_t, 3>;
 
@@ -31,6 +32,15 @@ struct CellRange
       size *= static_cast<std::size_t>(this->Last[axis] - this->First[axis]) + 1;
     }
     return size;
+  }
+
+  void Add(const CellRange& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->First[axis] = std::min(this->First[axis], other.First[axis]);
+      this->Last[axis] = std::max(this->Last[axis], other.Last[axis]);
+    }
   }
 
   /** In a grid of cells twice as wide. */
@@ -56,14 +66,15 @@ public:
   {
   }
 
-  /** A place that comes before another along an axis is in no later cell, whatever is rounded. */
-  CellRange CellsOf(const Box& box) const
+  /** The cells that a cube of twice the radius reaches into. A place that comes before another
+   * along an axis is in no later cell, whatever is rounded. */
+  CellRange CellsOf(const Point& centre, double radius) const
   {
     CellRange range;
     for (int axis = 0; axis < 3; ++axis)
     {
-      range.First[axis] = this->CellOf(box.Low[axis], axis);
-      range.Last[axis] = this->CellOf(box.High[axis], axis);
+      range.First[axis] = this->CellOf(centre[axis] - radius, axis);
+      range.Last[axis] = this->CellOf(centre[axis] + radius, axis);
     }
     return range;
   }
@@ -102,16 +113,25 @@ private:
 } // namespace
 
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<Id>& bodyOf, double radius)
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, double radius)
 {
   FacetGrid grid(BoundingBox(points), facets.size());
+  std::vector<CellRange> around; // each point
+  around.reserve(points.size());
+  for (const Point& p : points)
+  {
+    around.push_back(grid.CellsOf(p, radius));
+  }
   std::vector<CellRange> ranges;
   ranges.reserve(facets.size());
   std::size_t size = 0;
-  for (const Triangle& facet : facets)
+  for (const auto& [a, b, c] : facets)
   {
-    ranges.push_back(grid.CellsOf(BoundingBox(points, facet).Widened(radius)));
-    size += ranges.back().Size();
+    CellRange range = around[a];
+    range.Add(around[b]);
+    range.Add(around[c]);
+    ranges.push_back(range);
+    size += range.Size();
   }
   while (size > CellsPerFacet * facets.size()) // which ends with a single cell
   {
@@ -124,15 +144,15 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
     }
   }
 
-  std::vector<Id> bodyIn(grid.NumberOfCells(), None);
+  std::vector<Id> setIn(grid.NumberOfCells(), None);
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
     grid.Visit(ranges[f],
       [&](std::size_t cell)
       {
-        if (bodyOf[f] != None && bodyIn[cell] != bodyOf[f])
+        if (setOf[f] != None && setIn[cell] != setOf[f])
         {
-          bodyIn[cell] = bodyIn[cell] == None ? bodyOf[f] : Several;
+          setIn[cell] = setIn[cell] == None ? setOf[f] : Several;
         }
       });
   }
@@ -140,8 +160,8 @@ std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
     bool isNear = false;
-    grid.Visit(ranges[f], [&](std::size_t cell) { isNear |= bodyIn[cell] == Several; });
-    if (isNear && bodyOf[f] != None)
+    grid.Visit(ranges[f], [&](std::size_t cell) { isNear |= setIn[cell] == Several; });
+    if (isNear && setOf[f] != None)
     {
       near.push_back(static_cast<Id>(f));
     }

@@ -8,13 +8,13 @@
 namespace insideout
 {
 /**
- * The facets that may be near one of another body: all whose boxes, widened by `radius`, meet that
+ * The facets that may be near one of another set: all whose boxes, widened by `radius`, meet that
  * of one, and some more. It costs little where few are: a grid tells, not a tree.
  *
  * @param[in] points finite
- * @param[in] bodyOf one per facet; None for facets that are passed over
+ * @param[in] setOf one per facet; None for facets that are passed over
  * @return ascending
  */
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
-  const std::vector<Triangle>& facets, const std::vector<Id>& bodyOf, double radius);
+  const std::vector<Triangle>& facets, const std::vector<Id>& setOf, double radius);
 } // namespace insideout
