@@ -4,12 +4,36 @@
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 #include "WindingNumber/ClosedChainTree.h"
+#include "WindingNumber/WindingNumbersAtFew.h"
 
 #include <cmath>
 #include <numeric>
 
 namespace insideout
 {
+namespace
+{
+std::vector<double> WindingNumbersAtMany(const std::vector<Point>& points,
+  const std::vector<CountedTriangle>& chain, const Sites& sites, Monitor& monitor,
+  const ProgressRange& progress)
+{
+  const std::size_t count = sites.Cells.size();
+  std::vector<Point> wanted;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    wanted.push_back(sites.Rounded(i).High);
+  }
+  const double middle = progress.At(0.5);
+  const ClosedChainTree tree(
+    points, chain, wanted, monitor, { progress.Stage, progress.Begin, middle });
+  std::vector<Id> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> w(count);
+  tree.Evaluate(sites, order, w, monitor, { progress.Stage, middle, progress.End });
+  return w;
+}
+} // namespace
+
 PatchPlaces::PatchPlaces(const FacetComplex& surface, const SurfacePatches& patches)
   : Points(ScaledPoints(surface.Points, -LargestExponent(surface.Points)))
   , Largest(static_cast<std::size_t>(patches.Count), None)
@@ -38,19 +62,9 @@ std::vector<PatchSides> PatchPlaces::WindingNumbers(const std::vector<CountedTri
   const std::vector<int>& counts, Monitor& monitor, const ProgressRange& progress) const
 {
   const Sites sites = { this->Points, this->Middles };
-  std::vector<Point> wanted;
-  for (std::size_t patch = 0; patch < this->Middles.size(); ++patch)
-  {
-    wanted.push_back(sites.Rounded(patch).High);
-  }
-  const double middle = progress.At(0.5);
-  const ClosedChainTree tree(
-    this->Points, chain, wanted, monitor, { progress.Stage, progress.Begin, middle });
-  std::vector<Id> order(this->Middles.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::vector<double> means(this->Middles.size());
-  tree.Evaluate(sites, order, means, monitor, { progress.Stage, middle, progress.End });
-
+  const std::vector<double> means = this->Middles.size() <= MostFewSites
+    ? WindingNumbersAtFew(this->Points, chain, sites, monitor, progress)
+    : WindingNumbersAtMany(this->Points, chain, sites, monitor, progress);
   std::vector<PatchSides> sides;
   for (std::size_t patch = 0; patch < means.size(); ++patch)
   {

@@ -2,7 +2,6 @@
 #include "WindingNumber/ClosedChainTree.h"
 
 #include "Common/ChunkedLoop.h"
-#include "WindingNumber/PlaceInBox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +15,6 @@ namespace
 // A cube with more facets than this is cut further; one with many more by itself, on all threads.
 constexpr std::ptrdiff_t MostInCube = 256;
 constexpr std::size_t ManyInCube = 4096;
-
-// A detour fails only where it meets an edge or a corner exactly. The places lie crooked, so that
-// the first one does nearly always; this many fail only on input that is made for it.
-constexpr int MostDetours = 64;
 
 /** Call evaluate(i) for each i below count, on all threads. */
 template <typename Evaluation>
@@ -226,51 +221,22 @@ bool ClosedChainTree::Locate(const RoundedSite& site, KnownBox& box, double& w) 
   return box.FirstFacet != box.LastFacet;
 }
 
-double ClosedChainTree::AtIn(const KnownBox& box, const PreparedSite& site) const
-{
-  std::vector<Id> touched;
-  double crossings = 0;
-  Point towards = box.Reference;
-  bool counted =
-    this->Facets.CountCrossings(box.FirstFacet, box.LastFacet, site, towards, &touched, crossings);
-  for (int j = 0; !counted && j < MostDetours; ++j)
-  {
-    touched.clear();
-    crossings = 0;
-    towards = PlaceInBox(box.Bounds.Low, box.Bounds.High, j);
-    std::vector<SidedFacet> sided;
-    for (const SidedFacet* f = box.FirstFacet; f != box.LastFacet; ++f)
-    {
-      sided.emplace_back(f->Facet(), this->Facets.SideOf(f->Facet(), towards));
-    }
-    counted = this->Facets.CountCrossings(
-                sided.data(), sided.data() + sided.size(), site, towards, &touched, crossings) &&
-      this->Facets.CountCrossings(box.FirstFacet, box.LastFacet, PreparedSite(SiteAt(towards)),
-        box.Reference, nullptr, crossings);
-  }
-  if (!counted)
-  {
-    throw Error(ErrorCode::Inconsistent,
-      "no way from a site to its box's reference avoids the edges of all facets");
-  }
-  const double ofTouched =
-    touched.empty() ? 0 : this->Facets.AngleOfTouched(std::move(touched), site, towards);
-  return box.Value + crossings - ofTouched;
-}
-
 double ClosedChainTree::At(const Site& site) const
 {
   KnownBox box;
   double w;
-  return this->Locate(RoundedSite(site), box, w) ? this->AtIn(box, PreparedSite(site)) : w;
+  return this->Locate(RoundedSite(site), box, w)
+    ? WindingNumberIn(box, this->Facets, PreparedSite(site))
+    : w;
 }
 
 double ClosedChainTree::At(const Point& point) const
 {
   KnownBox box;
   double w;
-  return this->Locate(RoundedSite(point), box, w) ? this->AtIn(box, PreparedSite(SiteAt(point)))
-                                                  : w;
+  return this->Locate(RoundedSite(point), box, w)
+    ? WindingNumberIn(box, this->Facets, PreparedSite(SiteAt(point)))
+    : w;
 }
 
 void ClosedChainTree::Evaluate(const Sites& sites, const std::vector<Id>& order,

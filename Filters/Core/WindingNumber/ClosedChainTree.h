@@ -77,7 +77,6 @@ private:
 
   /** False where nothing is near, and w is known without more ado. */
   bool Locate(const RoundedSite& site, KnownBox& box, double& w) const;
-  double AtIn(const KnownBox& box, const PreparedSite& site) const;
 
   const ChainFacets Facets;
   std::unique_ptr<ReferenceGrid> Grid; ///< none where doubles did not do

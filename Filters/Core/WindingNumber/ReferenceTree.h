@@ -2,23 +2,10 @@
 #pragma once
 
 #include "Common/ParallelLoop.h"
-#include "WindingNumber/ChainFacets.h"
+#include "WindingNumber/KnownBox.h"
 
 namespace insideout
 {
-/**
- * Where a closed chain's winding number is known: at a reference place in a box. At another place
- * in the box it differs by the count of the facets between.
- */
-struct KnownBox
-{
-  Box Bounds;
-  Point Reference;
-  double Value; ///< NaN where no site is wanted
-  const SidedFacet* FirstFacet;
-  const SidedFacet* LastFacet;
-};
-
 /**
  * A box cut in two again and again, until its parts hold few facets each or cutting helps no more.
  * The winding number is carried to a reference place in every part: exact predicates decide, and

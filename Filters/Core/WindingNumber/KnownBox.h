@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "WindingNumber/ChainFacets.h"
+
+namespace insideout
+{
+/**
+ * Where a closed chain's winding number is known: at a reference place in a box. At another place
+ * in the box it differs by the count of the facets between.
+ */
+struct KnownBox
+{
+  Box Bounds;
+  Point Reference;
+  double Value;                 ///< NaN where no site is wanted
+  const SidedFacet* FirstFacet; ///< all that may meet the box, with the reference's side
+  const SidedFacet* LastFacet;
+};
+
+/**
+ * The winding number at a site in the box. Where the line from it to the reference meets an edge or
+ * a corner, a detour is made.
+ *
+ * @throws Error Inconsistent where no detour would do
+ */
+double WindingNumberIn(const KnownBox& box, const ChainFacets& facets, const PreparedSite& site);
+} // namespace insideout
