@@ -32,7 +32,9 @@ HullMesh ResolveHull(
   hull.DegenerateTriangles = std::move(chain.DegenerateTriangles);
   hull.Warnings = std::move(chain.Warnings);
   AddCounts(hull.Counts, statistics);
-  const FacetTurns turns = OrientFacets(chain.Surface, parameters.Orientation, monitor);
+  const FacetTurns turns =
+    OrientFacets(chain.Surface, chain.Edges, parameters.Orientation, monitor);
+  chain.Edges = {};
   hull.TurnedTriangles = TrianglesOfFacets(chain.Surface, turns.Turned);
   hull.SheetTriangles = TrianglesOfFacets(chain.Surface, turns.IsSheet);
   hull.Warnings.insert(hull.Warnings.end(), turns.Warnings.begin(), turns.Warnings.end());

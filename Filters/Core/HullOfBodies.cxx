@@ -2,6 +2,7 @@
 #include "HullOfBodies.h"
 
 #include "Boolean/ResolveBodies.h"
+#include "Boolean/SingleBodies.h"
 #include "Boolean/WindingNumbersOfBodies.h"
 #include "Common/AddUp.h"
 #include "Common/Box.h"

@@ -32,7 +32,8 @@ vtkInsideOutFacets::vtkInsideOutFacets(vtkPolyData* input,
   insideout::CountedChain chain = CountFacets(surface.Soup, options.Chain, monitor);
   Add(chain.Warnings, warnings);
   Add(surface.Warnings, warnings);
-  const insideout::FacetTurns turns = OrientFacets(chain.Surface, options.Orientation, monitor);
+  const insideout::FacetTurns turns =
+    OrientFacets(chain.Surface, chain.Edges, options.Orientation, monitor);
   Add(turns.Warnings, warnings);
   for (insideout::Id f = 0; options.Distance && f < chain.Surface.NumberOfFacets(); ++f)
   {

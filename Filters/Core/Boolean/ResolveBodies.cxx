@@ -10,6 +10,7 @@
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Resolve/FacetsNearOthers.h"
+#include "Resolve/FindIntersections.h"
 #include "Resolve/ResolveSelfIntersections.h"
 #include "Resolve/SnappingRadius.h"
 #include "Validate/MergePoints.h"
@@ -27,6 +28,7 @@ namespace
 /** @throws Error TooLarge */
 void SetMultiplicity(const std::vector<int>& multiplicity, FacetComplex& surface)
 {
+  surface.Multiplicity.reserve(multiplicity.size());
   for (const int count : multiplicity)
   {
     if (std::abs(count) > std::numeric_limits<std::int16_t>::max())
@@ -51,6 +53,8 @@ void SetSources(const std::vector<FacetSource>& places, FacetComplex& surface)
           FacetSource{ static_cast<Id>(i), places[i].Reversed });
       }
     });
+  surface.Sources.reserve(places.size());
+  surface.SourceOffsets.reserve(surface.Facets.size() + 1);
   for (std::size_t f = 0; f < surface.Facets.size(); ++f)
   {
     surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
@@ -82,6 +86,8 @@ public:
     , NumberOfIds(NumberOfPointIds(this->Given))
     , SamePoints(static_cast<std::size_t>(this->NumberOfIds))
     , Chains(this->Given.size())
+    , Edges(this->Given.size())
+    , OwnCrossings(this->Given.size())
   {
     this->Result.Bodies.resize(this->Given.size());
   }
@@ -91,6 +97,7 @@ public:
 private:
   void MergeGivenPoints();
   void CountFacetsOfBodies();
+  void FindOwnCrossings();
   void OrientBodies();
   struct ChainPoints
   {
@@ -101,7 +108,7 @@ private:
   };
   ChainPoints PointsOfChains();
   FacetComplex Together();
-  std::vector<Id> FacetsBesideOtherBodies(const FacetComplex& together) const;
+  void TakeOwnCrossings(const std::vector<FacetSource>& places);
   void TakeResolved(FacetComplex resolved);
   void TellOfNearBodies();
   Id BodyOf(Id chainFacet) const;
@@ -115,7 +122,10 @@ private:
   DisjointSets SamePoints; ///< by their numbers
 
   std::vector<FacetComplex> Chains; ///< one per body, by the body's own points and triangles
-  std::vector<Id> FirstFacet;       ///< of each chain, if the facets of all are numbered in a row
+  std::vector<std::vector<FacetEdge>> Edges; ///< of each chain, until it is oriented
+  std::vector<Id> FirstFacet; ///< of each chain, if the facets of all are numbered in a row
+  std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< by facets of each chain
+  KnownCrossings Known; ///< of all together, with a body for each facet
   ResolvedBodies Result;
 };
 
@@ -204,10 +214,22 @@ void BodyResolver::CountFacetsOfBodies()
     this->Warn(body, chain.Warnings);
     this->Result.Bodies[b].Counts = chain.Counts;
     this->Chains[b] = std::move(chain.Surface);
+    this->Edges[b] = std::move(chain.Edges);
   }
   if (!isAnyThere)
   {
     throw Error(ErrorCode::EmptySurface, "none of the bodies has a polygon with an area");
+  }
+}
+
+/** Searches each body once. */
+void BodyResolver::FindOwnCrossings()
+{
+  for (std::size_t b = 0; b < this->Given.size(); ++b)
+  {
+    const FacetComplex& chain = this->Chains[b];
+    PartMonitor monitor(this->Watch, b, this->Given.size());
+    this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
   }
 }
 
@@ -226,7 +248,8 @@ void BodyResolver::OrientBodies()
     InTheNameOf(body.Name,
       [&]()
       {
-        turns = OrientFacets(chain, this->Parameters.Orientation, monitor);
+        turns = OrientFacets(chain, this->Edges[b], this->Parameters.Orientation, monitor,
+          this->OwnCrossings[b].empty() ? Crossings::Absent : Crossings::Unknown);
         for (const Id t : TrianglesOfFacets(chain, turns.Turned))
         {
           this->Result.TurnedTriangles.push_back(body.TriangleIds[t]);
@@ -237,7 +260,12 @@ void BodyResolver::OrientBodies()
         }
         this->Result.Bodies[b].ThickenedFacets =
           ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
+        if (this->Result.Bodies[b].ThickenedFacets > 0)
+        {
+          this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
+        }
       });
+    this->Edges[b] = {};
     this->Warn(body, turns.Warnings);
   }
 }
@@ -284,6 +312,8 @@ FacetComplex BodyResolver::Together()
 {
   FacetComplex together;
   const ChainPoints points = this->PointsOfChains();
+  together.Points.reserve(points.Points.size());
+  together.Origins.reserve(points.Points.size());
   std::vector<Id> index(points.Points.size(), None);
   std::vector<char> isShared; // per point of the complex: by several bodies
   for (std::size_t p = 0; p < index.size(); ++p)
@@ -306,6 +336,15 @@ FacetComplex BodyResolver::Together()
   std::unordered_map<Triangle, FacetSource, HashOfTriangle> known; // of shared points
   std::vector<FacetSource> places; // per facet of the chains where it is, and whether turned
   std::vector<int> multiplicity;
+  std::size_t facets = 0;
+  for (const FacetComplex& chain : this->Chains)
+  {
+    facets += chain.Facets.size();
+  }
+  places.reserve(facets);
+  multiplicity.reserve(facets);
+  together.Facets.reserve(facets);
+  this->Known.SetOf.reserve(facets);
   for (std::size_t b = 0; b < this->Chains.size(); ++b)
   {
     this->FirstFacet.push_back(static_cast<Id>(places.size()));
@@ -328,6 +367,7 @@ FacetComplex BodyResolver::Together()
       {
         together.Facets.push_back(corners);
         multiplicity.push_back(0);
+        this->Known.SetOf.push_back(static_cast<Id>(b));
       }
       const int count = this->Chains[b].Multiplicity[f];
       multiplicity[place.Triangle] += place.Reversed ? -count : count;
@@ -336,20 +376,23 @@ FacetComplex BodyResolver::Together()
   }
   SetMultiplicity(multiplicity, together);
   SetSources(places, together);
+  this->TakeOwnCrossings(places);
   together.NumberOfConstraints = together.NumberOfFacets();
   return together;
 }
 
-/** The facets that may touch those of another body, or nearly. */
-std::vector<Id> BodyResolver::FacetsBesideOtherBodies(const FacetComplex& together) const
+/** Says of the bodies' own crossings in facets of all. @param[in] places of the chains' facets */
+void BodyResolver::TakeOwnCrossings(const std::vector<FacetSource>& places)
 {
-  std::vector<Id> bodies;
-  for (Id f = 0; f < together.NumberOfFacets(); ++f)
+  for (std::size_t b = 0; b < this->Chains.size(); ++b)
   {
-    bodies.push_back(this->BodyOf(together.Sources[together.SourceOffsets[f]].Triangle));
+    for (const auto& pair : this->OwnCrossings[b])
+    {
+      const Id i = places[this->FirstFacet[b] + pair[0]].Triangle;
+      const Id j = places[this->FirstFacet[b] + pair[1]].Triangle;
+      this->Known.Pairs.push_back({ std::min(i, j), std::max(i, j) });
+    }
   }
-  return FacetsNearOthers(
-    together.Points, together.Facets, bodies, SnappingRadius(LargestCoordinate(together.Points)));
 }
 
 /** Takes the resolved complex, and says of it in bodies and their triangles what it says in facets
@@ -359,6 +402,10 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
   std::vector<FacetSource> sources;
   std::vector<Id> offsets = { 0 };
   std::vector<BodyCount>& counts = this->Result.Counts;
+  sources.reserve(resolved.Sources.size());
+  offsets.reserve(resolved.Facets.size() + 1);
+  counts.reserve(resolved.Sources.size());
+  this->Result.CountOffsets.reserve(resolved.Facets.size() + 1);
   for (Id f = 0; f < resolved.NumberOfFacets(); ++f)
   {
     const std::size_t firstSource = sources.size();
@@ -437,6 +484,7 @@ ResolvedBodies BodyResolver::Resolve()
     }
   }
   this->CountFacetsOfBodies();
+  this->FindOwnCrossings();
   this->OrientBodies();
   this->Result.SecondsValidate = stopwatch.Lap();
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
@@ -445,9 +493,10 @@ ResolvedBodies BodyResolver::Resolve()
   const FacetComplex together = this->Together();
   // Without a tolerance what is inside by a hair's breadth is inside.
   const std::vector<Id> mayTouch = this->Parameters.Chain.MergeTolerance > 0
-    ? this->FacetsBesideOtherBodies(together)
+    ? FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
+        SnappingRadius(LargestCoordinate(together.Points)))
     : std::vector<Id>();
-  Resolution resolution = ResolveSelfIntersections(together, this->Watch, mayTouch);
+  Resolution resolution = ResolveSelfIntersections(together, this->Watch, this->Known, mayTouch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   this->TakeResolved(std::move(resolution.Surface));
   this->TellOfNearBodies();
@@ -458,45 +507,6 @@ ResolvedBodies BodyResolver::Resolve()
   return std::move(this->Result);
 }
 } // namespace
-
-std::vector<char> FindClosedBodies(
-  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges)
-{
-  std::vector<char> isClosed(bodies.Bodies.size(), 1);
-  std::vector<int> sums(bodies.Bodies.size(), 0);
-  const auto forCounts = [&](const FacetEdge* first, const FacetEdge* last, const auto& visit)
-  {
-    for (const FacetEdge* edge = first; edge != last; ++edge)
-    {
-      for (Id i = bodies.CountOffsets[edge->Facet]; i < bodies.CountOffsets[edge->Facet + 1]; ++i)
-      {
-        visit(bodies.Counts[i].Body, edge->Direction * bodies.Counts[i].Count);
-      }
-    }
-  };
-  ForEachEdge(edges,
-    [&](const FacetEdge* first, const FacetEdge* last)
-    {
-      forCounts(first, last, [&](Id body, int count) { sums[body] += count; });
-      forCounts(first, last,
-        [&](Id body, int)
-        {
-          isClosed[body] &= sums[body] == 0;
-          sums[body] = 0;
-        });
-    });
-  return isClosed;
-}
-
-FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body)
-{
-  FacetComplex complex = bodies.Surface;
-  for (Id f = 0; f < complex.NumberOfFacets(); ++f)
-  {
-    complex.Multiplicity[f] = static_cast<std::int16_t>(CountFor(bodies, f, body));
-  }
-  return complex;
-}
 
 ResolvedBodies ResolveBodies(
   std::vector<Body> bodies, const BodyParameters& parameters, Monitor& monitor)

@@ -5,7 +5,6 @@
 #include "Orient/OrientFacets.h"
 #include "Orient/ThickenFacets.h"
 #include "Validate/CountedChain.h"
-#include "Validate/FacetEdges.h"
 
 namespace insideout
 {
@@ -70,17 +69,6 @@ inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
   }
   return 0;
 }
-
-/**
- * Per body whether it has no boundary: on every edge its counts cancel.
- *
- * @param[in] edges those of Surface.Facets
- */
-std::vector<char> FindClosedBodies(
-  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
-
-/** The facets with what they count for one body: w of the body is that of this complex. */
-FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);
 
 /**
  * Count and orient bodies, each as if it were alone (CountFacets, OrientFacets, ThickenFacets), so

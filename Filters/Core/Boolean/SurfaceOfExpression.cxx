@@ -2,6 +2,7 @@
 #include "Boolean/SurfaceOfExpression.h"
 
 #include "Boolean/PatchBoundary.h"
+#include "Boolean/SingleBodies.h"
 #include "Common/Stages.h"
 
 #include <algorithm>

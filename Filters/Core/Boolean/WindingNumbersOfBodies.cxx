@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/WindingNumbersOfBodies.h"
 
+#include "Boolean/SingleBodies.h"
 #include "Common/PartMonitor.h"
 #include "WindingNumber/WindingNumberOfCells.h"
 

@@ -217,13 +217,13 @@ SurfaceDefects FindSurfaceDefects(
   SurfaceDefects defects;
   defects.Counts = chain.Counts;
   defects.Planar = LiesInOnePlane(surface);
-  defects.Turns = FindFacetTurns(surface, orientation, monitor);
+  defects.Turns = FindFacetTurns(surface, chain.Edges, orientation, monitor);
   defects.Warnings = defects.Turns.Warnings;
 
   const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);
   defects.IntersectingPairs = static_cast<Id>(pairs.size());
 
-  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  const std::vector<FacetEdge>& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(surface.NumberOfFacets(), edges);
   const EdgeDefects edgeDefects = FindEdgeDefects(surface, edges);
   defects.InconsistentEdges = static_cast<Id>(edgeDefects.Inconsistent.size());

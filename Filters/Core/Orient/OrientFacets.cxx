@@ -78,10 +78,40 @@ ChosenTurns ChooseAsTold(const std::vector<Point>& points, const std::vector<She
   return chosen;
 }
 
+/** A volume that is this much of the area, of a surface of size 1, has the right sign: it is a sum
+ * of as many terms as there are facets, each of them off by some 2^-50 of the facet's area. */
+constexpr double SureVolume = 1e-8;
+
+/**
+ * Whether the surface is one closed shell that no region but its inside belongs to. If nothing
+ * crosses, the winding number just before all facets of a patch is the same, and just behind them,
+ * too; with one patch, of facets that count once, there is but one beside that of the outside, 0.
+ */
+bool IsPlain(const Shells& shells, const std::vector<ShellChain>& chains)
+{
+  return shells.Patches == 1 && chains.size() == 1 && chains[0].Kind == ShellKind::Closed &&
+    std::abs(chains[0].Triangles.front().Count) == 1 &&
+    std::abs(chains[0].Volume) > SureVolume * chains[0].Area;
+}
+
+/** Turns a plain shell outward: then w is 1 within, and there is no need to look where it is not.
+ */
+ChosenTurns TurnOutward(const ShellChain& plain)
+{
+  ChosenTurns chosen;
+  chosen.Turns.Turned.push_back(plain.Volume < 0);
+  chosen.Turns.Undecided.push_back(0);
+  return chosen;
+}
+
 /** What share of the surface's area is marked. */
 double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
   const std::vector<Triangle>& facets)
 {
+  if (std::find(marks.begin(), marks.end(), 1) == marks.end())
+  {
+    return 0;
+  }
   std::array<double, 2> areas{ { 0, 0 } };
   for (std::size_t f = 0; f < marks.size(); ++f)
   {
@@ -93,15 +123,19 @@ double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
 }
 
 /** Find shells, and choose which facets to turn. */
-FacetTurns ChooseFacets(const FacetComplex& surface, Orientation orientation, Monitor& monitor)
+FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  Orientation orientation, Monitor& monitor, Crossings crossings)
 {
-  const Shells shells = FindShells(surface, SortedFacetEdges(surface.Facets));
+  const Shells shells = FindShells(surface, edges);
   const int exponent = LargestExponent(surface.Points);
   const std::vector<Point> points = ScaledPoints(surface.Points, -exponent);
   const std::vector<ShellChain> chains = CloseShells(surface, shells, points);
   const bool automatic = orientation == Orientation::Automatic;
-  const ChosenTurns chosen = automatic ? ChooseAutomatically(points, chains, monitor)
-                                       : ChooseAsTold(points, chains, orientation, monitor);
+  const bool makeAgree = automatic || orientation == Orientation::Outward;
+  const ChosenTurns chosen = makeAgree && crossings == Crossings::Absent && IsPlain(shells, chains)
+    ? TurnOutward(chains.front())
+    : automatic ? ChooseAutomatically(points, chains, monitor)
+                : ChooseAsTold(points, chains, orientation, monitor);
   const auto countOf = [](const std::vector<char>& marks)
   { return static_cast<Id>(std::count(marks.begin(), marks.end(), char(1))); };
 
@@ -123,7 +157,6 @@ FacetTurns ChooseFacets(const FacetComplex& surface, Orientation orientation, Mo
                                                                         : volume);
   }
 
-  const bool makeAgree = automatic || orientation == Orientation::Outward;
   turns.Turned.assign(shells.Turned.size(), orientation == Orientation::Reverse);
   turns.IsSheet.assign(shells.Turned.size(), 1);
   for (std::size_t f = 0; f < turns.Turned.size(); ++f)
@@ -178,10 +211,11 @@ std::vector<std::string> WarningsAbout(const FacetTurns& turns)
 }
 } // namespace
 
-FacetTurns FindFacetTurns(const FacetComplex& surface, Orientation orientation, Monitor& monitor)
+FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  Orientation orientation, Monitor& monitor, Crossings crossings)
 {
   monitor.Check(Stages::Orienting, 0);
-  FacetTurns turns = ChooseFacets(surface, orientation, monitor);
+  FacetTurns turns = ChooseFacets(surface, edges, orientation, monitor, crossings);
   if (orientation == Orientation::Automatic)
   {
     turns.Warnings = WarningsAbout(turns);
@@ -190,9 +224,10 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, Orientation orientation, 
   return turns;
 }
 
-FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor)
+FacetTurns OrientFacets(FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  Orientation orientation, Monitor& monitor, Crossings crossings)
 {
-  FacetTurns turns = FindFacetTurns(surface, orientation, monitor);
+  FacetTurns turns = FindFacetTurns(surface, edges, orientation, monitor, crossings);
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
     if (turns.Turned[f])

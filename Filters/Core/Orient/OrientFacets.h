@@ -17,6 +17,13 @@ enum class Orientation
   Outward    ///< every shell that encloses something faces outward, whatever lies within what
 };
 
+/** What is known of facets that meet beyond the corners and edges that they share. */
+enum class Crossings
+{
+  Unknown,
+  Absent ///< no two facets do
+};
+
 /** What was turned over, and how the surface is made up. A shell is what Shells.h says. */
 struct FacetTurns
 {
@@ -48,12 +55,16 @@ struct FacetTurns
  * SampleRegions.h). Sheets are not turned, and turn nothing else. The choice does not depend on the
  * number of threads.
  *
+ * @param[in] edges those of surface.Facets
+ * @param[in] crossings where there are none it is quicker
  * @throws Error (Stopped)
  */
-FacetTurns FindFacetTurns(const FacetComplex& surface, Orientation orientation, Monitor& monitor);
+FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  Orientation orientation, Monitor& monitor, Crossings crossings = Crossings::Unknown);
 
 /** The same, and turn them. @param[in,out] surface Multiplicity and Sources change */
-FacetTurns OrientFacets(FacetComplex& surface, Orientation orientation, Monitor& monitor);
+FacetTurns OrientFacets(FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  Orientation orientation, Monitor& monitor, Crossings crossings = Crossings::Unknown);
 
 /** The input triangles of facets that are marked, ascending. @param[in] marks one per facet */
 std::vector<Id> TrianglesOfFacets(const FacetComplex& surface, const std::vector<char>& marks);

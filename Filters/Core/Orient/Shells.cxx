@@ -199,10 +199,15 @@ void TurnTheFewer(Shells& shells)
 
 Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {
-  std::vector<FacetEdge> counted;
-  counted.reserve(edges.size());
-  std::copy_if(edges.begin(), edges.end(), std::back_inserter(counted),
-    [&](const FacetEdge& edge) { return surface.Multiplicity[edge.Facet] != 0; });
+  const std::vector<std::int16_t>& counts = surface.Multiplicity;
+  const bool allCount = std::find(counts.begin(), counts.end(), 0) == counts.end();
+  std::vector<FacetEdge> some;
+  if (!allCount)
+  {
+    std::copy_if(edges.begin(), edges.end(), std::back_inserter(some),
+      [&](const FacetEdge& edge) { return counts[edge.Facet] != 0; });
+  }
+  const std::vector<FacetEdge>& counted = allCount ? edges : some;
   const SurfacePatches patches = FindPatches(surface, counted);
   TurnedSets sets(patches.Count);
   for (const Relation& relation : RelationsOfPatches(surface, counted, patches))
@@ -214,6 +219,7 @@ Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edg
   }
 
   Shells shells;
+  shells.Patches = patches.Count;
   shells.Shell.assign(surface.Facets.size(), None);
   shells.Turned.assign(surface.Facets.size(), 0);
   struct Seen

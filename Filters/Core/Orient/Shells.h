@@ -12,6 +12,7 @@ struct Shells
 {
   std::vector<Id> Shell;    ///< one per facet; None for those that count 0
   std::vector<char> Turned; ///< one per facet: 1 where it has to be turned over to agree
+  Id Patches = 0;           ///< of the surface (SurfacePatches.h)
   Id Count = 0;             ///< of shells, numbered by their lowest facet
 };
 

@@ -66,7 +66,7 @@ class Resolver
 {
 public:
   Resolver(const FacetComplex& surface, Monitor& monitor);
-  Resolution Resolve(const std::vector<Id>& mayTouch);
+  Resolution Resolve(const KnownCrossings& known, const std::vector<Id>& mayTouch);
 
 private:
   void CutRepeatedly();
@@ -100,15 +100,23 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
 {
 }
 
-Resolution Resolver::Resolve(const std::vector<Id>& mayTouch)
+Resolution Resolver::Resolve(const KnownCrossings& known, const std::vector<Id>& mayTouch)
 {
-  this->Now.FindCrossings(this->Watch);
+  if (known.SetOf.empty())
+  {
+    this->Now.FindCrossings(this->Watch);
+  }
+  else
+  {
+    this->Now.FindCrossingsBetween(known.SetOf, known.Pairs, this->Watch);
+  }
   Resolution resolution;
   resolution.IntersectingPairs = this->Now.Crossings;
   const std::vector<std::array<Id, 2>> layers = FindLayers({ this->Now.Points, this->Now.Facets },
     mayTouch, SnappingRadius(this->Size), this->Watch, { Stages::Resolving, 0, 0 });
   if (!this->Now.Crossings.empty() || !layers.empty())
   {
+    this->Positions.Reserve(2 * this->Now.Points.size());
     for (Id p = 0; p < static_cast<Id>(this->Now.Points.size()); ++p)
     {
       this->Positions.Add(this->Now.Points[p], p);
@@ -399,9 +407,9 @@ void Resolver::Collapse(const std::vector<Id>& candidates)
 }
 } // namespace
 
-Resolution ResolveSelfIntersections(
-  const FacetComplex& surface, Monitor& monitor, const std::vector<Id>& mayTouch)
+Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
+  const KnownCrossings& known, const std::vector<Id>& mayTouch)
 {
-  return Resolver(surface, monitor).Resolve(mayTouch);
+  return Resolver(surface, monitor).Resolve(known, mayTouch);
 }
 } // namespace insideout

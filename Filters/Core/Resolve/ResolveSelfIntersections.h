@@ -13,6 +13,16 @@ struct Resolution
   int Rounds = 0; ///< how often facets were cut: more than 1 where rounding made new crossings
 };
 
+/** Crossings of a complex that were found before. */
+struct KnownCrossings
+{
+  /** One per facet, or empty where none are known: within each set all are. */
+  std::vector<Id> SetOf;
+
+  /** Pairs (i, j) with i < j of facets that meet beyond shared corners and edges. */
+  std::vector<std::array<Id, 2>> Pairs;
+};
+
 /**
  * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
  * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
@@ -26,10 +36,11 @@ struct Resolution
  * still cross after the last round stand behind Surface.NumberOfConstraints.
  *
  * @param[in] surface a validated complex
+ * @param[in] known is not searched again
  * @param[in] mayTouch facets that become one where they coincide up to rounding also if none of
  *   them cross; they take a search of their own
  * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
  */
-Resolution ResolveSelfIntersections(
-  const FacetComplex& surface, Monitor& monitor, const std::vector<Id>& mayTouch = {});
+Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
+  const KnownCrossings& known = {}, const std::vector<Id>& mayTouch = {});
 } // namespace insideout

@@ -186,6 +186,15 @@ void WorkingSurface::FindCrossings(Monitor& monitor)
   this->FirstUnchecked = static_cast<Id>(this->Facets.size());
 }
 
+void WorkingSurface::FindCrossingsBetween(
+  const std::vector<Id>& setOf, const std::vector<std::array<Id, 2>>& known, Monitor& monitor)
+{
+  this->Crossings = FindIntersectionsBetween(this->Points, this->Facets, setOf, monitor);
+  this->Crossings.insert(this->Crossings.end(), known.begin(), known.end());
+  SortUniquely(this->Crossings);
+  this->FirstUnchecked = static_cast<Id>(this->Facets.size());
+}
+
 /**
  * Adds facets, or what they mean to the ones with the same corners. What is left without a meaning
  * is marked as removed, too.
@@ -275,6 +284,11 @@ FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& m
 {
   this->DropUnusedPoints();
   FacetComplex surface;
+  const std::size_t facets = this->Facets.size();
+  surface.Facets.reserve(facets);
+  surface.Multiplicity.reserve(facets);
+  surface.SourceOffsets.reserve(facets + 1);
+  surface.Sources.reserve(std::max(facets, this->Given->Sources.size()));
   auto next = leftOut.begin();
   for (Id f = 0; f < static_cast<Id>(this->Facets.size()); ++f)
   {

@@ -58,6 +58,11 @@ public:
   /** Search what was added since the last time for crossings. @throws Error (Stopped) */
   void FindCrossings(Monitor& monitor);
 
+  /** The same of all facets, where the crossings within sets are known.
+   * @param[in] setOf one per facet */
+  void FindCrossingsBetween(
+    const std::vector<Id>& setOf, const std::vector<std::array<Id, 2>>& known, Monitor& monitor);
+
   /** The degenerate ones among the facets that were not searched for crossings yet. */
   std::vector<Id> DegenerateFacets() const;
 

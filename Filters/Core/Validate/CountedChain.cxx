@@ -69,6 +69,8 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
   FirstOfEqual equal(soup.Triangles.size());
   std::vector<SortedTriangle> leaders; // of the facets
   std::vector<FacetSource> places;     // per triangle its facet, None for degenerate ones
+  surface.Facets.reserve(soup.Triangles.size());
+  leaders.reserve(soup.Triangles.size());
   places.reserve(soup.Triangles.size());
   for (Id t = 0; t < static_cast<Id>(soup.Triangles.size()); ++t)
   {
@@ -104,6 +106,8 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
         }
       }
     });
+  surface.Sources.reserve(soup.Triangles.size());
+  surface.SourceOffsets.reserve(surface.Facets.size() + 1);
   for (std::size_t f = 0; f < surface.Facets.size(); ++f)
   {
     surface.Sources.insert(surface.Sources.end(), sources[f].begin(), sources[f].end());
@@ -282,7 +286,8 @@ CountedChain CountFacets(
   chain.Counts.Facets = chain.Surface.NumberOfFacets();
 
   monitor.Check(Stages::Validating, 0.7);
-  const std::vector<FacetEdge> edges = SortedFacetEdges(chain.Surface.Facets);
+  chain.Edges = SortedFacetEdges(chain.Surface.Facets);
+  const std::vector<FacetEdge>& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
   CountEdges(chain.Surface.Points, edges, chain.Counts);

@@ -4,6 +4,7 @@
 #include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
+#include "Validate/FacetEdges.h"
 
 #include <string>
 
@@ -41,7 +42,8 @@ struct SurfaceCounts
 
 struct CountedChain
 {
-  FacetComplex Surface; ///< only points that a facet uses, in the input's order
+  FacetComplex Surface;         ///< only points that a facet uses, in the input's order
+  std::vector<FacetEdge> Edges; ///< those of Surface.Facets
   SurfaceCounts Counts;
   std::vector<std::string> Warnings;
   std::vector<Id> MergedInto;          ///< per point of the soup the one that it became, or itself

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/ResolveBodies.h"
 
+#include "Boolean/SingleBodies.h"
+#include "Resolve/FindIntersections.h"
 #include "Support/BodiesOfSoups.h"
 #include "Support/TestMeshes.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
@@ -192,6 +194,27 @@ TEST(ResolveBodies, NameTheBodyThatIsWrong)
   {
     EXPECT_EQ(error.Code, ErrorCode::PointOutOfRange);
     EXPECT_STREQ(error.what(), "body B: triangle 3 refers to point 88 of 8");
+  }
+}
+TEST(ResolveBodies, CountsTheCrossingsOfEachBodyAndAmongThem)
+{
+  // A crosses itself; C is a sheet that is thickened, and its slab crosses A and B.
+  const TriangleSoup twice = Join(Cube(0, 2), Cube(1, 3));
+  TriangleSoup sheet;
+  sheet.Points = { { -1, -1, 0.5 }, { 9, -1, 0.5 }, { -1, 9, 0.5 } };
+  sheet.Triangles = { { 0, 1, 2 } };
+  for (const double width : { 0.0, 0.25 })
+  {
+    BodyParameters parameters;
+    parameters.Thicken.Width = width;
+    const ResolvedBodies alone = Resolved({ twice, Cube(7, 8) }, parameters);
+    EXPECT_GT(alone.IntersectingPairs, 0);
+    const ResolvedBodies bodies =
+      Resolved({ twice, Box({ 5, 0, 0 }, { 6, 1, 1 }), sheet }, parameters);
+    EXPECT_GT(bodies.IntersectingPairs, alone.IntersectingPairs);
+    EXPECT_EQ(bodies.Bodies[2].ThickenedFacets, width > 0);
+    Monitor monitor;
+    EXPECT_TRUE(FindIntersections(bodies.Surface.Points, bodies.Surface.Facets, monitor).empty());
   }
 }
 } // namespace

@@ -122,7 +122,7 @@ void ExpectWhatTheExpressionHolds(
   for (const Id b : expression.Bodies())
   {
     FacetComplex chain = CountFacets(soups[b], {}, monitor).Surface;
-    OrientFacets(chain, Orientation::Automatic, monitor);
+    OrientFacets(chain, SortedFacetEdges(chain.Facets), Orientation::Automatic, monitor);
     alone.push_back(
       std::make_unique<SurfaceWindingNumber>(chain, WindingNumberParameters(), monitor));
   }

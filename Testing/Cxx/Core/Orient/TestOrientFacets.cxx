@@ -31,7 +31,8 @@ Oriented Orient(const TriangleSoup& soup, Orientation orientation = Orientation:
 {
   Monitor monitor;
   Oriented oriented = { Chain(soup), {} };
-  oriented.Turns = OrientFacets(oriented.Surface, orientation, monitor);
+  oriented.Turns =
+    OrientFacets(oriented.Surface, SortedFacetEdges(oriented.Surface.Facets), orientation, monitor);
   return oriented;
 }
 
@@ -306,14 +307,126 @@ TEST(OrientFacets, StopsWhenAsked)
   Stopper all;
   all.Allowed = 1000000;
   FacetComplex copy = surface;
-  OrientFacets(copy, Orientation::Automatic, all);
+  OrientFacets(copy, SortedFacetEdges(copy.Facets), Orientation::Automatic, all);
   ASSERT_GT(all.Reports, 3);
   for (int allowed = 0; allowed < all.Reports; ++allowed)
   {
     Stopper stopper;
     stopper.Allowed = allowed;
     copy = surface;
-    EXPECT_THROW(OrientFacets(copy, Orientation::Automatic, stopper), Error);
+    EXPECT_THROW(
+      OrientFacets(copy, SortedFacetEdges(copy.Facets), Orientation::Automatic, stopper), Error);
   }
+}
+/** A box of which the lower side is pulled up to a point of some height above its middle. */
+TriangleSoup PulledUp(double height)
+{
+  TriangleSoup soup;
+  soup.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.25, height } };
+  for (Id k = 0; k < 4; ++k)
+  {
+    const Id next = (k + 1) % 4;
+    soup.Triangles.push_back({ k, next, next + 4 });
+    soup.Triangles.push_back({ k, next + 4, k + 4 });
+    soup.Triangles.push_back({ next, k, 8 });
+  }
+  soup.Triangles.push_back({ 4, 5, 6 });
+  soup.Triangles.push_back({ 4, 6, 7 });
+  return soup;
+}
+
+/** One without its upper side, of which the lower one comes out: a cap on top would cut it. */
+TriangleSoup OpenSpike()
+{
+  TriangleSoup soup = PulledUp(2);
+  soup.Triangles.resize(soup.Triangles.size() - 2);
+  return soup;
+}
+
+/** Two solids of two cones each, one in the other, both outward, which have their rim in common. */
+TriangleSoup SolidInSolidWithOneRim()
+{
+  TriangleSoup soup;
+  soup.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  for (const double height : { 2, -2, 1, -1 })
+  {
+    const Id tip = static_cast<Id>(soup.Points.size());
+    soup.Points.push_back({ 0.25, 0.25, height });
+    for (Id k = 0; k < 3; ++k)
+    {
+      const Id next = (k + 1) % 3;
+      soup.Triangles.push_back(height > 0 ? Triangle{ k, next, tip } : Triangle{ next, k, tip });
+    }
+  }
+  return soup;
+}
+
+TEST(OrientFacets, IsTheSameWhereAbsentCrossingsAreKnown)
+{
+  const TriangleSoup cube = Cube(0, 1);
+  TriangleSoup open = cube;
+  open.Triangles.pop_back();
+  TriangleSoup torn = cube; // one facet faces inward
+  std::swap(torn.Triangles[3][0], torn.Triangles[3][1]);
+  TriangleSoup thick = cube;
+  thick.Multiplicity.assign(12, 2);
+  TriangleSoup flat = cube;
+  for (Point& p : flat.Points)
+  {
+    p[2] *= 0x1p-40;
+  }
+  for (const TriangleSoup& given : { cube, PulledUp(0.5), OpenSpike(), SolidInSolidWithOneRim(),
+         open, torn, thick, flat, Join(cube, Cube(2, 3)), Join(cube, Cube(0.2, 0.4)),
+         Join(cube, Cube(0.2, 0.4, false)), Merged(Join(cube, Cube(1, 2))), Ground(1) })
+  {
+    for (const TriangleSoup& soup : { given, Reversed(given) })
+    {
+      const FacetComplex surface = Chain(soup);
+      const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+      for (const Orientation orientation : { Orientation::Automatic, Orientation::AsGiven,
+             Orientation::Reverse, Orientation::Outward })
+      {
+        Monitor monitor;
+        const FacetTurns expected = FindFacetTurns(surface, edges, orientation, monitor);
+        const FacetTurns turns =
+          FindFacetTurns(surface, edges, orientation, monitor, Crossings::Absent);
+        EXPECT_EQ(turns.Turned, expected.Turned);
+        EXPECT_EQ(turns.IsSheet, expected.IsSheet);
+        EXPECT_EQ(turns.ShellVolumes, expected.ShellVolumes);
+        EXPECT_EQ(turns.TurnedShells, expected.TurnedShells);
+        EXPECT_EQ(turns.UndecidedShells, expected.UndecidedShells);
+        EXPECT_EQ(turns.TurnedShare, expected.TurnedShare);
+        EXPECT_EQ(turns.SheetShare, expected.SheetShare);
+        EXPECT_EQ(turns.Enclosed.Solid, expected.Enclosed.Solid);
+        EXPECT_EQ(turns.Enclosed.Overlap, expected.Enclosed.Overlap);
+        EXPECT_EQ(turns.Warnings, expected.Warnings);
+      }
+    }
+  }
+}
+
+/** Counts how often it hears of regions being sampled. */
+class CountReports : public Monitor
+{
+public:
+  int Reports = 0;
+  bool Continue(const char*, double) override
+  {
+    ++this->Reports;
+    return true;
+  }
+};
+
+TEST(OrientFacets, SamplesNothingOfAPlainShell)
+{
+  const FacetComplex surface = Chain(Cube(0, 1));
+  const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
+  CountReports sampling;
+  FindFacetTurns(surface, edges, Orientation::Automatic, sampling);
+  CountReports plain;
+  FindFacetTurns(surface, edges, Orientation::Automatic, plain, Crossings::Absent);
+  EXPECT_EQ(plain.Reports, 2); // at the beginning and at the end
+  EXPECT_GT(sampling.Reports, plain.Reports);
 }
 } // namespace

@@ -298,6 +298,32 @@ public:
 private:
   const int Stop;
 };
+TEST(ResolveSelfIntersections, IsTheSameWhereCrossingsAreKnown)
+{
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    const FacetComplex surface = ToComplex(GridSoup(seed, 40, 4));
+    const Resolution expected = Resolve(surface);
+    KnownCrossings known;
+    for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+    {
+      known.SetOf.push_back(f % static_cast<Id>(1 + seed / 4));
+    }
+    for (const auto& pair : expected.IntersectingPairs)
+    {
+      if (known.SetOf[pair[0]] == known.SetOf[pair[1]])
+      {
+        known.Pairs.push_back(pair);
+      }
+    }
+    Monitor monitor;
+    const Resolution resolution = ResolveSelfIntersections(surface, monitor, known);
+    EXPECT_EQ(resolution.IntersectingPairs, expected.IntersectingPairs);
+    EXPECT_EQ(resolution.Surface.Points, expected.Surface.Points);
+    EXPECT_EQ(resolution.Surface.Facets, expected.Surface.Facets);
+    EXPECT_EQ(resolution.Surface.Multiplicity, expected.Surface.Multiplicity);
+  }
+}
 } // namespace
 
 TEST(ResolveSelfIntersections, ReturnsACleanSurfaceAsItIs)

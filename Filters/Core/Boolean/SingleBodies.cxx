@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boolean/SingleBodies.h"
+
+namespace insideout
+{
+std::vector<char> FindClosedBodies(
+  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges)
+{
+  std::vector<char> isClosed(bodies.Bodies.size(), 1);
+  std::vector<int> sums(bodies.Bodies.size(), 0);
+  const auto forCounts = [&](const FacetEdge* first, const FacetEdge* last, const auto& visit)
+  {
+    for (const FacetEdge* edge = first; edge != last; ++edge)
+    {
+      for (Id i = bodies.CountOffsets[edge->Facet]; i < bodies.CountOffsets[edge->Facet + 1]; ++i)
+      {
+        visit(bodies.Counts[i].Body, edge->Direction * bodies.Counts[i].Count);
+      }
+    }
+  };
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      forCounts(first, last, [&](Id body, int count) { sums[body] += count; });
+      forCounts(first, last,
+        [&](Id body, int)
+        {
+          isClosed[body] &= sums[body] == 0;
+          sums[body] = 0;
+        });
+    });
+  return isClosed;
+}
+
+FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body)
+{
+  FacetComplex complex = bodies.Surface;
+  for (Id f = 0; f < complex.NumberOfFacets(); ++f)
+  {
+    complex.Multiplicity[f] = static_cast<std::int16_t>(CountFor(bodies, f, body));
+  }
+  return complex;
+}
+} // namespace insideout

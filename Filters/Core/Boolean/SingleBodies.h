@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Boolean/ResolveBodies.h"
+#include "Validate/FacetEdges.h"
+
+/** What is left of each body among all that are resolved together. */
+namespace insideout
+{
+/**
+ * Per body whether it has no boundary: on every edge its counts cancel.
+ *
+ * @param[in] edges those of Surface.Facets
+ */
+std::vector<char> FindClosedBodies(
+  const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
+
+/** The facets with what they count for one body: w of the body is that of this complex. */
+FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);
+} // namespace insideout
