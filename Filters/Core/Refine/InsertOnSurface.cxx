@@ -402,7 +402,7 @@ bool SurfaceInsertion::Complete()
     }
   }
   this->CollectRim();
-  return this->FitsTogether() && this->StaysApart();
+  return this->FitsTogether();
 }
 
 bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
@@ -480,8 +480,12 @@ double SurfaceInsertion::SquaredSpacing() const
   return least;
 }
 
-Id SurfaceInsertion::Insert(SizingField& sizes)
+bool SurfaceInsertion::Insert(SizingField& sizes)
 {
+  if (!this->StaysApart())
+  {
+    return false;
+  }
   const bool isOnRidge =
     this->Halved[0] != None && this->Surface.IsRidge(this->Halved[0], this->Halved[1]);
   const double size = this->SizeThere(sizes);
@@ -506,6 +510,6 @@ Id SurfaceInsertion::Insert(SizingField& sizes)
   {
     this->Surface.Split(this->Halved[0], this->Halved[1], point);
   }
-  return point;
+  return true;
 }
 } // namespace insideout

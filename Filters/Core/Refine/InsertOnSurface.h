@@ -65,8 +65,8 @@ public:
     return sizes.At(this->Cavity.front(), this->Place);
   }
 
-  /** Insert what was found. @return the point */
-  Id Insert(SizingField& sizes);
+  /** Insert what was found, unless pieces at it would cross others. @return whether it was */
+  bool Insert(SizingField& sizes);
 
 private:
   /** An edge around the pieces that are to be replaced, of one of them, in its direction. */

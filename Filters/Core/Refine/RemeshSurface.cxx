@@ -216,9 +216,9 @@ private:
     const bool isSplit = this->Surface.Treatment() == SurfaceTreatment::Split;
     const auto mayHalve = [&]
     { return this->Splitting.Find(edge.Ends[0], edge.Ends[1], edge.Cell); };
-    if ((isSplit || mayHalve()) && this->Insertion.FindOnEdge(edge))
+    if ((isSplit || mayHalve()) && this->Insertion.FindOnEdge(edge) &&
+      this->Insertion.Insert(this->Sizes))
     {
-      this->Insertion.Insert(this->Sizes);
       return true;
     }
     // Halves of cells are flat: where a surface is remeshed others may take the edge's place.
@@ -294,8 +294,10 @@ private:
       if (ridge.Cell == None &&
         this->Insertion.SquaredSpacing() >= LeastSpacing * LeastSpacing * there * there)
       {
-        this->Insertion.Insert(this->Sizes);
-        this->AddFresh(queue);
+        if (this->Insertion.Insert(this->Sizes))
+        {
+          this->AddFresh(queue);
+        }
         return;
       }
     }
