@@ -53,6 +53,7 @@ std::vector<BoundaryTriangle> PatchBoundary(const FacetComplex& surface,
   const std::vector<signed char> sides = SidesOfFacets(patches, places, holds, counts);
   CheckBalance(edges, sides);
   std::vector<BoundaryTriangle> triangles;
+  triangles.reserve(surface.Facets.size());
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
     if (sides[f] != 0)

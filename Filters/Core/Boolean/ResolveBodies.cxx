@@ -274,6 +274,13 @@ void BodyResolver::OrientBodies()
 BodyResolver::ChainPoints BodyResolver::PointsOfChains()
 {
   ChainPoints all;
+  std::size_t points = 0;
+  for (const FacetComplex& chain : this->Chains)
+  {
+    points += chain.Points.size();
+  }
+  all.Points.reserve(points);
+  all.Origins.reserve(points);
   for (std::size_t b = 0; b < this->Chains.size(); ++b)
   {
     const FacetComplex& chain = this->Chains[b];
@@ -316,6 +323,7 @@ FacetComplex BodyResolver::Together()
   together.Origins.reserve(points.Points.size());
   std::vector<Id> index(points.Points.size(), None);
   std::vector<char> isShared; // per point of the complex: by several bodies
+  isShared.reserve(points.Points.size());
   for (std::size_t p = 0; p < index.size(); ++p)
   {
     const Id lowest = points.Merged[p];

@@ -15,6 +15,7 @@ namespace
 std::vector<CountedTriangle> ChainOf(const ResolvedBodies& bodies, Id body)
 {
   std::vector<CountedTriangle> chain;
+  chain.reserve(bodies.Surface.Facets.size());
   for (Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
   {
     if (const int count = CountFor(bodies, f, body); count != 0)
@@ -61,6 +62,7 @@ std::vector<HoldsBeside> HoldsBesidePatches(const ResolvedBodies& bodies, const 
 std::vector<int> FirstCounts(const ResolvedBodies& bodies)
 {
   std::vector<int> counts;
+  counts.reserve(bodies.Surface.Facets.size());
   for (Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
   {
     const Id first = bodies.CountOffsets[f];

@@ -135,6 +135,7 @@ std::vector<ShellChain> CloseShells(
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
     ShellChain& chain = chains[shell];
+    chain.Triangles.reserve(facets[shell].Size());
     for (const Id f : facets[shell])
     {
       const int count = shells.Turned[f] ? -surface.Multiplicity[f] : surface.Multiplicity[f];

@@ -122,6 +122,7 @@ void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& 
   FacetComplex& surface = chain.Surface;
   SurfaceCounts& counts = chain.Counts;
   counts.DegenerateFacets = static_cast<Id>(chain.DegenerateTriangles.size());
+  surface.Multiplicity.reserve(surface.Facets.size());
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
     const Id first = surface.SourceOffsets[f];
@@ -165,6 +166,8 @@ void CompactPoints(const std::vector<Point>& points, const std::vector<Id>& merg
       index[p] = 0;
     }
   }
+  surface.Points.reserve(points.size());
+  surface.Origins.reserve(points.size());
   for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
   {
     counts.MergedPoints += merged[p] != p;
