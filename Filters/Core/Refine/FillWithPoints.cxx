@@ -131,14 +131,15 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     const double largest = LargestRadiusEdgeRatio * shortest;
     const bool isThin = sphere.SquaredRadius > largest * largest;
     if ((!isThin && !IsTooLarge(mesh, sizes, cell, sphere, maximumVolume)) ||
-      !insertion.Find(cell, sphere.Center, LargestCavity))
+      !insertion.Locate(cell, sphere.Center))
     {
       continue;
     }
     const double size = sizes.At(insertion.Holder(), sphere.Center);
     const double least = isThin ? std::max(shortest, LeastSpacingBesideShort * size) : size;
     const double spacing = std::min(LeastSpacing * size, least);
-    if (insertion.SquaredSpacing() < spacing * spacing)
+    if (insertion.SquaredDistanceToHolder() < spacing * spacing ||
+      !insertion.FindCavity(LargestCavity) || insertion.SquaredSpacing() < spacing * spacing)
     {
       continue;
     }

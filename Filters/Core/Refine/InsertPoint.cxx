@@ -186,13 +186,24 @@ bool PointInsertion::KeepsItsPoints() const
   return true;
 }
 
-bool PointInsertion::Find(Id cell, const Point& place, std::size_t most)
+bool PointInsertion::Locate(Id cell, const Point& place)
 {
   this->Place = place;
-  if (!this->Walk(cell))
+  return this->Walk(cell);
+}
+
+double PointInsertion::SquaredDistanceToHolder() const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Id corner : this->Mesh.Cell(this->Holding).Corners)
   {
-    return false;
+    least = std::min(least, SquaredDistance(this->Mesh.Points[corner], this->Place));
   }
+  return least;
+}
+
+bool PointInsertion::FindCavity(std::size_t most)
+{
   this->GrowCavity(most);
   return this->TrimCavity() && this->KeepsItsPoints();
 }

@@ -19,13 +19,26 @@ public:
   {
   }
 
+  /** Look for a place from a cell on. @return false where a facet is between */
+  bool Locate(Id cell, const Point& place);
+
+  /** The square of how far the place is from the nearest corner of the cell that holds it: no more
+   * than SquaredSpacing will be. */
+  double SquaredDistanceToHolder() const;
+
   /**
-   * Look for a place from a cell on, and for the cells it would replace.
+   * Look for the cells that the place located would replace.
    * @param[in] most cells that it replaces, those nearest to it: circumspheres of flat cells hold
    *   hundreds of others
-   * @return false where a facet is between, or where it cannot be inserted
+   * @return false where it cannot be inserted
    */
-  bool Find(Id cell, const Point& place, std::size_t most);
+  bool FindCavity(std::size_t most);
+
+  /** Both. */
+  bool Find(Id cell, const Point& place, std::size_t most)
+  {
+    return this->Locate(cell, place) && this->FindCavity(most);
+  }
 
   /** The cell that the place found lies in or on. */
   Id Holder() const { return this->Holding; }
