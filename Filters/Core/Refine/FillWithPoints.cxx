@@ -37,6 +37,9 @@ constexpr std::size_t LargestCavity = 2000;
  * points without number. */
 constexpr double LeastSpacingBesideShort = 0.01;
 
+/** Per point that is there, so many are inserted for radii of thin cells at most: only a budget. */
+constexpr std::size_t MostBesideShort = 10;
+
 /** Points nearer to another than this part of the length are taken out. */
 constexpr double CrowdedSpacing = 0.5;
 
@@ -116,6 +119,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
   // Each cell that there will be is looked at some times.
   const LoopProgress looked(
     monitor, progress, static_cast<std::size_t>(2 * sizes.EstimatedCells()) + 2 * queue.size());
+  std::size_t budget = MostBesideShort * mesh.Points.size();
   for (std::size_t turn = 0; !queue.empty(); ++turn)
   {
     looked.Check(turn);
@@ -129,7 +133,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     const Circumsphere sphere = CircumsphereOf(c[0], c[1], c[2], c[3]);
     const double shortest = ShortestEdgeOf(c);
     const double largest = LargestRadiusEdgeRatio * shortest;
-    const bool isThin = sphere.SquaredRadius > largest * largest;
+    const bool isThin = budget > 0 && sphere.SquaredRadius > largest * largest;
     if ((!isThin && !IsTooLarge(mesh, sizes, cell, sphere, maximumVolume)) ||
       !insertion.Locate(cell, sphere.Center))
     {
@@ -145,6 +149,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     }
     sizes.Append(insertion.Holder(), sphere.Center);
     insertion.Insert(size);
+    budget -= isThin ? 1 : 0;
     for (const Id fresh : mesh.Fresh())
     {
       queue.push_back({ fresh, mesh.Version(fresh) });
