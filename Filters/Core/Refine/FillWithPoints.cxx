@@ -38,7 +38,7 @@ constexpr std::size_t LargestCavity = 2000;
 constexpr double LeastSpacingBesideShort = 0.01;
 
 /** Per point that is there, so many are inserted for radii of thin cells at most: only a budget. */
-constexpr std::size_t MostBesideShort = 10;
+constexpr std::size_t MostBesideShort = 4;
 
 /** Points nearer to another than this part of the length are taken out. */
 constexpr double CrowdedSpacing = 0.5;
