@@ -161,9 +161,9 @@ void SurfaceContraction::MakePieces(Id point, Id target)
   }
 }
 
-/** What goes and comes, and whether it is connected as before. What costs least comes first: most
- * contractions are refused. */
-bool SurfaceContraction::MakeExchange(Id point, Id target, double wanted)
+/** Make the cells that come, and look around both. What costs least comes first: most contractions
+ * are refused. */
+bool SurfaceContraction::Approach(Id point, Id target, double wanted)
 {
   this->OfPoint.Cells.clear();
   this->Mesh.Star(point, this->OfPoint.Cells);
@@ -173,14 +173,8 @@ bool SurfaceContraction::MakeExchange(Id point, Id target, double wanted)
   }
   this->Look(point, this->OfPoint);
   this->Look(target, this->OfTarget);
-  if (!std::binary_search(
-        this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target) ||
-    !this->KeepsTopology(point, target))
-  {
-    return false;
-  }
-  this->MakePieces(point, target);
-  return true;
+  return std::binary_search(
+    this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target);
 }
 
 /** Whether each label of a piece that goes for good has another beside it. */
@@ -220,9 +214,14 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
   {
     return false;
   }
-  if (!this->MakeExchange(point, target, wanted) || !this->KeepsLengths(target, longest) ||
-    !(isRidge ? this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh)
-              : this->Bound.Allows(this->Gone, this->Fresh)))
+  if (!this->Approach(point, target, wanted) || !this->KeepsLengths(target, longest) ||
+    !this->KeepsTopology(point, target))
+  {
+    return false;
+  }
+  this->MakePieces(point, target);
+  if (!(isRidge ? this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh)
+                : this->Bound.Allows(this->Gone, this->Fresh)))
   {
     return false;
   }
@@ -237,8 +236,12 @@ bool SurfaceContraction::Contract(Id point, Id target, double wanted, double lon
 bool SurfaceContraction::ContractStep(Id point, Id target, double wanted)
 {
   if (!this->Surface.MayLeave(point) || this->Surface.IsPinched(target) ||
-    !this->MakeExchange(point, target, wanted) || !this->KeepsLabels() ||
-    !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
+    !this->Approach(point, target, wanted) || !this->KeepsTopology(point, target))
+  {
+    return false;
+  }
+  this->MakePieces(point, target);
+  if (!this->KeepsLabels() || !this->Bound.AllowsEach(this->Moved, this->Gone, this->Fresh))
   {
     return false;
   }

@@ -52,7 +52,7 @@ private:
   bool KeepsTopology(Id point, Id target);
   bool KeepsLengths(Id target, double longest) const;
   bool MakeCells(Id point, Id target, double wanted);
-  bool MakeExchange(Id point, Id target, double wanted);
+  bool Approach(Id point, Id target, double wanted);
   void MakePieces(Id point, Id target);
   bool KeepsLabels() const;
   void Replace();

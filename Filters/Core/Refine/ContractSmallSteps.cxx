@@ -10,7 +10,6 @@
 #include "Refine/ReconnectCells.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -23,8 +22,6 @@ constexpr double LargestShare = 0.1;
 
 /** One contraction may make room for another. */
 constexpr int MostRounds = 10;
-
-constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 /** Of the worst cell at a point that goes: the shape that cells are to have after it. */
 constexpr double LeastShare = 0.5;
@@ -97,8 +94,7 @@ public:
       return false;
     }
     const double wanted = std::max(this->InSolid.WorstAround(point), 0.0) * LeastShare;
-    return this->OnSurface.Contract(point, target, wanted, Infinite) ||
-      this->OnSurface.ContractStep(point, target, wanted);
+    return this->OnSurface.ContractStep(point, target, wanted);
   }
 
   /** Cells between nearly coplanar points are in the way of any move: take others in their place.
@@ -109,9 +105,8 @@ public:
     {
       return false;
     }
-    this->Star.clear();
-    this->Mesh.Star(point, this->Star);
-    const std::vector<Id> cells = this->Star;
+    std::vector<Id> cells;
+    this->Mesh.Star(point, cells);
     bool isChanged = false;
     for (const Id cell : cells)
     {
@@ -128,7 +123,6 @@ private:
   SurfaceContraction OnSurface;
   Contraction InSolid;
   Reconnection Reconnect;
-  std::vector<Id> Star;
 };
 } // namespace
 

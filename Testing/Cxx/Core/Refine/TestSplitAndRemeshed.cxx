@@ -252,6 +252,25 @@ TEST(RemeshedSurface, KeepsTheEdgesOfACubeAndThoseBetweenLabels)
   }
 }
 
+TEST(RemeshedSurface, HasLongEdgesOnRidgesBetweenWideAndNarrowSides)
+{
+  // A plate, whose rim has triangles far smaller than those of its faces.
+  TetrahedralMesh plate = EvenGrid(8);
+  for (Point& p : plate.Points)
+  {
+    p[2] /= 40;
+  }
+  plate = ConnectCells(plate.Points, plate.Cells);
+  const RefinedMesh refined = Refined(plate, {}, Remeshed(1, 400));
+  ExpectRemeshingLaws(plate, {}, refined, 1);
+  const auto onRidge = [](const Point& p) {
+    return (p[0] == 0 || p[0] == 800) + (p[1] == 0 || p[1] == 800) + (p[2] == 0 || p[2] == 20) > 1;
+  };
+  const auto count = [&](const std::vector<Point>& points)
+  { return std::count_if(points.begin(), points.end(), onRidge); };
+  EXPECT_LT(3 * count(refined.Points), count(plate.Points));
+}
+
 TEST(RemeshedSurface, KeepsTheSmallestLabels)
 {
   // A square amid a side of a cube, smaller than the tolerance, whose corners are smooth enough.
