@@ -3,9 +3,9 @@
 
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 #include "Resolve/FindIntersections.h"
@@ -87,17 +87,7 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      if (vtkInsideOutDimensionOf(input, 0, false) == 2)
-      {
-        vtkInsideOutMonitor monitor(
-          this, { Stages::Validating, Stages::FindingIntersections, Stages::Triangulating });
-        const auto triangles = vtkInsideOutTriangulate(
-          vtkInsideOutReadCurve(input, Orientation::AsGiven, this->NonParticipatingArrayName),
-          vtkInsideOutChainParameters(this), monitor);
-        output->ShallowCopy(triangles.Output);
-        vtkInsideOutWarn(this, triangles.Warnings);
-        return;
-      }
+      vtkInsideOutRefusePlane(input);
       vtkInsideOutMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Tetrahedralizing });
       const vtkInsideOutSurface surface =

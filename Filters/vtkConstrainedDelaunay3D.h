@@ -24,11 +24,8 @@
  * HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and
  * LostCellIds (vtkIdType): the input cells of facets that are lost, empty where none is.
  *
- * Of polygons in one plane, or of lines, it makes triangles of the convex hull, with a warning: the
- * edges and lines are edges of triangles, and both cell arrays have three components.
- *
- * Errors, with an empty output: facets that cross, points not finite or ids out of range, lines
- * that are not in one plane.
+ * Errors, with an empty output: facets that cross, points not finite or ids out of range; lines,
+ * and polygons in one plane, which are for vtkRobustTriangulate.
  *
  * @sa vtkResolveSelfIntersections vtkGeneralizedWindingNumber
  *

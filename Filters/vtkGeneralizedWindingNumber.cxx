@@ -3,9 +3,9 @@
 
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 
@@ -72,18 +72,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
     [&]()
     {
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
-      if (vtkInsideOutDimensionOf(input, 0, this->Thicken > 0) == 2)
-      {
-        vtkInsideOutMonitor monitor(this,
-          { Stages::Validating, Stages::Resolving, Stages::Triangulating, Stages::Orienting,
-            Stages::WindingNumbers });
-        const auto hull = vtkInsideOutMakePlanarHull(
-          vtkInsideOutReadCurve(input, parameters.Orientation, this->NonParticipatingArrayName),
-          { parameters.Chain, parameters.Orientation }, monitor);
-        output->ShallowCopy(hull.Output);
-        vtkInsideOutWarn(this, hull.Warnings);
-        return;
-      }
+      vtkInsideOutRefusePlane(input, this->Thicken > 0);
       vtkInsideOutMonitor monitor(this,
         { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers });

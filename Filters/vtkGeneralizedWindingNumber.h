@@ -22,8 +22,7 @@
  * EnclosedVolume (of all, holes capped) and OverlapVolume (of it, where w is 2 or more), the latter
  * from samples.
  *
- * Of polygons in one plane (without Thicken) and of lines in one it makes triangles, with a
- * warning: see vtkRobustTetrahedralize.
+ * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
  *
  * @sa vtkResolveSelfIntersections vtkConstrainedDelaunay3D vtkGraphCutSegmentation
  *

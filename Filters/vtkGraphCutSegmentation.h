@@ -11,8 +11,13 @@
  *
  * Output: the input's cells with their data and the cell array Inside (unsigned char, 1 or 0),
  * or with ExtractInside, the default, only the cells inside. Field data:
- * Statistics_NAME of InsideCells, Energy, SecondsCut, and on tetrahedra those that
- * vtkRobustTetrahedralize describes.
+ * Statistics_NAME of InsideCells, Energy and SecondsCut. On tetrahedra also: EnergyOfCut, before
+ * the constraints; ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells
+ * (labelled inside for a constraint), ChangedCells (changed by all constraints), UnsatisfiedFacets
+ * (pieces that seeds keep outside, or of dropped regions), NonManifoldPoints (that remain),
+ * SeedConflicts; DroppedRegions, DroppedVolume, FilledCavities, FilledVolume, JoinedRegions (paths
+ * made between two), EnergyBeforeTopology; SplitPoints (copies by NonManifold of the kind Split)
+ * and NonManifoldEdges (0 except in overlaps).
  *
  * Seeds, ConstrainFacets, NonManifold, the choice of regions and Topology take grids of tetrahedra,
  * and Topology a convex one.

@@ -3,9 +3,9 @@
 
 #include "Common/Stages.h"
 #include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutWholeInput.h"
 #include "Resolve/ResolveSelfIntersections.h"
@@ -53,16 +53,7 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
   return vtkInsideOutRunOnWhole(this, outputVector,
     [&]()
     {
-      if (vtkInsideOutAreLines(input))
-      {
-        vtkInsideOutMonitor monitor(this, { Stages::Validating, Stages::Resolving });
-        const auto lines = vtkInsideOutResolveLines(
-          vtkInsideOutReadCurve(input, Orientation::AsGiven, this->NonParticipatingArrayName),
-          vtkInsideOutChainParameters(this), monitor);
-        output->ShallowCopy(lines.Output);
-        vtkInsideOutWarn(this, lines.Warnings);
-        return;
-      }
+      vtkInsideOutRefuseLines(input);
       vtkInsideOutMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Resolving });
       const vtkInsideOutSurface given =

@@ -16,10 +16,9 @@
  * Statistics_NAME, a double each; LeftOutCellIds, the input cells of facets that still cross others
  * after the last round of rounding and are left out (a warning says so; hardly any model has one).
  *
- * Lines without any polygons, which have to lie in one plane, become polylines that meet in shared
- * points only, with the same arrays. Otherwise lines and vertices are ignored with a warning,
- * degenerate polygons are left out and counted. A point that is not finite or a cell with a point
- * out of range is an error that names it; the output is then empty.
+ * Lines and vertices beside polygons are ignored with a warning, degenerate polygons are left out
+ * and counted. Errors, with an empty output: a point that is not finite, a cell with a point out of
+ * range, which they name; and lines alone, which are for vtkRobustTriangulate.
  *
  * @sa vtkConstrainedDelaunay3D
  *

@@ -7,13 +7,16 @@
 #include "Private/vtkInsideOutCache.h"
 #include "Private/vtkInsideOutHull.h"
 #include "Private/vtkInsideOutMakeTetrahedra.h"
-#include "Private/vtkInsideOutMakeTriangles.h"
 #include "Private/vtkInsideOutMeshAhead.h"
 #include "Private/vtkInsideOutMonitor.h"
 #include "Private/vtkInsideOutOptions.h"
+#include "Private/vtkInsideOutReadCurve.h"
 #include "Private/vtkInsideOutRun.h"
 #include "Private/vtkInsideOutSeedsPort.h"
 #include "Private/vtkInsideOutWholeInput.h"
+#include "vtkGeneralizedWindingNumber.h"
+#include "vtkGraphCutSegmentation.h"
+#include "vtkRefineTetrahedra.h"
 
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -37,46 +40,15 @@ class vtkRobustTetrahedralize::Cache
 {
 };
 
-class vtkRobustTetrahedralize::CacheInAPlane
-  : public vtkInsideOutCache<decltype(vtkInsideOutAsTuple(PlanarHullParameters(), std::string())),
-      vtkInsideOutPlanarHull>
-{
-};
-
 vtkRobustTetrahedralize::vtkRobustTetrahedralize()
-  : Hulls(new Cache)
-  , HullsInAPlane(new CacheInAPlane)
+  : WindingNumber(vtkSmartPointer<vtkGeneralizedWindingNumber>::New())
+  , Segmentation(vtkSmartPointer<vtkGraphCutSegmentation>::New())
+  , Refinement(vtkSmartPointer<vtkRefineTetrahedra>::New())
+  , PartsApart(HullMeshParameters().PartsApart)
+  , Hulls(new Cache)
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
-  const SegmentMeshParameters segment;
-  this->Gamma = segment.Cut.Gamma;
-  this->Sigma = segment.Cut.Sigma;
-  this->DataTerm = static_cast<int>(segment.Cut.DataTerm);
-  this->ConstrainFacets = segment.ConstrainFacets;
-  this->LargestRegions = static_cast<int>(segment.Topology.Regions.LargestRegions);
-  this->MinimumRegionVolume = segment.Topology.Regions.MinimumRegionVolume;
-  this->SeededRegions = segment.Topology.Regions.SeededRegions;
-  this->FillCavities = segment.Topology.Regions.FillCavities;
-  this->Topology = static_cast<int>(segment.Topology.Goal);
-  const HullMeshParameters hull;
-  this->Orientation = static_cast<int>(hull.Orientation);
-  this->Thicken = hull.Thicken.Width;
-  this->ThickenAll = hull.Thicken.All;
-  this->MergeTolerance = hull.Chain.MergeTolerance;
-  this->CountDuplicates = hull.Chain.CountDuplicates;
-  this->QuadratureOrder = hull.QuadratureOrder;
-  this->PartsApart = hull.PartsApart;
-  this->Engine = static_cast<int>(hull.Budgets.Engine);
-  this->TimeBudget = hull.Budgets.TimeBudget;
-  this->MemoryBudget = hull.Budgets.MemoryBudget;
-  const RefinementParameters refining;
-  this->EdgeLength = refining.Sizes.EdgeLength;
-  this->Grading = refining.Sizes.Grading;
-  this->MaximumVolume = refining.Sizes.MaximumVolume;
-  this->Surface = static_cast<int>(refining.Surface);
-  this->SurfaceTolerance = refining.SurfaceTolerance;
-  this->FeatureAngle = refining.FeatureAngle;
+  this->SetNumberOfOutputPorts(4);
 }
 
 vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
@@ -84,26 +56,9 @@ vtkRobustTetrahedralize::~vtkRobustTetrahedralize() = default;
 void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Dimension: " << this->Dimension << "\n";
-  os << indent << "Gamma: " << this->Gamma << "\n";
-  os << indent << "Sigma: " << this->Sigma << "\n";
-  os << indent << "DataTerm: " << this->DataTerm << "\n";
-  os << indent << "ConstrainFacets: " << this->ConstrainFacets << "\n";
-  os << indent << "NonManifold: " << this->NonManifold << "\n";
-  os << indent << "SeparateOverlaps: " << this->SeparateOverlaps << "\n";
-  os << indent << "LargestRegions: " << this->LargestRegions << "\n";
-  os << indent << "MinimumRegionVolume: " << this->MinimumRegionVolume << "\n";
-  os << indent << "SeededRegions: " << this->SeededRegions << "\n";
-  os << indent << "FillCavities: " << this->FillCavities << "\n";
-  os << indent << "Topology: " << this->Topology << "\n";
   os << indent << "ConstrainedFacetsArrayName: " << this->ConstrainedFacetsArrayName << "\n";
-  os << indent << "ExtractInside: " << this->ExtractInside << "\n";
-  os << indent << "Orientation: " << this->Orientation << "\n";
-  os << indent << "Thicken: " << this->Thicken << "\n";
-  os << indent << "ThickenAll: " << this->ThickenAll << "\n";
-  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
-  os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
-  os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
+  os << indent << "SeparateOverlaps: " << this->SeparateOverlaps << "\n";
+  os << indent << "GenerateHull: " << this->GenerateHull << "\n";
   os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
   os << indent << "SplitSeams: " << this->SplitSeams << "\n";
   os << indent << "SurfaceOnly: " << this->SurfaceOnly << "\n";
@@ -114,18 +69,79 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PartsApart: " << this->PartsApart << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
   os << indent << "Priority: " << this->Priority << "\n";
-  os << indent << "QuadratureOrder: " << this->QuadratureOrder << "\n";
-  os << indent << "Engine: " << this->Engine << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "Refine: " << this->Refine << "\n";
-  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
-  os << indent << "Grading: " << this->Grading << "\n";
-  os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
-  os << indent << "Surface: " << this->Surface << "\n";
-  os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
+  os << indent << "WindingNumber:\n";
+  this->WindingNumber->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Segmentation:\n";
+  this->Segmentation->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Refinement:\n";
+  this->Refinement->PrintSelf(os, indent.GetNextIndent());
+}
+
+vtkMTimeType vtkRobustTetrahedralize::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->WindingNumber->GetMTime(),
+    this->Segmentation->GetMTime(), this->Refinement->GetMTime() });
+}
+
+void vtkRobustTetrahedralize::SetWindingNumber(vtkGeneralizedWindingNumber* windingNumber)
+{
+  vtkInsideOutSetStage(this, windingNumber, this->WindingNumber);
+}
+
+vtkGeneralizedWindingNumber* vtkRobustTetrahedralize::GetWindingNumber()
+{
+  return this->WindingNumber;
+}
+
+void vtkRobustTetrahedralize::SetSegmentation(vtkGraphCutSegmentation* segmentation)
+{
+  vtkInsideOutSetStage(this, segmentation, this->Segmentation);
+}
+
+vtkGraphCutSegmentation* vtkRobustTetrahedralize::GetSegmentation()
+{
+  return this->Segmentation;
+}
+
+void vtkRobustTetrahedralize::SetRefinement(vtkRefineTetrahedra* refinement)
+{
+  vtkInsideOutSetStage(this, refinement, this->Refinement);
+}
+
+vtkRefineTetrahedra* vtkRobustTetrahedralize::GetRefinement()
+{
+  return this->Refinement;
+}
+
+// clang-format off
+void vtkRobustTetrahedralize::SetOrientation(int way) { this->WindingNumber->SetOrientation(way); }
+int vtkRobustTetrahedralize::GetOrientation() { return this->WindingNumber->GetOrientation(); }
+void vtkRobustTetrahedralize::SetThicken(double width) { this->WindingNumber->SetThicken(width); }
+double vtkRobustTetrahedralize::GetThicken() { return this->WindingNumber->GetThicken(); }
+void vtkRobustTetrahedralize::SetNonParticipatingArrayName(const char* name) { this->WindingNumber->SetNonParticipatingArrayName(name); }
+const char* vtkRobustTetrahedralize::GetNonParticipatingArrayName() { return this->WindingNumber->GetNonParticipatingArrayName(); }
+void vtkRobustTetrahedralize::SetMergeTolerance(double most) { this->WindingNumber->SetMergeTolerance(most); }
+double vtkRobustTetrahedralize::GetMergeTolerance() { return this->WindingNumber->GetMergeTolerance(); }
+void vtkRobustTetrahedralize::SetGamma(double gamma) { this->Segmentation->SetGamma(gamma); }
+double vtkRobustTetrahedralize::GetGamma() { return this->Segmentation->GetGamma(); }
+void vtkRobustTetrahedralize::SetConstrainFacets(bool on) { this->Segmentation->SetConstrainFacets(on); }
+bool vtkRobustTetrahedralize::GetConstrainFacets() { return this->Segmentation->GetConstrainFacets(); }
+void vtkRobustTetrahedralize::SetNonManifold(int kind) { this->Segmentation->SetNonManifold(kind); }
+int vtkRobustTetrahedralize::GetNonManifold() { return this->Segmentation->GetNonManifold(); }
+void vtkRobustTetrahedralize::SetEdgeLength(double length) { this->Refinement->SetEdgeLength(length); }
+double vtkRobustTetrahedralize::GetEdgeLength() { return this->Refinement->GetEdgeLength(); }
+// clang-format on
+
+void vtkRobustTetrahedralize::SetExtractInside(bool extract)
+{
+  if (!extract)
+  {
+    this->GenerateHullOn();
+    vtkWarningMacro(
+      << "ExtractInside is gone: output 0 has the cells inside, and output 3 those of "
+         "the whole hull, with GenerateHull, which is on now");
+  }
 }
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
@@ -163,7 +179,8 @@ void vtkRobustTetrahedralize::SetSeedsConnection(vtkAlgorithmOutput* output)
 
 int vtkRobustTetrahedralize::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  const bool isGrid = port == 0 || port == 3;
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), isGrid ? "vtkUnstructuredGrid" : "vtkPolyData");
   return 1;
 }
 
@@ -175,6 +192,11 @@ vtkPolyData* vtkRobustTetrahedralize::GetBoundary()
 vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+vtkUnstructuredGrid* vtkRobustTetrahedralize::GetHull()
+{
+  return vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(3));
 }
 
 namespace
@@ -221,7 +243,7 @@ std::vector<std::string> StagesWith(bool refine)
 
 HullMeshParameters HullParametersOf(vtkRobustTetrahedralize* filter)
 {
-  HullMeshParameters parameters = vtkInsideOutHullMeshParameters(filter);
+  HullMeshParameters parameters = vtkInsideOutHullMeshParameters(filter->GetWindingNumber());
   parameters.PartsApart = filter->GetPartsApart();
   return parameters;
 }
@@ -231,49 +253,21 @@ vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   static_assert(vtkRobustTetrahedralize::BY_PRIORITY == static_cast<int>(RegionRule::Priority));
   static_assert(vtkRobustTetrahedralize::ALL == static_cast<int>(RegionRule::All));
   vtkInsideOutSolidOptions options;
-  options.Segment = { vtkInsideOutSegmentMeshParameters(filter),
+  options.Segment = { vtkInsideOutSegmentMeshParameters(filter->GetSegmentation()),
     filter->GetConstrainedFacetsArrayName(), static_cast<RegionRule>(filter->GetRegionRule()),
     filter->GetPriority(), filter->GetMergeTolerance() };
-  options.SplitPoints = filter->GetNonManifold() == vtkRobustTetrahedralize::NONMANIFOLD_SPLIT;
+  options.SplitPoints = filter->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
   options.SeparateOverlaps = filter->GetSeparateOverlaps();
   options.Boundary = { filter->GetMergeCoplanarPieces(), filter->GetSplitSeams(),
     options.SplitPoints };
   options.TagBodies = !std::string(filter->GetTagArrayName()).empty();
-  options.ExtractInside = filter->GetExtractInside();
+  options.GenerateHull = filter->GetGenerateHull();
   options.Refine = filter->GetRefine();
-  options.Refinement = vtkInsideOutRefinementParameters(filter);
-  options.QuadraticCells = filter->GetQuadraticCells();
-  return options;
-}
-
-vtkInsideOutPlanarOptions PlanarOptionsOf(vtkRobustTetrahedralize* filter)
-{
-  vtkInsideOutPlanarOptions options;
-  options.Segment = vtkInsideOutSegmentMeshParameters(filter);
-  options.ConstrainedArray = filter->GetConstrainedFacetsArrayName();
-  options.ExtractInside = filter->GetExtractInside();
-  options.Refine = filter->GetRefine();
-  options.Refinement = vtkInsideOutRefinementParameters(filter);
-  options.SplitPoints = filter->GetNonManifold() == vtkRobustTetrahedralize::NONMANIFOLD_SPLIT;
+  options.Refinement = vtkInsideOutRefinementParameters(filter->GetRefinement());
+  options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
   return options;
 }
 } // namespace
-
-void vtkRobustTetrahedralize::PutOut(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
-  vtkPolyData* outliers, vtkInformationVector* outputVector)
-{
-  auto* output = vtkUnstructuredGrid::GetData(outputVector, 0);
-  if (this->SurfaceOnly)
-  {
-    output->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  }
-  else
-  {
-    output->ShallowCopy(grid);
-  }
-  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(boundary);
-  vtkPolyData::GetData(outputVector, 2)->ShallowCopy(outliers);
-}
 
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -282,57 +276,11 @@ int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(requ
   return 1;
 }
 
-void vtkRobustTetrahedralize::MakeTriangles(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  std::vector<std::string> stages = { Stages::Validating, Stages::Resolving, Stages::Triangulating,
-    Stages::Orienting, Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting };
-  if (this->Refine)
-  {
-    stages.emplace_back(Stages::Refining);
-  }
-  vtkInsideOutMonitor monitor(this, stages);
-  this->CheckPlanarOptions();
-  this->CheckOptions();
-  const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
-  const vtkInsideOutTags tags =
-    vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
-  PlanarHullParameters parameters;
-  parameters.Chain = vtkInsideOutChainParameters(this);
-  parameters.Orientation = vtkInsideOutOrientation(this);
-  const std::string& nonParticipating = this->NonParticipatingArrayName;
-  const std::shared_ptr<vtkInsideOutPlanarHull> kept = this->HullsInAPlane->Get(input,
-    vtkInsideOutAsTuple(parameters, nonParticipating),
-    [&]() {
-      return std::make_shared<vtkInsideOutPlanarHull>(input, parameters, nonParticipating, monitor);
-    });
-  if (this->GetReleaseDataFlag())
-  {
-    this->HullsInAPlane->Forget(input);
-  }
-  const vtkInsideOutTriangles triangles =
-    vtkInsideOutMakeTriangles(kept->Curve, kept->Hull, seeds, tags, PlanarOptionsOf(this), monitor);
-  this->PutOut(triangles.Grid, triangles.Boundary, triangles.Outliers, outputVector);
-  if (this->Dimension == DIMENSION_AUTOMATIC)
-  {
-    vtkInsideOutWarn(this, { vtkInsideOutTwoDimensions(kept->Curve) });
-  }
-  vtkInsideOutWarn(this, triangles.Warnings);
-  if (this->Thicken > 0)
-  {
-    vtkWarningMacro(<< "Thicken does nothing in two dimensions");
-  }
-  if (this->PartsApart)
-  {
-    vtkWarningMacro(<< "PartsApart does nothing in two dimensions");
-  }
-}
-
 /** Whether the solid is more than a choice of the hull's cells. */
 bool vtkRobustTetrahedralize::PartsSolid()
 {
-  return this->NonManifold == NONMANIFOLD_SPLIT || this->SeparateOverlaps;
+  return this->SeparateOverlaps ||
+    this->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
 }
 
 void vtkRobustTetrahedralize::CheckOptions()
@@ -343,15 +291,8 @@ void vtkRobustTetrahedralize::CheckOptions()
     this->SeparateOverlaps ? "SeparateOverlaps" : "NonManifold of the kind Split";
   const bool changesPieces = this->MergeCoplanarPieces || this->SplitSeams;
   const std::string pieces = this->MergeCoplanarPieces ? "MergeCoplanarPieces" : "SplitSeams";
-  if (this->Refine && !this->ExtractInside)
-  {
-    refuse("Refine takes ExtractInside: of the hull only the solid can be refined");
-  }
-  if (this->PartsSolid() && !this->ExtractInside)
-  {
-    refuse(parting + " takes ExtractInside: of the hull only the solid can be parted");
-  }
-  if (this->PartsApart && this->Topology != TOPOLOGY_ANY)
+  if (this->PartsApart &&
+    this->Segmentation->GetTopology() != vtkGraphCutSegmentation::TOPOLOGY_ANY)
   {
     refuse("Topology takes one hull, and PartsApart leaves no cells between parts to join them by");
   }
@@ -359,33 +300,15 @@ void vtkRobustTetrahedralize::CheckOptions()
   {
     refuse(pieces + " does not go together with " + parting);
   }
-  if (this->Refine && this->Surface != KEPT && (this->PartsSolid() || changesPieces))
+  const bool isKept = this->Refinement->GetSurface() == vtkRefineTetrahedra::KEPT;
+  if (this->Refine && !isKept && (this->PartsSolid() || changesPieces))
   {
     refuse((changesPieces ? pieces : parting) +
       " takes a surface that is kept where the solid is refined");
   }
 }
 
-void vtkRobustTetrahedralize::CheckPlanarOptions()
-{
-  const auto refuse = [](const std::string& words)
-  { throw Error(ErrorCode::InvalidParameter, words); };
-  if (this->Refine && this->QuadraticCells)
-  {
-    refuse("QuadraticCells makes tetrahedra only, and the input lies in a plane");
-  }
-  if (this->Refine && this->Surface == REMESHED)
-  {
-    refuse("the input lies in a plane, where the boundary can be kept or split, not remeshed");
-  }
-  if (this->SeparateOverlaps)
-  {
-    refuse(
-      "the input lies in a plane, where SeparateOverlaps does nothing: it separates tetrahedra");
-  }
-}
-
-void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
+void vtkRobustTetrahedralize::CheckBodies()
 {
   const bool areThere = this->BlocksAreBodies || !this->BodyArrayName.empty();
   const std::string option = this->BlocksAreBodies ? "BlocksAreBodies" : "BodyArrayName";
@@ -398,11 +321,6 @@ void vtkRobustTetrahedralize::CheckBodies(bool isPlanar)
   {
     throw Error(ErrorCode::InvalidParameter,
       "PartsApart takes one body, and " + option + " makes several of the input");
-  }
-  if (areThere && isPlanar)
-  {
-    throw Error(ErrorCode::InvalidParameter,
-      "the input lies in a plane, where " + option + " has no meaning: bodies are in space");
   }
   if (areThere && (this->MergeCoplanarPieces || this->SplitSeams || this->PartsSolid()))
   {
@@ -432,9 +350,9 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
       {
         const auto [input, names, warnings] = ReadInput(this, block);
         const auto key = vtkInsideOutAsTuple(parameters, names);
-        if (input && !this->Hulls->Find(block, key) &&
-          vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_3)
+        if (input && !this->Hulls->Find(block, key))
         {
+          vtkInsideOutRefusePlane(input, this->GetThicken() > 0);
           hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
           this->Hulls->Remember(block, key, hulls.back());
         }
@@ -462,14 +380,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     {
       vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
       const auto [input, names, inputWarnings] = ReadInput(this, given);
-      const bool isPlanar =
-        vtkInsideOutDimensionOf(input, this->Dimension, this->Thicken > 0) == DIMENSION_2;
-      this->CheckBodies(isPlanar);
-      if (isPlanar)
-      {
-        this->MakeTriangles(inputVector, outputVector);
-        return;
-      }
+      vtkInsideOutRefusePlane(input, this->GetThicken() > 0);
+      this->CheckBodies();
       vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
       this->CheckOptions();
       const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
@@ -520,7 +432,21 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       {
         vtkInsideOutAddStatistics({ { "Tetrahedra", areTetrahedraMade } }, made->Grid);
       }
-      this->PutOut(made->Grid, made->Boundary, made->Outliers, outputVector);
+      vtkUnstructuredGrid* solid = vtkUnstructuredGrid::GetData(outputVector, 0);
+      if (this->SurfaceOnly)
+      {
+        solid->GetFieldData()->ShallowCopy(made->Grid->GetFieldData());
+      }
+      else
+      {
+        solid->ShallowCopy(made->Grid);
+      }
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(made->Boundary);
+      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(made->Outliers);
+      if (made->Hull)
+      {
+        vtkUnstructuredGrid::GetData(outputVector, 3)->ShallowCopy(made->Hull);
+      }
       vtkInsideOutWarn(this, inputWarnings);
       vtkInsideOutWarn(this, made->Warnings);
     });

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkInsideOutHull.h"
 
-#include "vtkInsideOutMakeTriangles.h"
-
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -66,11 +64,4 @@ void vtkInsideOutHull::MakeGrid()
   {
     vtkInsideOutAddBodyW(this->WOfBodies, this->Bodies.Names, this->Grid);
   }
-}
-
-vtkInsideOutPlanarHull::vtkInsideOutPlanarHull(vtkPolyData* input,
-  const PlanarHullParameters& parameters, const std::string& nonParticipating, Monitor& monitor)
-  : Curve(vtkInsideOutReadCurve(ShallowCopyOf(input), parameters.Orientation, nonParticipating))
-  , Hull(vtkInsideOutMeshPlanarHull(this->Curve, parameters, monitor))
-{
 }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * The hull of an input, in space or in a plane, and what decides about it: vtkRobustTetrahedralize
- * keeps it for as long as only later stages change.
+ * The hull of an input, and what decides about it: vtkRobustTetrahedralize keeps it for as long as
+ * only later stages change.
  */
 #pragma once
 
 #include "HullMesh.h"
-#include "Planar/PlanarHull.h"
 #include "vtkInsideOutBodies.h"
 #include "vtkInsideOutMakeOutputs.h"
-#include "vtkInsideOutReadCurve.h"
 
 #include <vtkType.h>
 
@@ -44,15 +42,6 @@ inline auto vtkInsideOutAsTuple(
     blocksTime);
 }
 
-/** The same in two dimensions. */
-inline auto vtkInsideOutAsTuple(
-  const insideout::PlanarHullParameters& parameters, const std::string& nonParticipating)
-{
-  const auto& [chain, orientation] = parameters;
-  const auto& [mergeTolerance, countDuplicates] = chain;
-  return std::make_tuple(mergeTolerance, countDuplicates, orientation, nonParticipating);
-}
-
 /** Stages validate to w of a surface, of one body or several. */
 struct vtkInsideOutHull
 {
@@ -78,15 +67,4 @@ struct vtkInsideOutHull
   bool IsFilled = false;
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< null until made
   std::exception_ptr Failure;                ///< what went wrong where it was meshed ahead
-};
-
-/** The same of a curve, in two dimensions. */
-struct vtkInsideOutPlanarHull
-{
-  /** @throws insideout::Error */
-  vtkInsideOutPlanarHull(vtkPolyData* input, const insideout::PlanarHullParameters& parameters,
-    const std::string& nonParticipating, insideout::Monitor& monitor);
-
-  vtkInsideOutCurve Curve;
-  insideout::PlanarHull Hull;
 };

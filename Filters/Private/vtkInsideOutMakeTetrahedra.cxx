@@ -33,6 +33,28 @@ vtkInsideOutParting Part(const HullMesh& hull, const std::vector<unsigned char>&
   return parting;
 }
 
+/** Label the cells of a grid. */
+void AddLabels(
+  const std::vector<unsigned char>& inside, const SolidRegions& regions, vtkUnstructuredGrid* grid)
+{
+  vtkInsideOutAddInside(inside, grid);
+  vtkInsideOutAddRegions(regions, grid);
+}
+
+/** All cells with their labels, and where bodies are. */
+vtkSmartPointer<vtkUnstructuredGrid> LabelHull(
+  const vtkInsideOutHull& kept, const vtkInsideOutSegmentedHull& segmented)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->ShallowCopy(kept.Grid);
+  if (kept.Bodies.AreThere())
+  {
+    vtkInsideOutAddBodies(kept.Bodies, segmented.InBodies, segmented.Regions, kept.Hull.Mesh, grid);
+  }
+  AddLabels(segmented.All.Inside, segmented.Regions.Regions, grid);
+  return grid;
+}
+
 /** The solid's cells with their regions, and what it and each of these weigh. */
 struct Solid
 {
@@ -43,17 +65,10 @@ struct Solid
 };
 
 Solid MakeSolid(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
-  const SolidRegions& regions, vtkUnstructuredGrid* grid, bool extractInside, Monitor& monitor)
+  const SolidRegions& regions, vtkUnstructuredGrid* labelled, Monitor& monitor)
 {
   Solid solid;
-  solid.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  solid.Grid->ShallowCopy(grid);
-  vtkInsideOutAddInside(inside, solid.Grid);
-  vtkInsideOutAddRegions(regions, solid.Grid);
-  if (extractInside)
-  {
-    solid.Grid = vtkInsideOutExtractInside(solid.Grid, monitor, { Stages::Extracting, 0.45, 1 });
-  }
+  solid.Grid = vtkInsideOutExtractInside(labelled, monitor, { Stages::Extracting, 0.45, 1 });
   const auto insideCells = std::count(inside.begin(), inside.end(), 1);
   if (insideCells > 0)
   {
@@ -65,33 +80,15 @@ Solid MakeSolid(const TetrahedralMesh& mesh, const std::vector<unsigned char>& i
   return solid;
 }
 
-/** The grid of all cells, with where bodies are. */
-vtkSmartPointer<vtkUnstructuredGrid> GridOf(
-  const vtkInsideOutHull& kept, const vtkInsideOutSegmentedHull& segmented)
+Solid MakePartedSolid(
+  const vtkInsideOutHull& kept, const vtkInsideOutParting& parted, Monitor& monitor)
 {
-  if (!kept.Bodies.AreThere())
-  {
-    return kept.Grid;
-  }
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->ShallowCopy(kept.Grid);
-  vtkInsideOutAddBodies(kept.Bodies, segmented.InBodies, segmented.Regions, kept.Hull.Mesh, grid);
-  return grid;
-}
-
-Solid MakeSolid(const vtkInsideOutHull& kept, const vtkInsideOutSegmentedHull& segmented,
-  const vtkInsideOutParting* parted, bool extractInside, Monitor& monitor)
-{
-  if (!parted)
-  {
-    return MakeSolid(kept.Hull.Mesh, segmented.All.Inside, segmented.Regions.Regions,
-      GridOf(kept, segmented), extractInside, monitor);
-  }
-  const TetrahedralMesh& mesh = parted->Solid.Mesh;
+  const TetrahedralMesh& mesh = parted.Solid.Mesh;
   const SolidRegions regions =
-    FindRegions(mesh, parted->Solid.Inside, monitor, { Stages::Extracting, 0.4, 0.45 });
-  return MakeSolid(mesh, parted->Solid.Inside, regions,
-    vtkInsideOutMakePartedGrid(kept.Grid, *parted), true, monitor);
+    FindRegions(mesh, parted.Solid.Inside, monitor, { Stages::Extracting, 0.4, 0.45 });
+  const auto grid = vtkInsideOutMakePartedGrid(kept.Grid, parted);
+  AddLabels(parted.Solid.Inside, regions, grid);
+  return MakeSolid(mesh, parted.Solid.Inside, regions, grid, monitor);
 }
 
 /** Refine the solid, and its boundary with it. */
@@ -115,9 +112,10 @@ bool TakesTetrahedra(
   const vtkInsideOutHull& kept, bool hasSeeds, const vtkInsideOutSolidOptions& options)
 {
   const SegmentMeshParameters& segment = options.Segment.Parameters;
-  return kept.Bodies.AreThere() || hasSeeds || options.Refine || options.SeparateOverlaps ||
-    options.SplitPoints || segment.ConstrainFacets || segment.FillNonManifold ||
-    !segment.Topology.ChangeNothing() || !IsCutByWholeNumbers(segment.Cut);
+  return kept.Bodies.AreThere() || hasSeeds || options.GenerateHull || options.Refine ||
+    options.SeparateOverlaps || options.SplitPoints || segment.ConstrainFacets ||
+    segment.FillNonManifold || !segment.Topology.ChangeNothing() ||
+    !IsCutByWholeNumbers(segment.Cut);
 }
 
 template <typename List>
@@ -155,7 +153,7 @@ std::optional<vtkInsideOutTetrahedra> vtkInsideOutMakeSurfaceOnly(const vtkInsid
   Append(surfaces.Counts, statistics);
   statistics.emplace_back("PeakMemory", PeakMemory());
   vtkInsideOutTetrahedra made{ vtkSmartPointer<vtkUnstructuredGrid>::New(), surfaces.Boundary,
-    surfaces.Outliers, kept.Hull.Warnings };
+    surfaces.Outliers, nullptr, kept.Hull.Warnings };
   vtkInsideOutAddStatistics(statistics, made.Grid);
   outputs.AddTurnedCells(kept.Hull, made.Grid);
   outputs.AddLeftOutCells(kept.Hull.Surface, made.Grid);
@@ -191,7 +189,12 @@ vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
         kept, segmented, options.TagBodies ? &tags : nullptr, outputs, monitor)
     : vtkInsideOutMakeSolidSurfaces(
         kept, segmentation.Inside, parted, options.Boundary, tags, outputs, monitor);
-  Solid solid = MakeSolid(kept, segmented, parted, options.ExtractInside, monitor);
+  const auto labelled = LabelHull(kept, segmented);
+  const SolidRegions& regions = segmented.Regions.Regions;
+  Solid solid = parted ? MakePartedSolid(kept, *parted, monitor)
+                       : MakeSolid(hull.Mesh, segmentation.Inside, regions, labelled, monitor);
+  const std::vector<MassProperties> massesOfHull =
+    parted && options.GenerateHull ? MeasureRegions(hull.Mesh, regions) : solid.Masses;
   vtkInsideOutRefinement refinement;
   if (options.Refine && !solid.Masses.empty())
   {
@@ -208,11 +211,19 @@ vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
   Append(surfaces.Counts, statistics);
   Append(refinement.Statistics, statistics);
   statistics.emplace_back("PeakMemory", PeakMemory());
-  vtkInsideOutAddStatistics(statistics, solid.Grid);
-  outputs.AddLeftOutCells(hull.Surface, solid.Grid);
-  vtkInsideOutAddMasses(solid.Masses, solid.Grid);
-
-  vtkInsideOutTetrahedra made{ solid.Grid, surfaces.Boundary, surfaces.Outliers, {} };
+  vtkInsideOutTetrahedra made{ solid.Grid, surfaces.Boundary, surfaces.Outliers, nullptr, {} };
+  const auto finish = [&](const std::vector<MassProperties>& masses, vtkUnstructuredGrid* grid)
+  {
+    vtkInsideOutAddStatistics(statistics, grid);
+    outputs.AddLeftOutCells(hull.Surface, grid);
+    vtkInsideOutAddMasses(masses, grid);
+  };
+  finish(solid.Masses, solid.Grid);
+  if (options.GenerateHull)
+  {
+    finish(massesOfHull, labelled);
+    made.Hull = labelled;
+  }
   for (const auto& warnings : { hull.Warnings, segmentation.Warnings, parting.Warnings,
          outputs.Warnings, refinement.Warnings })
   {

@@ -16,8 +16,8 @@ struct vtkInsideOutSolidOptions
 {
   vtkInsideOutSegmentOptions Segment;
   vtkInsideOutBoundaryOptions Boundary;
-  bool TagBodies = false; ///< the boundary of bodies by the surface's tags, too
-  bool ExtractInside = true;
+  bool TagBodies = false;    ///< the boundary of bodies by the surface's tags, too
+  bool GenerateHull = false; ///< vtkInsideOutTetrahedra::Hull, too
   bool SeparateOverlaps = false;
   bool SplitPoints = false; ///< where the solid touches itself
   bool Refine = false;
@@ -31,6 +31,7 @@ struct vtkInsideOutTetrahedra
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< with all statistics
   vtkSmartPointer<vtkPolyData> Boundary;
   vtkSmartPointer<vtkPolyData> Outliers;
+  vtkSmartPointer<vtkUnstructuredGrid> Hull; ///< all cells, with the same statistics; or null
   std::vector<std::string> Warnings;
 };
 

@@ -9,10 +9,7 @@
 #include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Planar/PlanarOutputs.h"
-#include "Planar/ResolveSegments.h"
-#include "Planar/SegmentMeetings.h"
 #include "Planar/SegmentTriangles.h"
-#include "Planar/TriangulateHull.h"
 #include "Refine/RefineTriangles.h"
 
 #include <vtkCellArray.h>
@@ -355,26 +352,19 @@ std::vector<unsigned char> ChosenSegments(
   return chosen;
 }
 
-/** What the regions weigh, as field arrays and, all together, as figures. */
-void AddAreas(const std::vector<insideout::AreaProperties>& regions, vtkDataSet* output,
-  insideout::Statistics& statistics)
+/** What the regions weigh together, as figures. */
+void AddArea(
+  const std::vector<insideout::AreaProperties>& regions, insideout::Statistics& statistics)
 {
-  const auto count = static_cast<vtkIdType>(regions.size());
-  const auto areas = vtkInsideOutMakeArray<vtkDoubleArray>("RegionArea", count);
-  const auto centers = vtkInsideOutMakeArray<vtkDoubleArray>("RegionCenterOfMass", count, 3);
   insideout::AreaProperties all;
-  for (vtkIdType region = 0; region < count; ++region)
+  for (const insideout::AreaProperties& region : regions)
   {
-    areas->SetTypedComponent(region, 0, regions[region].Area);
-    centers->SetTypedTuple(region, regions[region].Center.data());
-    all.Area += regions[region].Area;
+    all.Area += region.Area;
     for (int k = 0; k < 3; ++k)
     {
-      all.Center[k] += regions[region].Area * regions[region].Center[k];
+      all.Center[k] += region.Area * region.Center[k];
     }
   }
-  output->GetFieldData()->AddArray(areas);
-  output->GetFieldData()->AddArray(centers);
   statistics.emplace_back("Regions", regions.size());
   statistics.emplace_back("Area", all.Area);
   for (int k = 0; k < 3; ++k)
@@ -382,6 +372,34 @@ void AddAreas(const std::vector<insideout::AreaProperties>& regions, vtkDataSet*
     statistics.emplace_back(
       std::string("CenterOfMass") + "XYZ"[k], all.Area > 0 ? all.Center[k] / all.Area : 0);
   }
+}
+
+/** Put what each region weighs, and all that is to be told, into a grid's field data. */
+void AddFieldData(const std::vector<insideout::AreaProperties>& regions,
+  const insideout::Statistics& statistics, const Maker& maker, vtkUnstructuredGrid* grid)
+{
+  const auto count = static_cast<vtkIdType>(regions.size());
+  const auto areas = vtkInsideOutMakeArray<vtkDoubleArray>("RegionArea", count);
+  const auto centers = vtkInsideOutMakeArray<vtkDoubleArray>("RegionCenterOfMass", count, 3);
+  for (vtkIdType region = 0; region < count; ++region)
+  {
+    areas->SetTypedComponent(region, 0, regions[region].Area);
+    centers->SetTypedTuple(region, regions[region].Center.data());
+  }
+  grid->GetFieldData()->AddArray(areas);
+  grid->GetFieldData()->AddArray(centers);
+  vtkInsideOutAddStatistics(statistics, grid);
+  maker.AddLeftOutCells(grid);
+}
+
+/** A grid of the maker's triangles with their labels. */
+vtkSmartPointer<vtkUnstructuredGrid> MakeLabelledGrid(
+  Maker& maker, const std::vector<unsigned char>& inside, const insideout::SolidRegions& regions)
+{
+  auto grid = maker.MakeGrid();
+  vtkInsideOutAddInside(inside, grid);
+  vtkInsideOutAddRegions(regions, grid);
+  return grid;
 }
 
 /** The weights of a triangle's corners at a place in it: none is negative, however thin it is. */
@@ -436,96 +454,19 @@ std::string NothingInside(const PlanarHull& hull)
 }
 } // namespace
 
-PlanarHull vtkInsideOutMeshPlanarHull(const vtkInsideOutCurve& curve,
-  insideout::PlanarHullParameters parameters, insideout::Monitor& monitor)
-{
-  if (curve.ArePolygons)
-  {
-    parameters.Orientation = insideout::Orientation::AsGiven; // they were turned when read
-  }
-  return MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor);
-}
-
-namespace
-{
-/** An output of a stage with what is told of all. */
-template <typename Data>
-vtkInsideOutPlanarStage<Data> Finish(vtkSmartPointer<Data> output, const Maker& maker,
-  insideout::Statistics statistics, const vtkInsideOutCurve& curve, const PlanarHull& hull)
-{
-  statistics.insert(statistics.begin(), { "Dimension", 2 });
-  vtkInsideOutAddStatistics(statistics, output);
-  maker.AddLeftOutCells(output);
-  vtkInsideOutPlanarStage<Data> stage{ std::move(output), { vtkInsideOutTwoDimensions(curve) } };
-  for (const auto& warnings : { curve.Warnings, hull.Warnings, maker.Warnings })
-  {
-    stage.Warnings.insert(stage.Warnings.end(), warnings.begin(), warnings.end());
-  }
-  return stage;
-}
-} // namespace
-
-std::string vtkInsideOutTwoDimensions(const vtkInsideOutCurve& curve)
-{
-  return std::string(curve.ArePolygons ? "the polygons lie in one plane" : "the input is lines") +
-    ": two dimensions, triangles instead of tetrahedra";
-}
-
-vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutMakePlanarHull(
-  const vtkInsideOutCurve& curve, const insideout::PlanarHullParameters& parameters,
+vtkInsideOutPlanarHull::vtkInsideOutPlanarHull(vtkPolyData* input,
+  const insideout::PlanarHullParameters& parameters, const std::string& nonParticipating,
   insideout::Monitor& monitor)
 {
-  const PlanarHull hull = vtkInsideOutMeshPlanarHull(curve, parameters, monitor);
-  Maker maker(curve, hull);
-  auto grid = maker.MakeGrid();
-  return Finish(grid, maker, hull.Statistics, curve, hull);
-}
-
-vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutTriangulate(const vtkInsideOutCurve& curve,
-  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor)
-{
-  PlanarHull hull;
-  hull.Plane = curve.Plane;
-  hull.Curve = CountSegments(curve.Soup, curve.Plane, parameters, monitor).Curve;
-  const insideout::SegmentMeetings meetings = FindSegmentMeetings(hull.Curve.Points,
-    hull.Curve.Segments, {}, monitor, { insideout::Stages::FindingIntersections, 0, 1 });
-  if (!meetings.Empty())
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(input);
+  this->Curve = vtkInsideOutReadCurve(copy, parameters.Orientation, nonParticipating);
+  insideout::PlanarHullParameters turned = parameters;
+  if (this->Curve.ArePolygons)
   {
-    const Id segment =
-      meetings.Crossings.empty() ? meetings.Touches.front().Segment : meetings.Crossings.front()[0];
-    throw insideout::Error(insideout::ErrorCode::SelfIntersecting,
-      "cell " + std::to_string(curve.CellOfSegment[SourceOfSegment(hull.Curve, segment, +1)]) +
-        " meets others, the first of " + std::to_string(meetings.Pairs) +
-        " pairs of segments: run vtkResolveSelfIntersections before");
+    turned.Orientation = insideout::Orientation::AsGiven; // they were turned when read
   }
-  insideout::Stopwatch stopwatch;
-  hull.Mesh = TriangulateHull(hull.Curve, curve.Plane.Metric, monitor);
-  Maker maker(curve, hull);
-  auto grid = maker.MakeGrid();
-  return Finish(grid, maker,
-    { { "HullPoints", hull.Curve.Points.size() }, { "HullCells", hull.Mesh.NumberOfCells() },
-      { "SecondsCDT", stopwatch.Lap() } },
-    curve, hull);
-}
-
-vtkInsideOutPlanarStage<vtkPolyData> vtkInsideOutResolveLines(const vtkInsideOutCurve& curve,
-  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor)
-{
-  PlanarHull hull;
-  hull.Plane = curve.Plane;
-  const insideout::CountedCurve counted =
-    CountSegments(curve.Soup, curve.Plane, parameters, monitor);
-  insideout::ResolvedCurve resolved = ResolveSegments(counted.Curve, monitor);
-  hull.Curve = std::move(resolved.Curve);
-  insideout::Statistics statistics;
-  AddCounts(counted.Counts, statistics);
-  statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
-  statistics.emplace_back("ResolvedSegments", hull.Curve.NumberOfConstraints);
-  statistics.emplace_back(
-    "LeftOutSegments", hull.Curve.NumberOfSegments() - hull.Curve.NumberOfConstraints);
-  Maker maker(curve, hull);
-  auto lines = maker.MakeResolved();
-  return Finish(lines, maker, statistics, curve, hull);
+  this->Hull = MeshPlanarHull(this->Curve.Soup, this->Curve.Plane, turned, monitor);
 }
 
 namespace
@@ -541,29 +482,44 @@ void RefineTo(const vtkInsideOutCurve& curve, const PlanarHull& hull,
     RefineTriangles(hull.Curve, hull.Mesh, inside, hull.Plane, parameters, monitor);
   const RefinedHull better = HullOf(refined, hull, made.Grid);
   Maker maker(curve, better);
-  made.Grid = maker.MakeGrid();
   const std::vector<unsigned char> all(refined.Mesh.Cells.size(), 1);
-  vtkInsideOutAddInside(all, made.Grid);
-  vtkInsideOutAddRegions(
-    { ChosenOf(regions.OfCell, refined.OriginalCells), regions.Count }, made.Grid);
+  made.Grid = MakeLabelledGrid(
+    maker, all, { ChosenOf(regions.OfCell, refined.OriginalCells), regions.Count });
   made.Boundary = maker.MakeBoundary(all);
   statistics.insert(statistics.end(), refined.Statistics.begin(), refined.Statistics.end());
   statistics.emplace_back("SecondsRefine", stopwatch.Lap());
   made.Warnings = refined.Warnings;
 }
+
+/** The outputs before the cut, with its labels. */
+void MakeHull(const vtkInsideOutPlanarHull& kept, const std::vector<unsigned char>& inside,
+  const insideout::Statistics& statistics, insideout::Monitor& monitor, vtkInsideOutTriangles& made)
+{
+  const PlanarHull& hull = kept.Hull;
+  Maker maker(kept.Curve, hull);
+  const insideout::SolidRegions regions =
+    FindRegions(hull.Mesh, inside, monitor, { Extracting, 1, 1 });
+  made.Hull = MakeLabelledGrid(maker, inside, regions);
+  AddFieldData(
+    MeasureRegions(hull.Curve, hull.Mesh, hull.Plane, regions), statistics, maker, made.Hull);
+  made.Resolved = maker.MakeResolved();
+  vtkInsideOutAddStatistics(statistics, made.Resolved);
+  maker.AddLeftOutCells(made.Resolved);
+}
 } // namespace
 
-vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
-  const PlanarHull& kept, const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
+vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutPlanarHull& kept,
+  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
   const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor)
 {
+  const vtkInsideOutCurve& curve = kept.Curve;
   insideout::Stopwatch stopwatch;
   const insideout::MeshSegmentation segmentation =
-    SegmentTriangles(kept.Curve, kept.Mesh, kept.Plane, kept.W,
-      PiecesOfSegments(kept.Mesh, ChosenSegments(curve, kept, options.ConstrainedArray)), seeds,
-      options.Segment, monitor);
+    SegmentTriangles(kept.Hull.Curve, kept.Hull.Mesh, kept.Hull.Plane, kept.Hull.W,
+      PiecesOfSegments(kept.Hull.Mesh, ChosenSegments(curve, kept.Hull, options.ConstrainedArray)),
+      seeds, options.Segment, monitor);
   insideout::Statistics statistics = { { "Dimension", 2 } };
-  statistics.insert(statistics.end(), kept.Statistics.begin(), kept.Statistics.end());
+  statistics.insert(statistics.end(), kept.Hull.Statistics.begin(), kept.Hull.Statistics.end());
   statistics.emplace_back("SecondsCut", stopwatch.Lap());
   statistics.insert(
     statistics.end(), segmentation.Statistics.begin(), segmentation.Statistics.end());
@@ -572,18 +528,16 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
   PlanarHull split;
   if (options.SplitPoints)
   {
-    split = kept;
+    split = kept.Hull;
     statistics.emplace_back("SplitPoints",
       SplitPoints(split.Curve, split.Mesh, segmentation.Inside, monitor, { Extracting, 0, 0.1 }));
   }
-  const PlanarHull& hull = options.SplitPoints ? split : kept;
+  const PlanarHull& hull = options.SplitPoints ? split : kept.Hull;
   Maker maker(curve, hull);
   vtkInsideOutTriangles made;
-  made.Grid = maker.MakeGrid();
-  vtkInsideOutAddInside(segmentation.Inside, made.Grid);
   const insideout::SolidRegions regions =
     FindRegions(hull.Mesh, segmentation.Inside, monitor, { Extracting, 0.1, 0.2 });
-  vtkInsideOutAddRegions(regions, made.Grid);
+  made.Grid = MakeLabelledGrid(maker, segmentation.Inside, regions);
   const auto outliers = OutlierSegments(hull.Curve, hull.Mesh, segmentation.Inside);
   made.Outliers = maker.MakeOutliers(outliers);
   statistics.emplace_back(
@@ -596,19 +550,21 @@ vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
   }
   else
   {
-    if (options.ExtractInside)
-    {
-      made.Grid = vtkInsideOutExtractInside(made.Grid, monitor, { Extracting, 0.2, 0.8 });
-    }
+    made.Grid = vtkInsideOutExtractInside(made.Grid, monitor, { Extracting, 0.2, 0.8 });
     made.Boundary = maker.MakeBoundary(segmentation.Inside);
     monitor.Check(Extracting, 1);
   }
   vtkInsideOutAddTags(tags, made.Boundary);
 
-  AddAreas(MeasureRegions(hull.Curve, hull.Mesh, hull.Plane, regions), made.Grid, statistics);
+  const std::vector<insideout::AreaProperties> areas =
+    MeasureRegions(hull.Curve, hull.Mesh, hull.Plane, regions);
+  AddArea(areas, statistics);
   statistics.emplace_back("PeakMemory", insideout::PeakMemory());
-  vtkInsideOutAddStatistics(statistics, made.Grid);
-  maker.AddLeftOutCells(made.Grid);
+  AddFieldData(areas, statistics, maker, made.Grid);
+  if (options.GenerateHull)
+  {
+    MakeHull(kept, segmentation.Inside, statistics, monitor, made);
+  }
   for (const auto& warnings :
     { curve.Warnings, hull.Warnings, segmentation.Warnings, maker.Warnings })
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * From a curve in a plane to data sets: what vtkRobustTetrahedralize does in two dimensions.
+ * From a curve in a plane to data sets: what vtkRobustTriangulate does.
  */
 #pragma once
 
@@ -11,25 +11,39 @@
 #include "vtkInsideOutReadCurve.h"
 #include "vtkInsideOutTags.h"
 
+#include <tuple>
+
 class vtkUnstructuredGrid;
 
-/** The options that matter in two dimensions. */
+/** The hull of a curve. */
+struct vtkInsideOutPlanarHull
+{
+  /** Stages validate to w. @throws insideout::Error */
+  vtkInsideOutPlanarHull(vtkPolyData* input, const insideout::PlanarHullParameters& parameters,
+    const std::string& nonParticipating, insideout::Monitor& monitor);
+
+  vtkInsideOutCurve Curve;
+  insideout::PlanarHull Hull;
+};
+
+/** What decides about the hull, to be compared. Does not compile once a parameter is added. */
+inline auto vtkInsideOutAsTuple(
+  const insideout::PlanarHullParameters& parameters, const std::string& nonParticipating)
+{
+  const auto& [chain, orientation] = parameters;
+  const auto& [mergeTolerance, countDuplicates] = chain;
+  return std::make_tuple(mergeTolerance, countDuplicates, orientation, nonParticipating);
+}
+
+/** The options that matter after the hull. */
 struct vtkInsideOutPlanarOptions
 {
   insideout::SegmentMeshParameters Segment;
   std::string ConstrainedArray; ///< the cell array that chooses which segments are kept
-  bool ExtractInside = true;
+  bool SplitPoints = false;     ///< where the solid touches itself
+  bool GenerateHull = false;    ///< vtkInsideOutTriangles::Hull and Resolved, too
   bool Refine = false;
   insideout::RefinementParameters Refinement;
-  bool SplitPoints = false; ///< where the solid touches itself
-};
-
-/** One output of a single stage. */
-template <typename Data>
-struct vtkInsideOutPlanarStage
-{
-  vtkSmartPointer<Data> Output; ///< with all statistics
-  std::vector<std::string> Warnings;
 };
 
 /** Outputs, and what is to be told of them. */
@@ -38,32 +52,12 @@ struct vtkInsideOutTriangles
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< with all statistics
   vtkSmartPointer<vtkPolyData> Boundary;     ///< polylines with the inside on their left
   vtkSmartPointer<vtkPolyData> Outliers;     ///< polylines
+  vtkSmartPointer<vtkUnstructuredGrid> Hull; ///< all triangles, with all statistics; or null
+  vtkSmartPointer<vtkPolyData> Resolved;     ///< polylines that meet in shared points; or null
   std::vector<std::string> Warnings;
 };
 
-/** Stages validate to w. @throws insideout::Error */
-insideout::PlanarHull vtkInsideOutMeshPlanarHull(const vtkInsideOutCurve& curve,
-  insideout::PlanarHullParameters parameters, insideout::Monitor& monitor);
-
-/** The stages after that. @throws insideout::Error */
-vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutCurve& curve,
-  const insideout::PlanarHull& hull, const std::vector<insideout::Seed>& seeds,
-  const vtkInsideOutTags& tags, const vtkInsideOutPlanarOptions& options,
-  insideout::Monitor& monitor);
-
-/** Stages validate to w: all triangles of the hull. @throws insideout::Error */
-vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutMakePlanarHull(
-  const vtkInsideOutCurve& curve, const insideout::PlanarHullParameters& parameters,
-  insideout::Monitor& monitor);
-
-/** Stage CDT of a curve that does not cross itself. @throws insideout::Error that names the cells
- * that meet */
-vtkInsideOutPlanarStage<vtkUnstructuredGrid> vtkInsideOutTriangulate(const vtkInsideOutCurve& curve,
-  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor);
-
-/** Stage pre: polylines that meet in shared points only. @throws insideout::Error */
-vtkInsideOutPlanarStage<vtkPolyData> vtkInsideOutResolveLines(const vtkInsideOutCurve& curve,
-  const insideout::CountedChainParameters& parameters, insideout::Monitor& monitor);
-
-/** What is to be told of an input for which nobody asked for two dimensions. */
-std::string vtkInsideOutTwoDimensions(const vtkInsideOutCurve& curve);
+/** The stages after the hull. @throws insideout::Error */
+vtkInsideOutTriangles vtkInsideOutMakeTriangles(const vtkInsideOutPlanarHull& kept,
+  const std::vector<insideout::Seed>& seeds, const vtkInsideOutTags& tags,
+  const vtkInsideOutPlanarOptions& options, insideout::Monitor& monitor);

@@ -10,6 +10,8 @@
 #include "HullMesh.h"
 #include "Refine/RefineTetrahedra.h"
 
+#include <vtkSmartPointer.h>
+
 template <typename Filter>
 insideout::CountedChainParameters vtkInsideOutChainParameters(Filter* filter)
 {
@@ -97,4 +99,15 @@ insideout::RefinementParameters vtkInsideOutRefinementParameters(Filter* filter)
   parameters.SurfaceTolerance = filter->GetSurfaceTolerance();
   parameters.FeatureAngle = filter->GetFeatureAngle();
   return parameters;
+}
+
+/** Give a filter another stage, whose options it goes by from now on; null is no stage. */
+template <typename Filter, typename Stage>
+void vtkInsideOutSetStage(Filter* filter, Stage* stage, vtkSmartPointer<Stage>& held)
+{
+  if (stage && stage != held)
+  {
+    held = stage;
+    filter->Modified();
+  }
 }

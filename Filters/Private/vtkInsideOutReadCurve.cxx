@@ -294,33 +294,42 @@ bool vtkInsideOutAreLines(vtkPolyData* input)
   return input->GetNumberOfLines() > 0 && !HasPolygons(input);
 }
 
-int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens)
+bool vtkInsideOutIsInAPlane(vtkPolyData* input)
 {
-  if (asked != 0 && asked != 2 && asked != 3)
+  if (!HasPolygons(input) || AreSurelyNotFlat(SomePoints(input)))
   {
-    throw Error(ErrorCode::InvalidParameter, "Dimension is 2, 3, or 0 for what the input has");
-  }
-  if (asked != 0)
-  {
-    return asked;
-  }
-  if (!HasPolygons(input))
-  {
-    return vtkInsideOutAreLines(input) ? 2 : 3;
-  }
-  if (thickens || AreSurelyNotFlat(SomePoints(input)))
-  {
-    return 3;
+    return vtkInsideOutAreLines(input);
   }
   try
   {
     const std::vector<Point> points =
       PointsInUse(input, vtkInsideOutReadPoints(input, "the surface"));
-    return insideout::FindPlane(points).Distance <= insideout::RoundingOfDoubles ? 2 : 3;
+    return insideout::FindPlane(points).Distance <= insideout::RoundingOfDoubles;
   }
   catch (const Error&)
   {
-    return 3; // where it is refused with its own words
+    return false; // where it is refused with its own words
+  }
+}
+
+void vtkInsideOutRefuseLines(vtkPolyData* input)
+{
+  if (vtkInsideOutAreLines(input))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the input is lines, which bound no volume: vtkRobustTriangulate makes triangles of lines in "
+      "a plane");
+  }
+}
+
+void vtkInsideOutRefusePlane(vtkPolyData* input, bool thickens)
+{
+  vtkInsideOutRefuseLines(input);
+  if (!thickens && vtkInsideOutIsInAPlane(input))
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the polygons lie in one plane and bound no volume: vtkRobustTriangulate makes triangles of "
+      "them");
   }
 }
 

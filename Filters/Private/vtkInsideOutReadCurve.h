@@ -33,15 +33,16 @@ struct vtkInsideOutCurve
 /** Whether an input is lines without polygons. */
 bool vtkInsideOutAreLines(vtkPolyData* input);
 
-/**
- * How many dimensions an input has: 2 for lines without polygons, and for polygons in one plane
- * exactly or but for rounding in double precision, unless they get a thickness; else 3.
- *
- * @param[in] asked 2 or 3 for what somebody asked for, 0 to look
- * @param[in] thickens whether polygons become slabs
- * @throws insideout::Error when something else is asked for
- */
-int vtkInsideOutDimensionOf(vtkPolyData* input, int asked, bool thickens);
+/** Whether an input is for vtkRobustTriangulate: lines without polygons, or polygons in one plane
+ * exactly or but for rounding in double precision. */
+bool vtkInsideOutIsInAPlane(vtkPolyData* input);
+
+///@{
+/** For what takes surfaces. @throws insideout::Error that names vtkRobustTriangulate where the
+ * input is lines; and, where it takes no polygons in a plane, that they are. */
+void vtkInsideOutRefuseLines(vtkPolyData* input);
+void vtkInsideOutRefusePlane(vtkPolyData* input, bool thickens = false);
+///@}
 
 /**
  * The segments of the lines, polylines too, by the cell array FacetMultiplicity as often as it

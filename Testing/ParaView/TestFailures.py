@@ -120,7 +120,8 @@ def choose_by_words(data):
 
 
 def no_tetgen(solid):
-    solid.SetEngine(solid.ENGINE_TETGEN)
+    stage = solid.GetWindingNumber()
+    stage.SetEngine(stage.ENGINE_TETGEN)
     if RANK == RANKS - 1:
         os.environ["INSIDEOUT_TETGEN"] = "/nowhere"
 

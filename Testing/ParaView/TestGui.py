@@ -80,7 +80,8 @@ def color_by(array: str) -> str:
 
 
 SMOOTH_LESS = do(PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "0.5")
-WHOLE_HULL = do(PROPERTIES + "ExtractInside/CheckBox", "set_boolean", "false")
+ADVANCED = do(PANEL + "SearchBox/AdvancedButton", "set_boolean", "true")
+HULL_TOO = do(PROPERTIES + "GenerateHull/CheckBox", "set_boolean", "true")
 
 USUAL_PATH = [
     *open_file(SURFACE),
@@ -89,7 +90,8 @@ USUAL_PATH = [
     choose("/0/0"),
     add("RobustTetrahedralize"),
     SMOOTH_LESS,
-    WHOLE_HULL,
+    ADVANCED,
+    HULL_TOO,
     APPLY,
     add("SliceWindingNumber"),
     APPLY,
@@ -338,7 +340,6 @@ class TestGui(unittest.TestCase):
             choose("/0/0"),
             do(TOOLBAR + "1"),
             SMOOTH_LESS,
-            WHOLE_HULL,
             APPLY,
             do(TOOLBAR + "2"),
             APPLY,

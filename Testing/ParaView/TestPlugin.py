@@ -19,10 +19,12 @@ import insideout
 PLUGIN, SURFACE = sys.argv[1:3]
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
-FILTERS = ["RobustTetrahedralize", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
+FILTERS = ["RobustTetrahedralize", "RobustTriangulate", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
            "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
            "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality", "VoxelFractions", "DistributeParts",
            "WindingBoolean"]
+
+OF_BEFORE = ("RobustTetrahedralize", "ExtractInside")  # for states of before
 
 
 def volume(proxy, port=0):
@@ -136,10 +138,48 @@ class TestPlugin(unittest.TestCase):
         self.assertAlmostEqual(volume(left, 1), 0.75, 12)
 
     def test_a_property_changes_the_result(self):
-        solid = simple.RobustTetrahedralize(Input=self.surface, ExtractInside=0)
-        whole = volume(solid)
-        solid.ExtractInside = 1
-        self.assertLess(volume(solid), whole)
+        solid = simple.RobustTetrahedralize(Input=self.surface)
+        self.assertAlmostEqual(volume(solid), 1.75, 12)
+        solid.Orientation = "Reverse"  # of a stage
+        self.assertEqual(volume(solid), 0)
+        solid.Orientation, solid.GenerateHull = "Automatic", 1
+        self.assertAlmostEqual(volume(solid), 1.75, 12)
+        self.assertAlmostEqual(volume(solid, 3), 2, 12)
+
+    def test_options_of_stages_are_in_states_which_may_be_of_before(self):
+        simple.ResetSession()
+        surface = simple.SurfaceReader(FileName=SURFACE)
+        simple.RobustTetrahedralize(Input=surface, Gamma=0.5, Topology="One Component").UpdatePipeline()
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "state.pvsm")
+            simple.SaveState(state)
+            with open(state, encoding="utf-8") as file:
+                text = file.read()
+            begin = text.index('<Property name="ExtractInside"')
+            before = text[:begin] + text[begin:].replace('value="1"', 'value="0"', 1)
+            for content, hull in ((text, 0), (before, 1)):
+                simple.ResetSession()
+                with open(state, "w", encoding="utf-8") as file:
+                    file.write(content)
+                simple.LoadState(state)
+                loaded = next(one for (name, _), one in simple.GetSources().items() if name.startswith("RobustTetrahedralize"))
+                loaded.UpdatePipeline()
+                self.assertEqual((loaded.Gamma, loaded.Topology), (0.5, "One Component"))
+                self.assertEqual(volume(loaded, 3) > 0, bool(hull))
+            simple.ResetSession()
+
+    def test_outlines_become_triangles(self):
+        outline = simple.Disk(InnerRadius=0.5, OuterRadius=1, CircumferentialResolution=6)
+        triangles = simple.RobustTriangulate(Input=simple.FeatureEdges(Input=outline, ManifoldEdges=0), GenerateHull=1)
+        triangles.UpdatePipeline()
+        solid, hull, lines = (servermanager.Fetch(triangles, idx=port) for port in (0, 3, 4))
+        self.assertGreater(solid.GetNumberOfCells(), 0)
+        self.assertGreater(hull.GetNumberOfCells(), solid.GetNumberOfCells())
+        self.assertEqual(lines.GetNumberOfPoints(), 12)
+        coarse = solid.GetNumberOfCells()
+        triangles.Refine, triangles.EdgeLength, triangles.Surface = 1, 0.1, "Split"
+        triangles.UpdatePipeline()
+        self.assertGreater(triangles.GetDataInformation().GetNumberOfCells(), 10 * coarse)
 
     def test_the_reader_is_offered_but_the_default_for_off_alone(self):
         session = servermanager.ActiveConnection.Session
@@ -243,7 +283,7 @@ class TestPlugin(unittest.TestCase):
                     self.assertEqual(prop.GetElement(0), "", "and none of them at first")
                     seen.append((name, key))
         self.assertIn(("RobustTetrahedralize", "ConstrainedFacetsArrayName"), seen)
-        self.assertEqual(len(seen), 8)
+        self.assertEqual(len(seen), 11)
 
     def test_tags_are_chosen_among_strings_too(self):
         """And what ParaView's own readers call groups is known."""
@@ -313,9 +353,9 @@ class TestPlugin(unittest.TestCase):
                 properties.Next()
                 with self.subTest(filter=name, property=key):
                     self.assertTrue(prop.GetDocumentation().GetDescription().strip())
-                    if not isinstance(prop, servermanager.vtkSMInputProperty):
+                    if not isinstance(prop, servermanager.vtkSMInputProperty) and (name, key) != OF_BEFORE:
                         default = prop.GetElement(0)
-                        self.assertEqual(default, getattr(fresh, "Get" + key)())
+                        self.assertEqual(default, getattr(insideout.options.owner_of(fresh, key), "Get" + key)())
 
 
 if __name__ == "__main__":

@@ -12,12 +12,10 @@ import sys
 from paraview import servermanager, simple, smstate
 
 
-def volume(proxy, chosen=None):
-    sizes = simple.CellSize(Input=servermanager.OutputPort(proxy, 0))
-    cells = servermanager.Fetch(sizes).GetCellData()
-    inside = cells.GetArray(chosen) if chosen else None
-    array = cells.GetArray("Volume")
-    return sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()) if inside is None or inside.GetValue(i))
+def volume(proxy, port):
+    sizes = simple.CellSize(Input=servermanager.OutputPort(proxy, port))
+    array = servermanager.Fetch(sizes).GetCellData().GetArray("Volume")
+    return sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
 
 
 file = sys.argv[1]
@@ -29,4 +27,4 @@ else:
     with open(file, encoding="utf-8") as script:
         exec(compile(script.read(), file, "exec"))
 tetrahedralizer = simple.FindSource("RobustTetrahedralize1")
-print(f"inside {volume(tetrahedralizer, 'Inside'):g}, hull {volume(tetrahedralizer):g}, gamma {tetrahedralizer.Gamma:g}")
+print(f"inside {volume(tetrahedralizer, 0):g}, hull {volume(tetrahedralizer, 3):g}, gamma {tetrahedralizer.Gamma:g}")

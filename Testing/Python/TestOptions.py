@@ -11,8 +11,9 @@ from dataclasses import fields
 from pathlib import Path
 
 import insideout
+import surfaces
 from insideout import arguments
-from insideout.options import OPTIONS, Choice, Count, Number, Option, Options, Order, Scale, Switch, flag_of
+from insideout.options import OPTIONS, Choice, Count, Dimensions, Number, Option, Options, Order, Scale, Switch, flag_of, owner_of
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -24,6 +25,19 @@ NOT_IN_PARAVIEW = {
     "vtkSurfaceWriter": "ParaView's own writers save what the filters give",
 }
 
+STAGES = ("WindingNumber", "Segmentation", "Refinement")
+"""What a class hands out that goes by the options of stages."""
+
+UNUSED_OF_STAGES = {
+    "ExtractInside": "output 0 has the cells inside, and output 3 the hull",
+    "SizingArrayName": "the grid that it would be an array of is made within",
+}
+
+UNUSED_IN_A_PLANE = {"SurfaceTolerance", "FeatureAngle", "QuadraticCells"}
+"""Boundaries are not remeshed there."""
+
+OF_BEFORE = {"ExtractInside": "tells states of before where the hull is"}
+
 NO_OPTIONS = {"Controller": "the processes that work together: all that ParaView or mpirun began, and rarely others"}
 
 QUERIES = (insideout.winding_number, insideout.inside, insideout.distance, insideout.voxels)
@@ -34,24 +48,30 @@ CLASSES = [name for name in insideout.__all__ if name.startswith("vtk")]
 
 
 def properties(class_name: str) -> dict[str, object]:
-    """What a user of a class can set, with the defaults."""
-    made = getattr(insideout, class_name)()
+    """What a user of a class can set, on it or on a stage that it hands out, with the defaults."""
+    return values_of(getattr(insideout, class_name)())
+
+
+def values_of(made: object) -> dict[str, object]:
     own = vars(type(made))
     names = [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own and name[3:] not in NO_OPTIONS]
-    defaults = {name: getattr(made, "Get" + name)() for name in names}
-    return {name: "" if value is None else value for name, value in defaults.items()}
+    values = {name: getattr(made, "Get" + name)() for name in names}
+    stages = {name: values.pop(name) for name in STAGES if name in values}
+    for stage in stages.values():
+        values.update({name: value for name, value in values_of(stage).items() if name not in UNUSED_OF_STAGES})
+    return {name: "" if value is None else value for name, value in values.items()}
 
 
 def read_back(class_name: str, name: str, value: object) -> object:
     """What a property is after it was set."""
-    made = getattr(insideout, class_name)()
-    getattr(made, "Set" + name)(value)
-    return getattr(made, "Get" + name)()
+    owner = owner_of(getattr(insideout, class_name)(), name)
+    getattr(owner, "Set" + name)(value)
+    return getattr(owner, "Get" + name)()
 
 
 def constants(class_name: str, name: str) -> dict[int, str]:
     """The values that a property of an enumeration can have, with the names of the class's constants as words."""
-    own = vars(getattr(insideout, class_name))
+    own = vars(type(owner_of(getattr(insideout, class_name)(), name)))
     named = {int(value): constant for constant, value in own.items() if type(value).__name__ == name + "Type"}
     return {value: constant.removeprefix(name.upper() + "_").replace("_", "-").lower() for value, constant in named.items()}
 
@@ -63,8 +83,31 @@ def proxies() -> dict[str, ElementTree.Element]:
     return {proxy.get("class"): proxy for proxy in found if hasattr(insideout, proxy.get("class"))}
 
 
+def stage_proxies() -> dict[str, ElementTree.Element]:
+    """Those that other proxies are based on, or expose properties of, by name."""
+    files = [ElementTree.parse(file) for file in PLUGIN.glob("*.xml")]
+    return {proxy.get("name"): proxy for file in files for proxy in file.iterfind("ProxyGroup[@name='inside_out_stages']/Proxy")}
+
+
 def property_elements(proxy: ElementTree.Element) -> dict[str, ElementTree.Element]:
-    return {one.get("name"): one for one in proxy if one.tag.endswith("VectorProperty")}
+    """Those of a proxy, of the one that it is based on, and those that it exposes of others."""
+    elements = {one.get("name"): one for one in proxy if one.tag.endswith("VectorProperty")}
+    stages = stage_proxies()
+    if proxy.get("base_proxygroup") == "inside_out_stages":
+        elements.update(property_elements(stages[proxy.get("base_proxyname")]))
+    for name, stage in exposed(proxy):
+        elements[name] = property_elements(stages[stage])[name]
+    hidden = {name for name, one in elements.items() if one.get("panel_visibility") == "never"}
+    return {name: one for name, one in elements.items() if name not in hidden & set(OF_BEFORE)}
+
+
+def exposed(proxy: ElementTree.Element) -> dict[tuple[str, str], ElementTree.Element]:
+    """What a proxy exposes, by its name and that of the stage."""
+    return {
+        (one.get("name"), inner.find("Proxy").get("proxyname")): one
+        for inner in proxy.iterfind("SubProxy")
+        for one in inner.iterfind("ExposedProperties/Property")
+    }
 
 
 def words_of(element: ElementTree.Element) -> str:
@@ -97,7 +140,8 @@ class ParaView(unittest.TestCase):
         for class_name, proxy in proxies().items():
             self.assertEqual("vtk" + proxy.get("name"), class_name)
             self.assertTrue((PLUGIN / (proxy.get("name") + ".xml")).exists(), class_name)
-            self.assertEqual(set(property_elements(proxy)), set(properties(class_name)), class_name)
+            unused = UNUSED_IN_A_PLANE if class_name == "vtkRobustTriangulate" else set()
+            self.assertEqual(set(property_elements(proxy)), set(properties(class_name)) - unused, class_name)
 
     def test_each_property_sets_its_namesake_and_has_its_default(self):
         kinds = {float: "Double", int: "Int", bool: "Int", str: "String"}
@@ -107,6 +151,21 @@ class ParaView(unittest.TestCase):
                 self.assertEqual(element.tag, kinds[type(default)] + "VectorProperty")
                 given = element.get("default_values", "")
                 self.assertEqual(given if isinstance(default, str) else float(given), default)
+
+    def test_each_stage_is_set_and_what_is_exposed_keeps_its_default(self):
+        stages = stage_proxies()
+        facades = {class_name: proxy for class_name, proxy in proxies().items() if proxy.find("SubProxy") is not None}
+        self.assertEqual(set(facades), {"vtkRobustTetrahedralize", "vtkRobustTriangulate"})
+        for class_name, proxy in facades.items():
+            made = getattr(insideout, class_name)()
+            for inner in proxy.iterfind("SubProxy"):
+                stage = inner.find("Proxy").get("proxyname")
+                self.assertEqual(inner.get("command"), "Set" + stage)
+                self.assertEqual(stages[stage].get("class"), getattr(made, "Get" + stage)().GetClassName())
+            for (name, stage), element in exposed(proxy).items():
+                with self.subTest(filter=class_name, property=name):
+                    given = element.get("default_values")
+                    self.assertIn(given, (None, property_elements(stages[stage])[name].get("default_values")))
 
     def test_each_range_is_what_the_class_clamps_to(self):
         for class_name, name, element, default in plugin_properties():
@@ -212,7 +271,7 @@ class ThreeWays(unittest.TestCase):
         others = dict(Python.NO_OPTIONS)
         for name, (option, argument) in self.rows().items():
             with self.subTest(name):
-                if others.pop(name, None) is not None:
+                if others.pop(name, None) is not None or name == "GenerateHull":
                     continue
                 key = argument.strip("`")
                 self.assertEqual(OPTIONS[key].vtk_property.removesuffix("Data"), name)
@@ -231,7 +290,7 @@ class ThreeWays(unittest.TestCase):
 
     def test_the_two_that_are_something_else(self):
         rows = self.rows()
-        self.assertEqual(rows["ExtractInside"], ("off: `--hull FILE.vtu`", "off: `result.hull`"))
+        self.assertEqual(rows["GenerateHull"], ("`--hull FILE.vtu`", "on: `result.hull`"))
         self.assertEqual(rows["ConstrainedFacetsArrayName"], ("`--constrained-array ARRAY`", '`constrain_facets="ARRAY"`'))
         parsed = arguments.parse(["broken.ply", "solid.vtu", "--hull", "hull.vtu", "--constrained-array", "Some"])[0]
         self.assertEqual((parsed.hull, parsed.constrain_facets), ("hull.vtu", "Some"))
@@ -242,7 +301,7 @@ class Python(unittest.TestCase):
     """The options of `tetrahedralize`."""
 
     NO_OPTIONS = {
-        "ExtractInside": "a result has both the solid and the hull",
+        "GenerateHull": "a result has both the solid and the hull",
         "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
         "BlocksAreBodies": "what a dict of surfaces is",
         "BlocksAtOnce": "the function takes no composite data set but one of bodies",
@@ -284,10 +343,10 @@ class Python(unittest.TestCase):
             with self.subTest(name):
                 if isinstance(option, Switch):
                     self.assertIs(self.defaults[option.vtk_property], option.default)
-                elif isinstance(option, Choice):
+                elif isinstance(option, Choice) and option.vtk_property:
                     constant = constants("vtkRobustTetrahedralize", option.vtk_property)[self.defaults[option.vtk_property]]
                     self.assertEqual(option.default, constant)
-                else:
+                elif not isinstance(option, Dimensions):
                     self.assertIsNone(option.default)
                 if isinstance(option, Number):
                     self.assertIn(f"default {self.defaults[option.vtk_property]:.10g}", option.help())
@@ -299,7 +358,7 @@ class Python(unittest.TestCase):
                 with self.subTest(name):
                     option.set_on(made, name, option.least)
                     self.assertEqual(option.used_by(made, None), option.least)
-                    getattr(made, "Set" + option.vtk_property)(-HUGE)
+                    getattr(owner_of(made, option.vtk_property), "Set" + option.vtk_property)(-HUGE)
                     self.assertEqual(option.used_by(made, None), option.least)
                     for bad in (math.nextafter(option.least, -1), math.inf, math.nan, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
@@ -321,7 +380,7 @@ class Python(unittest.TestCase):
                 with self.assertRaisesRegex(insideout.Error, "^scale is "):
                     function("missing.ply", scale=bad)
         made = Options(scale=0.001).set_on(insideout.vtkRobustTetrahedralize())
-        self.assertEqual({key: getattr(made, "Get" + key)() for key in self.defaults}, self.defaults)
+        self.assertEqual(values_of(made), self.defaults)
         self.assertEqual((Options().factor(), Options(scale=2).factor()), (1, 2))
 
     def test_orders_have_the_range_of_the_class(self):
@@ -337,13 +396,13 @@ class Python(unittest.TestCase):
 
     def test_choices_are_the_constants_of_the_class(self):
         for name, option in OPTIONS.items():
-            if isinstance(option, Choice):
+            if isinstance(option, Choice) and option.vtk_property:
                 with self.subTest(name):
                     named = constants("vtkRobustTetrahedralize", option.vtk_property)
                     self.assertEqual(list(option.choices), [named[value] for value in sorted(named)])
                     for value, choice in named.items():
                         made = Options(**{name: choice}).set_on(insideout.vtkRobustTetrahedralize())
-                        self.assertEqual(getattr(made, "Get" + option.vtk_property)(), value)
+                        self.assertEqual(values_of(made)[option.vtk_property], value)
                     with self.assertRaisesRegex(insideout.Error, f"^{name} is 'none'; it can be "):
                         Options(**{name: "none"}).set_on(insideout.vtkRobustTetrahedralize())
 
@@ -353,10 +412,17 @@ class Python(unittest.TestCase):
             if not isinstance(option, (Choice, Scale)) and name != "seeds":
                 with self.subTest(name):
                     made = Options(**{name: value}).set_on(insideout.vtkRobustTetrahedralize())
-                    found = {key: getattr(made, "Get" + key)() for key in self.defaults}
-                    self.assertEqual(found, {**self.defaults, option.vtk_property: value})
+                    self.assertEqual(values_of(made), {**self.defaults, option.vtk_property: value})
         made = Options(constrain_facets="Some").set_on(insideout.vtkRobustTetrahedralize())
         self.assertEqual((made.GetConstrainFacets(), made.GetConstrainedFacetsArrayName()), (True, "Some"))
+
+    def test_a_dimension_chooses_the_filter(self):
+        square, box = surfaces.polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]), surfaces.box()
+        for surface, asked, expected in ((square, "automatic", True), (square, 3, False), (box, "automatic", False), (box, "2", True)):
+            self.assertIs(Options(dimension=asked).is_planar(surface), expected)
+        self.assertFalse(Options(thicken=0.1).is_planar(square))
+        with self.assertRaisesRegex(insideout.Error, "^dimension is '4'; it can be "):
+            Options(dimension=4).is_planar(box)
 
 
 class CommandLine(unittest.TestCase):

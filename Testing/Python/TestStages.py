@@ -84,8 +84,9 @@ class Again(unittest.TestCase):
     def test_what_concerns_the_segmentation_runs_only_that(self):
         for change in (
             lambda: self.filter.SetGamma(0.5),
-            lambda: self.filter.SetSigma(0.5),
-            lambda: self.filter.ExtractInsideOff(),
+            lambda: self.filter.GetSegmentation().SetSigma(0.5),
+            lambda: self.filter.GetSegmentation().FillCavitiesOn(),
+            lambda: self.filter.GenerateHullOn(),
         ):
             change()
             self.assertEqual(stages_of(self.filter), list(SEGMENTING))
@@ -94,11 +95,11 @@ class Again(unittest.TestCase):
         for change in (
             lambda: self.filter.SetOrientation(1),
             lambda: self.filter.SetMergeTolerance(1e-9),
-            lambda: self.filter.CountDuplicatesOn(),
-            lambda: self.filter.SetQuadratureOrder(2),
-            lambda: self.filter.SetEngineToExact(),
-            lambda: self.filter.SetTimeBudget(60),
-            lambda: self.filter.SetMemoryBudget(2000),
+            lambda: self.filter.GetWindingNumber().CountDuplicatesOn(),
+            lambda: self.filter.GetWindingNumber().SetQuadratureOrder(2),
+            lambda: self.filter.GetWindingNumber().SetEngineToExact(),
+            lambda: self.filter.GetWindingNumber().SetTimeBudget(60),
+            lambda: self.filter.GetWindingNumber().SetMemoryBudget(2000),
             lambda: self.input.Modified(),
             lambda: self.input.GetPoints().Modified(),
             lambda: self.input.GetPolys().Modified(),
@@ -201,7 +202,7 @@ class Stopping(unittest.TestCase):
     def filter(self, kind="vtkRobustTetrahedralize", **parameters):
         made = getattr(insideout, kind)()
         for name, value in parameters.items():
-            getattr(made, "Set" + name)(value)
+            getattr(insideout.options.owner_of(made, name), "Set" + name)(value)
         made.SetInputData(self.surface)
         return made
 

@@ -342,7 +342,7 @@ BAD_INPUT = {
     # name: (surface, what the message has to say)
     "empty": (vtkPolyData(), "the surface is empty"),
     "points only": (surfaces.box(facets=[]), "the surface is empty"),
-    "lines only": (without_polygons(), "no polygons, only lines|does not lie in a plane"),
+    "lines only": (without_polygons(), "no polygons, only lines|the input is lines"),
     "not a number": (with_point(float("nan")), "point 5 is not finite"),
     "infinite": (with_point(float("inf")), "point 5 is not finite"),
     "id too large": (surfaces.box(facets=[*surfaces.BOX_FACETS[:11], (3, 4, 8)]), "cell 11 refers to point 8 of 8"),
@@ -381,8 +381,6 @@ class BadInput(unittest.TestCase):
                     self.check_filter(make(), surface, expected)
 
     def check_filter(self, algorithm, surface, expected):
-        if hasattr(algorithm, "SetDimension"):
-            algorithm.SetDimension(3)
         algorithm.SetInputData(surfaces.box())
         insideout.pipeline.run(algorithm)
         self.assertGreater(algorithm.GetOutputDataObject(0).GetNumberOfCells(), 0)
@@ -481,7 +479,7 @@ class TetGenInTrouble(unittest.TestCase):
         self.stand_in("exec sleep infinity")
         tetrahedralizer = insideout.vtkRobustTetrahedralize()
         tetrahedralizer.SetInputData(surfaces.box())
-        tetrahedralizer.SetEngineToTetGen()
+        tetrahedralizer.GetWindingNumber().SetEngineToTetGen()
         reports = []
 
         def observe(algorithm, _event):
@@ -558,9 +556,10 @@ class TetGenInTrouble(unittest.TestCase):
         for name in ("vtkConstrainedDelaunay3D", "vtkGeneralizedWindingNumber", "vtkRobustTetrahedralize"):
             with self.subTest(name):
                 filter = getattr(insideout, name)()
-                self.assertEqual(filter.GetEngine(), filter.ENGINE_AUTOMATIC)
-                filter.SetEngineToExact()
-                self.assertEqual(filter.GetEngine(), filter.ENGINE_EXACT)
+                stage = insideout.options.owner_of(filter, "Engine")
+                self.assertEqual(stage.GetEngine(), stage.ENGINE_AUTOMATIC)
+                stage.SetEngineToExact()
+                self.assertEqual(stage.GetEngine(), stage.ENGINE_EXACT)
                 filter.SetInputData(surfaces.box())
                 self.assertEqual(insideout.pipeline.run(filter), [])
 

@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 from .data import DataSetOfPoints
 from .pipeline import Error, at_least, one_of
 from .places import read_seeds
-from .vtkFiltersInsideOut import vtkRobustTetrahedralize
+from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
 Engine = Literal["automatic", "exact", "tetgen"]
@@ -47,11 +47,15 @@ class Option:
         return value
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
-        getattr(algorithm, "Set" + self.vtk_property)(self.checked(algorithm, name, value))
+        owner = owner_of(algorithm, self.vtk_property)
+        getattr(owner, "Set" + self.vtk_property)(self.checked(owner, name, value))
 
     def used_by(self, algorithm: Any, value: Any) -> Any:
         """What a filter goes by on which this value was set."""
         return value
+
+    def used_number(self, algorithm: Any) -> Any:
+        return getattr(owner_of(algorithm, self.vtk_property), "Get" + self.vtk_property)()
 
     def help(self) -> str:
         return self.words
@@ -73,7 +77,7 @@ class Number(Option):
         return number
 
     def used_by(self, algorithm: Any, value: Any) -> float:
-        return getattr(algorithm, "Get" + self.vtk_property)()
+        return self.used_number(algorithm)
 
     def help(self) -> str:
         limits = f"at least {self.least:g}" if self.most is None else f"{self.least:g} to {self.most:g}"
@@ -99,10 +103,10 @@ class Choice(Option):
 
 
 class Dimensions(Choice):
-    """A number, too."""
+    """A number, too; it chooses the filter."""
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> int:
-        return super().checked(algorithm, name, str(value))
+    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
+        one_of(self.choices, name, str(value))
 
 
 @dataclass(frozen=True)
@@ -127,7 +131,7 @@ class Order(Option):
         return int(one_of(tuple(range(self.least, self.most + 1)), name, value))
 
     def used_by(self, algorithm: Any, value: Any) -> int:
-        return getattr(algorithm, "Get" + self.vtk_property)()
+        return self.used_number(algorithm)
 
     def help(self) -> str:
         return f"{self.words}; {self.least} to {self.most}, default {self.used_by(vtkRobustTetrahedralize(), None)}"
@@ -148,7 +152,7 @@ class Count(Option):
         return int(number)
 
     def used_by(self, algorithm: Any, value: Any) -> int:
-        return getattr(algorithm, "Get" + self.vtk_property)()
+        return self.used_number(algorithm)
 
     def help(self) -> str:
         return f"{self.words}; default {self.used_by(vtkRobustTetrahedralize(), None)}"
@@ -208,8 +212,17 @@ class Places(Option):
             return value
         return _seed_points(read_seeds(value) if isinstance(value, str) else value)
 
+    def set_on(self, algorithm: Any, name: str, value: Any) -> None:
+        algorithm.SetSeedsData(self.checked(algorithm, name, value))
+
     def argument(self) -> dict[str, Any]:
         return {"metavar": "FILE.csv"}
+
+
+def owner_of(algorithm: Any, vtk_property: str) -> Any:
+    """The filter that declares a property: a stage that the given one hands out, or it itself. None where neither does."""
+    stages = (getattr(algorithm, name)() for name in ("GetWindingNumber", "GetSegmentation", "GetRefinement") if hasattr(algorithm, name))
+    return next((owner for owner in (*stages, algorithm) if hasattr(owner, "Set" + vtk_property)), None)
 
 
 def _is(option: Option) -> Any:
@@ -220,8 +233,8 @@ def _is(option: Option) -> Any:
 class Options:
     """The options of `tetrahedralize`, some of which other functions have too.
 
-    Of vtkRobustTetrahedralize's properties one is missing: ExtractInside, since a result has both the solid and the
-    hull. It has no scale: that is for the surface, before any filter has it.
+    They are properties of vtkRobustTetrahedralize and of the stages that it hands out; in a plane of vtkRobustTriangulate.
+    Neither has a scale: that is for the surface, before any filter has it.
     """
 
     scale: Optional[float] = _is(
@@ -229,12 +242,11 @@ class Options:
     )
     dimension: Dimension = _is(
         Dimensions(
-            "Dimension",
+            "",
             'how many dimensions the input has: "2", lines or polygons in a plane, which become triangles; "3", a surface; '
             '"automatic" is 2 for lines without polygons and for polygons in one plane, with a warning',
             default="automatic",
             choices=("automatic", "2", "3"),
-            prefix="DIMENSION_",
         )
     )
     gamma: Optional[float] = _is(
@@ -439,20 +451,39 @@ class Options:
 
     def refines(self) -> bool:
         """Whether the solid is to be refined: by an option that has no other meaning, too."""
-        return self.refine or any(getattr(self, name) is not OPTIONS[name].default for name in REFINING_OPTIONS)
+        return self.refine or any(self._is_given(name) for name in REFINING_OPTIONS)
 
     def parts(self) -> bool:
         """Whether the solid has more points or cells than the hull has of it."""
         return self.non_manifold == "split" or self.separate_overlaps
+
+    def is_planar(self, polygons: vtkPolyData) -> bool:
+        """Whether an input becomes triangles: asked for, or told by the input."""
+        OPTIONS["dimension"].set_on(None, "dimension", self.dimension)
+        if self.dimension != "automatic":
+            return str(self.dimension) == "2"
+        thickens = self.thicken and polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() > 0
+        return not thickens and bool(vtkRobustTriangulate.IsInAPlane(polygons))
+
+    def left_out_by(self, algorithm: Any) -> list[str]:
+        """The names of those that are given and a filter does not have."""
+        return [
+            name
+            for name, option in OPTIONS.items()
+            if option.vtk_property and self._is_given(name) and owner_of(algorithm, option.vtk_property) is None
+        ]
+
+    def _is_given(self, name: str) -> bool:
+        value, default = getattr(self, name), OPTIONS[name].default
+        return value is not default and not (isinstance(value, str) and value == default)
 
     def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
         """Set what is given on a filter, which is returned: all, or some. Raises `Error` for what is out of range."""
         for name, option in OPTIONS.items():
             if names is not None and name not in names:
                 continue
-            value = getattr(self, name)
-            if value is not option.default:
-                option.set_on(algorithm, name, value)
+            if self._is_given(name):
+                option.set_on(algorithm, name, getattr(self, name))
         return algorithm
 
 

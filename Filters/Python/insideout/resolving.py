@@ -11,7 +11,7 @@ from .data import AnySurface, Polylines, TriangleSurface, as_surface, as_type
 from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
-from .vtkFiltersInsideOut import vtkResolveSelfIntersections
+from .vtkFiltersInsideOut import vtkResolveSelfIntersections, vtkRobustTriangulate
 
 
 @dataclass(frozen=True, repr=False)
@@ -59,15 +59,20 @@ def resolve(
     Returns a `Resolution`. Raises `Error` with one line that names what is wrong.
     """
     options = Options.among(locals())
-    resolver = options.set_on(vtkResolveSelfIntersections())
+    resolver: Any = options.set_on(vtkResolveSelfIntersections())
     polygons, warnings = as_surface(surface, options.scale)
+    are_lines = polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0 < polygons.GetNumberOfLines()
+    if are_lines:  # they are cut on the way to triangles; what these enclose does not matter
+        resolver = options.set_on(vtkRobustTriangulate())
+        resolver.SetOrientation(resolver.AS_GIVEN)
+        resolver.GenerateHullOn()
     resolver.SetInputData(polygons)
-    warnings = warnings + in_words_of_python(run(resolver, progress))
-    add_statistic("Scale", options.factor(), resolver.GetOutput())
-    statistics = statistics_of(resolver.GetOutput())
+    told = in_words_of_python(run(resolver, progress))
+    resolved = resolver.GetOutputDataObject(4 if are_lines else 0)
+    add_statistic("Scale", options.factor(), resolved)
     return Resolution(
-        surface=as_type(Polylines if statistics.get("Dimension") == 2 else TriangleSurface, resolver.GetOutput()),
-        statistics=statistics,
-        left_out_cells=cells_of(resolver.GetOutput(), "LeftOutCellIds"),
-        warnings=warnings,
+        surface=as_type(Polylines if are_lines else TriangleSurface, resolved),
+        statistics=statistics_of(resolved),
+        left_out_cells=cells_of(resolved, "LeftOutCellIds"),
+        warnings=warnings + [warning for warning in told if not warning.startswith("no triangle is inside")],
     )

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -16,11 +16,10 @@ from .bodies import AnyBodies, as_bodies
 from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import is_boundary_alone, mesh_of_solid
-from .options import DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
+from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
-from .stages import TETRAHEDRALIZE
-from .vtkFiltersInsideOut import vtkRobustTetrahedralize
+from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
 
 @dataclass(frozen=True)
@@ -203,74 +202,33 @@ def tetrahedralize(
 
     {options}
 
-    What is not given has the default of the class vtkRobustTetrahedralize. Returns a
+    What is not given has the default of vtkRobustTetrahedralize and of its stages. Returns a
     `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     options = Options.among(locals())
-    tetrahedralizer = options.set_on(vtkRobustTetrahedralize())
-    polygons, before, body_array = as_bodies(surface, options.scale, bodies)
-    tetrahedralizer.SetInputData(polygons)
-    tetrahedralizer.SetBodyArrayName(body_array or "")
-    tetrahedralizer.SetRefine(options.refines())
+    algorithm: Any = options.set_on(vtkRobustTetrahedralize())
+    polygons, warnings, body_array = as_bodies(surface, options.scale, bodies)
+    algorithm.SetBodyArrayName(body_array or "")
+    if options.is_planar(polygons):
+        algorithm, more = _triangulator(options, polygons, body_array)
+        warnings += more
+    algorithm.SetInputData(polygons)
+    algorithm.SetRefine(options.refines())
+    algorithm.SetGenerateHull(not options.surface_only)
+    warnings += in_words_of_python(run(algorithm, progress))
+    solid, boundary, outliers, hull = (_copy_of(algorithm.GetOutputDataObject(port)) for port in range(4))
     if options.surface_only:
-        warnings = before + in_words_of_python(run(tetrahedralizer, progress))
-        nothing = tetrahedralizer.GetOutput()
-        add_statistic("Scale", options.factor(), nothing)
-        return _result_of(_outputs_of(tetrahedralizer), nothing, statistics_of(nothing), warnings)
-    # The hull comes out too. Where the solid is more than cells of it, the solid is made first, for then the filter
-    # refuses at once what it cannot do; and the hull of what is there already.
-    runs_again = options.parts() or options.refines()
-    share = len(TETRAHEDRALIZE) / (len(TETRAHEDRALIZE) + 1) if runs_again else 0
-    if runs_again:
-        warnings = run(tetrahedralizer, part_of(progress, 0, share))
-        outputs = _outputs_of(tetrahedralizer)
-        tetrahedralizer.RefineOff()
-        tetrahedralizer.SeparateOverlapsOff()
-        if options.non_manifold == "split":
-            tetrahedralizer.SetNonManifoldToKeep()
-    tetrahedralizer.ExtractInsideOff()
-    of_hull = run(tetrahedralizer, part_of(progress, share, 1))
-    hull = _outputs_of(tetrahedralizer).solid
-    if hull.GetNumberOfCells() == 0:
+        solid = hull = _without_cells(solid)
+    elif hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
-    add_statistic("Scale", options.factor(), hull)
-    statistics = statistics_of(hull)
-    if runs_again and outputs.solid.GetNumberOfCells() > 0:
-        statistics.update(statistics_of(outputs.solid))
-    else:
-        warnings = of_hull
-        outputs = replace(_outputs_of(tetrahedralizer), solid=inside_cells(hull))
-    return _result_of(outputs, hull, statistics, before + in_words_of_python(warnings))
-
-
-@dataclass(frozen=True)
-class _Outputs:
-    solid: vtkUnstructuredGrid
-    boundary: vtkPolyData
-    outliers: vtkPolyData
-
-
-def _outputs_of(tetrahedralizer: vtkRobustTetrahedralize) -> _Outputs:
-    """Those of one run, which the next does not change."""
-    copies = []
-    for port in range(3):
-        output = tetrahedralizer.GetOutputDataObject(port)
-        copies.append(output.NewInstance())
-        copies[-1].ShallowCopy(output)
-    return _Outputs(*copies)
-
-
-def _result_of(
-    outputs: _Outputs,
-    hull: vtkUnstructuredGrid,
-    statistics: dict[str, float],
-    warnings: list[str],
-) -> Tetrahedralization:
+    for grid in (solid, hull):
+        add_statistic("Scale", options.factor(), grid)
+    statistics = statistics_of(solid)
     cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (Tetrahedra, TriangleSurface)
     return Tetrahedralization(
-        solid=as_type(cells, outputs.solid),
-        boundary=as_type(faces, outputs.boundary),
-        outliers=as_type(faces, outputs.outliers),
+        solid=as_type(cells, solid),
+        boundary=as_type(faces, boundary),
+        outliers=as_type(faces, outliers),
         hull=as_type(cells, hull),
         statistics=statistics,
         left_out_cells=cells_of(hull, "LeftOutCellIds"),
@@ -280,17 +238,39 @@ def _result_of(
     )
 
 
+def _triangulator(options: Options, polygons: vtkPolyData, body_array: Optional[str]) -> Tuple[vtkRobustTriangulate, list[str]]:
+    """What makes triangles in a plane, and what is to be told. Raises `Error` for what tetrahedra alone can be given."""
+    algorithm = vtkRobustTriangulate()
+    left_out = options.left_out_by(algorithm)
+    if body_array:
+        raise Error("the input lies in a plane, where bodies has no meaning: bodies are in space")
+    if options.separate_overlaps:
+        raise Error("the input lies in a plane, where separate_overlaps does nothing: it separates tetrahedra")
+    warnings = [f"{name} does nothing in a plane" for name in left_out if name != "surface_only"]
+    if options.dimension == "automatic":
+        are_lines = polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0
+        found = "the input is lines" if are_lines else "the polygons lie in one plane"
+        warnings.insert(0, f"{found}: two dimensions, triangles instead of tetrahedra")
+    return options.set_on(algorithm, OPTIONS.keys() - {*left_out}), warnings
+
+
+def _copy_of(output: vtkDataObject) -> Any:
+    """An output that a further run of its filter does not change."""
+    copy = output.NewInstance()
+    copy.ShallowCopy(output)
+    return copy
+
+
+def _without_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
+    """What is told of a grid."""
+    told = vtkUnstructuredGrid()
+    told.GetFieldData().ShallowCopy(grid.GetFieldData())
+    return told
+
+
 def strings_of(array: Any) -> list[str]:
     """What a vtkStringArray holds."""
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
-
-
-def part_of(progress: Optional[Progress], begin: float, end: float) -> Optional[Progress]:
-    """Hears of a part of the work, and tells of it as such."""
-    if progress is None:
-        return None
-    tell = progress
-    return lambda stage, fraction: tell(stage, begin + fraction * (end - begin))
 
 
 def inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:

@@ -141,11 +141,9 @@ private:
 
 /** Expect one error that holds `words` and three empty outputs; then that the filter still works.
  */
-void ExpectError(vtkPolyData* surface, const std::string& words,
-  int dimension = vtkRobustTetrahedralize::DIMENSION_AUTOMATIC)
+void ExpectError(vtkPolyData* surface, const std::string& words)
 {
   vtkNew<vtkRobustTetrahedralize> filter;
-  filter->SetDimension(dimension);
   Listener errors(filter, vtkCommand::ErrorEvent);
   filter->SetInputData(surface);
   filter->Update();
@@ -175,13 +173,15 @@ TEST(vtkRobustTetrahedralize, MeshesTheUnionOfOverlappingBoxes)
   EXPECT_EQ(statistics->GetArray("Statistics_Closed")->GetTuple1(0), 1);
 }
 
-TEST(vtkRobustTetrahedralize, GivesTheWholeHullWhenNotExtracting)
+TEST(vtkRobustTetrahedralize, GivesTheWholeHullWhereThatIsAskedFor)
 {
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputData(TwoBoxes());
-  filter->ExtractInsideOff();
   filter->Update();
-  vtkUnstructuredGrid* hull = filter->GetOutput();
+  EXPECT_EQ(filter->GetHull()->GetNumberOfCells(), 0);
+  filter->GenerateHullOn();
+  filter->Update();
+  vtkUnstructuredGrid* hull = filter->GetHull();
   const double hullVolume = Volume(hull);
   EXPECT_GT(hullVolume, 1.9);
   auto* inside = vtkUnsignedCharArray::SafeDownCast(hull->GetCellData()->GetArray("Inside"));
@@ -194,6 +194,54 @@ TEST(vtkRobustTetrahedralize, GivesTheWholeHullWhenNotExtracting)
     EXPECT_EQ(inside->GetValue(c), w->GetValue(c) > 0.5);
   }
   EXPECT_EQ(values, (std::set<double>{ 0, 1, 2 }));
+}
+
+TEST(vtkRobustTetrahedralize, GivesTheSameHullBesideAnySolid)
+{
+  vtkNew<vtkRobustTetrahedralize> plain;
+  plain->SetInputData(TwoBoxes());
+  plain->GenerateHullOn();
+  plain->Update();
+  vtkUnstructuredGrid* wanted = plain->GetHull();
+  EXPECT_NEAR(wanted->GetFieldData()->GetArray("RegionVolume")->GetTuple1(0), 1.875, 1e-12);
+  for (const int option : { 0, 1, 2, 3 })
+  {
+    vtkNew<vtkRobustTetrahedralize> filter;
+    filter->SetInputData(TwoBoxes());
+    filter->GenerateHullOn();
+    filter->SetRefine(option == 0);
+    filter->SetSeparateOverlaps(option == 1);
+    filter->SetNonManifold(option == 2 ? vtkGraphCutSegmentation::NONMANIFOLD_SPLIT
+                                       : vtkGraphCutSegmentation::NONMANIFOLD_KEEP);
+    filter->SetSurfaceOnly(option == 3);
+    filter->Update();
+    vtkUnstructuredGrid* hull = filter->GetHull();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells() == 0, option == 3);
+    ASSERT_EQ(hull->GetNumberOfCells(), wanted->GetNumberOfCells());
+    for (const char* name : { "w", "Inside", "RegionId" })
+    {
+      for (vtkIdType c = 0; c < hull->GetNumberOfCells(); ++c)
+      {
+        ASSERT_EQ(hull->GetCellData()->GetArray(name)->GetTuple1(c),
+          wanted->GetCellData()->GetArray(name)->GetTuple1(c));
+      }
+    }
+    vtkDataArray* volumes = hull->GetFieldData()->GetArray("RegionVolume");
+    ASSERT_EQ(volumes->GetNumberOfTuples(), 1);
+    EXPECT_NEAR(volumes->GetTuple1(0), 1.875, 1e-12);
+  }
+}
+
+TEST(vtkRobustTetrahedralize, TellsStatesOfBeforeWhereTheHullIs)
+{
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetExtractInside(true);
+  EXPECT_FALSE(filter->GetGenerateHull());
+  EXPECT_TRUE(warnings.Texts.empty());
+  filter->SetExtractInside(false);
+  EXPECT_TRUE(filter->GetGenerateHull());
+  EXPECT_TRUE(warnings.Heard("output 3"));
 }
 
 TEST(vtkRobustTetrahedralize, NamesThePointThatIsNotFinite)
@@ -220,8 +268,7 @@ TEST(vtkRobustTetrahedralize, SaysThatThereAreNoPolygons)
   const vtkIdType corners[2] = { 0, 1 };
   surface->SetLines(vtkNew<vtkCellArray>());
   surface->GetLines()->InsertNextCell(2, corners);
-  ExpectError(surface, "all points lie on one line");
-  ExpectError(surface, "only lines or vertices", vtkRobustTetrahedralize::DIMENSION_3);
+  ExpectError(surface, "the input is lines, which bound no volume: vtkRobustTriangulate");
 }
 
 TEST(vtkRobustTetrahedralize, SaysThatAllIsDegenerateOrFlat)
@@ -240,7 +287,7 @@ TEST(vtkRobustTetrahedralize, SaysThatAllIsDegenerateOrFlat)
   surface->GetPoints()->SetPoint(1, 1, 0, 1);
   const vtkIdType other[3] = { 1, 3, 2 };
   surface->GetPolys()->InsertNextCell(3, other);
-  ExpectError(surface, "plane", vtkRobustTetrahedralize::DIMENSION_3);
+  ExpectError(surface, "the polygons lie in one plane and bound no volume: vtkRobustTriangulate");
 }
 
 TEST(vtkRobustTetrahedralize, CanBeStoppedInEveryStageAndRunAgain)
@@ -339,7 +386,7 @@ TEST(vtkRobustTetrahedralize, IsStoppedWhileTetGenHangs)
   setenv("INSIDEOUT_TETGEN", helper.c_str(), 1);
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputData(TwoBoxes());
-  filter->SetEngineToTetGen();
+  filter->GetWindingNumber()->SetEngineToTetGen();
   filter->AddObserver(vtkCommand::ProgressEvent, observer);
   filter->Update();
   EXPECT_EQ(watch.Reports, watch.Enough);
@@ -409,18 +456,18 @@ TEST(vtkRobustTetrahedralize, TurnsASurfaceThatIsInsideOut)
 {
   auto surface = EmptySurface();
   AddBox(surface, 1, 0); // the box mirrored in all axes: its normals point inward
-  for (const int orientation : { vtkRobustTetrahedralize::AUTOMATIC,
-         vtkRobustTetrahedralize::AS_GIVEN, vtkRobustTetrahedralize::REVERSE })
+  for (const int orientation : { vtkGeneralizedWindingNumber::AUTOMATIC,
+         vtkGeneralizedWindingNumber::AS_GIVEN, vtkGeneralizedWindingNumber::REVERSE })
   {
     vtkNew<vtkRobustTetrahedralize> filter;
     Listener warnings(filter, vtkCommand::WarningEvent);
     filter->SetInputData(surface);
     filter->SetOrientation(orientation);
     filter->Update();
-    const bool asGiven = orientation == vtkRobustTetrahedralize::AS_GIVEN;
+    const bool asGiven = orientation == vtkGeneralizedWindingNumber::AS_GIVEN;
     EXPECT_NEAR(Volume(filter->GetOutput()), asGiven ? 0 : 1, 1e-15);
     EXPECT_EQ(
-      warnings.Heard("it is turned over"), orientation == vtkRobustTetrahedralize::AUTOMATIC);
+      warnings.Heard("it is turned over"), orientation == vtkGeneralizedWindingNumber::AUTOMATIC);
     EXPECT_EQ(warnings.Heard("nothing is inside: w ranges from -1"), asGiven);
     EXPECT_EQ(warnings.Heard("set Orientation to Automatic"), asGiven);
   }

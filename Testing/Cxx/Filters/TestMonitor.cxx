@@ -165,7 +165,7 @@ TEST(vtkInsideOutMonitor, KnowsEveryStageThatTheFiltersRun)
   vtkNew<vtkRobustTetrahedralize> robust;
   robust->SetInputData(box);
   robust->ConstrainFacetsOn();
-  robust->SetNonManifoldToFill();
+  robust->SetNonManifold(vtkGraphCutSegmentation::NONMANIFOLD_FILL);
   robust->MergeCoplanarPiecesOn();
   robust->SplitSeamsOn();
   ExpectStages(robust, with(toWindingNumbers, { Stages::Segmenting, Stages::Extracting }));

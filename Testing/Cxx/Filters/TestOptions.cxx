@@ -9,6 +9,7 @@
 #include "vtkRefineTetrahedra.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
+#include "vtkRobustTriangulate.h"
 #include "vtkSurfaceDefects.h"
 
 #include "GraphCut/SegmentMesh.h"
@@ -22,7 +23,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <type_traits>
 
 using namespace insideout;
 
@@ -110,45 +110,30 @@ class OptionsOfSurfaces : public testing::Test
 };
 using ClassesWithSurfaces =
   testing::Types<vtkConstrainedDelaunay3D, vtkGeneralizedWindingNumber, vtkImplicitWindingNumber,
-    vtkProbeWindingNumber, vtkResolveSelfIntersections, vtkRobustTetrahedralize>;
+    vtkProbeWindingNumber, vtkResolveSelfIntersections, vtkRobustTriangulate>;
 TYPED_TEST_SUITE(OptionsOfSurfaces, ClassesWithSurfaces, );
 
 template <typename Class>
 class OptionsOfTetrahedra : public testing::Test
 {
 };
-using ClassesWithTetrahedra =
-  testing::Types<vtkConstrainedDelaunay3D, vtkGeneralizedWindingNumber, vtkRobustTetrahedralize>;
+using ClassesWithTetrahedra = testing::Types<vtkConstrainedDelaunay3D, vtkGeneralizedWindingNumber>;
 TYPED_TEST_SUITE(OptionsOfTetrahedra, ClassesWithTetrahedra, );
-
-template <typename Class>
-class OptionsOfHulls : public testing::Test
-{
-};
-using ClassesWithHulls = testing::Types<vtkGeneralizedWindingNumber, vtkRobustTetrahedralize>;
-TYPED_TEST_SUITE(OptionsOfHulls, ClassesWithHulls, );
 
 template <typename Class>
 class OptionsOfOrientation : public testing::Test
 {
 };
 using ClassesThatOrient = testing::Types<vtkGeneralizedWindingNumber, vtkImplicitWindingNumber,
-  vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkSurfaceDefects>;
+  vtkProbeWindingNumber, vtkRobustTetrahedralize, vtkRobustTriangulate, vtkSurfaceDefects>;
 TYPED_TEST_SUITE(OptionsOfOrientation, ClassesThatOrient, );
 
 template <typename Class>
-class OptionsOfSegmentation : public testing::Test
+class OptionsOfFacades : public testing::Test
 {
 };
-using ClassesThatSegment = testing::Types<vtkGraphCutSegmentation, vtkRobustTetrahedralize>;
-TYPED_TEST_SUITE(OptionsOfSegmentation, ClassesThatSegment, );
-
-template <typename Class>
-class OptionsOfRefinement : public testing::Test
-{
-};
-using ClassesThatRefine = testing::Types<vtkRefineTetrahedra, vtkRobustTetrahedralize>;
-TYPED_TEST_SUITE(OptionsOfRefinement, ClassesThatRefine, );
+using Facades = testing::Types<vtkRobustTetrahedralize, vtkRobustTriangulate>;
+TYPED_TEST_SUITE(OptionsOfFacades, Facades, );
 } // namespace
 
 TYPED_TEST(OptionsOfSurfaces, AreThoseOfTheStages)
@@ -208,9 +193,9 @@ TYPED_TEST(OptionsOfTetrahedra, AreThoseOfTheStages)
   EXPECT_EQ(SET(filter, Engine, 99), static_cast<int>(TetrahedralizationEngine::TetGen));
 }
 
-TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
+TEST(OptionsOfHulls, AreThoseOfTheStages)
 {
-  vtkNew<TypeParam> filter;
+  vtkNew<vtkGeneralizedWindingNumber> filter;
   const auto [chain, orientation, thicken, budgets, quadratureOrder, partsApart] =
     HullMeshParameters();
   EXPECT_EQ(filter->GetMergeTolerance(), chain.MergeTolerance);
@@ -223,10 +208,7 @@ TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
   EXPECT_EQ(filter->GetMemoryBudget(), budgets.MemoryBudget);
   EXPECT_EQ(filter->GetEngine(), static_cast<int>(budgets.Engine));
   EXPECT_EQ(filter->GetQuadratureOrder(), quadratureOrder);
-  if constexpr (std::is_same_v<TypeParam, vtkRobustTetrahedralize>)
-  {
-    EXPECT_EQ(filter->GetPartsApart(), partsApart);
-  }
+  EXPECT_EQ(vtkNew<vtkRobustTetrahedralize>()->GetPartsApart(), partsApart);
 
   const auto takesOrder = [](int order)
   { return IsTaken([&]() { TetrahedronQuadrature(order); }); };
@@ -238,19 +220,20 @@ TYPED_TEST(OptionsOfHulls, AreThoseOfTheStages)
   EXPECT_FALSE(takesOrder(highest + 1));
 }
 
-TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
+TEST(OptionsOfSegmentation, AreThoseOfTheStages)
 {
-  vtkNew<TypeParam> filter;
+  using Filter = vtkGraphCutSegmentation;
+  vtkNew<Filter> filter;
   const auto [cut, constrainFacets, fillNonManifold, topology] = SegmentMeshParameters();
   const auto [gamma, sigma, dataTerm] = cut;
   EXPECT_EQ(filter->GetGamma(), gamma);
   EXPECT_EQ(filter->GetSigma(), sigma);
   EXPECT_EQ(filter->GetDataTerm(), static_cast<int>(dataTerm));
   EXPECT_EQ(filter->GetConstrainFacets(), constrainFacets);
-  EXPECT_EQ(filter->GetNonManifold() == TypeParam::NONMANIFOLD_FILL, fillNonManifold);
-  EXPECT_EQ(filter->GetNonManifold(), TypeParam::NONMANIFOLD_KEEP);
-  EXPECT_EQ(SET(filter, NonManifold, -1), TypeParam::NONMANIFOLD_KEEP);
-  EXPECT_EQ(SET(filter, NonManifold, 99), TypeParam::NONMANIFOLD_SPLIT);
+  EXPECT_EQ(filter->GetNonManifold() == Filter::NONMANIFOLD_FILL, fillNonManifold);
+  EXPECT_EQ(filter->GetNonManifold(), Filter::NONMANIFOLD_KEEP);
+  EXPECT_EQ(SET(filter, NonManifold, -1), Filter::NONMANIFOLD_KEEP);
+  EXPECT_EQ(SET(filter, NonManifold, 99), Filter::NONMANIFOLD_SPLIT);
   const auto [regions, goal] = topology;
   const auto [largest, least, seeded, fillCavities] = regions;
   EXPECT_EQ(filter->GetLargestRegions(), largest);
@@ -260,8 +243,8 @@ TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
   EXPECT_EQ(filter->GetTopology(), static_cast<int>(goal));
   EXPECT_EQ(SET(filter, LargestRegions, -1), 0);
   EXPECT_EQ(SET(filter, MinimumRegionVolume, -1), 0);
-  EXPECT_EQ(SET(filter, Topology, -1), TypeParam::TOPOLOGY_ANY);
-  EXPECT_EQ(SET(filter, Topology, 99), TypeParam::TOPOLOGY_SIMPLY_CONNECTED);
+  EXPECT_EQ(SET(filter, Topology, -1), Filter::TOPOLOGY_ANY);
+  EXPECT_EQ(SET(filter, Topology, 99), Filter::TOPOLOGY_SIMPLY_CONNECTED);
 
   for (const double value : { -1.0, Infinity })
   {
@@ -279,9 +262,9 @@ TYPED_TEST(OptionsOfSegmentation, AreThoseOfTheStages)
   EXPECT_EQ(SET(filter, DataTerm, 99), static_cast<int>(DataTerm::VolumeWeighted));
 }
 
-TYPED_TEST(OptionsOfRefinement, AreThoseOfTheStage)
+TEST(OptionsOfRefinement, AreThoseOfTheStage)
 {
-  vtkNew<TypeParam> filter;
+  vtkNew<vtkRefineTetrahedra> filter;
   const auto [edgeLength, grading, maximumVolume, lengths, lengthAt] = SizingParameters();
   EXPECT_EQ(filter->GetEdgeLength(), edgeLength);
   EXPECT_EQ(filter->GetGrading(), grading);
@@ -291,6 +274,67 @@ TYPED_TEST(OptionsOfRefinement, AreThoseOfTheStage)
   EXPECT_EQ(SET(filter, EdgeLength, -1), 0);
   EXPECT_EQ(SET(filter, MaximumVolume, -1), 0);
   EXPECT_EQ(SET(filter, Grading, 0), 1e-6);
+}
+
+/** What a facade says of an option is what its stage says, and each hears what the other is told.
+ */
+#define EXPECT_FORWARDED(filter, stage, Option, one, other) \
+  {                                                         \
+    (filter)->Set##Option(one);                             \
+    EXPECT_EQ((stage)->Get##Option(), one);                 \
+    (stage)->Set##Option(other);                            \
+    EXPECT_EQ((filter)->Get##Option(), other);              \
+  }
+
+TYPED_TEST(OptionsOfFacades, AreThoseOfTheStagesThatTheyHandOut)
+{
+  vtkNew<TypeParam> filter;
+  vtkGraphCutSegmentation* cut = filter->GetSegmentation();
+  EXPECT_FORWARDED(filter, cut, Gamma, 0.25, 0.5);
+  EXPECT_FORWARDED(filter, cut, ConstrainFacets, true, false);
+  EXPECT_FORWARDED(filter, cut, NonManifold, 1, 2);
+  EXPECT_FORWARDED(filter, filter->GetRefinement(), EdgeLength, 0.25, 0.5);
+}
+
+TEST(vtkRobustTetrahedralize, HandsOutTheStageOfTheWindingNumber)
+{
+  vtkNew<vtkRobustTetrahedralize> filter;
+  vtkGeneralizedWindingNumber* stage = filter->GetWindingNumber();
+  EXPECT_FORWARDED(filter, stage, Orientation, 1, 2);
+  EXPECT_FORWARDED(filter, stage, Thicken, 0.25, 0.5);
+  EXPECT_FORWARDED(filter, stage, MergeTolerance, 0.25, 0.5);
+  filter->SetNonParticipatingArrayName("hat");
+  EXPECT_STREQ(stage->GetNonParticipatingArrayName(), "hat");
+  EXPECT_STREQ(filter->GetNonParticipatingArrayName(), "hat");
+}
+
+TYPED_TEST(OptionsOfFacades, ChangeWithTheirStagesWhichAreNeverNull)
+{
+  vtkNew<TypeParam> filter;
+  vtkMTimeType time = filter->GetMTime();
+  const auto isChanged = [&]()
+  {
+    const vtkMTimeType before = time;
+    time = filter->GetMTime();
+    return time > before;
+  };
+  EXPECT_FALSE(isChanged());
+  filter->GetSegmentation()->SetSigma(0.5);
+  EXPECT_TRUE(isChanged());
+  filter->GetRefinement()->SetGrading(0.5);
+  EXPECT_TRUE(isChanged());
+  vtkNew<vtkGraphCutSegmentation> other;
+  other->SetSigma(0.25);
+  time = filter->GetMTime();
+  filter->SetSegmentation(other);
+  EXPECT_TRUE(isChanged());
+  EXPECT_EQ(filter->GetSegmentation(), other);
+  filter->SetSegmentation(other);
+  EXPECT_FALSE(isChanged());
+  filter->SetSegmentation(nullptr);
+  filter->SetRefinement(nullptr);
+  EXPECT_EQ(filter->GetSegmentation(), other);
+  EXPECT_NE(filter->GetRefinement(), nullptr);
 }
 
 TEST(OptionsOfProbe, AreThoseOfTheStage)

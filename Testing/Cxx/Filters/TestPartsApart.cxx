@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/AllowedThreads.h"
+#include "vtkGraphCutSegmentation.h"
 #include "vtkRobustTetrahedralize.h"
 
 #include <vtkCallbackCommand.h>
@@ -220,13 +221,13 @@ TEST(PartsApart, HullsAreThoseOfTheParts)
 {
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputData(Assembly());
-  filter->ExtractInsideOff();
+  filter->GenerateHullOn();
   filter->Update();
-  const vtkIdType whole = filter->GetOutput()->GetNumberOfCells();
+  const vtkIdType whole = filter->GetHull()->GetNumberOfCells();
   filter->PartsApartOn();
   filter->Update();
-  EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), whole);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(),
+  EXPECT_LT(filter->GetHull()->GetNumberOfCells(), whole);
+  EXPECT_EQ(filter->GetHull()->GetNumberOfCells(),
     StatisticOf(filter->GetOutput(), "Statistics_HullCells"));
 }
 
@@ -235,39 +236,17 @@ TEST(PartsApart, RefuseWhatTakesOneHull)
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputData(Assembly());
   filter->PartsApartOn();
-  for (const int topology : { vtkRobustTetrahedralize::TOPOLOGY_ONE_COMPONENT,
-         vtkRobustTetrahedralize::TOPOLOGY_SIMPLY_CONNECTED })
+  for (const int topology : { vtkGraphCutSegmentation::TOPOLOGY_ONE_COMPONENT,
+         vtkGraphCutSegmentation::TOPOLOGY_SIMPLY_CONNECTED })
   {
-    filter->SetTopology(topology);
+    filter->GetSegmentation()->SetTopology(topology);
     ExpectRefused(filter, "Topology takes one hull, and PartsApart");
   }
-  filter->SetTopology(vtkRobustTetrahedralize::TOPOLOGY_ANY);
+  filter->GetSegmentation()->SetTopology(vtkGraphCutSegmentation::TOPOLOGY_ANY);
   filter->SetBodyArrayName("Part");
   ExpectRefused(filter, "PartsApart takes one body, and BodyArrayName");
   filter->SetBodyArrayName("");
   EXPECT_TRUE(TextsOf(filter, vtkCommand::ErrorEvent).empty());
-}
-
-TEST(PartsApart, DoNothingInAPlaneAndSaySo)
-{
-  vtkNew<vtkPolyData> square;
-  vtkNew<vtkPoints> points;
-  for (int i = 0; i < 4; ++i)
-  {
-    points->InsertNextPoint(i == 1 || i == 2, i > 1, 0);
-  }
-  square->SetPoints(points);
-  square->SetPolys(vtkNew<vtkCellArray>());
-  square->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
-  vtkNew<vtkRobustTetrahedralize> filter;
-  filter->SetInputData(square);
-  filter->SetDimension(vtkRobustTetrahedralize::DIMENSION_2);
-  filter->PartsApartOn();
-  const std::vector<std::string> warnings = TextsOf(filter, vtkCommand::WarningEvent);
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
-    [](const std::string& warning)
-    { return warning.find("PartsApart does nothing in two dimensions") != std::string::npos; }));
-  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(PartsApart, ASeedBetweenThemThatIsToBeInsideDoesNotCountAndAWarningSaysSo)

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// vtkRobustTetrahedralize in two dimensions. The laws stand in Cxx/Core/Planar.
+// vtkRobustTriangulate, and what the other classes do in a plane. The laws stand in
+// Cxx/Core/Planar.
 #include "vtkConstrainedDelaunay3D.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkProbeWindingNumber.h"
+#include "vtkRefineTetrahedra.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
+#include "vtkRobustTriangulate.h"
 #include "vtkSurfaceDefects.h"
 
 #include <vtkCallbackCommand.h>
@@ -84,11 +87,11 @@ Data TwoSquares()
 /** The filter, and what it says. */
 struct FilterRun
 {
-  vtkNew<vtkRobustTetrahedralize> Filter;
+  vtkNew<vtkRobustTriangulate> Filter;
   std::vector<std::string> Warnings;
   std::vector<std::string> Errors;
 
-  explicit FilterRun(vtkPolyData* input, int dimension = 0)
+  explicit FilterRun(vtkPolyData* input)
   {
     this->Listen(vtkCommand::WarningEvent, this->Warnings);
     this->Listen(vtkCommand::ErrorEvent, this->Errors);
@@ -96,7 +99,6 @@ struct FilterRun
     silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
     this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
     this->Filter->SetInputData(input);
-    this->Filter->SetDimension(dimension);
   }
 
   void Listen(unsigned long event, std::vector<std::string>& texts)
@@ -134,12 +136,11 @@ double AreaOf(vtkUnstructuredGrid* grid)
   return area;
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, MakesTrianglesOfLinesThatCrossAndSaysSo)
+TEST(vtkRobustTriangulate, MakesTrianglesOfLinesThatCross)
 {
   FilterRun run(TwoSquares());
   run.Filter->Update();
-  ASSERT_EQ(run.Warnings.size(), 1u);
-  EXPECT_NE(run.Warnings[0].find("the input is lines: two dimensions"), std::string::npos);
+  EXPECT_TRUE(run.Warnings.empty());
   vtkUnstructuredGrid* grid = run.Filter->GetOutput();
   EXPECT_DOUBLE_EQ(AreaOf(grid), 7);
   EXPECT_DOUBLE_EQ(run.Statistic("Area"), 7);
@@ -165,10 +166,10 @@ TEST(vtkRobustTetrahedralizeInAPlane, MakesTrianglesOfLinesThatCrossAndSaysSo)
   EXPECT_EQ(added, 2);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, GivesABoundaryOfPolylinesWithTheInsideOnTheirLeft)
+TEST(vtkRobustTriangulate, GivesABoundaryOfPolylinesWithTheInsideOnTheirLeft)
 {
   const Data input = TwoSquares();
-  FilterRun run(input, 2);
+  FilterRun run(input);
   run.Filter->Update();
   EXPECT_TRUE(run.Warnings.empty());
   vtkPolyData* boundary = run.Filter->GetBoundary();
@@ -195,7 +196,7 @@ TEST(vtkRobustTetrahedralizeInAPlane, GivesABoundaryOfPolylinesWithTheInsideOnTh
   EXPECT_NE(boundary->GetCellData()->GetArray("BoundaryTag"), nullptr);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, TakesPolygonsInOnePlaneThatMayOverlap)
+TEST(vtkRobustTriangulate, TakesPolygonsInOnePlaneThatMayOverlap)
 {
   // Two squares that overlap, the second one seen from below, in the plane z = x.
   const Data input = MakeData({ { 0, 0, 0 }, { 2, 0, 2 }, { 2, 2, 2 }, { 0, 2, 0 }, { 1, 1, 1 },
@@ -203,9 +204,8 @@ TEST(vtkRobustTetrahedralizeInAPlane, TakesPolygonsInOnePlaneThatMayOverlap)
     {}, { { 0, 1, 2, 3 }, { 7, 6, 5, 4 } });
   FilterRun run(input);
   run.Filter->Update();
-  ASSERT_EQ(run.Warnings.size(), 2u);
-  EXPECT_NE(run.Warnings[0].find("the polygons lie in one plane"), std::string::npos);
-  EXPECT_NE(run.Warnings[1].find("1 polygons face the other way"), std::string::npos);
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  EXPECT_NE(run.Warnings[0].find("1 polygons face the other way"), std::string::npos);
   EXPECT_NEAR(run.Statistic("Area"), (4 + 6 - 1) * std::sqrt(2), 1e-12);
   EXPECT_EQ(run.Statistic("MaximumW"), 2);
   vtkUnstructuredGrid* grid = run.Filter->GetOutput();
@@ -219,7 +219,7 @@ TEST(vtkRobustTetrahedralizeInAPlane, TakesPolygonsInOnePlaneThatMayOverlap)
   ASSERT_EQ(turned->GetNumberOfTuples(), 1);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, GivesAFlatMeshItsOwnTriangles)
+TEST(vtkRobustTriangulate, GivesAFlatMeshItsOwnTriangles)
 {
   // A square ring of eight triangles around a hole.
   std::vector<Place> places;
@@ -261,12 +261,12 @@ TEST(vtkRobustTetrahedralizeInAPlane, GivesAFlatMeshItsOwnTriangles)
   EXPECT_EQ(run.Statistic("TurnedSegments"), 0);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, PutsWhatIsNotPartOfTheSolidAmongTheOutliers)
+TEST(vtkRobustTriangulate, PutsWhatIsNotPartOfTheSolidAmongTheOutliers)
 {
   const Data input = MakeData(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 5, 0, 0 }, { 5, 1, 0 }, { 6, 1, 0 } },
     { { 0, 1, 2, 3, 0 }, { 4, 5, 6 } });
-  FilterRun run(input, 2);
+  FilterRun run(input);
   run.Filter->Update();
   vtkPolyData* outliers = run.Filter->GetOutliers();
   ASSERT_EQ(outliers->GetNumberOfLines(), 1);
@@ -276,17 +276,17 @@ TEST(vtkRobustTetrahedralizeInAPlane, PutsWhatIsNotPartOfTheSolidAmongTheOutlier
     vtkRobustTetrahedralize::OUTLIER_BY_ENERGY);
   EXPECT_DOUBLE_EQ(AreaOf(run.Filter->GetOutput()), 1);
 
-  run.Filter->ConstrainFacetsOn();
+  run.Filter->SetConstrainFacets(true);
   run.Filter->Update();
   EXPECT_EQ(run.Filter->GetOutliers()->GetNumberOfCells(), 0);
-  run.Filter->ConstrainFacetsOff();
-  run.Filter->ExtractInsideOff();
+  run.Filter->SetConstrainFacets(false);
+  run.Filter->GenerateHullOn();
   run.Filter->Update();
-  EXPECT_EQ(run.Filter->GetOutput()->GetNumberOfPoints(), 7);
-  EXPECT_NE(run.Filter->GetOutput()->GetCellData()->GetArray("Inside"), nullptr);
+  EXPECT_EQ(run.Filter->GetHull()->GetNumberOfPoints(), 7);
+  EXPECT_NE(run.Filter->GetHull()->GetCellData()->GetArray("Inside"), nullptr);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, RefusesWhatIsNotFlatAndWhatItCannotRefine)
+TEST(vtkRobustTriangulate, RefusesWhatIsNotFlatAndWhatItCannotRefine)
 {
   const Data bent =
     MakeData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.1 }, { 0, 1, 0 } }, { { 0, 1, 2, 3, 0 } });
@@ -298,27 +298,22 @@ TEST(vtkRobustTetrahedralizeInAPlane, RefusesWhatIsNotFlatAndWhatItCannotRefine)
 
   FilterRun second(TwoSquares());
   second.Filter->RefineOn();
-  second.Filter->SetSurface(vtkRobustTetrahedralize::REMESHED);
+  second.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::REMESHED);
   second.Filter->Update();
   ASSERT_EQ(second.Errors.size(), 1u);
   EXPECT_NE(second.Errors[0].find("not remeshed"), std::string::npos);
-  second.Filter->SetSurface(vtkRobustTetrahedralize::SPLIT);
-  second.Filter->QuadraticCellsOn();
+  second.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::SPLIT);
+  second.Filter->GetRefinement()->QuadraticCellsOn();
   second.Filter->Update();
   ASSERT_EQ(second.Errors.size(), 2u);
   EXPECT_NE(second.Errors[1].find("QuadraticCells"), std::string::npos);
-
-  FilterRun third(TwoSquares(), 1);
-  third.Filter->Update();
-  ASSERT_EQ(third.Errors.size(), 1u);
-  EXPECT_NE(third.Errors[0].find("Dimension is 2, 3, or 0"), std::string::npos);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, RefinesTheTrianglesAndCarriesTheirData)
+TEST(vtkRobustTriangulate, RefinesTheTrianglesAndCarriesTheirData)
 {
-  FilterRun run(TwoSquares(), 2);
+  FilterRun run(TwoSquares());
   run.Filter->RefineOn();
-  run.Filter->SetSurface(vtkRobustTetrahedralize::SPLIT);
+  run.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::SPLIT);
   run.Filter->SetEdgeLength(0.2);
   run.Filter->Update();
   vtkUnstructuredGrid* grid = run.Filter->GetOutput();
@@ -377,16 +372,16 @@ TEST(vtkRobustTetrahedralizeInAPlane, RefinesTheTrianglesAndCarriesTheirData)
   }
   EXPECT_NEAR(area, 7, 1e-12);
 
-  run.Filter->SetSurface(vtkRobustTetrahedralize::KEPT);
+  run.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::KEPT);
   run.Filter->Update();
   EXPECT_EQ(run.Filter->GetBoundary()->GetNumberOfPoints(), 8);
   EXPECT_GT(run.Filter->GetOutput()->GetNumberOfCells(), 100);
 }
 
-TEST(vtkRobustTetrahedralizeInAPlane, KeepsTheHullUntilWhatItIsMadeOfChanges)
+TEST(vtkRobustTriangulate, KeepsTheHullUntilWhatItIsMadeOfChanges)
 {
   const Data input = TwoSquares();
-  FilterRun run(input, 2);
+  FilterRun run(input);
   std::set<std::string> stages;
   vtkNew<vtkCallbackCommand> listen;
   listen->SetClientData(&stages);
@@ -414,7 +409,7 @@ TEST(vtkRobustTetrahedralizeInAPlane, KeepsTheHullUntilWhatItIsMadeOfChanges)
   EXPECT_FALSE(meshesAgain());
   run.Filter->CountDuplicatesOn();
   EXPECT_TRUE(meshesAgain());
-  run.Filter->SetOrientation(vtkRobustTetrahedralize::OUTWARD);
+  run.Filter->SetOrientation(vtkRobustTriangulate::OUTWARD);
   EXPECT_TRUE(meshesAgain());
   input->Modified();
   EXPECT_TRUE(meshesAgain());
@@ -425,42 +420,74 @@ TEST(vtkRobustTetrahedralizeInAPlane, KeepsTheHullUntilWhatItIsMadeOfChanges)
   EXPECT_TRUE(meshesAgain());
 }
 
-TEST(StagesInAPlane, GiveTheSameTrianglesAsAllAtOnce)
+TEST(vtkRobustTriangulate, GivesTheHullAndTheResolvedLinesWhereTheyAreAskedFor)
 {
-  vtkNew<vtkResolveSelfIntersections> resolve;
-  resolve->SetInputData(TwoSquares());
-  vtkNew<vtkConstrainedDelaunay3D> triangulate;
-  triangulate->SetInputConnection(resolve->GetOutputPort());
-  vtkNew<vtkGeneralizedWindingNumber> windingNumber;
-  windingNumber->SetInputData(TwoSquares());
-  vtkNew<vtkGraphCutSegmentation> segmentation;
-  segmentation->SetInputConnection(windingNumber->GetOutputPort());
-  FilterRun run(TwoSquares(), 2);
-  run.Filter->ExtractInsideOff();
-  std::vector<std::string> warnings;
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetClientData(&warnings);
-  keep->SetCallback([](vtkObject*, unsigned long, void* all, void* text)
-    { static_cast<std::vector<std::string>*>(all)->push_back(static_cast<const char*>(text)); });
-  for (vtkAlgorithm* filter : std::vector<vtkAlgorithm*>{ resolve, triangulate, windingNumber })
-  {
-    filter->AddObserver(vtkCommand::WarningEvent, keep);
-  }
-  triangulate->Update();
-  segmentation->Update();
+  FilterRun run(TwoSquares());
   run.Filter->Update();
-  EXPECT_EQ(
-    std::count_if(warnings.begin(), warnings.end(),
-      [](const std::string& text) { return text.find("two dimensions") != std::string::npos; }),
-    3);
+  EXPECT_EQ(run.Filter->GetHull()->GetNumberOfCells(), 0);
+  EXPECT_EQ(run.Filter->GetResolvedLines()->GetNumberOfCells(), 0);
+  run.Filter->GenerateHullOn();
+  run.Filter->Update();
+  vtkUnstructuredGrid* hull = run.Filter->GetHull();
+  EXPECT_DOUBLE_EQ(AreaOf(hull), 8);
+  std::set<double> values;
+  for (vtkIdType c = 0; c < hull->GetNumberOfCells(); ++c)
+  {
+    values.insert(hull->GetCellData()->GetArray("w")->GetTuple1(c));
+  }
+  EXPECT_EQ(values, (std::set<double>{ 0, 1, 2 }));
+  vtkPolyData* lines = run.Filter->GetResolvedLines();
+  EXPECT_EQ(lines->GetNumberOfPoints(), 10);
+  EXPECT_EQ(lines->GetNumberOfLines(), 4); // two crossings, in each two polylines
+  EXPECT_NE(lines->GetCellData()->GetArray("FacetMultiplicity"), nullptr);
 
-  EXPECT_EQ(resolve->GetOutput()->GetNumberOfPoints(), 10);
-  EXPECT_EQ(resolve->GetOutput()->GetNumberOfLines(), 4); // two crossings, in each two polylines
-  const vtkIdType cells = run.Filter->GetOutput()->GetNumberOfCells();
-  EXPECT_EQ(triangulate->GetOutput()->GetNumberOfCells(), cells);
-  EXPECT_EQ(windingNumber->GetOutput()->GetNumberOfCells(), cells);
-  EXPECT_DOUBLE_EQ(AreaOf(triangulate->GetOutput()), AreaOf(windingNumber->GetOutput()));
+  // A further stage by itself makes the same of the hull.
+  vtkNew<vtkGraphCutSegmentation> segmentation;
+  segmentation->SetInputConnection(run.Filter->GetOutputPort(3));
+  segmentation->Update();
   EXPECT_DOUBLE_EQ(AreaOf(segmentation->GetOutput()), 7);
+}
+
+TEST(ClassesOfSurfaces, NameTheOneThatTakesLinesAndPolygonsInAPlane)
+{
+  const Data square =
+    MakeData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, {}, { { 0, 1, 2, 3 } });
+  vtkNew<vtkResolveSelfIntersections> resolve;
+  vtkNew<vtkConstrainedDelaunay3D> tetrahedralize;
+  vtkNew<vtkGeneralizedWindingNumber> windingNumber;
+  vtkNew<vtkRobustTetrahedralize> robust;
+  for (vtkAlgorithm* filter :
+    std::vector<vtkAlgorithm*>{ resolve, tetrahedralize, windingNumber, robust })
+  {
+    for (const Data& input : { TwoSquares(), square })
+    {
+      const bool isTaken = filter == resolve && input == square;
+      std::vector<std::string> errors;
+      vtkNew<vtkCallbackCommand> keep;
+      keep->SetClientData(&errors);
+      keep->SetCallback(
+        [](vtkObject*, unsigned long, void* all, void* text) {
+          static_cast<std::vector<std::string>*>(all)->push_back(static_cast<const char*>(text));
+        });
+      filter->AddObserver(vtkCommand::ErrorEvent, keep);
+      vtkNew<vtkCallbackCommand> silence;
+      silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+      filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+      filter->SetInputDataObject(input);
+      filter->Update();
+      filter->RemoveObserver(keep);
+      ASSERT_EQ(errors.size(), isTaken ? 0u : 1u) << filter->GetClassName();
+      EXPECT_TRUE(isTaken || errors[0].find("vtkRobustTriangulate") != std::string::npos);
+    }
+  }
+  windingNumber->SetThicken(0.5);
+  windingNumber->Update();
+  EXPECT_GT(windingNumber->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_TRUE(vtkRobustTriangulate::IsInAPlane(square));
+  EXPECT_TRUE(vtkRobustTriangulate::IsInAPlane(TwoSquares()));
+  square->GetPoints()->SetPoint(2, 1, 1, 1e-3);
+  EXPECT_FALSE(vtkRobustTriangulate::IsInAPlane(square));
+  EXPECT_FALSE(vtkRobustTriangulate::IsInAPlane(nullptr));
 }
 
 TEST(QueriesInAPlane, GiveTheWindingNumberOfLines)
@@ -521,38 +548,19 @@ TEST(vtkSurfaceDefectsInAPlane, MarksOpenEndsCrossingsTJunctionsAndDuplicates)
   EXPECT_EQ(count, (std::array<int, 3>{ { 8, 1, 1 } }));
 }
 
-TEST(StagesInAPlane, RefuseToTriangulateWhatCrosses)
-{
-  vtkNew<vtkConstrainedDelaunay3D> triangulate;
-  triangulate->SetInputData(TwoSquares());
-  std::vector<std::string> errors;
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetClientData(&errors);
-  keep->SetCallback([](vtkObject*, unsigned long, void* all, void* text)
-    { static_cast<std::vector<std::string>*>(all)->push_back(static_cast<const char*>(text)); });
-  triangulate->AddObserver(vtkCommand::ErrorEvent, keep);
-  vtkNew<vtkCallbackCommand> silence;
-  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  triangulate->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
-  triangulate->Update();
-  ASSERT_EQ(errors.size(), 1u);
-  EXPECT_NE(errors[0].find("the first of 2 pairs of segments"), std::string::npos);
-  EXPECT_EQ(triangulate->GetOutput()->GetNumberOfCells(), 0);
-}
-
-TEST(vtkRobustTetrahedralizeInAPlane, CanBeStoppedInEveryStage)
+TEST(vtkRobustTriangulate, CanBeStoppedInEveryStage)
 {
   struct Stopper
   {
     int Reports = 0;
     int StopAt = 0;
   };
-  FilterRun first(TwoSquares(), 2);
+  FilterRun first(TwoSquares());
   first.Filter->Update();
   const vtkIdType whole = first.Filter->GetOutput()->GetNumberOfCells();
   for (int stopAt = 1; stopAt <= 200; ++stopAt)
   {
-    FilterRun run(TwoSquares(), 2);
+    FilterRun run(TwoSquares());
     Stopper stopper{ 0, stopAt };
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(&stopper);

@@ -774,9 +774,9 @@ TEST(vtkRobustTetrahedralize, RefinesTheSolidAsTheFilterForItDoes)
 
   Robust robust(surface);
   robust.Algorithm->SetEdgeLength(0.3);
-  robust.Algorithm->SetGrading(0.5);
-  robust.Algorithm->SetMaximumVolume(0.01);
-  robust.Algorithm->QuadraticCellsOn();
+  robust.Algorithm->GetRefinement()->SetGrading(0.5);
+  robust.Algorithm->GetRefinement()->SetMaximumVolume(0.01);
+  robust.Algorithm->GetRefinement()->QuadraticCellsOn();
   ExpectEqual(robust.Run(), plain.Algorithm->GetOutput()); // which do nothing without
   robust.Algorithm->RefineOn();
   ExpectEqual(robust.Run(), expected);
@@ -789,15 +789,6 @@ TEST(vtkRobustTetrahedralize, RefinesTheSolidAsTheFilterForItDoes)
   EXPECT_EQ(robust.Algorithm->GetBoundary()->GetNumberOfCells(),
     plain.Algorithm->GetBoundary()->GetNumberOfCells());
   EXPECT_TRUE(expected->GetCellData()->HasArray("w"));
-}
-
-TEST(vtkRobustTetrahedralize, SaysThatTheHullIsNotRefined)
-{
-  Robust robust(TwoBoxes());
-  robust.Algorithm->RefineOn();
-  robust.Algorithm->ExtractInsideOff();
-  EXPECT_EQ(robust.Run()->GetNumberOfCells(), 0);
-  EXPECT_TRUE(robust.Says("Refine takes ExtractInside")) << robust.Said;
 }
 
 TEST(vtkRobustTetrahedralize, HasNothingToRefineWhereNothingIsInside)

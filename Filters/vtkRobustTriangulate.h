@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkRobustTriangulate
+ * @brief   from broken outlines in a plane to triangles of the area that they mean
+ *
+ * Takes a vtkPolyData that lies in a plane, any in space: lines and polylines, closed or open,
+ * whose direction counts; or polygons and strips, whose edges all count and whose interiors may
+ * overlap. Outlines may cross, overlap and have gaps. Segments are cut where they meet, the convex
+ * hull is triangulated so that each segment is a union of edges, and the triangles are labelled
+ * inside or outside by the winding number of the outlines and a graph cut, as
+ * vtkRobustTetrahedralize does it in space. Every input point keeps its exact coordinates.
+ *
+ * Output 0, the solid: vtkTriangle with the cell arrays w, Inside, RegionId, and FacetIds and
+ * FacetMultiplicity of 3 components (see vtkConstrainedDelaunay3D). Output 1, its boundary:
+ * polylines with the inside on their left, and the cell arrays vtkOriginalCellIds, Turned and
+ * BoundaryTag. Output 2, the outliers: polylines that are no edge of a triangle inside, with
+ * OutlierReason (see vtkRobustTetrahedralize). Outputs 3 and 4 are made with GenerateHull: all
+ * triangles of the convex hull, with w, Inside and RegionId; and the input as polylines that meet
+ * in shared points only, with FacetMultiplicity. All carry the input's point data and
+ * vtkOriginalPointIds, the lines its cell data.
+ *
+ * Field data of output 0: Statistics_NAME, LeftOutCellIds, TurnedCellIds, and RegionArea and
+ * RegionCenterOfMass (3 components) of each region. Statistics are those of
+ * vtkRobustTetrahedralize, with Area instead of Volume. With Refine they are also AddedPoints,
+ * SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the angles of the
+ * triangles before, which begin with Before.
+ *
+ * The options of the cut and of the refinement belong to the two filters that GetSegmentation()
+ * and GetRefinement() hand out; a change there is a change of this filter. The filter keeps the
+ * hull of its input: such a change does not triangulate again.
+ *
+ * Errors, which name the culprit, leave all outputs empty.
+ *
+ * @sa vtkRobustTetrahedralize vtkGraphCutSegmentation vtkRefineTetrahedra
+ */
+#ifndef vtkRobustTriangulate_h
+#define vtkRobustTriangulate_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkSmartPointer.h"           // for the stages
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory>
+#include <string>
+
+class vtkGraphCutSegmentation;
+class vtkPointSet;
+class vtkPolyData;
+class vtkRefineTetrahedra;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkRobustTriangulate : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkRobustTriangulate* New();
+  vtkTypeMacro(vtkRobustTriangulate, vtkUnstructuredGridAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Whether an input is for this filter rather than for vtkRobustTetrahedralize: lines without
+   * polygons, or polygons that lie in a plane exactly or but for rounding in double precision.
+   */
+  static bool IsInAPlane(vtkPolyData* input);
+
+  ///@{
+  /** The outputs beside the solid: its boundary (1), the outliers (2), and with GenerateHull the
+   * hull (3) and the resolved lines (4). */
+  vtkPolyData* GetBoundary();
+  vtkPolyData* GetOutliers();
+  vtkUnstructuredGrid* GetHull();
+  vtkPolyData* GetResolvedLines();
+  ///@}
+
+  ///@{
+  /**
+   * The stage whose options the cut has: Gamma, Sigma, DataTerm, ConstrainFacets, NonManifold,
+   * LargestRegions, MinimumRegionVolume (an area here), SeededRegions, FillCavities (holes here)
+   * and Topology. Its inputs, its outputs and its ExtractInside are not used. Never null: setting
+   * null does nothing.
+   */
+  void SetSegmentation(vtkGraphCutSegmentation* segmentation);
+  vtkGraphCutSegmentation* GetSegmentation();
+  ///@}
+
+  ///@{
+  /**
+   * The stage whose options Refine goes by: EdgeLength, Grading, MaximumVolume (an area here) and
+   * Surface. KEPT: the boundary and all lines at inside triangles stay. SPLIT: they are cut, so
+   * that no angle is below 20.7 degrees except at sharp corners; a warning tells where such corners
+   * are too close to each other. REMESHED and QuadraticCells are errors. Its inputs and outputs are
+   * not used. Never null: setting null does nothing.
+   */
+  void SetRefinement(vtkRefineTetrahedra* refinement);
+  vtkRefineTetrahedra* GetRefinement();
+  ///@}
+
+  ///@{
+  /** Options of the stages, for those who need no others. */
+  void SetGamma(double gamma);
+  double GetGamma();
+  void SetConstrainFacets(bool constrain);
+  bool GetConstrainFacets();
+  vtkBooleanMacro(ConstrainFacets, bool);
+  void SetNonManifold(int nonManifold);
+  int GetNonManifold();
+  void SetEdgeLength(double length);
+  double GetEdgeLength();
+  ///@}
+
+  ///@{
+  /** Fill the outputs 3 and 4. Default off. */
+  vtkSetMacro(GenerateHull, bool);
+  vtkGetMacro(GenerateHull, bool);
+  vtkBooleanMacro(GenerateHull, bool);
+  ///@}
+
+  ///@{
+  /** Replace the triangles inside by better ones, as GetRefinement() says. Default off. */
+  vtkSetMacro(Refine, bool);
+  vtkGetMacro(Refine, bool);
+  vtkBooleanMacro(Refine, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A cell array of the input that chooses which cells ConstrainFacets keeps: those whose value is
+   * not 0. Default empty: all.
+   */
+  vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
+  vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Optional second input: points that have to be inside or outside, by their array Inside (1 or
+   * 0), as vtkRobustTetrahedralize takes them.
+   */
+  void SetSeedsData(vtkPointSet* seeds);
+  void SetSeedsConnection(vtkAlgorithmOutput* output);
+  ///@}
+
+  /** Which way the outlines run. */
+  enum OrientationType
+  {
+    AUTOMATIC = 0, ///< what runs clockwise is turned over, with a warning
+    AS_GIVEN = 1,  ///< nothing is
+    REVERSE = 2,   ///< everything is
+    OUTWARD = 3    ///< every part is made to enclose its inside, within others too
+  };
+
+  ///@{
+  /** Which way outlines are meant to run; see vtkRobustTetrahedralize. Default AUTOMATIC. */
+  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
+  vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at most this far apart become one, in units of the input; the one with the lowest id
+   * stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Count a segment as often as it is given. Default off: copies count once per direction, and
+   * opposite ones cancel.
+   */
+  vtkSetMacro(CountDuplicates, bool);
+  vtkGetMacro(CountDuplicates, bool);
+  vtkBooleanMacro(CountDuplicates, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
+   * count in w, but still shapes the mesh. Default empty: every cell counts.
+   */
+  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
+  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of the input, of one integer or string per cell, that becomes the
+   * boundary's array BoundaryTag; see vtkRobustTetrahedralize. Default empty: groups, materials or
+   * blocks of the input.
+   */
+  vtkSetStdStringFromCharMacro(TagArrayName);
+  vtkGetCharFromStdStringMacro(TagArrayName);
+  ///@}
+
+  /** The latest change of the filter and of its stages. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkRobustTriangulate();
+  ~vtkRobustTriangulate() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  vtkSmartPointer<vtkGraphCutSegmentation> Segmentation;
+  vtkSmartPointer<vtkRefineTetrahedra> Refinement;
+  bool GenerateHull = false;
+  bool Refine = false;
+  std::string ConstrainedFacetsArrayName;
+  int Orientation;
+  double MergeTolerance;
+  bool CountDuplicates;
+  std::string NonParticipatingArrayName;
+  std::string TagArrayName;
+
+private:
+  void CheckOptions();
+
+  class Cache;
+  std::unique_ptr<Cache> Hulls;
+
+  vtkRobustTriangulate(const vtkRobustTriangulate&) = delete;
+  void operator=(const vtkRobustTriangulate&) = delete;
+};
+
+#endif
