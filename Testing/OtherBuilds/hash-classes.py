@@ -59,16 +59,16 @@ class Table(NamedTuple):
 
 # Where inputs of later stages come from: class and port, for each group of surfaces.
 UPSTREAM = {
-    "resolved": {"space": ("vtkResolveSelfIntersections", 0), "plane": ("vtkResolveSelfIntersections", 0)},
-    "hull": {"space": ("vtkGeneralizedWindingNumber", 0), "plane": ("vtkGeneralizedWindingNumber", 0)},
+    "resolved": {"space": ("vtkResolveSelfIntersections", 0), "plane": ("vtkRobustTetrahedralize", 4)},
+    "hull": {"space": ("vtkGeneralizedWindingNumber", 0), "plane": ("vtkRobustTetrahedralize", 3)},
     "solid": {"space": ("vtkRobustTetrahedralize", 0), "plane": ("vtkRobustTetrahedralize", 0)},
     "boundary": {"space": ("vtkRobustTetrahedralize", 1), "plane": ("vtkRobustTetrahedralize", 1)},
 }
 # Which class takes another's place where the surface lies in a plane.
-IN_A_PLANE = {"vtkRobustTetrahedralize": "vtkRobustTetrahedralize"}
+IN_A_PLANE = {"vtkRobustTetrahedralize": "vtkRobustTriangulate"}
 # Where options of a stage may be, if the class itself does not have them.
-STAGES = ("GetSegmentation", "GetRefinement")
-# The port of the hull with GenerateHull; without this option it is port 0 with ExtractInside off.
+STAGES = ("GetWindingNumber", "GetSegmentation", "GetRefinement")
+# The port of the hull, and behind it whatever else takes GenerateHull.
 HULL_PORT = 3
 
 BODIES = {"BodyArrayName": "Part"}
@@ -104,7 +104,7 @@ TETRAHEDRALIZE = [
     *SEGMENTATION,
     ("Refine", [True], {}),
     *refinement(REFINE),
-    *[("Hull", [True], {}), ("Dimension", [2, 3], {}), ("ConstrainedFacetsArrayName", ["Kept"], {"ConstrainFacets": True})],
+    *[("Hull", [True], {}), ("ConstrainedFacetsArrayName", ["Kept"], {"ConstrainFacets": True})],
     *[("SeparateOverlaps", [True], {}), ("MergeCoplanarPieces", [True], {}), ("SplitSeams", [True], {}), ("SurfaceOnly", [True], {})],
     *[("SurfaceOnly", [True], {"MergeCoplanarPieces": True}), ("TagArrayName", ["Part"], {}), ("PartsApart", [True], {}), ("PartsApart", [True], REFINE)],
     *[("BodyArrayName", ["Part"], {}), ("RegionRule", [1], BODIES), ("Priority", ["two,one"], BODIES)],
@@ -213,6 +213,8 @@ class Runner:
             made = self.make(kind)
             for option, given in CLASSES[kind].always.items():
                 set_option(made, option, self.value(given))
+            if port >= HULL_PORT:
+                made.GenerateHullOn()
             made.Update()
             self.inputs[name] = made.GetOutputDataObject(port)
         return self.inputs.get(name)
@@ -221,7 +223,7 @@ class Runner:
 def set_option(made, name: str, value: object) -> bool:
     """Set an option of a class, or of one of its stages. False where there is none."""
     if name == "Hull":
-        return set_option(made, "GenerateHull", True) or set_option(made, "ExtractInside", False)
+        return set_option(made, "GenerateHull", True)
     for owner in (made, *(getattr(made, stage)() for stage in STAGES if hasattr(made, stage))):
         for setter in ("Set" + name, name):
             if hasattr(owner, setter):
@@ -241,7 +243,7 @@ def outputs_of(made, option: str, places) -> Iterator[tuple[str, object]]:
                 yield "0", file.read()
     else:
         made.Update()
-        hull = (HULL_PORT if hasattr(made, "SetGenerateHull") else 0) if option == "Hull" else None
+        hull = HULL_PORT if option == "Hull" else None
         for port in range(made.GetNumberOfOutputPorts()):
             yield "hull" if port == hull else str(port), made.GetOutputDataObject(port)
 

@@ -347,7 +347,7 @@ BAD_INPUT = {
     "infinite": (with_point(float("inf")), "point 5 is not finite"),
     "id too large": (surfaces.box(facets=[*surfaces.BOX_FACETS[:11], (3, 4, 8)]), "cell 11 refers to point 8 of 8"),
     "id negative": (surfaces.box(facets=[*surfaces.BOX_FACETS[:11], (3, 4, -1)]), "cell 11 refers to point -1 of 8"),
-    "all degenerate": (surfaces.box(facets=[(0, 0, 1), (2, 3, 3)]), "degenerate"),
+    "all degenerate": (surfaces.box(facets=[(0, 0, 1), (2, 3, 3), (4, 7, 7)]), "degenerate"),
     "in one line": (surfaces.polydata([(0, 0, 0), (1, 1, 1), (2, 2, 2)], [(0, 1, 2)]), "degenerate"),
     "coplanar": (FLAT, "plane"),
 }
