@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Common/Team.h"
+#include "Support/OptionHashes.h"
 #include "Support/ReadTriangles.h"
-#include "Support/StageHashes.h"
 #include "Support/TestMeshes.h"
 
 #include <cstdio>
@@ -51,11 +51,11 @@ TriangleSoup BallAndBox(Id side, bool closed)
   return testmeshes::Join(ball, testmeshes::Box({ 0.25, 0.25, 0.25 }, { 1.5, 0.5, 0.625 }));
 }
 
-void PrintHashes(std::FILE* file, const std::string& name, const TriangleSoup& soup)
+void PrintHashes(std::FILE* file, const std::string& name, const Hashes& hashes)
 {
-  for (const auto& [stage, hash] : HashStages(soup))
+  for (const auto& [output, hash] : hashes)
   {
-    std::fprintf(file, "%s, %s: %016llx\n", name.c_str(), stage.c_str(),
+    std::fprintf(file, "%s, %s: %016llx\n", name.c_str(), output.c_str(),
       static_cast<unsigned long long>(hash));
   }
 }
@@ -63,9 +63,10 @@ void PrintHashes(std::FILE* file, const std::string& name, const TriangleSoup& s
 
 /**
  * HashOutputs FILE [--small] SURFACE...: writes a hash of what every stage makes of balls, of
- * random soups and of the surface files. The same lines have to come from every compiler, with and
- * without optimization, and from any number of threads (OMP_NUM_THREADS), all of which take part in
- * every loop. --small leaves out those of many facets, and all that take long.
+ * random soups and of the surface files, and of what options make of tiny balls, tiny soups and the
+ * files. The same lines have to come from every compiler, with and without optimization, and from
+ * any number of threads (OMP_NUM_THREADS), all of which take part in every loop. --small leaves out
+ * surfaces of many facets, and the options for files.
  */
 int main(int argc, char** argv)
 {
@@ -79,19 +80,34 @@ int main(int argc, char** argv)
   const bool small = argc > 2 && std::string(argv[2]) == "--small";
   if (!small)
   {
-    PrintHashes(file, "closed ball", BallAndBox(65, true));
-    PrintHashes(file, "open ball", BallAndBox(65, false));
-    PrintHashes(file, "grid soup", testmeshes::GridSoup(3, 60, 6));
-    PrintHashes(file, "random soup", testmeshes::RandomSoup(5, 40));
+    PrintHashes(file, "closed ball", HashStages(BallAndBox(65, true)));
+    PrintHashes(file, "open ball", HashStages(BallAndBox(65, false)));
+    PrintHashes(file, "grid soup", HashStages(testmeshes::GridSoup(3, 60, 6)));
+    PrintHashes(file, "random soup", HashStages(testmeshes::RandomSoup(5, 40)));
   }
-  PrintHashes(file, "small closed ball", BallAndBox(17, true));
-  PrintHashes(file, "small open ball", BallAndBox(17, false));
-  PrintHashes(file, "small grid soup", testmeshes::GridSoup(3, 30, 6));
-  PrintHashes(file, "small random soup", testmeshes::RandomSoup(5, 15));
+  PrintHashes(file, "small closed ball", HashStages(BallAndBox(17, true)));
+  PrintHashes(file, "small open ball", HashStages(BallAndBox(17, false)));
+  PrintHashes(file, "small grid soup", HashStages(testmeshes::GridSoup(3, 30, 6)));
+  PrintHashes(file, "small random soup", HashStages(testmeshes::RandomSoup(5, 15)));
+  const std::pair<std::string, TriangleSoup> tiny[] = { { "tiny closed ball", BallAndBox(9, true) },
+    { "tiny open ball", BallAndBox(9, false) },
+    { "tiny grid soup", testmeshes::GridSoup(3, 15, 6) },
+    { "tiny random soup", testmeshes::RandomSoup(5, 10) } };
+  for (const auto& [name, soup] : tiny)
+  {
+    PrintHashes(file, name, HashOptions(soup));
+    PrintHashes(file, name, HashTetGen(soup));
+  }
   for (int i = small ? 3 : 2; i < argc; ++i)
   {
     const std::string path = argv[i];
-    PrintHashes(file, path.substr(path.rfind('/') + 1), testmeshes::ReadTriangles(path));
+    const std::string name = path.substr(path.rfind('/') + 1);
+    const TriangleSoup soup = testmeshes::ReadTriangles(path);
+    PrintHashes(file, name, HashStages(soup));
+    if (!small)
+    {
+      PrintHashes(file, name, HashOptions(soup));
+    }
   }
   return std::fclose(file) == 0 ? 0 : 1;
 }

@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-/** A hash of what a stage makes of a surface, bit by bit, by the stage's name. */
+/** Hashes by what they are of, bit by bit. Times and memory are left out. */
 using Hashes = std::map<std::string, std::uint64_t>;
 
-/** What every stage makes of a surface. */
+/** What every stage makes of a surface with default parameters, without TetGen. */
 Hashes HashStages(const insideout::TriangleSoup& soup);
