@@ -336,7 +336,7 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAttributes::RenameArrays(data, { array->GetName() }, warnings);
       data->AddArray(array);
     }
-    data->SetScalars(arrays.front());
+    data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove those of before
     if (together)
     {
       vtkInsideOutAddStatistics(

@@ -156,8 +156,10 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
       output->ShallowCopy(input);
       std::vector<std::string> warnings;
       vtkInsideOutAttributes::RenameArrays(output->GetCellData(), { "VolumeFraction" }, warnings);
-      output->GetCellData()->SetScalars(
+      output->GetCellData()->AddArray(
         vtkInsideOutMakeArray<vtkDoubleArray>("VolumeFraction", fractions));
+      // SetScalars would remove those of before.
+      output->GetCellData()->SetActiveScalars("VolumeFraction");
       vtkInsideOutWarn(this, warnings);
     });
 }

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whatever data an input has comes through every filter, active or not."""
+
+import unittest
+
+import insideout
+import numpy as np
+import surfaces
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData
+
+KINDS = {
+    # What SetActiveAttribute calls it: the number of components.
+    "Scalars": 1,
+    "Vectors": 3,
+    "Normals": 3,
+    "TCoords": 2,
+    "Tensors": 9,
+    "Tangents": 3,
+    "RationalWeights": 1,
+    "HigherOrderDegrees": 3,
+}
+"""Every kind of attribute but ids, which would be wrong of new points and cells."""
+
+CARRIED_BY_POINTS, CARRIED_BY_BOTH, CARRIED_BY_CELLS = "points", "points and cells", "cells"
+
+
+def with_attributes(data):
+    """A copy with an active array of each kind, and one that is none, on points and cells."""
+    made = data.NewInstance()
+    made.DeepCopy(data)
+    for where, attributes, count in (
+        ("point", made.GetPointData(), made.GetNumberOfPoints()),
+        ("cell", made.GetCellData(), made.GetNumberOfCells()),
+    ):
+        for kind, components in (*KINDS.items(), ("plain", 2)):
+            values = np.tile([1.0, *[0.0] * (components - 1)], (count, 1))
+            array = numpy_to_vtk(values if components > 1 else values.ravel(), deep=True)
+            array.SetName(f"{kind} of {where}s")
+            index = attributes.AddArray(array)
+            if kind in KINDS:
+                attributes.SetActiveAttribute(index, getattr(vtkDataSetAttributes, kind.upper()))
+    return made
+
+
+def image(size=4):
+    made = vtkImageData()
+    made.SetDimensions(size, size, size)
+    made.SetSpacing(*[1.5 / (size - 1)] * 3)
+    return made
+
+
+def names_of(attributes):
+    return {attributes.GetArrayName(index) for index in range(attributes.GetNumberOfArrays())}
+
+
+class EveryFilter(unittest.TestCase):
+    """Each filter by its outputs: what of the input's data is on each."""
+
+    def check(self, filter, carried):
+        insideout.pipeline.run(filter)
+        for port, carries in carried.items():
+            output = filter.GetOutputDataObject(port)
+            self.assertGreater(output.GetNumberOfCells(), 0)
+            for where, attributes in (("point", output.GetPointData()), ("cell", output.GetCellData())):
+                if where in carries:
+                    expected = {f"{kind} of {where}s" for kind in (*KINDS, "plain")}
+                    with self.subTest(filter=filter.GetClassName(), port=port, where=where):
+                        self.assertEqual(expected - names_of(attributes), set())
+
+    def test_filters_of_surfaces(self):
+        box = with_attributes(surfaces.open_box())
+        for kind, carried in (
+            ("vtkSurfaceDefects", {0: CARRIED_BY_BOTH}),
+            ("vtkResolveSelfIntersections", {0: CARRIED_BY_BOTH}),
+            ("vtkConstrainedDelaunay3D", {0: CARRIED_BY_POINTS}),
+            ("vtkGeneralizedWindingNumber", {0: CARRIED_BY_POINTS}),
+            ("vtkRobustTetrahedralize", {0: CARRIED_BY_POINTS, 1: CARRIED_BY_BOTH, 3: CARRIED_BY_POINTS}),
+            ("vtkWindingBoolean", {0: CARRIED_BY_BOTH}),
+        ):
+            filter = getattr(insideout, kind)()
+            filter.SetInputDataObject(box)
+            if hasattr(filter, "GenerateHullOn"):
+                filter.GenerateHullOn()
+            self.check(filter, carried)
+
+    def test_the_filter_of_outlines(self):
+        square = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
+        filter = insideout.vtkRobustTriangulate()
+        filter.SetInputData(with_attributes(square))
+        filter.GenerateHullOn()
+        lines = {port: CARRIED_BY_BOTH for port in (1, 4)}
+        self.check(filter, {0: CARRIED_BY_POINTS, 3: CARRIED_BY_POINTS, **lines})
+
+    def test_filters_of_solids(self):
+        solid = with_attributes(insideout.tetrahedralize(surfaces.two_boxes()).hull)
+        for kind in ("vtkGraphCutSegmentation", "vtkRefineTetrahedra", "vtkSolidQuality"):
+            filter = getattr(insideout, kind)()
+            filter.SetInputData(solid)
+            self.check(filter, {0: CARRIED_BY_BOTH})
+
+    def test_filters_of_places(self):
+        places, solid = with_attributes(image()), insideout.tetrahedralize(surfaces.box())
+        for association in (insideout.vtkProbeWindingNumber.POINTS, insideout.vtkProbeWindingNumber.CELLS):
+            probe = insideout.vtkProbeWindingNumber()
+            probe.SetInputData(places)
+            probe.SetSurfaceData(surfaces.box())
+            probe.SetAssociation(association)
+            probe.DistanceOn()
+            self.check(probe, {0: CARRIED_BY_BOTH})
+            kind = vtkDataObject.POINT if association == probe.POINTS else vtkDataObject.CELL
+            self.assertEqual(probe.GetOutput().GetAttributes(kind).GetScalars().GetName(), "w")
+        voxels = insideout.vtkVoxelFractions()
+        voxels.SetInputData(places)
+        voxels.SetSolidData(solid.solid)
+        self.check(voxels, {0: CARRIED_BY_BOTH})
+        self.assertEqual(voxels.GetOutput().GetCellData().GetScalars().GetName(), "VolumeFraction")
+
+
+if __name__ == "__main__":
+    unittest.main()
