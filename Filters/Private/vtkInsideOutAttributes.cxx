@@ -10,6 +10,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
@@ -94,6 +95,22 @@ void SetNoValue(vtkDataSetAttributes* data, vtkIdType id)
   }
 }
 
+/** Give an interpolated normal unit length again. */
+void NormalizeNormal(vtkDataSetAttributes* data, vtkIdType id)
+{
+  vtkDataArray* normals = data->GetNormals();
+  if (!normals || !IsReal(normals))
+  {
+    return;
+  }
+  double normal[3];
+  normals->GetTuple(id, normal);
+  if (vtkMath::Normalize(normal) > 0)
+  {
+    normals->SetTuple(id, normal);
+  }
+}
+
 /** Make room for `size` tuples in every array, so that none is left without a value. */
 void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
 {
@@ -172,6 +189,7 @@ void vtkInsideOutAttributes::PassPointData(vtkDataSet* input,
         corners->SetId(k, origin.Points[k]);
       }
       output->InterpolatePoint(source, p, corners, origin.Weights.data());
+      NormalizeNormal(output, p);
     }
   }
   output->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", inputPoints));
@@ -250,6 +268,7 @@ void vtkInsideOutAttributes::MixPointData(vtkDataSet* input, const std::vector<M
       ids->SetId(k, mixture.Points[k]);
     }
     output->InterpolatePoint(source, p, ids, mixture.Weights.data());
+    NormalizeNormal(output, p);
     SetIntegersToZero(output, p);
   }
   for (vtkIdType p = corners; p < size; ++p)
@@ -260,6 +279,7 @@ void vtkInsideOutAttributes::MixPointData(vtkDataSet* input, const std::vector<M
       vtkAbstractArray* array = output->GetAbstractArray(i);
       array->InterpolateTuple(p, edge[0], array, edge[1], array, 0.5);
     }
+    NormalizeNormal(output, p);
     SetIntegersToZero(output, p);
   }
   output->AddArray(vtkInsideOutMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", inputPoints));
@@ -403,6 +423,13 @@ void vtkInsideOutAttributes::Append(const std::vector<vtkDataSetAttributes*>& in
         arrays.push_back(array);
         owners.push_back(i);
       }
+    }
+    if (arrays.size() < usable.size() && usable[owners.front()]->GetNormals() == arrays.front())
+    {
+      WarnOnce("the normals of input " + std::to_string(owners.front() + 1) +
+          " are left out, for not all inputs have normals",
+        warnings);
+      continue;
     }
     const vtkSmartPointer<vtkAbstractArray> all = MakeAlike(arrays, first.back());
     for (std::size_t k = 0; k < arrays.size(); ++k)

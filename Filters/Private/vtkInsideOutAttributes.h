@@ -32,7 +32,8 @@ void RenameArrays(
 
 /**
  * Point data by origin: copied from an input point, interpolated on a facet, and for a point in the
- * volume NaN (0 in integer arrays). Adds vtkOriginalPointIds: the input point, -1 for a new one.
+ * volume NaN (0 in integer arrays). Interpolated active normals are normalized. Adds
+ * vtkOriginalPointIds: the input point, -1 for a new one.
  *
  * @param[in,out] warnings gains a line per input array that had to be renamed, or that is left out
  *                because it has not one tuple per point
@@ -62,9 +63,9 @@ struct Mixture
 };
 
 /**
- * Point data of points that are kept, copied, and of new ones, interpolated (0 in integer arrays);
- * then of points amid edges between these. Adds vtkOriginalPointIds: where the input has it its
- * value, else the input point; -1 for a new one.
+ * Point data of points that are kept, copied, and of new ones, interpolated (0 in integer arrays)
+ * with active normals normalized; then of points amid edges between these. Adds
+ * vtkOriginalPointIds: where the input has it its value, else the input point; -1 for a new one.
  */
 void MixPointData(vtkDataSet* input, const std::vector<Mixture>& mixtures,
   const std::vector<insideout::Edge>& edges, vtkPointData* output,
@@ -89,8 +90,9 @@ std::vector<insideout::Id> AlikePoints(
 
 /**
  * The data of several data sets, one behind the other. An array that one of them has not is NaN
- * there (0 in integer arrays, empty in others); numbers of different types become doubles. What is
- * active in the first that has it is active.
+ * there (0 in integer arrays, empty in others), except for active normals, which are left out
+ * with a warning; numbers of different types become doubles. What is active in the first that has
+ * it is active.
  *
  * @param[in] first the first tuple of each, and the end
  * @param[in,out] warnings gains a line per array that is left out: it has not one tuple per point

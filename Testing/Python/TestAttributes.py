@@ -6,8 +6,10 @@ import unittest
 import insideout
 import numpy as np
 import surfaces
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkConeSource, vtkSphereSource
 
 KINDS = {
     # What SetActiveAttribute calls it: the number of components.
@@ -115,6 +117,47 @@ class EveryFilter(unittest.TestCase):
         voxels.SetSolidData(solid.solid)
         self.check(voxels, {0: CARRIED_BY_BOTH})
         self.assertEqual(voxels.GetOutput().GetCellData().GetScalars().GetName(), "VolumeFraction")
+
+
+class NormalsAreUnitVectors(unittest.TestCase):
+    """Else a renderer shows them dark, or black where they are NaN."""
+
+    @staticmethod
+    def sphere():
+        source = vtkSphereSource()
+        source.SetThetaResolution(12)
+        source.SetPhiResolution(8)
+        source.Update()
+        return source.GetOutput()
+
+    def check(self, surface):
+        normals = vtk_to_numpy(surface.GetPointData().GetNormals())
+        np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-6)
+
+    def test_where_facets_are_cut_and_remeshed(self):
+        twice = vtkAppendPolyData()
+        moved = vtkPolyData()
+        moved.DeepCopy(self.sphere())
+        points = vtk_to_numpy(moved.GetPoints().GetData())
+        points += np.array([0.3, 0.2, 0.1], points.dtype)
+        twice.AddInputData(self.sphere())
+        twice.AddInputData(moved)
+        twice.Update()
+        result = insideout.tetrahedralize(twice.GetOutput())
+        self.assertGreater((result.boundary.point_arrays["vtkOriginalPointIds"] < 0).sum(), 0)
+        self.check(result.boundary)
+        remeshed = insideout.tetrahedralize(self.sphere(), edge_length=0.1, surface_treatment="remeshed")
+        self.assertGreater((remeshed.boundary.point_arrays["vtkOriginalPointIds"] < 0).sum(), 0)
+        self.check(remeshed.boundary)
+
+    def test_normals_that_one_of_two_bodies_has_are_left_out(self):
+        cone = vtkConeSource()  # it has none
+        cone.Update()
+        result = insideout.boolean({"ball": self.sphere(), "cone": cone.GetOutput()}, "ball - cone")
+        self.assertIsNone(result.surface.GetPointData().GetNormals())
+        self.assertTrue(any("normals of input 1 are left out" in warning for warning in result.warnings))
+        both = insideout.boolean({"ball": self.sphere(), "other": self.sphere()}, "ball + other")
+        self.check(both.surface)
 
 
 if __name__ == "__main__":
