@@ -37,6 +37,6 @@ In this shell, after
 
   . build/env.sh
 
-these work: python3 -m insideout SURFACE OUTPUT.vtu; from insideout import tetrahedralize; and
+these work: insideout mesh SURFACE OUTPUT.vtu; from insideout import tetrahedralize; and
 paraview, pvpython and pvbatch find the plugin InsideOut.
 EOF

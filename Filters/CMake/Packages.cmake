@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The command, its page in the manual, and Debian's package of it all: with package-deb.sh beside this file.
+# The command, which env.sh puts on PATH, its page in the manual, and Debian's package of it all: with package-deb.sh beside this file.
 set(INSIDEOUT_COMMAND ${CMAKE_BINARY_DIR}/insideout)
 file(WRITE ${INSIDEOUT_COMMAND}
   "#!/bin/sh\n# SPDX-License-Identifier: GPL-3.0-or-later\nexec \"${Python3_EXECUTABLE}\" -m insideout \"$@\"\n")
+file(COPY ${INSIDEOUT_COMMAND} DESTINATION ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}
+  FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 install(PROGRAMS ${INSIDEOUT_COMMAND} DESTINATION ${CMAKE_INSTALL_BINDIR})
 
-# The page is what --help says.
+# The page is what --help-all says.
 set(manual_page ${CMAKE_BINARY_DIR}/insideout.1)
 add_custom_command(
   OUTPUT  ${manual_page}

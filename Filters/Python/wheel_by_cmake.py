@@ -40,9 +40,13 @@ def install(folder, prefix):
     return sorted(files, key=lambda file: (file.name.startswith("lib"), file))
 
 
+def version_file(files):
+    return next(file for file in files if file.name == "version.py")
+
+
 def version_in(files):
     made = {}
-    exec(next(file for file in files if file.name == "version.py").read_text(encoding="utf-8"), made)
+    exec(version_file(files).read_text(encoding="utf-8"), made)
     return made["__version__"]
 
 
@@ -57,6 +61,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     build(folder)
     with tempfile.TemporaryDirectory() as prefix:
         files = install(folder, Path(prefix))
+        package = version_file(files).parent
         named = f"{project['name']}-{version_in(files)}"
         python = f"cp{sys.version_info.major}{sys.version_info.minor}"
         tag = f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
@@ -67,7 +72,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         scripts = "".join(f"{name} = {function}\n" for name, function in project["scripts"].items())
         with WheelFile(Path(wheel_directory, f"{named}-{tag}.whl"), "w") as wheel:
             for file in files:
-                wheel.write(file, f"{project['name']}/{file.name}")
+                place = file.relative_to(package) if file.is_relative_to(package) else file.name
+                wheel.write(file, f"{project['name']}/{place}")
             wheel.write(ROOT / "LICENSE", f"{named}.dist-info/LICENSE")
             wheel.writestr(f"{named}.dist-info/METADATA", headers(metadata))
             wheel.writestr(f"{named}.dist-info/WHEEL",

@@ -10,7 +10,7 @@ import insideout
 import surfaces
 from real_surfaces import unpack_cgal
 from surfaces import cell_array, polydata
-from TestCommandLine import CommandLine, run
+from command import CommandLine, run
 
 
 # Vertices, facets, open edges, intersecting pairs, components, non-manifold edges: table 8.1's columns.

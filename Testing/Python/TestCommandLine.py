@@ -1,42 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`python3 -m insideout`, each time as a process of its own."""
+"""`python3 -m insideout`: what it reads, writes, prints and refuses."""
 
 import gzip
 import json
 import os
-import select
 import shutil
-import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import insideout
 import numpy as np
 import surfaces
-from insideout.files import read_surface, write_surface
+from command import CommandLine, read_grid, run
+from insideout.files import read_surface
 from insideout.stages import TETRAHEDRALIZE
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
-
-
-SIGNALS = ((signal.SIGINT, "interrupted", 130), (signal.SIGTERM, "terminated", 143))
-
-
-def run(*arguments: str, **options) -> subprocess.CompletedProcess:
-    return subprocess.run(
-        [sys.executable, "-m", "insideout", *arguments], capture_output=True, text=True, check=False, **options
-    )
-
-
-def read_grid(path: str):
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(path)
-    insideout.pipeline.run(reader)
-    return reader.GetOutput()
 
 
 OFF_BOX = "\n".join(
@@ -44,38 +24,6 @@ OFF_BOX = "\n".join(
     + ["{} {} {}".format(*point) for point in surfaces.box_points()]
     + ["3 {} {} {}".format(*facet) for facet in surfaces.BOX_FACETS]
 )
-
-
-class CommandLine(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.output = self.path("solid.vtu")
-
-    def path(self, name: str) -> str:
-        return os.path.join(self.folder, name)
-
-    def file(self, name: str, content) -> str:
-        """Write a file: text, bytes, or a surface in the format of the name's ending."""
-        if isinstance(content, (str, bytes)):
-            with open(self.path(name), "wb") as file:
-                file.write(content.encode() if isinstance(content, str) else content)
-        else:
-            write_surface(content, self.path(name))
-        return self.path(name)
-
-    def check_failure(self, done: subprocess.CompletedProcess, *expected: str):
-        """One line that says what, no traceback, no file."""
-        self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertNotIn("Traceback", done.stderr)
-        self.assertNotIn("ERR|", done.stderr)
-        errors = [line for line in done.stderr.splitlines() if line.startswith("insideout: ")]
-        self.assertEqual(len(errors), 1, done.stderr)
-        self.assertEqual(done.stderr.splitlines()[-1], errors[0])
-        for text in expected:
-            self.assertIn(text, errors[0])
-        self.assertFalse(os.path.exists(self.output))
 
 
 class Success(CommandLine):
@@ -215,9 +163,6 @@ class Success(CommandLine):
         reader.Update()
         self.assertEqual(reader.GetOutput().GetDimensions(), (2400, 900, 1))
         self.assertGreater(len(np.unique(vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()), axis=0)), 100)
-
-    def test_help_has_examples(self):
-        self.assertIn("--boundary solid.stl", run("--help").stdout)
 
     def test_constraints(self):
         source = self.file("figure.ply", surfaces.two_boxes_and_a_stray_facet())
@@ -450,220 +395,6 @@ class Several(CommandLine):
         for output in (self.output, self.path("{}.vtu")):
             done = run(*names, output)
             self.check_failure(done, "would both be written to")
-
-
-class Winding(CommandLine):
-    def test_a_table_keeps_its_columns_and_gains_w(self):
-        query = self.file("query.csv", "x,y,z,name\n0.5,0.5,0.5,in\n2,2,2,out\n")
-        result = self.path("w.csv")
-        done = run("--winding", query, self.file("box.ply", surfaces.box()), result)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(result, encoding="utf-8") as file:
-            self.assertEqual(file.read().splitlines(), ["x,y,z,name,w,inside", "0.5,0.5,0.5,in,1.0,1", "2,2,2,out,0.0,0"])
-        self.assertIn("1 of 2 places are inside", done.stdout)
-
-    def test_a_table_that_has_w_gets_it_anew_and_keeps_all_else(self):
-        box = self.file("box.ply", surfaces.box())
-        for text, expected in (
-            ("x,y,z,w,Name\n0.50,5e-1,.5,7,\"a, b\"\n2,2,2,,größer\n", 'x,y,z,w,Name,inside\n0.50,5e-1,.5,1.0,"a, b",1\n2,2,2,0.0,größer,0\n'),
-            ("X,Y,Z,Inside,note,W\n2,2,2,maybe,0x1F,nan\n", "X,Y,Z,Inside,note,W\n2,2,2,0,0x1F,0.0\n"),
-            ("x,y,z, w \n2,2,2\n", "x,y,z, w ,inside\n2,2,2,0.0,0\n"),
-            ("2,2,2,left\n3,3,3\n", "x,y,z,,w,inside\n2,2,2,left,0.0,0\n3,3,3,,0.0,0\n"),
-        ):
-            with self.subTest(text):
-                done = run("--winding", self.file("query.csv", text), box, self.path("w.csv"))
-                self.assertEqual(done.returncode, 0, done.stderr)
-                with open(self.path("w.csv"), encoding="utf-8") as file:
-                    self.assertEqual(file.read(), expected)
-                again = run("--winding", self.path("w.csv"), box, self.path("again.csv"))
-                self.assertEqual(again.returncode, 0, again.stderr)
-                with open(self.path("again.csv"), encoding="utf-8") as file:
-                    self.assertEqual(file.read(), expected)
-
-    def test_bytes_of_other_columns_that_are_no_text_are_kept(self):
-        query = self.file("query.csv", b"x,y,z,name\r\n2,2,2,gr\xf6\xdfer\r\n")
-        done = run("--winding", query, self.file("box.ply", surfaces.box()), self.path("w.csv"))
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(self.path("w.csv"), "rb") as file:
-            self.assertEqual(file.read(), b"x,y,z,name,w,inside\r\n2,2,2,gr\xf6\xdfer,0.0,0\r\n")
-
-    def test_a_table_may_lack_a_heading_and_may_be_empty(self):
-        for text, lines in (("0.5,0.5,0.5\n", 2), ("x,y,z\n", 1), ("", 1)):
-            with self.subTest(text):
-                done = run("--winding", self.file("q.csv", text), self.file("box.ply", surfaces.box()), self.path("w.csv"))
-                self.assertEqual(done.returncode, 0, done.stderr)
-                with open(self.path("w.csv"), encoding="utf-8") as file:
-                    self.assertEqual(len(file.readlines()), lines)
-
-    def test_an_image_gains_w(self):
-        image = vtkImageData()
-        image.SetDimensions(3, 3, 3)
-        image.SetOrigin(-0.5, -0.5, -0.5)
-        writer = vtkXMLImageDataWriter()
-        writer.SetDataModeToBinary()
-        writer.SetFileName(self.path("query.vti"))
-        writer.SetInputData(image)
-        insideout.pipeline.run(writer)
-        done = run("--winding", self.path("query.vti"), self.file("box.ply", surfaces.box()), self.path("w.vti"))
-        self.assertEqual(done.returncode, 0, done.stderr)
-        reader = vtkXMLImageDataReader()
-        reader.SetFileName(self.path("w.vti"))
-        insideout.pipeline.run(reader)
-        w = surfaces.point_array(reader.GetOutput(), "w")
-        self.assertEqual([round(value) for value in w], [int(k == 13) for k in range(27)])
-
-    def test_distances_are_added_where_they_are_asked_for(self):
-        query = self.file("query.csv", "x,y,z\n0.5,0.5,0.25\n3,0.5,0.5\n")
-        box = self.file("box.ply", surfaces.box())
-        done = run("--winding", query, box, self.path("w.csv"), "--distance")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(self.path("w.csv"), encoding="utf-8") as file:
-            self.assertEqual(file.read().splitlines(), ["x,y,z,w,inside,distance", "0.5,0.5,0.25,1.0,1,-0.25", "3,0.5,0.5,0.0,0,2.0"])
-        self.check_failure(run("--distance", box, self.path("solid.vtu")), "it goes with --winding")
-
-    def test_bad_queries(self):
-        box = self.file("box.ply", surfaces.box())
-        for name, content, result, expected in (
-            ("words.csv", "x,y,z\n0,0,0\n1,two,3\n", "w.csv", "words.csv, line 3"),
-            ("columns.csv", "a,b,c\n", "w.csv", "they must be x, y, z"),
-            ("no.vti", "<VTKFile", "w.vti", "no.vti"),
-            ("no.txt", "", "w.txt", "unknown ending"),
-            ("other.csv", "0,0,0\n", "w.vti", "w.vti: unknown ending"),
-            ("missing.csv", None, "w.csv", "no such file"),
-        ):
-            with self.subTest(name):
-                query = self.path(name) if content is None else self.file(name, content)
-                self.check_failure(run("--winding", query, box, self.path(result)), expected)
-
-
-class SurfaceOnly(CommandLine):
-    def test_a_closed_surface_is_repaired_without_tetrahedra(self):
-        surface, fixed = self.file("broken.ply", surfaces.two_boxes()), self.path("fixed.ply")
-        for arguments, is_made in (((), False), (("--report", self.path("report.json")), True), (("--gamma", "3"), True)):
-            done = run(surface, fixed, *arguments)
-            self.assertEqual((done.returncode, "closed: its boundary was found without" in done.stdout), (0, not is_made), done.stdout)
-            self.assertEqual("tetrahedra inside" in done.stdout, is_made)
-            self.assertIn("  volume 1.875", done.stdout)
-            self.assertTrue(surfaces.is_watertight(read_surface(fixed)[0]))
-            self.assertAlmostEqual(surfaces.enclosed_volume(read_surface(fixed)[0]), 15 / 8, 12)
-        done = run(surface, fixed, "--surface-only", "--report", self.path("report.json"))
-        self.assertIn("without tetrahedra", done.stdout, done.stderr)
-        with open(self.path("report.json"), encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["statistics"]["Tetrahedra"], 0)
-
-    def test_an_open_one_goes_through_them(self):
-        done = run(self.file("broken.ply", surfaces.open_box()), self.path("fixed.ply"))
-        self.assertIn("tetrahedra inside", done.stdout, done.stderr)
-        self.assertTrue(surfaces.is_watertight(read_surface(self.path("fixed.ply"))[0]))
-
-    def test_what_takes_cells_is_refused_beside_the_option(self):
-        surface = self.file("broken.ply", surfaces.two_boxes())
-        self.check_failure(run(surface, self.output, "--surface-only"), "solid.vtu: takes tetrahedra, which --surface-only goes without")
-
-
-class SetOperations(CommandLine):
-    def bodies(self) -> list[str]:
-        return [self.file("bone.ply", surfaces.box()), self.file("left lung.ply", surfaces.box((0.5, 0, 0)))]
-
-    def test_the_ending_says_what_is_written_of_the_result(self):
-        for number, (expression, volume) in enumerate({"bone - 'left lung'": 0.5, "A & B": 0.5, "#1 | #2": 1.5}.items()):
-            fixed, grid = self.path(f"{number}.ply"), self.path(f"{number}.vtu")
-            done = run("--boolean", expression, *self.bodies(), fixed)
-            self.assertIn(f"  volume {volume:g}", done.stdout, done.stderr)
-            self.assertIn("without tetrahedra", done.stdout)
-            self.assertAlmostEqual(surfaces.enclosed_volume(read_surface(fixed)[0]), volume, 12)
-            boundary, report = self.path("boundary.stl"), self.path("report.json")
-            done = run("--boolean", expression, *self.bodies(), grid, "--boundary", boundary, "--report", report)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(grid)))), volume, 12)
-            self.assertAlmostEqual(surfaces.enclosed_volume(read_surface(boundary)[0]), volume, 6)
-            with open(report, encoding="utf-8") as file:
-                found = json.load(file)
-            self.assertEqual((found["parameters"]["expression"], found["bodies"]), (expression, ["bone", "left lung"]))
-        done = run("--boolean", "A - B", *self.bodies(), self.path("rest.msh"))
-        self.assertIn("Wrote solid", done.stdout, done.stderr)
-
-    def test_what_is_wrong_is_one_line(self):
-        for expression, words in {"A - (B": "column 5: this parenthesis is never closed", "A - C": "no body is called C; there are bone, left lung",
-                                  " ": "--boolean is given no expression", "A - A": "nothing is left of A - A"}.items():
-            self.check_failure(run("--boolean", expression, *self.bodies(), self.output), words)
-        for option in (("--winding", self.path("q.csv")), ("--gamma", "1"), ("--hull", self.path("hull.vtu")), ("--together",)):
-            self.check_failure(run("--boolean", "A", *self.bodies(), self.output, *option), "it goes without --")
-
-
-class Stopping(CommandLine):
-    """What stops the command while TetGen hangs."""
-
-    def setUp(self):
-        super().setUp()
-        helper = self.file("helper", "#!/bin/sh\nexec sleep infinity\n")
-        os.chmod(helper, 0o700)
-        self.environment = dict(os.environ, INSIDEOUT_TETGEN=helper)
-
-    def test_a_timeout_ends_a_surface(self):
-        done = run(self.file("box.ply", surfaces.box()), self.output, "--engine", "tetgen", "--timeout", "1", env=self.environment)
-        self.check_failure(done, "stopped while tetrahedralizing", "--timeout")
-
-    def signalled(self, stage: str, number: int, *arguments: str, env=None) -> tuple:
-        """What a command says after a signal that comes in a stage, and its exit status."""
-        with subprocess.Popen(
-            [sys.executable, "-m", "insideout", *arguments], stderr=subprocess.PIPE, env=env, text=True
-        ) as process:
-            self.assertTrue(any(stage in line for line in process.stderr))
-            process.send_signal(number)
-            return process.stderr.read(), process.wait()
-
-    def test_a_signal_ends_the_command(self):
-        report, box = self.path("report.json"), self.file("box.ply", surfaces.box())
-        arguments = (box, self.output, "--engine", "tetgen", "--report", report)
-        for number, words, status in SIGNALS:
-            with self.subTest(words):
-                said = self.signalled("resolving", number, *arguments, env=self.environment)
-                self.assertEqual(said, (f"insideout: {box}: {words}\n", status))
-                with open(report, encoding="utf-8") as file:
-                    self.assertEqual(json.load(file)["exit_status"], status)
-
-    def test_a_signal_ends_it_while_a_pipe_waits_for_a_reader(self):
-        os.mkfifo(self.output)
-        box = self.file("box.ply", surfaces.box())
-        for number, words, status in SIGNALS:
-            with self.subTest(words):
-                errors, found = self.signalled("extracting", number, box, self.output)
-                self.assertRegex(errors, f"^insideout: .*: {words}\n$")
-                self.assertEqual(found, status)
-
-    def test_a_signal_ends_a_drawing_and_leaves_nothing(self):
-        """A program takes the display's place that makes a file, says so, and never ends."""
-        begun, never = self.path("begun"), self.path("never")
-        os.mkfifo(begun)
-        os.mkfifo(never)
-        display = self.file("xvfb-run", f"#!/bin/sh\n: >$TMPDIR/made\necho >'{begun}'\nexec cat '{never}'\n")
-        os.chmod(display, 0o700)
-        folder, picture = self.path("temporary"), self.path("picture.png")
-        os.mkdir(folder)
-        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
-        environment.update(TMPDIR=folder, PATH=f"{self.folder}{os.pathsep}{os.environ['PATH']}")
-        box = self.file("box.ply", surfaces.box())
-        for number, words, status in SIGNALS:
-            with self.subTest(words), open(os.open(begun, os.O_RDONLY | os.O_NONBLOCK), encoding="utf-8") as display_says, subprocess.Popen(
-                [sys.executable, "-m", "insideout", box, self.output, "--plot", picture, "--quiet"],
-                stderr=subprocess.PIPE,
-                env=environment,
-                text=True,
-            ) as process:
-                heard, _, _ = select.select([display_says, process.stderr], [], [])
-                self.assertEqual(heard, [display_says])
-                drawing = os.open(never, os.O_WRONLY)
-                self.addCleanup(os.close, drawing)
-                self.assertEqual(len(os.listdir(folder)), 1)
-                process.send_signal(number)
-                self.assertEqual(process.stderr.read(), f"insideout: {picture}: {words}\n")
-                self.assertEqual(process.wait(), status)
-                self.assertEqual(os.listdir(folder), [])
-                self.assertFalse(os.path.exists(picture))
-                ended = select.poll()
-                ended.register(drawing, 0)
-                self.assertEqual(ended.poll(), [(drawing, select.POLLERR)])  # nobody reads it any more
 
 
 class Failure(CommandLine):

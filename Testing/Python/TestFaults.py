@@ -28,7 +28,7 @@ import numpy as np  # noqa: E402
 import surfaces  # noqa: E402
 from insideout.pipeline import write_bytes, write_data  # noqa: E402
 from insideout.places import read_places  # noqa: E402
-from TestCommandLine import run  # noqa: E402
+from command import run  # noqa: E402
 from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
 
 ALL = "--all" in sys.argv

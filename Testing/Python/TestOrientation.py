@@ -11,7 +11,7 @@ import surfaces
 from insideout.files import read_surface
 from real_surfaces import unpack_cgal, unpack_openfoam
 from surfaces import BOX_FACETS, box_points, cell_array, exact_volumes, polydata
-from TestCommandLine import CommandLine, run
+from command import CommandLine, run
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 MESHES = ("b9_mesh.off", "mannequin-devil.off", "head.off", "boeing.off", "blobby-shuffled.off", "cow.off")

@@ -213,7 +213,7 @@ class Command(unittest.TestCase):
 
     def test_the_picture_is_of_what_is_written(self):
         source = self.path("curve.csv", CSV)
-        done = self.run_on(source, "--edge-length", "0.5", "--surface", "split", "--plot", self.path("out.png"))
+        done = self.run_on(source, "--edge-length", "0.5", "--surface-treatment", "split", "--plot", self.path("out.png"))
         self.assertEqual(done.returncode, 0, done.stderr)
         hull = insideout.tetrahedralize(source).hull
         insideout.draw(source, hull, self.path("expected.png"), solid=grid_in(self.path("out.vtu")))

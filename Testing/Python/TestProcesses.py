@@ -12,7 +12,7 @@ import unittest
 import insideout
 import surfaces
 from insideout import pipeline
-from TestCommandLine import run
+from command import run
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 

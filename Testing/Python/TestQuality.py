@@ -1,20 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`insideout.check_solid`, `insideout.draw_quality` and `python3 -m insideout --check SOLID.vtu`."""
 
-import contextlib
-import io
 import json
 import math
 import os
 import unittest
 
 import insideout
-import insideout.command_line
 import numpy as np
 import surfaces
 from insideout.solids import make_solid
 from surfaces import cell_array
-from TestCommandLine import CommandLine, run
+from command import CommandLine, run, run_here
 from TestPicture import description_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
@@ -321,13 +318,10 @@ class Command(CommandLine):
             (("--check", solid, "--plot", self.path("angles.jpg")), "it must be .png"),
             (("--check", self.file("text.vtu", "hello")), "cannot read"),
         ):
-            with self.subTest(arguments), contextlib.redirect_stderr(io.StringIO()) as errors:
-                try:
-                    status = insideout.command_line.main(arguments)
-                except SystemExit as end:
-                    status = end.code
-                self.assertEqual(status, 1)
-                self.assertIn(words, errors.getvalue().splitlines()[-1])
+            with self.subTest(arguments):
+                done = run_here(*arguments)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(words, done.stderr.splitlines()[-1])
 
     def test_a_surface_in_a_file_of_solids_is_told(self):
         insideout.write(surfaces.box(), self.path("box.vtp"))

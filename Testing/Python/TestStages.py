@@ -8,8 +8,11 @@ from unittest import mock
 import insideout
 import numpy as np
 import surfaces
-from insideout.command_line import CheckJob, MeshJob, SolidCheckJob, WindingJob
-from insideout.stages import CHECK, CHECK_SOLID, RESOLVE, TETRAHEDRALIZE, UNNAMED, WINDING
+from insideout.commands.check import CheckJob, SolidCheckJob
+from insideout.commands.mesh import MeshJob
+from insideout.commands.query import QueryJob
+from insideout.commands.refine import RefineJob
+from insideout.stages import CHECK, CHECK_SOLID, REFINE, RESOLVE, TETRAHEDRALIZE, UNNAMED, WINDING
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -63,8 +66,8 @@ class Names(unittest.TestCase):
             self.assertLessEqual(seen, known)
 
     def test_the_command_shows_all_that_is_reported(self):
-        jobs = (MeshJob, CheckJob, SolidCheckJob, WindingJob)
-        self.assertEqual([job.stages for job in jobs], [TETRAHEDRALIZE, CHECK, CHECK_SOLID, WINDING])
+        jobs = (MeshJob, CheckJob, SolidCheckJob, QueryJob, RefineJob)
+        self.assertEqual([job.stages for job in jobs], [TETRAHEDRALIZE, CHECK, CHECK_SOLID, WINDING, REFINE])
 
 
 class Again(unittest.TestCase):

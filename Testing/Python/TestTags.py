@@ -11,7 +11,7 @@ import numpy as np
 import surfaces
 from insideout.files import read_surface, write_surface
 from surfaces import cell_array, polydata
-from TestCommandLine import CommandLine, run
+from command import CommandLine, run
 from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 

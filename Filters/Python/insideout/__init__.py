@@ -84,13 +84,17 @@ PIPELINES
         from insideout import vtkSurfaceReader, vtkRobustTetrahedralize
 
 COMMAND
-    python3 -m insideout broken.ply solid.vtu
+    insideout mesh broken.ply solid.vtu
+    insideout --help
+
+    `python3 -m insideout` is the same. There is a subcommand for each job: mesh, repair, check, refine, boolean, query, draw.
 
 MODULES
     `booleans`, `checking`, `quality`, `resolving`, `queries`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
     what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files`
     reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
-    exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command.
+    exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command, whose
+    `arguments`, `usage` and `help` stand beside it, with a module of `commands` for each subcommand.
 """
 
 # The wrapped classes derive from VTK's, which Python has to know first.

@@ -1,62 +1,34 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The arguments of the command `python3 -m insideout`, and the files that they name."""
+"""The arguments of the command `insideout`, and the files that they name."""
 
 from __future__ import annotations
 
 import argparse
 import os
+import sys
 from dataclasses import dataclass, fields
-from typing import NoReturn, Optional, Sequence, get_args
+from functools import partial
+from typing import Any, Callable, Iterable, NoReturn, Optional, Sequence
 
-from .files import GZIP, READABLE_SOLIDS, READABLE_SURFACES, STANDARD_INPUT, WRITABLE_SURFACES, ending, identity
+from .files import GZIP, READABLE_SOLIDS, STANDARD_INPUT, ending, identity
+from .help import all_screens, screen, screen_of
 from .options import OPTIONS, flag_of
-from .places import QUERIES
+from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, MESH_OPTIONS, WINDING_OPTIONS, argument_of
 from .version import __version__
-from .writing import WRITABLE_GRIDS, MshVersion
+from .writing import WRITABLE_GRIDS
 
 USAGE_ERROR = 1
 
-EXAMPLES = """\
-examples:
-  python3 -m insideout broken.ply solid.vtu
-      the tetrahedra inside
-  python3 -m insideout broken.stl solid.msh --scale 0.001
-      the same for gmsh, in metres where the surface is in millimetres
-  python3 -m insideout broken.stl fixed.stl
-      only their watertight boundary, without tetrahedra where the surface is closed
-  python3 -m insideout --check broken.ply
-      only what is wrong with it
-  python3 -m insideout --check solid.vtu --plot angles.png
-      what is wrong with tetrahedra, how good they are, and a histogram of their dihedral angles
-  python3 -m insideout broken.ply solid.vtu --boundary solid.stl --plot picture.png --report report.json
-      the watertight boundary, a picture and a report too
-  python3 -m insideout *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
-      several; {} is each one's name without ending, and a table comes at the end
-  python3 -m insideout broken.ply solid.vtu --edge-length 0.05 --quadratic
-      refined, with cells of second order
-  python3 -m insideout --together bone.stl fat.ply limb.msh --priority bone
-      several bodies in one mesh that conforms: a region for each, where both are that of the bone
-  python3 -m insideout parts.obj parts.inp --bodies GroupIds --region-rule all
-      the groups of one file as bodies, and a region for each combination
-  python3 -m insideout --boolean "bone - (fat | C)" bone.stl fat.ply skin.obj rest.stl
-      a set operation of bodies, as broken as they may be: its surface, or with .vtu its tetrahedra
-  zcat broken.obj.gz | python3 -m insideout - solid.vtu --format obj
-      standard input; a .gz is read as it is, too
-  python3 -m insideout --winding grid.vti broken.ply w.vti --distance
-      the winding number at places of yours, and how far the surface is, without a mesh
+_NOT_GIVEN: dict[str, Any] = dict.fromkeys(
+    (
+        *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "report"),
+        *("msh_version", "format", "together", "timeout", "threads", "quiet", "check"),
+    )
+)
+"""What jobs ask for, whether the command has such an option or not."""
 
-Exit status 0 when all was done, 1 when it was not for some surface (one line says why), 130 after Ctrl-C,
-143 after SIGTERM. A file is written whole or not at all: an earlier one of its name stays until then.
-"""
-
-CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
-WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
-"""Those that make sense without a mesh: of `check`, and of `winding_number`."""
-
-BOOLEAN_OPTIONS = ("boundary", "msh_version", *WINDING_OPTIONS)
-"""Those that make sense of set operations."""
-
-MESH_OPTIONS = ("hull", "boundary", "outliers", "plot", "msh_version", "together", *OPTIONS)
+_WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
+"""Why commands have no use for options of `mesh`."""
 
 
 @dataclass(frozen=True)
@@ -108,18 +80,21 @@ FILE_OPTIONS = [field.name for field in fields(Files) if field.name not in ("sur
 
 def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace, list[Files]]:
     """The options, and the files of each surface. Ends the program with one line where they make no sense."""
-    parser = _parser()
-    options = parser.parse_args(arguments)
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    name = given.pop(0) if given and given[0] in COMMANDS else None
+    parser = _parser_of_short_form() if name is None else _parser_of(name)
+    options = parser.parse_args(given, argparse.Namespace(**_NOT_GIVEN, command=name, called=name))
+    if name is None:
+        _name_command(parser, options)
     surfaces = list(options.files)
-    options.output = None
-    if not options.check:
+    if options.command != "check":
         last = surfaces.pop() if len(surfaces) > 1 else None
-        expected = "OUTPUT" if options.winding is None else "OUTPUT" + os.path.splitext(options.winding)[1]
+        expected = COMMANDS[options.command].operands[-1][0]
         if last is None:
-            parser.error(f"the following arguments are required: {expected}")
-        options.output = last
+            parser.error(f"the following arguments are required: {expected + os.path.splitext(options.points or '')[1]}")
+        setattr(options, "plot" if options.command == "draw" else "output", last)
     elif len(surfaces) > 1 and ending(surfaces[-1]) in WRITABLE_GRIDS and not os.path.exists(surfaces[-1]):
-        parser.error(f"--check meshes nothing: it goes without OUTPUT{ending(surfaces[-1])}")
+        parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without OUTPUT{ending(surfaces[-1])}")
     _refuse_what_does_not_go_together(parser, options, surfaces)
     if surfaces.count("-") > 1:
         parser.error("- is named twice: standard input can be read once")
@@ -133,32 +108,45 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         parser.error(f"--threads is {options.threads}; it must be at least 1")
     if options.timeout is not None and not options.timeout > 0:
         parser.error(f"--timeout is {options.timeout:g}; it must be above 0")
-    return options, _files(parser, options, surfaces)
+    all_files = _files(parser, options, surfaces)
+    options.several = len(all_files) > 1
+    return options, all_files
+
+
+def _name_command(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    """What the short form does, by those of its options that stand for a command."""
+    standing = {
+        "--check": ("check", options.check),
+        "--winding": ("query", options.points is not None),
+        "--boolean": ("boolean", options.expression is not None),
+    }
+    chosen = [flag for flag, (_, is_chosen) in standing.items() if is_chosen]
+    options.called = chosen[0] if chosen else "mesh"
+    options.command = standing[options.called][0] if chosen else "mesh"
+    if len(chosen) > 1:
+        parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without {chosen[1]}")
+    if options.distance and options.command != "query":
+        parser.error("--distance is of places: it goes with --winding")
 
 
 def _refuse_what_does_not_go_together(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: Sequence[str]) -> None:
-    modes = {
-        "--check meshes nothing": options.check,
-        "--winding meshes nothing": options.winding is not None,
-        "--boolean makes one thing of several bodies": options.boolean is not None,
-    }
-    chosen = [mode for mode, is_chosen in modes.items() if is_chosen]
-    mode = chosen[0] if chosen else None
-    if len(chosen) > 1:
-        parser.error(f"{mode}: it goes without {chosen[1].split()[0]}")
-    if options.distance and options.winding is None:
-        parser.error("--distance is of places: it goes with --winding")
     solids = [surface for surface in surfaces if ending(surface) in READABLE_SOLIDS]
-    if options.check and solids:
-        for name in CHECK_OPTIONS:
-            if getattr(options, name, None) is not None:
-                parser.error(f"--{name.replace('_', '-')} is about surfaces: it goes without {solids[0]}")
-    others: tuple[str, ...] = WINDING_OPTIONS if options.boolean is None else BOOLEAN_OPTIONS
-    if options.check:
+    others: Sequence[str] = MESH_OPTIONS
+    if solids and options.command in ("check", "draw"):
+        for name in CHECK_OPTIONS if options.command == "check" else OPTIONS:
+            if _is_given(options, name):
+                parser.error(f"{flag_of(name)} is about surfaces: it goes without {solids[0]}")
+    if options.command == "check":
         others = (*CHECK_OPTIONS, "plot") if len(solids) == len(surfaces) else CHECK_OPTIONS
+    elif options.command in ("query", "boolean"):
+        others = WINDING_OPTIONS if options.command == "query" else BOOLEAN_OPTIONS
     for name in MESH_OPTIONS:
-        if mode is not None and name not in others and getattr(options, name, None) is not None:
-            parser.error(f"{mode}: it goes without --{name.replace('_', '-')}")
+        if name not in others and _is_given(options, name):
+            parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without {flag_of(name)}")
+
+
+def _is_given(options: argparse.Namespace, name: str) -> bool:
+    return getattr(options, name, None) is not None
 
 
 def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: list[str]) -> list[Files]:
@@ -167,7 +155,7 @@ def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surface
     seen: dict[str, str] = {}
     all_files = []
     others: tuple[str, ...] = ()
-    if options.together or options.boolean is not None:
+    if options.together or options.command == "boolean":
         surfaces, others = surfaces[:1], tuple(surfaces[1:])
     for surface in surfaces:
         stem = _stem_of(surface)
@@ -196,85 +184,46 @@ class _Parser(argparse.ArgumentParser):
     """Says what is wrong in one line, like every other failure, and not with the usage before it."""
 
     def error(self, message: str) -> NoReturn:
-        self.exit(USAGE_ERROR, f"{self.prog}: {message} (see --help)\n")
+        self.exit(USAGE_ERROR, f"insideout: {message} (see {self.usage})\n")
         raise SystemExit
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
-        prog="insideout",
-        allow_abbrev=False,
-        usage="python3 -m insideout SURFACE... OUTPUT [options]\n"
-        "       python3 -m insideout --check SURFACE|SOLID.vtu... [options]\n"
-        "       python3 -m insideout --winding QUERY SURFACE... OUTPUT [options]\n"
-        "       python3 -m insideout --boolean EXPRESSION SURFACE... OUTPUT [options]",
-        description="From a broken surface to tetrahedra of the solid that it means.",
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    surface_endings = ", ".join(WRITABLE_SURFACES)
-    parser.add_argument(
-        *("files",),
-        metavar="SURFACE... OUTPUT",
-        nargs="+",
-        help=f"the surfaces ({', '.join(READABLE_SURFACES)}, each also with .gz; - is standard input), and where to write the tetrahedra inside "
-        f"({', '.join(WRITABLE_GRIDS)}), or only their watertight boundary ({surface_endings}); in the name of every file that is "
-        "written {} stands for the surface's name without folder and ending",
-    )
-    mode = parser.add_argument_group("instead of tetrahedra")
-    mode.add_argument(
-        "--check",
-        action="store_true",
-        help="only say what is wrong with the surface, and whether it matters here; or with the tetrahedra of a .vtu file, and how good they are",
-    )
-    mode.add_argument(
-        "--winding",
-        metavar="QUERY",
-        help=f"only evaluate the winding number: at the places in a .csv file (columns x, y, z) or at the points of an "
-        f"image ({QUERIES[1]}); OUTPUT has the same ending; SURFACE may be points with normals, too, without faces",
-    )
-    mode.add_argument(
-        "--distance",
-        action="store_true",
-        help="with --winding: how far the surface is from each place, too, negative inside",
-    )
-    mode.add_argument(
-        "--boolean",
-        metavar="EXPRESSION",
-        help='a set operation of all surfaces, such as "A - (B | C) ^ D": | or + is union, & intersection, - difference, ^ symmetric '
-        "difference; a body is called like its file without folder and ending, in quotes where that is more than letters, digits and "
-        "underscores, or by a letter, A the first, or #1; its surface is written, or its tetrahedra, by the ending of OUTPUT",
-    )
-    files = parser.add_argument_group("what to write")
-    files.add_argument("--hull", metavar="HULL.vtu", help="all tetrahedra of the convex hull, with w and Inside")
-    files.add_argument("--msh-version", choices=get_args(MshVersion), help="of .msh files: 4.1 by default, 2.2 for programs that know no other")
-    files.add_argument("--boundary", metavar="FILE", help=f"the solid's boundary ({surface_endings})")
-    files.add_argument("--outliers", metavar="FILE", help=f"the facets that are no part of the solid ({surface_endings})")
-    files.add_argument("--plot", metavar="FILE.png", help="a picture of the defects, a slice of w, and the tetrahedra; with --check of a .vtu file, a histogram of dihedral angles; needs no window")
-    files.add_argument("--report", metavar="FILE.json", help="what was found and done, also when it fails")
-    how = parser.add_argument_group("how")
-    for name, option in OPTIONS.items():
-        how.add_argument(flag_of(name), dest=name, help=option.help(), default=argparse.SUPPRESS, **option.argument())
-    how.add_argument(
-        *("--together",),
-        action="store_true",
-        default=None,
-        help="make one mesh of all surfaces, which conforms: each is a body, called like its file without folder and ending",
-    )
-    how.add_argument(
-        *("--constrained-array",),
-        dest="constrain_facets",
-        metavar="ARRAY",
-        default=argparse.SUPPRESS,
-        help="the same for the facets where this cell array is not 0",
-    )
-    how.add_argument(
-        *("--format",),
-        choices=[known[1:] for known in READABLE_SURFACES],
-        help="what standard input holds, where its content does not tell",
-    )
-    how.add_argument("--timeout", metavar="S", type=float, help="give a surface up after this many seconds; none by default")
-    how.add_argument("--threads", metavar="N", type=int, help="how many threads work, at most four per processor; by default one each")
-    how.add_argument("--quiet", action="store_true", help="print nothing but errors")
+class _Show(argparse.Action):
+    """Print a text and end."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        parser._print_message(self.const(), sys.stdout)
+        parser.exit()
+
+
+def _parser(hint: str, options: Iterable[str], some: Callable[[], str], everything: Callable[[], str]) -> argparse.ArgumentParser:
+    """A parser with options, what says more where they make no sense, and what it prints as its help."""
+    parser = _Parser(usage=hint, allow_abbrev=False, add_help=False)
+    parser.add_argument("-h", "--help", nargs=0, action=_Show, const=some)
+    parser.add_argument("--help-all", nargs=0, action=_Show, const=everything)
+    for name in options:
+        aliases = [OPTIONS[name].alias] if name in OPTIONS and OPTIONS[name].alias else []
+        parser.add_argument(flag_of(name), *aliases, default=argparse.SUPPRESS, **argument_of(name))
+    return parser
+
+
+def _parser_of(name: str) -> argparse.ArgumentParser:
+    """That of a subcommand."""
+    command = COMMANDS[name]
+    parser = _parser(f"insideout {name} --help", command.options, partial(screen_of, name), partial(screen_of, name, everything=True))
+    for operand in BEFORE_FILES:
+        if operand in dict(command.operands):
+            parser.add_argument(operand.lower(), metavar=operand)
+    parser.add_argument("files", metavar=command.names(BEFORE_FILES), nargs="+")
+    return parser
+
+
+def _parser_of_short_form() -> argparse.ArgumentParser:
+    """That of the command without a subcommand: of `mesh`, with options that stand for others."""
+    parser = _parser("--help", (*COMMANDS["mesh"].options, "distance"), screen, all_screens)
     parser.add_argument("--version", action="version", version=f"insideout {__version__}")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--winding", dest="points", metavar="POINTS")
+    parser.add_argument("--boolean", dest="expression", metavar="EXPRESSION")
+    parser.add_argument("files", metavar=COMMANDS["mesh"].names(), nargs="+")
     return parser

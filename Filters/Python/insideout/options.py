@@ -40,7 +40,7 @@ class Option:
     words: str  # what it means, on the command line too
     more_words: str = ""  # what else it can be in Python
     default: Any = None  # what leaves a filter its own default
-    flag: str = ""  # on the command line, where it is not called as in Python
+    alias: str = ""  # an earlier name on the command line, which no help tells
 
     def checked(self, algorithm: Any, name: str, value: Any) -> Any:
         """What a filter's property gets. Raises `Error` for what VTK would clamp without a word."""
@@ -402,7 +402,7 @@ class Options:
     refine: bool = _is(
         Switch(
             "Refine",
-            "better tetrahedra of the same solid, or in a plane better triangles; the seven options below imply it",
+            "better tetrahedra of the same solid, or in a plane better triangles; any other option of refinement implies it",
         )
     )
     edge_length: Optional[float] = _is(
@@ -412,7 +412,7 @@ class Options:
         Number("Grading", "by how much edges may grow per unit of distance from the boundary", least=1e-6)
     )
     maximum_volume: Optional[float] = _is(
-        Number("MaximumVolume", "how large tetrahedra, or in a plane triangles, are to be at most, in the surface's units; 0 is any size")
+        Number("MaximumVolume", "the largest volume of tetrahedra, or in a plane area of triangles, in the surface's units; 0 is any size")
     )
     surface_treatment: SurfaceTreatment = _is(
         Choice(
@@ -420,7 +420,7 @@ class Options:
             "what becomes of the triangles of the boundary of tetrahedra that are refined: kept bit by bit, split into pieces, "
             "or remeshed within a tolerance",
             default="kept",
-            flag="--surface",
+            alias="--surface",
             choices=get_args(SurfaceTreatment),
         )
     )
@@ -428,7 +428,7 @@ class Options:
         Number("SurfaceTolerance", "how far a remeshed boundary may be from the old one; 0 is a thousandth of the size")
     )
     feature_angle: Optional[float] = _is(
-        Number("FeatureAngle", "of a remeshed boundary: edges stay where normals differ by more, in degrees", most=180)
+        Number("FeatureAngle", "edges of a remeshed boundary stay where normals differ by more, in degrees", most=180)
     )
     quadratic: bool = _is(Switch("QuadraticCells", "tetrahedra of ten points, of which six are amid the straight edges"))
     seeds: Optional[Seeds] = _is(
@@ -508,7 +508,7 @@ def in_words_of_command(texts: Iterable[str]) -> list[str]:
 
 def flag_of(name: str) -> str:
     """What an option is called on the command line."""
-    return OPTIONS[name].flag or "--" + name.replace("_", "-")
+    return "--" + name.replace("_", "-")
 
 
 def _renamed(texts: Iterable[str], names: Mapping[str, str]) -> list[str]:

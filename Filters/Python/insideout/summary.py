@@ -237,7 +237,7 @@ def seams(statistics: Mapping[str, float]) -> list[str]:
 
 
 def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], volumes: Sequence[float]) -> list[str]:
-    """The lines that `--check` prints: the columns of the thesis's table 8.1, and what they mean."""
+    """The lines that `check` prints: the columns of the thesis's table 8.1, and what they mean."""
     if statistics.get("Dimension", 3) == 2:
         return _planar_check_summary(name, statistics, findings)
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
@@ -265,7 +265,7 @@ def _planar_check_summary(name: str, statistics: Mapping[str, float], findings: 
 
 
 def solid_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding]) -> list[str]:
-    """The lines that `--check` prints of a solid."""
+    """The lines that `check` prints of a solid."""
     return [
         f"Solid {name}: {solid_verdict(statistics)}",
         f"  {_count(statistics['BoundaryFaces'])} boundary triangles",
@@ -276,8 +276,18 @@ def solid_summary(name: str, statistics: Mapping[str, float], findings: Sequence
     ]
 
 
+def refinement_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
+    """The lines that `refine` ends with."""
+    return [
+        f"Solid {name}",
+        *_refined(statistics),
+        f"Time {statistics['SecondsTotal']:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+        *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
+    ]
+
+
 def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
-    """The lines that `--winding` prints."""
+    """The lines that `query` prints."""
     lines = [f"Surface {name}", f"  {_count(statistics['InsidePlaces'])} of {_count(statistics['Places'])} places are inside"]
     if "MinimumW" in statistics:
         lines.append(f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}")
@@ -285,7 +295,7 @@ def winding_summary(name: str, statistics: Mapping[str, float]) -> list[str]:
 
 
 def boolean_summary(names: Sequence[str], expression: str, statistics: Mapping[str, float]) -> list[str]:
-    """The lines that `--boolean` prints."""
+    """The lines that `boolean` prints."""
     way = f"by {_count(statistics.get('HullCells', 0))} tetrahedra of all" if statistics["Tetrahedra"] else "without tetrahedra"
     return [
         f"Bodies {_first(names)}",

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all commands do alike: check names, show progress, write a report, and tell what went wrong in one line."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import resource
+import sys
+import time
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, Optional, Sequence
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+
+from ..arguments import Files
+from ..bodies import BODY_IDS, join
+from ..files import READABLE_SURFACES, check_input, check_output, read_solid, read_standard_input, read_surface
+from ..interruption import exit_status, message, told, work_on
+from ..options import OPTIONS, Options, in_words_of_command
+from ..pipeline import Error, write_bytes
+from ..progress import StageBars
+from ..stages import READING
+from ..verdict import verdict
+from ..version import __version__
+
+SUCCESS, FAILURE = 0, 1
+"""Of the exit status; above are those of signals."""
+
+
+class Job:
+    """What the command does with one surface, and what is known of it so far."""
+
+    stages: Sequence[str] = ()
+    readable: tuple[str, ...] = READABLE_SURFACES
+
+    def __init__(self, options: argparse.Namespace, files: Files):
+        self.options = options
+        self.files = files
+        self.settings = Options.among({**vars(options), **({"bodies": BODY_IDS} if options.together else {})})
+        self.bars = StageBars(None if options.quiet else sys.stderr)
+        self.report_is_writable = False
+        self.parameters: dict[str, Any] = {}
+        self.outputs: dict[str, str] = {}
+        self.statistics: dict[str, float] = {}
+        self.warnings: list[str] = []
+        self.error: Optional[str] = None
+        self.status = FAILURE
+        self.begin = time.monotonic()
+        self.seconds = 0.0
+
+    def run(self) -> int:
+        """Returns the exit status."""
+        work_on(self.files.name())
+        self.status = self.attempt(self.check, self.work)
+        self.seconds = time.monotonic() - self.begin
+        self.bars.abandon()
+        self.status = max(self.status, self.attempt(self.write_report))
+        if "SecondsTotal" in self.statistics and not self.options.quiet:  # the work came to its end
+            self.print_summary()
+        if self.error is not None:
+            self.print_error(self.error)
+        return self.status
+
+    def attempt(self, *tasks: Callable[[], None]) -> int:
+        """Do these. Returns the exit status; of several errors the first is kept."""
+        try:
+            for task in tasks:
+                task()
+            return SUCCESS
+        except Error as failure:
+            error, status = str(failure), FAILURE
+        except OSError as failure:
+            error, status = f"{failure.filename or 'system'}: {(failure.strerror or str(failure)).lower()}", FAILURE
+        except MemoryError:
+            error, status = f"{self.files.name()}: not enough memory", FAILURE
+        except KeyboardInterrupt as interrupt:
+            error, status = message(interrupt), exit_status(interrupt)
+        self.error = self.error or error
+        return status
+
+    def check(self) -> None:
+        """Raise `Error` for whatever can be known to fail before the work begins."""
+        files = self.files
+        if files.report is not None:
+            check_output(files.report, (".json",))
+            self.report_is_writable = True
+        self.parameters = self.check_parameters()
+        for surface in files.surfaces():
+            if surface != "-":
+                check_input(surface, self.readable)
+        for name, endings in self.endings().items():
+            path = getattr(files, name)
+            if path is not None:
+                check_output(path, endings)
+
+    def check_parameters(self) -> dict[str, Any]:
+        """The parameters that the work will use. Raises `Error` for one out of range."""
+        raise NotImplementedError
+
+    def parameters_of(self, names: Sequence[str], algorithm: Any) -> dict[str, Any]:
+        """Those of some names, which the algorithm has."""
+        self.settings.set_on(algorithm)
+        return {name: OPTIONS[name].used_by(algorithm, getattr(self.settings, name)) for name in names}
+
+    def endings(self) -> dict[str, tuple[str, ...]]:
+        """The endings that the file of each option may have."""
+        return {}
+
+    def work(self) -> None:
+        raise NotImplementedError
+
+    def summary(self) -> list[str]:
+        raise NotImplementedError
+
+    def result(self) -> str:
+        """What came out, in a few words."""
+        return self.error or self.success()
+
+    def success(self) -> str:
+        return verdict(self.statistics)
+
+    @contextmanager
+    def reading(self) -> Iterator[None]:
+        """Shows and times what is read within it."""
+        began = time.monotonic()
+        self.bars.show(READING, 0)
+        yield
+        self.bars.finish()
+        self.seconds_read = time.monotonic() - began
+
+    def read(self) -> vtkPolyData:
+        with self.reading():
+            if self.options.together:
+                surface, warnings = join(self.read_bodies())
+                self.warnings = self.warnings + warnings
+            else:
+                surface = self.read_one(self.files.surface)
+        return surface
+
+    def read_bodies(self) -> dict[str, vtkPolyData]:
+        """All surfaces, by the names of bodies."""
+        return {name: self.read_one(path) for name, path in self.files.bodies().items()}
+
+    def read_solid(self) -> vtkUnstructuredGrid:
+        with self.reading():
+            solid, self.warnings = read_solid(self.files.surface, self.show_reading)
+        return solid
+
+    def read_one(self, path: str) -> vtkPolyData:
+        show = self.show_reading
+        surface, warnings = read_standard_input(self.options.format, show) if path == "-" else read_surface(path, show)
+        self.warnings = self.warnings + warnings
+        return surface
+
+    def show_reading(self, _: str, fraction: float) -> None:
+        self.show((READING,), READING, fraction)
+
+    def show_progress(self, stage: str, fraction: float) -> None:
+        self.show(self.stages, stage, fraction)
+
+    def show(self, stages: Sequence[str], stage: str, fraction: float) -> None:
+        timeout = self.options.timeout
+        if timeout is not None and time.monotonic() - self.begin > timeout:
+            raise Error(f"{self.files.name()}: stopped while {stage}, after the {timeout:g} s of --timeout")
+        self.bars.show_part(stages, stage, fraction)
+
+    def measure(self) -> None:
+        self.statistics["SecondsRead"] = self.seconds_read
+        self.statistics["SecondsTotal"] = time.monotonic() - self.begin
+        self.statistics["PeakMemory"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+    def write_report(self) -> None:
+        """Write the report, if asked to and possible."""
+        if not self.report_is_writable or self.files.report is None:
+            return
+        report = {
+            "version": __version__,
+            "input": self.files.name(),
+            "outputs": self.outputs,
+            "parameters": self.parameters,
+            "exit_status": self.status,
+            "error": self.error,
+            "warnings": self.warnings,
+            "statistics": self.statistics,
+            **self.more_for_the_report(),
+        }
+        work_on(self.files.report)
+        text = json.dumps(_without_infinities(report), indent=2, allow_nan=False) + "\n"
+        write_bytes(text.encode(errors="backslashreplace"), self.files.report)
+
+    def more_for_the_report(self) -> dict[str, object]:
+        return {}
+
+    def print_error(self, message: str) -> None:
+        """One line, which says of which surface it is where there are several."""
+        surface = self.files.surface
+        print_error(f"{surface}: {message}" if self.options.several and surface not in message else message)
+
+    def notes(self) -> list[str]:
+        """What is as it should be, but good to know, one line each."""
+        return []
+
+    def print_summary(self) -> None:
+        lines = self.summary()
+        lines += [f"Note: {note}" for note in self.notes()]
+        lines += [f"Warning: {warning}" for warning in in_words_of_command(self.warnings)]
+        lines += [f"Wrote {kind:10} {path}" for kind, path in self.outputs.items()]
+        print_lines(lines)
+
+
+def print_lines(lines: Sequence[str]) -> None:
+    try:
+        print("\n".join(lines), flush=True)
+    except OSError:
+        # Nobody reads on (`| head`). The files are written, and Python is not to complain on exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _without_infinities(value: Any) -> Any:
+    """The same for JSON, which has none: None in place of what is beyond all doubles, as the volume of 1e110 cubed."""
+    if isinstance(value, dict):
+        return {key: _without_infinities(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_without_infinities(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def print_error(error: str) -> None:
+    try:
+        print(f"insideout: {error}", file=sys.stderr, flush=True)
+        told()
+    except OSError:
+        pass  # the exit status says it

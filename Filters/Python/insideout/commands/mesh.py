@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`insideout mesh`: tetrahedra of the solid that a surface means."""
+
+from __future__ import annotations
+
+import os
+import time
+from dataclasses import replace
+from typing import Any, Iterator, Sequence
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ..bodies import outer_boundary
+from ..data import Tetrahedra
+from ..drawing import draw, up_of
+from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, write_surface
+from ..interruption import work_on
+from ..options import OPTIONS
+from ..panels import PICTURES, display_command
+from ..pipeline import Error
+from ..stages import DRAWING, REFINE, TETRAHEDRALIZE, WRITING
+from ..summary import defects, seams, summary, tetrahedralizer
+from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
+from ..usage import CHECK_OPTIONS
+from ..verdict import verdict
+from ..vtkFiltersInsideOut import vtkRobustTetrahedralize
+from ..writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, check_holds_triangles, write_solid
+from .job import Job
+
+
+class MeshJob(Job):
+    """One run that makes tetrahedra."""
+
+    stages: Sequence[str] = TETRAHEDRALIZE
+    left_out_cells: list[int] = []
+    lost_cells: list[int] = []
+    regions: list[Region] = []
+    bodies: dict[str, float] = {}
+    tags: dict[str, int] = {}
+
+    def check_parameters(self) -> dict[str, Any]:
+        if self.settings.refines():
+            self.stages = (*TETRAHEDRALIZE, *REFINE)
+        if self.files.plot is not None:
+            display_command()
+        return {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
+
+    def endings(self) -> dict[str, tuple[str, ...]]:
+        return {
+            "output": WRITABLE_GRIDS + WRITABLE_SURFACES,
+            "hull": WRITABLE_GRIDS,
+            "boundary": WRITABLE_SURFACES,
+            "outliers": WRITABLE_SURFACES,
+            "plot": PICTURES,
+        }
+
+    def check(self) -> None:
+        super().check()
+        output = self.files.output or ""
+        if self.settings.merge_coplanar_pieces and ending(output) in WRITABLE_SOLIDS:
+            raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
+        for path in (output, self.files.hull or ""):
+            check_format(path)
+        for taking in (output, self.files.hull or "", self.files.plot or ""):
+            if self.settings.surface_only and taking and ending(taking) not in WRITABLE_SURFACES:
+                raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
+
+    def is_for_surface_only(self) -> bool:
+        """Whether nothing is written that has tetrahedra, or tells of them."""
+        files = self.files
+        return ending(files.output or "") in WRITABLE_SURFACES and not (files.hull or files.plot or files.report)
+
+    def check_plane(self, surface: vtkPolyData) -> None:
+        """Raise `Error` for files that cannot hold what is in a plane, where it is known to be there."""
+        if are_lines(surface) or str(self.settings.dimension) == "2":
+            for path in filter(None, (self.files.output, self.files.hull, self.files.boundary, self.files.outliers)):
+                (check_holds_lines if ending(path) in WRITABLE_SURFACES else check_holds_triangles)(path)
+
+    def work(self) -> None:
+        surface = self.read()
+        self.check_plane(surface)
+        if self.is_for_surface_only():
+            self.settings = replace(self.settings, surface_only=True)
+        result = tetrahedralize(surface, progress=self.show_progress, **vars(self.settings))
+        self.bars.finish()
+        self.warnings = self.warnings + result.warnings
+        self.statistics = dict(result.statistics)
+        self.left_out_cells = result.left_out_cells
+        self.lost_cells = result.lost_cells
+        self.regions = result.regions
+        self.bodies = result.bodies
+        self.tags = {name: len(triangles) for name, triangles in result.tags.items()}
+        try:
+            self.write(surface, result)
+        finally:
+            self.measure()
+        if result.boundary.GetNumberOfCells() == 0:
+            least, most = self.statistics["MinimumW"], self.statistics["MaximumW"]
+            raise Error(f"{self.files.name()}: nothing is inside, w ranges from {least:.6g} to {most:.6g}")
+
+    def write(self, surface: vtkPolyData, result: Tetrahedralization) -> None:
+        """Write what was asked for; when nothing is inside, the hull and the picture alone."""
+        began = time.monotonic()
+        self.bars.show(WRITING, 0)
+        for kind, data, path, write in self.files_to_write(result):
+            work_on(path)
+            write(data, path)
+            self.outputs[kind] = path
+        self.bars.finish()
+        self.statistics["SecondsWrite"] = time.monotonic() - began
+        if self.files.plot is not None:
+            self.bars.show(DRAWING, 0)
+            marks = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
+            work_on(self.files.plot)
+            # Where the solid is cells of the hull it need not be written twice.
+            solid = result.solid if self.settings.refines() or self.settings.parts() else None
+            draw(surface, result.hull, self.files.plot, solid=solid, up=up_of(self.files.surface), **marks)
+            self.bars.finish()
+            self.outputs["picture"] = self.files.plot
+            self.statistics["SecondsDraw"] = time.monotonic() - began - self.statistics["SecondsWrite"]
+
+    def files_to_write(self, result: Tetrahedralization) -> Iterator[tuple]:
+        files = self.files
+        version: MshVersion = self.options.msh_version or "4.1"
+
+        def write_with_boundary(solid: Tetrahedra, path: str) -> None:
+            write_solid(solid, path, result.boundary, version)
+
+        if files.hull is not None:
+            yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)
+        if result.boundary.GetNumberOfCells() > 0:
+            if ending(files.output or "") in WRITABLE_SURFACES:
+                yield "surface", outer_boundary(result.boundary), files.output, write_surface
+            elif files.output is not None:
+                yield "solid", result.solid, files.output, write_with_boundary
+            if files.boundary is not None:
+                yield "boundary", result.boundary, files.boundary, write_surface
+            if files.outliers is not None:
+                yield "outliers", result.outliers, files.outliers, write_surface
+
+    def more_for_the_report(self) -> dict[str, object]:
+        return {
+            "tetrahedralizer": tetrahedralizer(self.statistics),
+            "defects": defects(self.statistics),
+            "verdict": verdict(self.statistics) if self.statistics else None,
+            "left_out_cells": self.left_out_cells,
+            "lost_cells": self.lost_cells,
+            "regions": [vars(region) for region in self.regions],
+            "bodies": self.bodies,
+            "tags": self.tags,
+        }
+
+    def summary(self) -> list[str]:
+        volumes = [region.volume for region in self.regions]
+        regions = ["+".join(region.bodies) for region in self.regions] if self.bodies else []
+        return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags, regions)
+
+    def notes(self) -> list[str]:
+        return [] if self.settings.split_seams else seams(self.statistics)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What --help prints: a screen for the command as a whole and for each of its subcommands; --help-all tells the rest."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import textwrap
+from .options import flag_of
+from .usage import COMMANDS, argument_of
+
+INDENT = 27  # columns before what an option means
+MOST_COLUMNS = 100
+
+SHORT_FORM = """\
+options that stand for a command, without one:
+  --check                 as insideout check
+  --winding POINTS        as insideout query POINTS; --distance is there, too
+  --boolean EXPRESSION    as insideout boolean EXPRESSION
+  --together              as insideout mesh --together: one mesh of all surfaces
+"""
+
+MORE = """\
+more:
+  insideout COMMAND --help      its options in one screen
+  insideout COMMAND --help-all  what all of them mean, and examples
+  insideout --help-all          all of this, for each command
+  insideout --version
+"""
+
+ENDING = """\
+A file called like a command is given as ./check. The exit status is 0 when all
+was done, 1 when it was not for some file (one line says why), 130 after Ctrl-C,
+143 after SIGTERM. A file is written whole or not at all: an earlier one of its
+name stays until then.
+"""
+
+
+def screen() -> str:
+    """What the commands are, and how to ask for more."""
+    width = max(map(len, COMMANDS))
+    operands = max(len(command.names()) for command in COMMANDS.values())
+    lines = [
+        "usage: insideout COMMAND ... [options]",
+        "       insideout SURFACE... OUTPUT [options]    short for insideout mesh",
+        "",
+        "Tetrahedra of the solid that a broken triangle surface means.",
+        "",
+        "commands:",
+        *(f"  {name:{width}} {command.names():{operands}}  {command.gist}" for name, command in COMMANDS.items()),
+        "",
+        "examples:",
+        *("  " + command.examples.splitlines()[0] for command in list(COMMANDS.values())[:3]),
+        "",
+    ]
+    return "\n".join([*lines, SHORT_FORM, MORE, ENDING])
+
+
+def all_screens() -> str:
+    """That, and all about each command."""
+    return "\n".join([screen(), *(screen_of(name, everything=True) for name in COMMANDS)])
+
+
+def screen_of(name: str, everything: bool = False) -> str:
+    """What a command does, and its options in brief, or all that is to be said of them."""
+    command = COMMANDS[name]
+    indent = max(len(operand) for operand, _ in command.operands) + 4
+    lines = [f"usage: insideout {name} {command.names()} [options]", "", *textwrap.wrap(command.words, _columns())]
+    lines += [line for operand, words in command.operands for line in _beside(f"  {operand}", words, indent)]
+    for topic, options in command.by_topic().items():
+        told = [option for option in options if everything or not command.first or option in command.first]
+        others = " ".join(flag_of(option) for option in options if option not in told)
+        heading = f"{topic} (also {others}):" if others else f"{topic}:"
+        lines += [*[""] * everything, *textwrap.wrap(heading, _columns(), subsequent_indent="  ", break_on_hyphens=False)]
+        for option in told:
+            words = str(argument_of(option)["help"])
+            lines += _beside("  " + _spelled(option), words if everything else _gist(words))
+    if everything:
+        lines += ["", "examples:", *("  " + line for line in command.examples.splitlines())]
+    else:
+        lines += ["", f"insideout {name} --help-all says more of each, and has examples."]
+    return "\n".join(lines) + "\n"
+
+
+def _spelled(name: str) -> str:
+    """An option with what it takes."""
+    argument = argument_of(name)
+    choices = "{" + ",".join(map(str, argument.get("choices", ()))) + "}"
+    taken = argument.get("metavar") or ("" if argument.get("action") else choices)
+    return f"{flag_of(name)} {taken}".rstrip()
+
+
+def _gist(words: str) -> str:
+    """The first of several clauses, and the default."""
+    default = re.search(r"default \S+$", words)
+    return re.split("[;:,]", words)[0] + (f"; {default[0]}" if default else "")
+
+
+def _beside(head: str, words: str, indent: int = INDENT) -> list[str]:
+    """A head and words behind it, or below where it is long."""
+    lines = [" " * indent + line for line in textwrap.wrap(words, _columns() - indent, break_on_hyphens=False)]
+    if lines and len(head) < indent:
+        return [head + lines[0][len(head) :], *lines[1:]]
+    return [head, *lines]
+
+
+def _columns() -> int:
+    return min(shutil.get_terminal_size().columns, MOST_COLUMNS)

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The commands, the options of each, and what --help says of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Sequence, get_args
+
+from .files import READABLE_SOLIDS, READABLE_SURFACES, WRITABLE_SURFACES
+from .options import OPTIONS, REFINING_OPTIONS
+from .places import QUERIES
+from .writing import WRITABLE_GRIDS, MshVersion
+
+CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
+WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
+"""Those that make sense without a mesh: of `check`, and of `winding_number`."""
+
+BOOLEAN_OPTIONS = ("boundary", "msh_version", *WINDING_OPTIONS)
+"""Those that make sense of set operations."""
+
+OF_THE_RUN = ("report", "format", "timeout", "threads", "quiet")
+"""What each command has."""
+
+_MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version")
+MESH_OPTIONS = (*_MESH_FILES, "together", *OPTIONS)
+
+_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic")
+"""What a repaired surface has no use for."""
+
+_SURFACE_ENDINGS, _GRID_ENDINGS = " ".join(WRITABLE_SURFACES), " ".join(WRITABLE_GRIDS)
+
+_OTHERS: dict[str, dict[str, Any]] = {
+    "hull": {"metavar": "HULL.vtu", "help": "all tetrahedra of the convex hull, with w and Inside"},
+    "boundary": {"metavar": "FILE", "help": f"the solid's boundary ({_SURFACE_ENDINGS})"},
+    "outliers": {"metavar": "FILE", "help": f"the facets that are no part of the solid ({_SURFACE_ENDINGS})"},
+    "plot": {
+        "metavar": "FILE.png",
+        "help": "a picture, which needs no window: the defects, a slice of w, and the tetrahedra; of a solid that is checked, a histogram of dihedral angles",
+    },
+    "report": {"metavar": "FILE.json", "help": "what was found and done, also when it fails"},
+    "msh_version": {"choices": get_args(MshVersion), "help": "the version of .msh files; 4.1 by default, 2.2 for programs that know no other"},
+    "format": {
+        "metavar": "KIND",
+        "choices": [known[1:] for known in READABLE_SURFACES],
+        "help": f"what standard input holds, where its content does not tell: {', '.join(known[1:] for known in READABLE_SURFACES)}",
+    },
+    "together": {
+        "action": "store_true",
+        "help": "make one mesh of all surfaces, which conforms: each is a body, called like its file without folder and ending",
+    },
+    "constrained_array": {"dest": "constrain_facets", "metavar": "ARRAY", "help": "the same for the facets where this cell array is not 0"},
+    "sizes": {"metavar": "ARRAY", "help": "how long edges are to be at each point, by this point array of the solid"},
+    "distance": {"action": "store_true", "help": "how far the surface is from each point, too, negative inside"},
+    "timeout": {"metavar": "S", "type": float, "help": "give a surface up after this many seconds; none by default"},
+    "threads": {"metavar": "N", "type": int, "help": "how many threads work, at most four per processor; by default one each"},
+    "quiet": {"action": "store_true", "help": "print nothing but errors"},
+}
+"""What argparse is to know of options that no filter has."""
+
+TOPICS: dict[str, tuple[str, ...]] = {
+    "files": ("hull", "boundary", "outliers", "plot", "report", "msh_version", "format"),
+    "surface": (
+        *("scale", "orientation", "merge_tolerance", "count_duplicates", "thicken", "thicken_all", "dimension"),
+        *("non_participating", "tag_array", "merge_coplanar_pieces", "split_seams"),
+    ),
+    "bodies": ("together", "bodies", "priority", "region_rule"),
+    "segmentation": ("gamma", "sigma", "data_term", "quadrature_order", "constrain_facets", "constrained_array", "seeds"),
+    "topology": (
+        *("non_manifold", "separate_overlaps", "topology", "fill_cavities"),
+        *("largest_regions", "minimum_region_volume", "seeded_regions"),
+    ),
+    "refinement": ("refine", *REFINING_OPTIONS, "sizes"),
+    "points": ("distance",),
+    "work": ("surface_only", "engine", "parts_apart", "time_budget", "memory_budget", "timeout", "threads", "quiet"),
+}
+"""All options, in the order in which help tells them."""
+
+BEFORE_FILES = ("EXPRESSION", "POINTS")
+"""Operands that are no surfaces and no output."""
+
+_SURFACE = ("SURFACE", f"{' '.join(READABLE_SURFACES)}, also with .gz; - is standard input")
+_SURFACE_OR_SOLID = ("SURFACE|SOLID", f"{_SURFACE[1]}; or tetrahedra ({READABLE_SOLIDS[0]})")
+_OUTPUT = (
+    "OUTPUT",
+    f"tetrahedra ({_GRID_ENDINGS}), or only their watertight boundary ({_SURFACE_ENDINGS}); "
+    "{} in the name of any file that is written stands for the surface's name without folder and ending",
+)
+
+
+@dataclass(frozen=True)
+class Command:
+    """A word that says what the command is to do."""
+
+    gist: str  # in half a line
+    words: str
+    operands: tuple[tuple[str, str], ...]  # the files and so on behind it, and what each is
+    options: Sequence[str]
+    examples: str
+    first: Sequence[str] = ()  # the options that one screen describes, where it has no room for all
+
+    def names(self, left_out: Sequence[str] = ()) -> str:
+        """Of the operands."""
+        return " ".join(name + "..." * name.startswith("S") for name, _ in self.operands if name not in left_out)
+
+    def by_topic(self) -> dict[str, list[str]]:
+        """The options, without topics that have none."""
+        chosen = {topic: [name for name in names if name in self.options] for topic, names in TOPICS.items()}
+        return {topic: names for topic, names in chosen.items() if names}
+
+
+COMMANDS: dict[str, Command] = {
+    "mesh": Command(
+        "tetrahedra of the solid inside",
+        "Make tetrahedra of the solid that a surface means, or triangles in a plane.",
+        (_SURFACE, _OUTPUT),
+        (*MESH_OPTIONS, "constrained_array", *OF_THE_RUN),
+        """\
+insideout mesh broken.ply solid.vtu
+    the tetrahedra inside
+insideout mesh broken.stl solid.msh --scale 0.001
+    the same for gmsh, in metres where the surface is in millimetres
+insideout mesh broken.ply solid.vtu --boundary solid.stl --plot picture.png --report report.json
+    the watertight boundary, a picture and a report too
+insideout mesh *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
+    several; {} is each one's name without ending, and a table comes at the end
+insideout mesh broken.ply solid.vtu --edge-length 0.05 --quadratic
+    refined, with cells of second order
+insideout mesh --together bone.stl fat.ply limb.msh --priority bone
+    several bodies in one mesh that conforms: a region for each, where both are that of the bone
+insideout mesh parts.obj parts.inp --bodies GroupIds --region-rule all
+    the groups of one file as bodies, and a region for each combination
+zcat broken.obj.gz | insideout mesh - solid.vtu --format obj
+    standard input; a .gz is read as it is, too
+""",
+        first=(
+            *("boundary", "report", "scale", "orientation", "merge_tolerance", "together", "gamma", "constrain_facets"),
+            *("non_manifold", "refine", "edge_length", "timeout", "quiet"),
+        ),
+    ),
+    "repair": Command(
+        "the solid's watertight boundary",
+        "Make the watertight boundary of the solid that a surface means, without tetrahedra where it is closed.",
+        (_SURFACE, ("OUTPUT", f"{_SURFACE_ENDINGS}; {{}} in the name stands for the surface's name without folder and ending")),
+        [name for name in (*MESH_OPTIONS, "constrained_array", *OF_THE_RUN) if name not in _OF_TETRAHEDRA],
+        """\
+insideout repair broken.stl fixed.stl
+    without self-intersections, inner walls and duplicates
+insideout repair *.ply 'fixed/{}.ply' --report 'fixed/{}.json'
+    several, with a report for each
+""",
+        first=(
+            *("outliers", "report", "scale", "orientation", "merge_tolerance", "split_seams", "together"),
+            *("gamma", "constrain_facets", "non_manifold", "timeout", "quiet"),
+        ),
+    ),
+    "check": Command(
+        "what is wrong, and whether it matters",
+        "Say what is wrong with a surface, and whether it matters here; or with tetrahedra, and how good they are. Nothing is meshed.",
+        (_SURFACE_OR_SOLID,),
+        ("plot", *CHECK_OPTIONS, *OF_THE_RUN),
+        """\
+insideout check broken.ply
+    whether it bounds a solid, and what is wrong with it
+insideout check solid.vtu --plot angles.png
+    what is wrong with tetrahedra, how good they are, and a histogram of their dihedral angles
+""",
+    ),
+    "refine": Command(
+        "better tetrahedra of the same solid",
+        "Make better tetrahedra of the same solid.",
+        (
+            ("SOLID", f"tetrahedra ({READABLE_SOLIDS[0]}); their cell array RegionId tells regions apart"),
+            ("OUTPUT", f"{_GRID_ENDINGS}; {{}} in the name stands for the solid's name without folder and ending"),
+        ),
+        ("msh_version", *REFINING_OPTIONS, "sizes", *(name for name in OF_THE_RUN if name != "format")),
+        """\
+insideout refine solid.vtu better.vtu --edge-length 0.05 --quadratic
+    edges of at most this length, and cells of second order
+""",
+    ),
+    "boolean": Command(
+        "set operations of broken bodies",
+        "Make a set operation of bodies, however broken their surfaces are.",
+        (
+            (
+                "EXPRESSION",
+                'such as "A - (B | C) ^ D": | or + is union, & intersection, - difference, ^ symmetric difference; a body is called '
+                "like its file without folder and ending, in quotes where that is more than letters, digits and underscores, or by a "
+                "letter, A the first, or #1",
+            ),
+            _SURFACE,
+            ("OUTPUT", f"the result's surface ({_SURFACE_ENDINGS}), or its tetrahedra ({_GRID_ENDINGS})"),
+        ),
+        (*BOOLEAN_OPTIONS, *OF_THE_RUN),
+        """\
+insideout boolean "bone - (fat | C)" bone.stl fat.ply skin.obj rest.stl
+    its surface, or with .vtu its tetrahedra
+""",
+    ),
+    "query": Command(
+        "winding numbers and distances",
+        "Evaluate the winding number at points, say which of them are inside, and how far the surface is. Nothing is meshed.",
+        (
+            ("POINTS", f"a .csv file with the columns x, y, z, or an image ({QUERIES[1]}), whose points are meant"),
+            (_SURFACE[0], _SURFACE[1] + "; or points with normals, without faces"),
+            ("OUTPUT", "the points with w and what is inside; it has the ending of POINTS"),
+        ),
+        ("distance", *WINDING_OPTIONS, *OF_THE_RUN),
+        """\
+insideout query grid.vti broken.ply w.vti --distance
+    the winding number at points of yours, and how far the surface is, without a mesh
+""",
+    ),
+    "draw": Command(
+        "defects, winding numbers, tetrahedra",
+        "Draw a picture, without a window, of a surface and what becomes of it, or of how good tetrahedra are.",
+        (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra; of a solid, a histogram of dihedral angles")),
+        [name for name in (*MESH_OPTIONS, "constrained_array", *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only")],
+        """\
+insideout draw broken.ply picture.png
+    the surface's defects, a slice of w, and the tetrahedra inside
+insideout draw solid.vtu angles.png
+    the dihedral angles of tetrahedra
+""",
+        first=(
+            *("report", "scale", "orientation", "merge_tolerance", "together", "gamma", "constrain_facets"),
+            *("non_manifold", "refine", "edge_length", "timeout", "quiet"),
+        ),
+    ),
+}
+
+def argument_of(name: str) -> dict[str, Any]:
+    """What argparse is to know of an option."""
+    if name in _OTHERS:
+        return {"dest": name, **_OTHERS[name]}
+    return {"dest": name, "help": OPTIONS[name].help(), **OPTIONS[name].argument()}
