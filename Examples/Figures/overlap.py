@@ -17,8 +17,9 @@ from pathlib import Path
 
 import insideout
 import numpy as np
-from insideout.data import Tetrahedra, TriangleSurface, as_surface, make_surface
-from insideout.picture import slice_actor, slice_of
+from insideout.data import Tetrahedra, TriangleSurface
+from insideout.surfaces import as_surface, make_surface
+from insideout.actors import slice_actor, slice_of
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import dijkstra
 from vtkmodules.util.numpy_support import vtk_to_numpy

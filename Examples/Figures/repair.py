@@ -21,7 +21,7 @@ from typing import NamedTuple, Optional
 import insideout
 import numpy as np
 from insideout.drawing import up_of
-from insideout.picture import some_triangles, triangles_of
+from insideout.actors import some_triangles, triangles_of
 from insideout.view import View
 from matplotlib import image
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -18,7 +18,7 @@ from pathlib import Path
 import insideout
 import matplotlib
 import numpy as np
-from insideout.picture import slice_actor, slice_of
+from insideout.actors import slice_actor, slice_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkQuadricDecimation, vtkTriangleFilter

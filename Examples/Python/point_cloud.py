@@ -31,7 +31,7 @@ VOXELS = 100  # along the longest side
 
 def read(path):
     if Path(path).suffix not in (".xyz", ".pwn"):
-        return insideout.data.as_surface(path)[0]
+        return insideout.surfaces.as_surface(path)[0]
     table = np.loadtxt(path)
     return insideout.point_cloud(table[:, :3], table[:, 3:6])
 

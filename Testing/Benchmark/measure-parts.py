@@ -67,7 +67,7 @@ def main():
     ways = {"off": (False, 1), "on": (True, 1), "on by two": (True, 2)}
     for path in sizes.surfaces:
         name = os.path.splitext(os.path.basename(path))[0]
-        surface = side_by_side(insideout.data.as_surface(path)[0], sizes.copies)
+        surface = side_by_side(insideout.surfaces.as_surface(path)[0], sizes.copies)
         found = {way: [] for way in ways}
         for _ in range(1 + REPETITIONS):  # the first warms up
             for way, (apart, threads) in ways.items():

@@ -161,7 +161,7 @@ def with_cells_like(row: Row, ours: str, peer: str, folder: Path, volume: float,
 def seconds_to_tetrahedralize(boundary: Boundary) -> float:
     """Processor time of our own first step, given what the other meshers are given."""
     tetrahedralize = insideout.vtkConstrainedDelaunay3D()
-    tetrahedralize.SetInputData(insideout.data.make_surface(boundary.points, boundary.triangles))
+    tetrahedralize.SetInputData(insideout.surfaces.make_surface(boundary.points, boundary.triangles))
     began = time.process_time()
     insideout.pipeline.run(tetrahedralize)
     return time.process_time() - began

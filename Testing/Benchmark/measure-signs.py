@@ -46,12 +46,12 @@ def with_holes(points: np.ndarray, triangles: np.ndarray) -> vtkPolyData:
     each = max(int(SHARE_OF_HOLES * len(triangles) / HOLES), 1)
     for seed in np.random.default_rng(1).choice(len(triangles), HOLES, replace=False):
         kept[np.argsort(((centres - centres[seed]) ** 2).sum(axis=1))[:each]] = False
-    return insideout.data.as_surface((points, triangles[kept]))[0]
+    return insideout.surfaces.as_surface((points, triangles[kept]))[0]
 
 
 def by_w(surface: vtkPolyData, places: np.ndarray, method: int) -> np.ndarray:
     probe = insideout.vtkProbeWindingNumber()
-    probe.SetInputData(insideout.data.as_points(places))
+    probe.SetInputData(insideout.inputs.as_points(places))
     probe.SetSurfaceData(surface)
     probe.SetOrientation(probe.AS_GIVEN)
     probe.SetMethod(method)
@@ -68,7 +68,7 @@ def by_normals(surface: vtkPolyData, places: np.ndarray) -> np.ndarray:
 
 def by_rays(surface: vtkPolyData, places: np.ndarray) -> np.ndarray:
     select = vtkSelectEnclosedPoints()
-    select.SetInputData(insideout.data.as_points(places))
+    select.SetInputData(insideout.inputs.as_points(places))
     select.SetSurfaceData(surface)
     select.Update()
     return vtk_to_numpy(select.GetOutput().GetPointData().GetArray("SelectedPoints")) != 0
@@ -83,8 +83,8 @@ def row(name: str, surface: vtkPolyData, places: np.ndarray, truth: np.ndarray) 
 
 
 def measure(path: str) -> None:
-    points, triangles = triangles_of(insideout.data.as_surface(path)[0])
-    surface = insideout.data.as_surface((points, triangles))[0]
+    points, triangles = triangles_of(insideout.surfaces.as_surface(path)[0])
+    surface = insideout.surfaces.as_surface((points, triangles))[0]
     low, high = points.min(axis=0), points.max(axis=0)
     places = np.random.default_rng(2).uniform(low, high, (PLACES, 3))
     truth = by_w(surface, places, insideout.vtkProbeWindingNumber.NAIVE)

@@ -68,7 +68,7 @@ def with_holes(surface: vtkPolyData) -> vtkPolyData:
     for seed in random.choice(len(triangles), HOLES, replace=False):
         near = np.argsort(((centres - centres[seed]) ** 2).sum(axis=1))
         kept[near[:facets_per_hole]] = False
-    return insideout.data.as_surface((points, triangles[kept]))[0]
+    return insideout.surfaces.as_surface((points, triangles[kept]))[0]
 
 
 def image_around(surface: vtkPolyData, voxels: int) -> vtkImageData:
@@ -164,7 +164,7 @@ def measure_image(name: str, surface: vtkPolyData, vtk: str) -> None:
 
 def distances(surface: vtkPolyData, places: np.ndarray) -> np.ndarray:
     probe = insideout.vtkProbeWindingNumber()
-    probe.SetInputData(insideout.data.as_points(places))
+    probe.SetInputData(insideout.inputs.as_points(places))
     probe.SetSurfaceData(surface)
     probe.DistanceOn()
     probe.Update()
@@ -215,6 +215,6 @@ if __name__ == "__main__":
         import insideout
 
         for given in sys.argv[2:]:
-            read = insideout.data.as_surface(given)[0]
+            read = insideout.surfaces.as_surface(given)[0]
             measure_image(Path(given).stem, read, sys.argv[1])
             measure_distance(Path(given).stem, read)

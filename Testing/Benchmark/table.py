@@ -27,7 +27,7 @@ from typing import Optional
 
 import insideout
 import numpy as np
-from insideout.data import make_surface
+from insideout.surfaces import make_surface
 from meshers import Answer, mesh_as_it_comes, meshers_of_any_surface, tetgen, write_inputs
 from solids import FACES, UNBOUNDED, Boundary, points_and_cells, read_grid, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -32,7 +32,8 @@ from typing import Optional
 
 import insideout
 import numpy as np
-from insideout.data import as_surface, corners_of, make_surface
+from insideout.data import corners_of
+from insideout.surfaces import as_surface, make_surface
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter

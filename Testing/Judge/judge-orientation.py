@@ -20,7 +20,9 @@ from collections import defaultdict
 
 import insideout
 import numpy as np
-from insideout.data import as_surface, corners_of, make_cells
+from insideout.data import corners_of
+from insideout.inputs import make_cells
+from insideout.surfaces import as_surface
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData

@@ -19,7 +19,7 @@ import xml.etree.ElementTree
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
-from insideout.picture import colours_of_w
+from insideout.actors import colours_of_w
 
 SURFACE, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 HERE = Path(__file__).resolve().parent

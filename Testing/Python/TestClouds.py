@@ -47,7 +47,7 @@ class TestClouds(unittest.TestCase):
         cloud = insideout.point_cloud(points, 7 * normals, areas)
         np.testing.assert_allclose(insideout.winding_number(cloud, where), expected, atol=2e-3)
         naive = insideout.vtkProbeWindingNumber()
-        naive.SetInputData(insideout.data.as_points(where))
+        naive.SetInputData(insideout.inputs.as_points(where))
         naive.SetSurfaceData(cloud)
         naive.SetMethod(insideout.vtkProbeWindingNumber.NAIVE)
         naive.Update()
@@ -78,7 +78,7 @@ class TestClouds(unittest.TestCase):
         function.SetInput(insideout.point_cloud(*sphere()))
         image = image_of(40)
         values = [function.EvaluateFunction(image.GetPoint(i)) for i in range(image.GetNumberOfPoints())]
-        image.GetPointData().SetScalars(insideout.data.vtk_array(np.array(values)))
+        image.GetPointData().SetScalars(insideout.serializing.vtk_array(np.array(values)))
         contour = vtkFlyingEdges3D()
         contour.SetInputData(image)
         contour.SetValue(0, 0)
@@ -103,7 +103,7 @@ class TestClouds(unittest.TestCase):
         points, normals = sphere()
         for vtk_orientation, expected, warned in ((0, 0, True), (1, 0, True), (2, 1, False)):
             probe = insideout.vtkProbeWindingNumber()
-            probe.SetInputData(insideout.data.as_points([[0, 0, 0.0]]))
+            probe.SetInputData(insideout.inputs.as_points([[0, 0, 0.0]]))
             probe.SetSurfaceData(insideout.point_cloud(points, -normals))
             probe.SetOrientation(vtk_orientation)
             warnings = insideout.pipeline.run(probe)
@@ -127,7 +127,7 @@ class TestClouds(unittest.TestCase):
         points, normals = sphere(300)
         cloud = insideout.point_cloud(points, normals, np.ones(300))
         probe = insideout.vtkProbeWindingNumber()
-        probe.SetInputData(insideout.data.as_points([[0, 0, 0.0]]))
+        probe.SetInputData(insideout.inputs.as_points([[0, 0, 0.0]]))
         probe.SetSurfaceData(cloud)
         means = []
         for name, area in (("Area", 1), ("Doubled", 2)):

@@ -145,7 +145,7 @@ class Success(CommandLine):
 
     def test_the_report_is_json_of_a_surface_beyond_all_volumes(self):
         report = self.path("report.json")
-        huge = insideout.data.make_surface(surfaces.points_of(surfaces.box()) * 1e110, surfaces.BOX_FACETS)
+        huge = insideout.surfaces.make_surface(surfaces.points_of(surfaces.box()) * 1e110, surfaces.BOX_FACETS)
         done = run(self.file("huge.ply", huge), self.output, "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(report, encoding="utf-8") as file:

@@ -14,7 +14,8 @@ import insideout
 import surfaces
 from insideout import arguments
 from insideout.help import screen_of
-from insideout.options import OPTIONS, Choice, Count, Dimensions, Number, Option, Options, Order, Scale, Switch, flag_of, owner_of
+from insideout.option_kinds import Choice, Count, Dimensions, Number, Option, Order, Scale, Switch, owner_of
+from insideout.options import OPTIONS, Options, flag_of
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -18,10 +18,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import insideout
-from insideout.data import make_surface
+from insideout.surfaces import make_surface
 from insideout.drawing import up_of
 from insideout.panels import draw_panels
-from insideout.picture import triangles_of
+from insideout.actors import triangles_of
 from insideout.view import View
 
 X, Y, Z = np.eye(3)

@@ -13,7 +13,7 @@ import unittest
 import insideout
 import numpy as np
 import surfaces
-from insideout.data import make_surface
+from insideout.surfaces import make_surface
 from insideout.options import OPTIONS, REFINING_OPTIONS
 from insideout.stages import REFINE, TETRAHEDRALIZE, UNNAMED
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkImageData, vtkUnstructuredGrid

@@ -187,7 +187,7 @@ def dirty_balls(resolution=110):
         ball.Update()
         triangles.append(surfaces.triangles_of(ball.GetOutput()) + sum(map(len, points)))
         points.append(surfaces.points_of(ball.GetOutput()))
-    return insideout.data.make_surface(np.concatenate(points), np.concatenate(triangles))
+    return insideout.surfaces.make_surface(np.concatenate(points), np.concatenate(triangles))
 
 
 class Stop(Exception):

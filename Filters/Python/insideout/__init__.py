@@ -91,8 +91,8 @@ COMMAND
 
 MODULES
     `booleans`, `checking`, `quality`, `resolving`, `queries`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
-    what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `files`
-    reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
+    what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `surfaces`,
+    `solids` and `inputs` make them of what they are given, `files` reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
     exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command, whose
     `arguments`, `usage` and `help` stand beside it, with a module of `commands` for each subcommand.
 """

@@ -12,8 +12,9 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData
 
-from .data import AnySurface, TriangleSurface, as_surface, as_type
+from .data import TriangleSurface, as_type
 from .pipeline import Error, run
+from .surfaces import AnySurface, as_surface
 
 AnyBodies = Union[AnySurface, Mapping[str, AnySurface]]
 """A surface, or several by their names, which are the bodies of one mesh."""

@@ -14,10 +14,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .bodies import as_body
 from .checking import check
-from .data import AnySurface, Tetrahedra, TriangleSurface, as_type
+from .data import Tetrahedra, TriangleSurface, as_type
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, one_of, run, statistics_of
 from .results import Result, counted
+from .surfaces import AnySurface
 from .vtkFiltersInsideOut import vtkWindingBoolean
 
 Operation = Literal["union", "intersection", "difference", "symmetric-difference"]

@@ -8,11 +8,11 @@ from typing import Any, Mapping, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .data import AnySurface, as_surface
 from .defects import DEFECTS, PLANAR_DEFECTS, Defect
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, run, statistics_of
 from .results import Result
+from .surfaces import AnySurface, as_surface
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .data import ARRAYS, make_points
+from .inputs import ARRAYS, make_points
 from .pipeline import Error
 from .serializing import vtk_array
 

@@ -9,13 +9,14 @@ from typing import Any, Optional, Union
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 from .checking import check
-from .data import AnySurface, as_surface, is_flat
+from .data import is_flat
 from .files import Path, check_output, input_ending
 from .options import Orientation, describe_options
 from .panels import PICTURES, draw_panels
 from .pipeline import Error, one_of, write_bytes
 from .quality import SolidCheck, check_solid
 from .solids import AnySolid
+from .surfaces import AnySurface, as_surface
 
 
 @describe_options

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The picture that `insideout.draw` draws, as a program, for it needs a display.
 
     python3 -m insideout.picture PICTURE.png [--surface CHECKED.vtp LINES.vtp] [--hull HULL.vtu] [--solid SOLID.vtu]
@@ -22,30 +23,42 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData, vtkRectf, vtkTable, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkThreshold, vtkTriangleFilter
-from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkRectf, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkColorTransferFunction,
-    vtkPolyDataMapper,
-    vtkProp,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkProp, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
-from .data import corners_of, is_flat, make_cells
+from .actors import (
+    BACKGROUND,
+    CROSSING,
+    EDGES,
+    INK,
+    NON_MANIFOLD,
+    OPEN,
+    SLICES,
+    SOLID,
+    SOUND,
+    TURNED,
+    Colour,
+    actor,
+    behind,
+    colour_bar,
+    line_actor,
+    lines_of,
+    outside_of,
+    slice_actor,
+    slice_of,
+    some_slices,
+    some_triangles,
+    surface_of,
+    triangles_of,
+    words,
+)
+from .data import is_flat
 from .defects import DEFECTS, PLANAR_DEFECTS
 from .files import HARMLESS_WHEN_READING
 from .pipeline import Error, run, statistics_of
@@ -54,179 +67,6 @@ from .serializing import vtk_array
 from .tetrahedralization import inside_cells
 from .view import HEIGHT, PANEL_WIDTH, View, ViewFromAbove
 from .vtkFiltersInsideOut import vtkSurfaceDefects
-
-Colour = Tuple[float, float, float]
-BACKGROUND: Colour = (1.0, 1.0, 1.0)
-INK: Colour = (0.15, 0.15, 0.18)
-SOUND: Colour = (0.86, 0.86, 0.83)
-CROSSING: Colour = (0.90, 0.20, 0.15)
-TURNED: Colour = (0.10, 0.30, 0.85)
-OPEN: Colour = (0.50, 0.05, 0.05)
-NON_MANIFOLD: Colour = (0.50, 0.15, 0.65)
-SOLID: Colour = (0.45, 0.66, 0.80)
-EDGES: Colour = (0.12, 0.25, 0.36)
-SLICES = 6  # of a solid, with gaps as wide between them
-
-
-# --- What is seen ---
-
-
-def some_triangles(surface: vtkPolyData, chosen: NDArray[np.bool_]) -> vtkPolyData:
-    part = vtkPolyData()
-    part.SetPoints(surface.GetPoints())
-    part.SetPolys(make_cells(corners_of(surface.GetPolys(), 3)[chosen]))
-    return part
-
-
-def lines_of(lines: vtkPolyData, kind: int) -> vtkPolyData:
-    """Those of one DefectType."""
-    threshold = vtkThreshold()
-    threshold.SetInputData(lines)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "DefectType")
-    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_BETWEEN)
-    threshold.SetLowerThreshold(kind)
-    threshold.SetUpperThreshold(kind)
-    polylines = vtkGeometryFilter()
-    polylines.SetInputConnection(threshold.GetOutputPort())
-    polylines.Update()
-    return polylines.GetOutput()
-
-
-def slice_of(hull: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
-    cutter = vtkCutter()
-    cutter.SetInputData(hull)
-    cutter.SetCutFunction(plane)
-    cutter.GenerateTrianglesOff()
-    cutter.Update()
-    return cutter.GetOutput()
-
-
-def behind(grid: vtkUnstructuredGrid, plane: vtkPlane) -> vtkPolyData:
-    """The faces of the cells that reach behind the plane: all that lie wholly before it are taken away."""
-    extract = vtkExtractGeometry()
-    extract.SetInputData(grid)
-    extract.SetImplicitFunction(plane)
-    extract.ExtractInsideOn()
-    extract.ExtractBoundaryCellsOn()
-    extract.Update()
-    return surface_of(extract.GetOutput())
-
-
-def some_slices(solid: vtkUnstructuredGrid, along: NDArray[np.float64]) -> vtkPolyData:
-    """The faces of the cells in every other of equal slices along a direction."""
-    if solid.GetNumberOfCells() == 0:
-        return vtkPolyData()
-    points = vtk_to_numpy(solid.GetPoints().GetData())
-    places = points[corners_of(solid.GetCells(), solid.GetCells().GetMaxCellSize())].mean(axis=1) @ along
-    share = (places - places.min()) / max(np.ptp(places), np.finfo(float).tiny)
-    chosen = vtkUnstructuredGrid()
-    chosen.CopyStructure(solid)
-    kept = vtk_array((share * (2 * SLICES - 1)).astype(np.int32) % 2)
-    kept.SetName("Slice")
-    chosen.GetCellData().AddArray(kept)
-    threshold = vtkThreshold()
-    threshold.SetInputData(chosen)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Slice")
-    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_LOWER)
-    threshold.SetLowerThreshold(0.5)
-    threshold.Update()
-    return surface_of(threshold.GetOutput())
-
-
-# --- How it is drawn ---
-
-
-def actor(
-    data: vtkPolyData, colour: Colour, edge_colour: Optional[Colour] = None, width: float = 1.0
-) -> vtkActor:
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    mapper.ScalarVisibilityOff()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    drawn = vtkActor()
-    drawn.SetMapper(mapper)
-    look = drawn.GetProperty()
-    look.SetColor(*colour)
-    look.SetAmbient(0.32)
-    look.SetDiffuse(0.70)
-    look.SetInterpolationToFlat()
-    look.SetLineWidth(width)
-    if edge_colour:
-        look.EdgeVisibilityOn()
-        look.SetEdgeColor(*edge_colour)
-    return drawn
-
-
-def line_actor(data: vtkPolyData, colour: Colour, width: float) -> vtkActor:
-    drawn = actor(data, colour, width=width)
-    drawn.GetProperty().LightingOff()
-    drawn.GetProperty().RenderLinesAsTubesOn()
-    return drawn
-
-
-def slice_actor(data: vtkPolyData) -> vtkActor:
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("w")
-    mapper.SetLookupTable(colours_of_w())
-    mapper.InterpolateScalarsBeforeMappingOff()
-    drawn = vtkActor()
-    drawn.SetMapper(mapper)
-    drawn.GetProperty().LightingOff()
-    return drawn
-
-
-def colours_of_w() -> vtkColorTransferFunction:
-    """Blue outside, white where w is 1/2, red inside; beyond -1 and 2 nothing changes any more."""
-    colours = vtkColorTransferFunction()
-    colours.SetColorSpaceToLab()
-    for w, colour in (
-        (-1.0, (0.09, 0.17, 0.36)),
-        (0.0, (0.38, 0.58, 0.80)),
-        (0.5, (0.97, 0.97, 0.95)),
-        (1.0, (0.85, 0.44, 0.32)),
-        (2.0, (0.40, 0.02, 0.10)),
-    ):
-        colours.AddRGBPoint(w, *colour)
-    return colours
-
-
-def colour_bar() -> vtkScalarBarActor:
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(colours_of_w())
-    bar.SetOrientationToHorizontal()
-    bar.SetNumberOfLabels(7)
-    bar.SetLabelFormat("%.1f")
-    bar.UnconstrainedFontSizeOn()
-    bar.GetLabelTextProperty().SetColor(*INK)
-    bar.GetLabelTextProperty().SetFontSize(20)
-    bar.GetLabelTextProperty().ShadowOff()
-    bar.GetLabelTextProperty().ItalicOff()
-    bar.GetLabelTextProperty().BoldOff()
-    bar.SetPosition(0.2, 0.015)
-    bar.SetWidth(0.6)
-    bar.SetHeight(0.07)
-    return bar
-
-
-def words(text: str, height: float, colour: Colour = INK, size: int = 24, bold: bool = False) -> vtkTextActor:
-    """A line in the middle of a panel, at this height of it (0 to 1)."""
-    line = vtkTextActor()
-    line.SetInput(text)
-    look = line.GetTextProperty()
-    look.SetColor(*colour)
-    look.SetFontSize(size)
-    look.SetBold(bold)
-    look.SetJustificationToCentered()
-    look.SetVerticalJustificationToCentered()
-    line.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    line.SetPosition(0.5, height)
-    return line
-
-
-# --- The panels ---
-
 
 DRAWN = {
     "IntersectingPairs": CROSSING,
@@ -246,15 +86,6 @@ def counts(statistics: Mapping[str, float]) -> list[Tuple[str, Colour]]:
     found.sort(key=lambda defect: defect.statistic not in DRAWN)
     lines = [(defect.counted(statistics[defect.statistic]), DRAWN.get(defect.statistic, INK)) for defect in found]
     return lines[:MOST_LINES] or [("nothing wrong", INK)]
-
-
-def triangles_of(surface: vtkPolyData) -> vtkPolyData:
-    triangles = vtkTriangleFilter()
-    triangles.SetInputData(surface)
-    triangles.PassVertsOff()
-    triangles.PassLinesOff()
-    triangles.Update()
-    return triangles.GetOutput()
 
 
 def surface_panel(marked: vtkPolyData, edges: vtkPolyData, statistics: Mapping[str, float]) -> list[vtkProp]:
@@ -403,21 +234,6 @@ def read(reader: Any, file: str) -> Any:
     reader.SetFileName(file)
     run(reader, harmless=HARMLESS_WHEN_READING)  # figures alone have no points
     return reader.GetOutput()
-
-
-def surface_of(grid: vtkUnstructuredGrid) -> vtkPolyData:
-    """The faces of tetrahedra, those of second order with straight edges; or cells in a plane as polygons."""
-    faces = vtkGeometryFilter()
-    faces.SetInputData(grid)
-    faces.SetNonlinearSubdivisionLevel(0)
-    faces.Update()
-    return faces.GetOutput()
-
-
-def outside_of(hull: vtkUnstructuredGrid) -> vtkPolyData:
-    """The boundary of the tetrahedra inside, or of all where none is."""
-    solid = inside_cells(hull)
-    return surface_of(solid if solid.GetNumberOfCells() else hull)
 
 
 def solid_of(hull: vtkUnstructuredGrid, options: argparse.Namespace) -> vtkUnstructuredGrid:

@@ -13,8 +13,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-from .data import as_points
 from .files import check_input, check_xml, ending
+from .inputs import as_points
 from .pipeline import Error, run, write_bytes, write_data
 
 QUERIES = (".csv", ".vti")

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
 
-from .data import AnyPoints, AnySurface, as_points, as_surface
+from .inputs import AnyPoints, as_points
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, at_least, run
+from .surfaces import AnySurface, as_surface
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
 
 MOST_VOXELS = 2**34

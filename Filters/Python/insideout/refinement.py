@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkUnstructuredGrid
 
-from .data import DataSetOfPoints, Tetrahedra, as_type
+from .data import Tetrahedra, as_type
+from .inputs import DataSetOfPoints
 from .options import REFINING_OPTIONS, Options, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Error, Progress, run, statistics_of
 from .results import Result, counted

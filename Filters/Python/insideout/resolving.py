@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 from .checking import check
-from .data import AnySurface, Polylines, TriangleSurface, as_surface, as_type
+from .data import Polylines, TriangleSurface, as_type
 from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, cells_of, run, statistics_of
 from .results import Result, counted
+from .surfaces import AnySurface, as_surface
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections, vtkRobustTriangulate
 
 

@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
-from .data import ARRAYS, Algorithm, AlgorithmOutput, MeshioMesh, Tetrahedra, make_cells, make_points, output_of, refuse_composite, table_of
+from .data import Tetrahedra
 from .files import Path, read_solid
+from .inputs import ARRAYS, Algorithm, AlgorithmOutput, MeshioMesh, make_cells, make_points, output_of, refuse_composite, table_of
 from .pipeline import Error
 
 

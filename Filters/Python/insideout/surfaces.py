@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces out of whatever holds triangles."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Mapping, Optional, Protocol, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+
+from .data import TriangleSurface
+from .files import Path, read_surface
+from .inputs import ARRAYS, Algorithm, AlgorithmOutput, MeshioMesh, make_points, output_of, refuse_composite, table_of
+from .pipeline import Error
+from .serializing import vtk_array
+
+
+class PolyData(Protocol):
+    """A vtkPolyData."""
+
+    def GetPolys(self) -> Any: ...
+
+    def GetStrips(self) -> Any: ...
+
+
+class Trimesh(Protocol):
+    """A trimesh.Trimesh, or whatever else has `vertices` (n, 3) and `faces` (m, 3)."""
+
+    @property
+    def vertices(self) -> Any: ...
+
+    @property
+    def faces(self) -> Any: ...
+
+
+PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
+
+AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Algorithm, AlgorithmOutput]
+"""What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
+.stl or .vtp file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
+`vertices` and `faces`, as a trimesh.Trimesh; or a VTK algorithm, or an output port of one, which is updated."""
+
+_POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
+"""How meshio's types of cells that are one begin, and how many corners they have; behind these are midpoints."""
+
+
+def as_surface(surface: AnySurface, scale: Optional[float] = None) -> tuple[vtkPolyData, list[str]]:
+    """The surface as VTK holds it, its coordinates multiplied, and what was passed over on the way. Raises `Error` for what is none."""
+    try:
+        polygons, warnings = _as_surface(surface)
+        return (polygons if scale is None else _scaled(polygons, scale)), warnings
+    except MemoryError:
+        raise Error("not enough memory for this surface") from None
+
+
+def _scaled(surface: vtkPolyData, scale: float) -> vtkPolyData:
+    """A copy whose coordinates are multiplied, as doubles."""
+    copy = vtkPolyData()
+    copy.ShallowCopy(surface)
+    if surface.GetNumberOfPoints() > 0:
+        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * scale, ARRAYS[0]))
+    return copy
+
+
+def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
+    if isinstance(surface, vtkPolyData):
+        return surface, []
+    if isinstance(surface, (str, os.PathLike)):
+        return read_surface(surface)
+    if isinstance(surface, (vtkAlgorithm, vtkAlgorithmOutput)):
+        return output_of(surface, "surface", vtkPolyData)
+    refuse_composite("surface", surface)
+    if hasattr(surface, "points") and hasattr(surface, "cells"):
+        return _surface_of_meshio(surface)
+    if hasattr(surface, "vertices") and hasattr(surface, "faces"):
+        return make_surface(surface.vertices, surface.faces, names=("vertices", "faces")), []
+    if isinstance(surface, (tuple, list)) and len(surface) == 2:
+        return make_surface(*surface), []
+    raise Error(
+        f"the surface is of type {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
+        "a pair (points, triangles) of arrays, a meshio.Mesh, an object with vertices and faces, or a VTK algorithm"
+    )
+
+
+def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str] = ARRAYS) -> TriangleSurface:
+    """A surface of points and polygons: arrays of as many columns as the polygons have corners."""
+    offsets, corners = [np.zeros(1, np.int64)], [np.zeros(0, np.int64)]
+    for block in polygons:
+        rows = table_of(names[1], block, np.int64)
+        if len(rows) and rows.shape[1] < 3:
+            raise Error(f"{names[1]} has {rows.shape[1]} columns; it must have 3: ids of points, from 0")
+        offsets.append(offsets[-1][-1] + rows.shape[1] * np.arange(1, len(rows) + 1))
+        corners.append(rows.ravel())
+    cells = vtkCellArray()
+    cells.SetData(*(vtk_array(np.concatenate(ids), VTK_ID_TYPE) for ids in (offsets, corners)))
+    surface = TriangleSurface()
+    surface.SetPoints(make_points(points, names[0]))
+    surface.SetPolys(cells)
+    return surface
+
+
+def _add_arrays(arrays: Mapping[str, ArrayLike], data: vtkDataSetAttributes) -> None:
+    for name, values in arrays.items():
+        rows = np.ascontiguousarray(values)
+        if rows.dtype.kind in "iuf" and rows.ndim in (1, 2):
+            array = vtk_array(rows)
+            array.SetName(name)
+            data.AddArray(array)
+
+
+def _surface_of_meshio(mesh: Any) -> tuple[TriangleSurface, list[str]]:
+    """The polygons of a meshio.Mesh with their data, and how many other cells there are."""
+    chosen = [k for k, block in enumerate(mesh.cells) if block.type.startswith(tuple(_POLYGONS))]
+    others = sum(len(block.data) for k, block in enumerate(mesh.cells) if k not in chosen)
+    if not chosen:
+        raise Error("the meshio.Mesh has no triangles, quads or polygons")
+    points = np.asarray(mesh.points)
+    if points.ndim == 2 and points.shape[1] == 2:
+        raise Error("the meshio.Mesh is flat: it bounds no volume")
+    surface = make_surface(points, *(_corners_of_meshio(mesh.cells[k]) for k in chosen))
+    _add_arrays(mesh.point_data, surface.GetPointData())
+    joined = {name: np.concatenate([np.asarray(blocks[k]) for k in chosen]) for name, blocks in mesh.cell_data.items()}
+    _add_arrays(joined, surface.GetCellData())
+    return surface, [f"{others} cells of the meshio.Mesh are ignored: only polygons count"] if others else []
+
+
+def _corners_of_meshio(block: Any) -> NDArray:
+    """The corners of cells, without midpoints."""
+    rows = np.asarray(block.data)
+    corners = next(count for begin, count in _POLYGONS.items() if block.type.startswith(begin))
+    return rows if rows.ndim != 2 else rows[:, :corners]
