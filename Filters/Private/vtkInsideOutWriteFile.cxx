@@ -101,7 +101,12 @@ void WriteData(vtkDataObject* data, const std::string& path, vtkInsideOutListene
       return;
     }
   }
-  WriteTo(path, listener, [&](OutputFile& file) { spool.MoveTo(file); });
+  WriteTo(path, listener,
+    [&](OutputFile& file)
+    {
+      spool.MoveTo(file);
+      file.Text("<!-- Written by InsideOut -->\n"); // tells it from files of others
+    });
 }
 } // namespace
 

@@ -84,7 +84,7 @@ class Success(CommandLine):
         source = self.file("boxes.ply", surfaces.two_boxes_and_a_stray_facet())
         first_line = {
             **{".msh": "$MeshFormat", ".inp": "** A solid", ".mesh": "MeshVersionFormatted 2", ".xdmf": "<Xdmf"},
-            **{".vtp": "<?xml", ".ply": "ply", ".obj": "v ", ".off": "OFF", ".stl": "Binary STL"},
+            **{".vtp": "<?xml", ".ply": "ply", ".obj": "# Written", ".off": "OFF", ".stl": "Binary STL"},
         }
         for ending, begin in first_line.items():
             with self.subTest(ending):

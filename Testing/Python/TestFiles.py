@@ -394,7 +394,7 @@ print("after")"""
             subprocess.run([sys.executable, "-c", program, self.path("box.ply")], stdout=file, check=True)
         text = self.content(self.path("out"))
         self.assertTrue(text.startswith(b'before\n<?xml version="1.0"?>'))
-        self.assertTrue(text.endswith(b"</VTKFile>\nafter\n"))
+        self.assertTrue(text.endswith(b"</VTKFile>\n<!-- Written by InsideOut -->\nafter\n"))
 
     def test_a_limit_of_file_sizes_is_an_error_whatever_its_signal_does(self):
         self.addCleanup(signal.signal, signal.SIGXFSZ, signal.getsignal(signal.SIGXFSZ))

@@ -147,7 +147,7 @@ class Help(unittest.TestCase):
 
     def test_nothing_is_lost(self):
         """A screen names all options, and the second one says of each what it means."""
-        hidden = ["--surface"]
+        hidden = ["--surface", "-o"]  # which stands beside --output
         for name in COMMANDS:
             with self.subTest(name):
                 known = {option for option in arguments._parser_of(name)._option_string_actions if option not in (*hidden, "-h", "--help", "--help-all")}

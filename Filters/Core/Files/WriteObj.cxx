@@ -142,6 +142,7 @@ void WriteObj(OutputFile& file, const PolygonSurface& surface)
 {
   const Attribute* const normals = FindPointAttribute(surface, IsNormal);
   const Attribute* const tcoords = FindPointAttribute(surface, IsTCoord);
+  file.Text("# Written by InsideOut\n");
   WriteObjPoints(file, surface);
   WriteObjData(file, "vn", normals);
   WriteObjData(file, "vt", tcoords);

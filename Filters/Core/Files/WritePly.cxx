@@ -103,7 +103,7 @@ void WritePly(OutputFile& file, const PolygonSurface& surface)
 {
   const std::size_t polygons = surface.Offsets.size() - 1;
   const bool wideCounts = HasLargePolygon(surface); // a byte is what every reader knows
-  file.Text("ply\nformat binary_little_endian 1.0\n");
+  file.Text("ply\nformat binary_little_endian 1.0\ncomment Written by InsideOut\n");
   file.Text("element vertex " + std::to_string(surface.Points.size()) + "\n");
   file.Text("property double x\nproperty double y\nproperty double z\n");
   WritePlyProperties(file, surface.PointAttributes, { "x", "y", "z" });

@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, NoReturn, Optional, Sequence
 from .files import GZIP, READABLE_SOLIDS, STANDARD_INPUT, ending, identity
 from .help import all_screens, screen, screen_of
 from .options import OPTIONS, flag_of
-from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, MESH_OPTIONS, WINDING_OPTIONS, argument_of
+from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, MESH_OPTIONS, SHORT_FLAGS, WINDING_OPTIONS, argument_of
 from .version import __version__
 from .writing import WRITABLE_GRIDS
 
@@ -22,7 +22,7 @@ USAGE_ERROR = 1
 _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
     (
         *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "report"),
-        *("msh_version", "format", "together", "timeout", "threads", "quiet", "check"),
+        *("msh_version", "format", "together", "timeout", "threads", "quiet", "check", "force", "is_output_told"),
     )
 )
 """What jobs ask for, whether the command has such an option or not."""
@@ -88,10 +88,12 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         _name_command(parser, options)
     surfaces = list(options.files)
     if options.command != "check":
-        last = surfaces.pop() if len(surfaces) > 1 else None
+        options.is_output_told = options.output is not None
+        last = options.output if options.is_output_told else surfaces.pop() if len(surfaces) > 1 else None
         expected = COMMANDS[options.command].operands[-1][0]
         if last is None:
             parser.error(f"the following arguments are required: {expected + os.path.splitext(options.points or '')[1]}")
+        options.output = None
         setattr(options, "plot" if options.command == "draw" else "output", last)
     elif len(surfaces) > 1 and ending(surfaces[-1]) in WRITABLE_GRIDS and not os.path.exists(surfaces[-1]):
         parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without OUTPUT{ending(surfaces[-1])}")
@@ -203,6 +205,7 @@ def _parser(hint: str, options: Iterable[str], some: Callable[[], str], everythi
     parser.add_argument("--help-all", nargs=0, action=_Show, const=everything)
     for name in options:
         aliases = [OPTIONS[name].alias] if name in OPTIONS and OPTIONS[name].alias else []
+        aliases += [SHORT_FLAGS[name]] if name in SHORT_FLAGS else []
         parser.add_argument(flag_of(name), *aliases, default=argparse.SUPPRESS, **argument_of(name))
     return parser
 

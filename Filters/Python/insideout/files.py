@@ -45,6 +45,9 @@ PIECE = 1 << 20  # bytes, decompressed at once
 
 LONGEST_CHAIN = 40  # of links, as in Linux
 
+_MARK, _LENGTH_OF_MARK = b"InsideOut", 64
+"""What the writers of surfaces leave in the first or last bytes of a file."""
+
 # What VTK's .vtp reader calls an error and is none: that a surface is empty, which whoever takes it
 # says better, and that a range which VTK noted beside an array is not finite.
 HARMLESS_WHEN_READING = ("No Points element available", "Error reading InformationKey element")
@@ -273,6 +276,19 @@ def check_output(path: Path, endings: tuple[str, ...]) -> None:
         raise Error(f"cannot write {path}: there is no folder {folder if os.path.islink(path) else os.path.dirname(path)}")
     if os.path.exists(path) and not os.access(path, os.W_OK) or not is_special and not os.access(folder, os.W_OK):
         raise Error(f"cannot write {path}: permission denied")
+
+
+def is_surface_of_others(path: Path) -> bool:
+    """Whether a surface is there, by its ending, that no run of this program wrote: the writers leave a mark at the begin or end."""
+    if ending(path) not in WRITABLE_SURFACES or not os.path.isfile(path):
+        return False
+    try:
+        with open(path, "rb") as file:
+            begin = file.read(_LENGTH_OF_MARK)
+            file.seek(max(0, os.path.getsize(path) - _LENGTH_OF_MARK))
+            return _MARK not in begin and _MARK not in file.read()
+    except OSError:
+        return True
 
 
 def identity(path: Path) -> Optional[object]:

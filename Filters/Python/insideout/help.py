@@ -7,7 +7,7 @@ import re
 import shutil
 import textwrap
 from .options import flag_of
-from .usage import COMMANDS, argument_of
+from .usage import COMMANDS, SHORT_FLAGS, argument_of
 
 INDENT = 27  # columns before what an option means
 MOST_COLUMNS = 100
@@ -32,7 +32,8 @@ ENDING = """\
 A file called like a command is given as ./check. The exit status is 0 when all
 was done, 1 when it was not for some file (one line says why), 130 after Ctrl-C,
 143 after SIGTERM. A file is written whole or not at all: an earlier one of its
-name stays until then.
+name stays until then. A surface at OUTPUT that another program wrote stays, but
+for -o and --force; no input is ever replaced.
 """
 
 
@@ -87,7 +88,8 @@ def _spelled(name: str) -> str:
     argument = argument_of(name)
     choices = "{" + ",".join(map(str, argument.get("choices", ()))) + "}"
     taken = argument.get("metavar") or ("" if argument.get("action") else choices)
-    return f"{flag_of(name)} {taken}".rstrip()
+    short = f"{SHORT_FLAGS[name]}, " if name in SHORT_FLAGS else ""
+    return f"{short}{flag_of(name)} {taken}".rstrip()
 
 
 def _gist(words: str) -> str:

@@ -18,7 +18,7 @@ WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 BOOLEAN_OPTIONS = ("boundary", "msh_version", *WINDING_OPTIONS)
 """Those that make sense of set operations."""
 
-OF_THE_RUN = ("report", "format", "timeout", "threads", "quiet")
+OF_THE_RUN = ("output", "force", "report", "format", "timeout", "threads", "quiet")
 """What each command has."""
 
 _MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version")
@@ -37,6 +37,11 @@ _OTHERS: dict[str, dict[str, Any]] = {
         "metavar": "FILE.png",
         "help": "a picture, which needs no window: the defects, a slice of w, and the tetrahedra; of a solid that is checked, a histogram of dihedral angles",
     },
+    "output": {
+        "metavar": "FILE",
+        "help": "OUTPUT, which is not the last operand then, and replaces whatever is there, but for what is read",
+    },
+    "force": {"action": "store_true", "help": "replace a surface at OUTPUT, even where another program wrote it"},
     "report": {"metavar": "FILE.json", "help": "what was found and done, also when it fails"},
     "msh_version": {"choices": get_args(MshVersion), "help": "the version of .msh files; 4.1 by default, 2.2 for programs that know no other"},
     "format": {
@@ -57,8 +62,10 @@ _OTHERS: dict[str, dict[str, Any]] = {
 }
 """What argparse is to know of options that no filter has."""
 
+SHORT_FLAGS = {"output": "-o"}
+
 TOPICS: dict[str, tuple[str, ...]] = {
-    "files": ("hull", "boundary", "outliers", "plot", "report", "msh_version", "format"),
+    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "report", "msh_version", "format"),
     "surface": (
         *("scale", "orientation", "merge_tolerance", "count_duplicates", "thicken", "thicken_all", "dimension"),
         *("non_participating", "tag_array", "merge_coplanar_pieces", "split_seams"),
@@ -157,7 +164,7 @@ insideout repair *.ply 'fixed/{}.ply' --report 'fixed/{}.json'
         "what is wrong, and whether it matters",
         "Say what is wrong with a surface, and whether it matters here; or with tetrahedra, and how good they are. Nothing is meshed.",
         (_SURFACE_OR_SOLID,),
-        ("plot", *CHECK_OPTIONS, *OF_THE_RUN),
+        ("plot", *CHECK_OPTIONS, *(name for name in OF_THE_RUN if name not in ("output", "force"))),
         """\
 insideout check broken.ply
     whether it bounds a solid, and what is wrong with it
