@@ -196,9 +196,10 @@ def colors_of_pictures() -> list[float]:
 COLORS_OF_W = colors_of_pictures()
 
 
-# Two that look for a free display at once may take the same one; the second is then without. A display
-# that starts anew when its last client goes would turn away pvbatch, which comes, goes and comes again.
-ON_A_DISPLAY, TRIES = ["xvfb-run", "-a", "-s", f"-noreset -screen 0 {SCREEN}x24"], 3
+# Two that look for a free display at once may take the same one, and the second is then without: other tests look
+# from 99 on. A display that starts anew when its last client goes would turn away pvbatch, which comes, goes and
+# comes again.
+ON_A_DISPLAY, TRIES = ["xvfb-run", "-n", "150", "-a", "-s", f"-noreset -screen 0 {SCREEN}x24"], 3
 
 
 def lost_display(messages: str) -> bool:
