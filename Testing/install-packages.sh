@@ -1,14 +1,22 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Install the Debian 12 packages that building, testing and the examples need. Root or sudo.
+# install-packages.sh [--tests | --all]: install the Debian 12 packages that building and the quick start need;
+# with --tests also those of Testing/run.sh, with --all those of Testing/run.sh --all. Root or sudo.
 set -eu
+case "${1-}" in
+  '' | --tests | --all) ;;
+  *)
+    echo "usage: Testing/install-packages.sh [--tests | --all]" >&2
+    exit 2
+    ;;
+esac
 
 as_root=
 [ "$(id -u)" = 0 ] || as_root=sudo
 
-# What the project itself uses.
+# The project itself, and Filters/CMake/package-deb.sh (dpkg-dev, file).
 packages="g++ cmake ninja-build paraview paraview-dev python3-paraview python3-dev python3-numpy
-  libcgal-dev libeigen3-dev libtet1.5-dev libmaxflow-dev zlib1g-dev libgtest-dev"
+  libcgal-dev libeigen3-dev libtet1.5-dev libmaxflow-dev zlib1g-dev dpkg-dev file"
 
 # What find_package(ParaView) asks for beyond what paraview-dev brings.
 packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev libqt5x11extras5-dev
@@ -19,12 +27,16 @@ packages="$packages qtbase5-dev libqt5svg5-dev qttools5-dev libqt5opengl5-dev li
   libpugixml-dev libxcb1-dev libgdal-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
   libgl2ps-dev"
 
-# Real meshes, a display for pictures, the checks of style and types, programs that read the files for
-# solvers, what the examples calculate with, a second compiler with its sanitizers, their symbolizer and its OpenMP,
-# what CPack finds out with which packages a package of this one needs, and what makes and installs a wheel.
-packages="$packages libcgal-demo openfoam-examples xvfb xauth libxtst6 imagemagick clang-format mypy
-  python3-meshio python3-h5py python3-scipy python3-matplotlib gmsh python3-gmsh calculix-ccx
-  clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 dpkg-dev file python3-pip python3-wheel"
+# The quick start: a broken head, and a display to draw pictures on.
+packages="$packages libcgal-demo xvfb xauth"
+
+# Tests: further meshes, clicks and screenshots, style and types, readers of solvers' files, what examples calculate with.
+[ -z "${1-}" ] || packages="$packages libgtest-dev openfoam-examples libxtst6 imagemagick clang-format mypy
+  python3-meshio python3-h5py python3-scipy python3-matplotlib gmsh python3-gmsh calculix-ccx"
+
+# Other builds: a second compiler with its sanitizers, their symbolizer and its OpenMP; wheels.
+[ "${1-}" != --all ] || packages="$packages clang-14 libclang-rt-14-dev libomp-14-dev llvm-14
+  python3-pip python3-wheel"
 
 missing=
 for package in $packages; do
@@ -39,6 +51,6 @@ if [ -n "$missing" ]; then
     $missing >/dev/null
 fi
 
-# Another VTK, for a test that unpacks it; all else works without.
-"$(dirname "$0")/OtherBuilds/download-vtk.sh" >/dev/null ||
+# Another VTK, for a test that unpacks it.
+[ "${1-}" != --all ] || "$(dirname "$0")/OtherBuilds/download-vtk.sh" >/dev/null ||
   echo "VTK 9.1 cannot be downloaded: the test OtherBuilds.PlainVtkHolds will fail" >&2

@@ -1,26 +1,26 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh [--long]: install what is needed, build with warnings as errors, and run the tests. Builds in
-# build-test/. About half an hour on two cores. With --long it takes hours (README.md beside this file).
+# run.sh [--all | --long]: install packages, build in build-test/ with warnings as errors, and run the tests. 15 minutes
+# on two cores at most; 45 with --all, which adds sanitizers, another compiler, another VTK and the wheel; hours with
+# --long (README.md beside this file).
 set -eu
 cd "$(dirname "$0")/.."
+# The limit, in seconds, is for tests that hang: builds of --all take some minutes, all else less.
 case "${1-}" in
-  '') long=OFF ;;
-  --long) long=ON ;;
+  '') packages=--tests all=OFF long=OFF limit=1200 ;;
+  --all) packages=--all all=ON long=OFF limit=2400 ;;
+  --long) packages=--all all=ON long=ON limit=14400 ;;
   *)
-    echo "usage: Testing/run.sh [--long]" >&2
+    echo "usage: Testing/run.sh [--all | --long]" >&2
     exit 2
     ;;
 esac
 
-Testing/install-packages.sh
+Testing/install-packages.sh $packages
 cmake -S . -B build-test -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
-  -DINSIDEOUT_WARNINGS_AS_ERRORS=ON -DINSIDEOUT_LONG_TESTS=$long \
+  -DINSIDEOUT_WARNINGS_AS_ERRORS=ON -DINSIDEOUT_ALL_TESTS=$all -DINSIDEOUT_LONG_TESTS=$long \
   -DPython3_EXECUTABLE=/usr/bin/python3 >build-test.log 2>&1 ||
   { cat build-test.log; exit 1; }
 mv build-test.log build-test/configure.log
 cmake --build build-test
-# The limit is for what hangs: a build of the other compilers takes some minutes, all else less.
-limit=2400
-[ $long = OFF ] || limit=14400
 exec ctest --test-dir build-test --output-on-failure --parallel "$(nproc)" --timeout $limit
