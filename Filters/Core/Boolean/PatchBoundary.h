@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Orient/PatchWindingNumbers.h"
+#include "Boolean/PatchWindingNumbers.h"
 #include "Output/BoundaryTriangles.h"
 #include "Validate/FacetEdges.h"
 

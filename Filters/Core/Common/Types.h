@@ -27,6 +27,14 @@ using Tetrahedron = std::array<Id, 4>;
 constexpr std::array<std::array<int, 3>, 4> TetrahedronFaces = { { { { 0, 1, 3 } }, { { 1, 2, 3 } },
   { { 2, 0, 3 } }, { { 0, 2, 1 } } } };
 
+/** Corners of the edges of a tetrahedron, as vtkTetra numbers them: the order of the mid-edge nodes
+ * of a vtkQuadraticTetra. */
+constexpr std::array<std::array<int, 2>, 6> TetrahedronEdges = { { { { 0, 1 } }, { { 1, 2 } },
+  { { 2, 0 } }, { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } } };
+
+/** The corner that is not on face k (TetrahedronFaces). */
+constexpr std::array<int, 4> CornerAcrossFrom = { { 2, 0, 1, 3 } };
+
 /** Face k of a cell. */
 constexpr Triangle FaceOf(const Tetrahedron& cell, int k)
 {

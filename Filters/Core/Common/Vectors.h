@@ -47,6 +47,13 @@ inline double Distance(const Point& a, const Point& b)
   return Length(Difference(a, b));
 }
 
+/** Halfway between two points, as near as doubles get; the same in both directions. */
+inline Point Midpoint(const Point& a, const Point& b)
+{
+  // Halves are exact, and their sum does not overflow.
+  return { { a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2 } };
+}
+
 /** A normal of the triangle, as long as twice its area. */
 inline Point NormalOf(const Point& a, const Point& b, const Point& c)
 {

@@ -9,10 +9,6 @@
 
 namespace insideout
 {
-/** The corners of the edges of a tetrahedron, in the order in which its midpoints stand. */
-constexpr std::array<std::array<int, 2>, 6> TetrahedronEdges = { { { { 0, 1 } }, { { 1, 2 } },
-  { { 2, 0 } }, { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } } };
-
 /** A face of a cell, as TetrahedronFaces has it. */
 struct CellFace
 {

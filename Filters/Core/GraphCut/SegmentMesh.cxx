@@ -61,9 +61,6 @@ ScaledSizes VolumesOf(const TetrahedralMesh& mesh)
   return { CellVolumes(mesh), 3 * LargestExponent(mesh.Points) };
 }
 
-/** By face of a tetrahedron the corner that is not on it (TetrahedronFaces). */
-constexpr std::array<int, 4> CornersOppositeFaces = { { 2, 0, 1, 3 } };
-
 void Tell(const ControlledTopology& topology, MeshSegmentation& result)
 {
   const std::vector<std::string>& warnings = topology.Warnings;
@@ -100,7 +97,7 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
       },
       [&]()
       {
-        return SimplicialCells(mesh.Points.size(), mesh.Cells, mesh.Neighbors, CornersOppositeFaces,
+        return SimplicialCells(mesh.Points.size(), mesh.Cells, mesh.Neighbors, CornerAcrossFrom,
           [&]() { return VolumesOf(mesh); });
       } },
     monitor);

@@ -8,10 +8,6 @@
 
 namespace insideout
 {
-/** Corners of the edges of a tetrahedron, as vtkTetra numbers them. */
-constexpr std::array<std::array<int, 2>, 6> TetrahedronEdges = { { { { 0, 1 } }, { { 1, 2 } },
-  { { 2, 0 } }, { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } } };
-
 /** How good a tetrahedron is. An inverted one has all that its mirror image has, but for the mean
  * ratio's sign. */
 struct CellQuality

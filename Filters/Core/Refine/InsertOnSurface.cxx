@@ -5,7 +5,6 @@
 #include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
-#include "Refine/QuadraticCells.h"
 
 #include <algorithm>
 #include <limits>

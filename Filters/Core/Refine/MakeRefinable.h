@@ -8,9 +8,6 @@
 
 namespace insideout
 {
-/** VTK's face k is across from this corner. */
-constexpr std::array<int, 4> CornerAcrossFrom = { { 2, 0, 1, 3 } };
-
 /**
  * The faces on the boundary and between regions, in the order of their first cells.
  *

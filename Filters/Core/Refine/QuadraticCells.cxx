@@ -55,10 +55,4 @@ QuadraticCells MakeQuadraticCells(Id numberOfPoints, const std::vector<Tetrahedr
   }
   return result;
 }
-
-Point Midpoint(const Point& a, const Point& b)
-{
-  // Halves are exact, and their sum does not overflow.
-  return { { a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2 } };
-}
 } // namespace insideout

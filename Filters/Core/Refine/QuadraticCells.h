@@ -22,8 +22,4 @@ struct QuadraticCells
 
 /** @throws Error TooLarge when there would be more points than can be counted */
 QuadraticCells MakeQuadraticCells(Id numberOfPoints, const std::vector<Tetrahedron>& cells);
-
-/** Halfway between two points, so that edges stay straight: as near as doubles get, the same in
- * both directions. */
-Point Midpoint(const Point& a, const Point& b);
 } // namespace insideout

@@ -3,7 +3,6 @@
 
 #include "Common/PointPredicates.h"
 #include "Common/Vectors.h"
-#include "Refine/QuadraticCells.h"
 
 #include <algorithm>
 

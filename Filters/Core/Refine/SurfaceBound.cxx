@@ -3,7 +3,6 @@
 
 #include "Common/NearestPoint.h"
 #include "Common/Vectors.h"
-#include "Refine/QuadraticCells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "Refine/QuadraticCells.h"
 
 #include "Common/Error.h"
+#include "Common/Vectors.h"
 #include "Support/TestTetrahedra.h"
 
 #include <gtest/gtest.h>

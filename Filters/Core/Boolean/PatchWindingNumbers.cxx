@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Orient/PatchWindingNumbers.h"
+#include "Boolean/PatchWindingNumbers.h"
 
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
