@@ -23,9 +23,6 @@ vtkStandardNewMacro(vtkConstrainedDelaunay3D);
 
 vtkConstrainedDelaunay3D::vtkConstrainedDelaunay3D()
 {
-  const CountedChainParameters chain;
-  this->MergeTolerance = chain.MergeTolerance;
-  this->CountDuplicates = chain.CountDuplicates;
   const ConstrainedDelaunayParameters delaunay;
   this->Engine = static_cast<int>(delaunay.Engine);
   this->TimeBudget = delaunay.TimeBudget;

@@ -23,11 +23,8 @@ vtkStandardNewMacro(vtkGeneralizedWindingNumber);
 vtkGeneralizedWindingNumber::vtkGeneralizedWindingNumber()
 {
   const HullMeshParameters hull;
-  this->Orientation = static_cast<int>(hull.Orientation);
   this->Thicken = hull.Thicken.Width;
   this->ThickenAll = hull.Thicken.All;
-  this->MergeTolerance = hull.Chain.MergeTolerance;
-  this->CountDuplicates = hull.Chain.CountDuplicates;
   this->QuadratureOrder = hull.QuadratureOrder;
   this->Engine = static_cast<int>(hull.Budgets.Engine);
   this->TimeBudget = hull.Budgets.TimeBudget;

@@ -31,6 +31,7 @@
 #define vtkGeneralizedWindingNumber_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
@@ -42,34 +43,19 @@ public:
   vtkTypeMacro(vtkGeneralizedWindingNumber, vtkUnstructuredGridAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Which way the surface faces. */
-  enum OrientationType
-  {
-    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
-    AS_GIVEN = 1,  ///< nothing is
-    REVERSE = 2,   ///< everything is
-    OUTWARD = 3    ///< every part is made to face outward, within others too
-  };
-
   ///@{
-  /**
-   * Which way facets are meant to face. AUTOMATIC (0) makes facets agree with those around them,
-   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
-   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
-   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
-   * Default AUTOMATIC.
-   */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
-  vtkGetMacro(Orientation, int);
-  ///@}
+  /** How the input is counted: vtkInsideOutCounting.h describes these options. */
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
+    vtkInsideOutCountDuplicatesMacro() vtkInsideOutNonParticipatingMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Give sheets, which enclose nothing, this thickness: a closed slab, half of it before the facets
-   * and half behind, that joins what it touches; the facets stay as faces within. In units of the
-   * surface. Default 0: sheets bound nothing. Range 0 to infinity.
-   */
-  vtkSetClampMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
+    ///@{
+    /**
+     * Give sheets, which enclose nothing, this thickness: a closed slab, half of it before the
+     * facets and half behind, that joins what it touches; the facets stay as faces within. In units
+     * of the surface. Default 0: sheets bound nothing. Range 0 to infinity.
+     */
+    vtkSetClampMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Thicken, double);
   ///@}
 
@@ -80,35 +66,6 @@ public:
   vtkSetMacro(ThickenAll, bool);
   vtkGetMacro(ThickenAll, bool);
   vtkBooleanMacro(ThickenAll, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Points at most this far apart become one, in units of the surface; of several the one with the
-   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Count a polygon as often as it is given. Default off: triangles with the same three points
-   * count once per orientation, and opposite ones cancel.
-   */
-  vtkSetMacro(CountDuplicates, bool);
-  vtkGetMacro(CountDuplicates, bool);
-  vtkBooleanMacro(CountDuplicates, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
-   * count in w, but still shapes the mesh, as accessories that are no part of the body should. Such
-   * a cell cancels no other. Default empty: every cell counts.
-   */
-  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
-  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
   ///@}
 
   ///@{
@@ -174,12 +131,8 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int Orientation;
   double Thicken;
   bool ThickenAll;
-  double MergeTolerance;
-  bool CountDuplicates;
-  std::string NonParticipatingArrayName;
   int QuadratureOrder;
   int Engine;
   double TimeBudget;

@@ -29,10 +29,6 @@ public:
 vtkImplicitWindingNumber::vtkImplicitWindingNumber()
   : Built(new Internal)
 {
-  const CountedChainParameters chain;
-  this->MergeTolerance = chain.MergeTolerance;
-  this->CountDuplicates = chain.CountDuplicates;
-  this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
   this->AreaArrayName = vtkInsideOutSurfaceOptions().Areas;
 }
 

@@ -49,6 +49,7 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkImplicitFunction.h"
+#include "vtkInsideOutCounting.h" // for the options of counting
 
 #include <string>
 
@@ -98,62 +99,19 @@ public:
   vtkBooleanMacro(SignedDistance, bool);
   ///@}
 
-  /** Which way the surface faces. */
-  enum OrientationType
-  {
-    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
-    AS_GIVEN = 1,  ///< nothing is
-    REVERSE = 2,   ///< everything is
-    OUTWARD = 3    ///< every part is made to face outward, within others too
-  };
-
   ///@{
-  /**
-   * Which way facets are meant to face. AUTOMATIC (0) makes facets agree with those around them,
-   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
-   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
-   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
-   * Default AUTOMATIC.
-   */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
-  vtkGetMacro(Orientation, int);
-  ///@}
+  /** How the input is counted: vtkInsideOutCounting.h describes these options. */
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
+    vtkInsideOutCountDuplicatesMacro() vtkInsideOutNonParticipatingMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Points at most this far apart become one, in units of the surface; of several the one with the
-   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Count a polygon as often as it is given. Default off: triangles with the same three points
-   * count once per orientation, and opposite ones cancel.
-   */
-  vtkSetMacro(CountDuplicates, bool);
-  vtkGetMacro(CountDuplicates, bool);
-  vtkBooleanMacro(CountDuplicates, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of the surface, of one number per cell: where it is not 0 the cell does
-   * not count. Such a cell cancels no other. Default empty: every cell counts.
-   */
-  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
-  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a point array of a cloud, of one number per point: the area that each stands for, in
-   * squared units of the surface, at least 0. Default "Area"; where the cloud has no array of this
-   * name the areas are estimated.
-   */
-  vtkSetStdStringFromCharMacro(AreaArrayName);
+    ///@{
+    /**
+     * Name of a point array of a cloud, of one number per point: the area that each stands for, in
+     * squared units of the surface, at least 0. Default "Area"; where the cloud has no array of
+     * this name the areas are estimated.
+     */
+    vtkSetStdStringFromCharMacro(AreaArrayName);
   vtkGetCharFromStdStringMacro(AreaArrayName);
   ///@}
 
@@ -163,10 +121,6 @@ protected:
 
   vtkPolyData* Input = nullptr;
   bool SignedDistance = false;
-  int Orientation;
-  double MergeTolerance;
-  bool CountDuplicates;
-  std::string NonParticipatingArrayName;
   std::string AreaArrayName;
 
 private:

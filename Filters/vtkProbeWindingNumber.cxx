@@ -51,10 +51,6 @@ vtkProbeWindingNumber::vtkProbeWindingNumber()
   , Failures(new vtkInsideOutFailTogether)
 {
   this->SetNumberOfInputPorts(2);
-  const CountedChainParameters chain;
-  this->MergeTolerance = chain.MergeTolerance;
-  this->CountDuplicates = chain.CountDuplicates;
-  this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
   this->AreaArrayName = vtkInsideOutSurfaceOptions().Areas;
   const WindingNumberParameters windingNumber;
   this->Method = static_cast<int>(windingNumber.Method);

@@ -23,12 +23,7 @@ using namespace insideout;
 
 vtkStandardNewMacro(vtkResolveSelfIntersections);
 
-vtkResolveSelfIntersections::vtkResolveSelfIntersections()
-{
-  const CountedChainParameters chain;
-  this->MergeTolerance = chain.MergeTolerance;
-  this->CountDuplicates = chain.CountDuplicates;
-}
+vtkResolveSelfIntersections::vtkResolveSelfIntersections() = default;
 
 void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
 {

@@ -27,6 +27,7 @@
 #define vtkResolveSelfIntersections_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string>
@@ -39,46 +40,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * Points at most this far apart become one, in units of the surface; of several the one with the
-   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
+  /** How the input is counted: vtkInsideOutCounting.h describes these options. */
+  vtkInsideOutMergeToleranceMacro() vtkInsideOutCountDuplicatesMacro()
+    vtkInsideOutNonParticipatingMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Count a polygon as often as it is given. Default off: triangles with the same three points
-   * count once per orientation, and opposite ones cancel.
-   */
-  vtkSetMacro(CountDuplicates, bool);
-  vtkGetMacro(CountDuplicates, bool);
-  vtkBooleanMacro(CountDuplicates, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
-   * count in w, but still shapes the mesh, as accessories that are no part of the body should. Such
-   * a cell cancels no other. Default empty: every cell counts.
-   */
-  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
-  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
-  ///@}
-
-protected:
-  vtkResolveSelfIntersections();
+    protected : vtkResolveSelfIntersections();
   ~vtkResolveSelfIntersections() override = default;
 
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-
-  double MergeTolerance;
-  bool CountDuplicates;
-  std::string NonParticipatingArrayName;
 
 private:
   vtkResolveSelfIntersections(const vtkResolveSelfIntersections&) = delete;

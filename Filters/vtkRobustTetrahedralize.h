@@ -3,12 +3,12 @@
  * @class   vtkRobustTetrahedralize
  * @brief   from a broken surface to tetrahedra of the solid that it means
  *
- * Takes any triangle or polygon surface, with holes, self-intersections, duplicates or non-
- * manifold edges, and gives tetrahedra of the solid that it most likely means. Facets are cut
- * where they cross, the convex hull is tetrahedralized so that each of them is a union of faces,
- * and the tetrahedra are labelled inside or outside by the surface's generalized winding number
- * and a graph cut (Jacobson, Kavan and Sorkine-Hornung 2013). Every input vertex is a point of
- * the hull, with its exact coordinates.
+ * Takes any triangle or polygon surface, with holes, self-intersections, duplicates or non-manifold
+ * edges. Facets are cut where they cross, the convex hull is tetrahedralized so that each of them
+ * is a union of faces, and the tetrahedra are labelled inside or outside by the generalized winding
+ * number and a graph cut (Jacobson, Kavan and Sorkine-Hornung 2013). Every input vertex is a point
+ * of the hull, with its exact coordinates. Lines, and polygons in one plane, are errors: they are
+ * for vtkRobustTriangulate.
  *
  * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
  * (see vtkConstrainedDelaunay3D) and RegionId, and with field data Statistics_NAME, LeftOutCellIds
@@ -26,13 +26,9 @@
  * hands out, those of the cut to GetSegmentation(), those of the refinement to GetRefinement(). A
  * change there is a change of this filter, which has methods for those that most users set, too.
  *
- * Lines, and polygons in one plane, are for vtkRobustTriangulate: an error says so.
- *
- * RegionId (int, -1 outside) are the parts of the solid, numbered from 0 by their first cell. Faces
- * connect: parts that touch in no more than an edge or a point are two. The field arrays
- * RegionVolume, RegionCenterOfMass (3 components) and RegionInertia (6: XX, YY, ZZ, XY, YZ, XZ,
- * about the region's own center) have a tuple for each; their units are those of the statistics
- * below.
+ * RegionId (int, -1 outside) numbers the parts of the solid that faces connect, from 0 by their
+ * first cell. The field arrays RegionVolume, RegionCenterOfMass (3 components) and RegionInertia
+ * (6: XX, YY, ZZ, XY, YZ, XZ, about the region's own center) have a tuple for each.
  *
  * BoundaryTag (int, from 0) is what the input says of the cell that a triangle of the boundary lies
  * on: its group, material, solid or block, or what TagArrayName chooses; BoundaryTagNames
@@ -55,9 +51,8 @@
  * Topology hold for each body alone. MergeCoplanarPieces, SplitSeams, SeparateOverlaps and
  * NONMANIFOLD_SPLIT are errors. Statistics_Bodies counts the bodies.
  *
- * The filter keeps the hull of its input: a change of what concerns only the segmentation (Gamma,
- * the constraints, seeds) or the refinement does not mesh again. ReleaseDataFlagOn() saves that
- * memory.
+ * The filter keeps the hull of its input: a change of the segmentation, its seeds or the refinement
+ * does not mesh again. ReleaseDataFlagOn() saves that memory.
  *
  * Statistics are those of the stages, and more. SharedPoints: copies by NonManifold of the kind
  * Split that only the boundary has. SeparateOverlaps: Overlaps, SeparatedOverlaps, CopiedCells. The
@@ -111,19 +106,15 @@ public:
   };
 
   ///@{
-  /** The boundary of the solid (output 1), the facets that are not part of it (output 2), and with
-   * GenerateHull all cells of the hull (output 3). */
+  /** Outputs 1, 2 and 3. */
   vtkPolyData* GetBoundary();
   vtkPolyData* GetOutliers();
   vtkUnstructuredGrid* GetHull();
   ///@}
 
   ///@{
-  /**
-   * The stages whose options this filter goes by. Their inputs and outputs are not used, nor is
-   * ExtractInside of the segmentation and SizingArrayName of the refinement. Never null: setting
-   * null does nothing.
-   */
+  /** The stages whose options this filter goes by. Their inputs and outputs are not used, nor are
+   * their ExtractInside and SizingArrayName. Never null: setting null does nothing. */
   void SetWindingNumber(vtkGeneralizedWindingNumber* windingNumber);
   vtkGeneralizedWindingNumber* GetWindingNumber();
   void SetSegmentation(vtkGraphCutSegmentation* segmentation);
@@ -184,17 +175,13 @@ public:
   vtkBooleanMacro(GenerateHull, bool);
   ///@}
 
-  /**
-   * For ParaView's states of before, where it said what output 0 is: off generates the hull, with a
-   * warning that output 3 has it now. On does nothing.
-   */
+  /** For ParaView's states of before: off generates the hull, with a warning that output 3 has it
+   * now. On does nothing. */
   void SetExtractInside(bool extract);
 
   ///@{
-  /**
-   * A cell array of the surface that chooses what ConstrainFacets keeps: polygons whose value is
-   * not 0. Default empty: all.
-   */
+  /** Cell array of the surface that chooses the polygons that ConstrainFacets keeps: those whose
+   * value is not 0. Default empty: all. */
   vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
   vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
   ///@}
@@ -213,21 +200,18 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Optional second input: points that have to be inside or outside, by their array Inside (1 or
-   * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
-   * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about.
-   */
+  /** Optional second input: points that have to be inside or outside, by their array Inside (1 or
+   * 0). Of several cells that contain a point the one of the lowest id gets its label. Seeds win
+   * over ConstrainFacets and NonManifold; conflicts are warned about. */
   void SetSeedsData(vtkPointSet* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 
   ///@{
   /**
-   * On: the pieces into which an input triangle was cut become one triangle again on the boundary
-   * (output 1), where all of it lies there and no other triangle needs the points between. The
-   * boundary stays watertight, but its triangles are not all faces of the solid's cells any more.
-   * Default off.
+   * Join the pieces of an input triangle on the boundary (output 1), where all of it lies there and
+   * no other triangle needs the points between. The boundary stays watertight, but not all of its
+   * triangles are faces of cells. Default off.
    */
   vtkSetMacro(MergeCoplanarPieces, bool);
   vtkGetMacro(MergeCoplanarPieces, bool);
@@ -289,11 +273,10 @@ public:
 
   ///@{
   /**
-   * What becomes of a composite input. Off: each block is a surface by itself, and becomes a solid
-   * by itself. On: each block is a body, called by the name of the block, and all become one mesh.
+   * Make one mesh of a composite input, whose blocks are bodies with the blocks' names.
    * vtkOriginalPointIds then count the points of all blocks, one block after the other, and
-   * vtkOriginalCellIds their cells: those of all blocks that are vertices, then lines, polygons and
-   * strips. Default off.
+   * vtkOriginalCellIds their cells: vertices of all blocks, then lines, polygons and strips.
+   * Default off: each block becomes its own solid.
    */
   void SetBlocksAreBodies(bool blocksAreBodies);
   vtkGetMacro(BlocksAreBodies, bool);
@@ -325,7 +308,6 @@ public:
    * constraints add are different. Where the surface is open each cell has the w of the whole
    * surface, but nothing beyond the hulls of the parts is inside; a warning tells of seeds there.
    * Output 3 has the hulls of the parts. TimeBudget is for all parts, MemoryBudget for each.
-   *
    * Requires one body and TOPOLOGY_ANY. Default off.
    */
   vtkSetMacro(PartsApart, bool);
@@ -353,21 +335,18 @@ public:
 
   ///@{
   /**
-   * The names of bodies, parted by commas, from the one that has cells before all others; those
-   * that are not named come after these, in their own order. A comma within a name is written \,
-   * and a backslash \\. Default empty: in their own order. It is an error to name what is no body,
-   * or one twice.
+   * The names of bodies, separated by commas, from the one that has cells before all others; bodies
+   * that are not named follow in their own order. A comma within a name is written \, and a
+   * backslash \\. Naming what is no body, or one twice, is an error. Default empty.
    */
   vtkSetStdStringFromCharMacro(Priority);
   vtkGetCharFromStdStringMacro(Priority);
   ///@}
 
   ///@{
-  /**
-   * Replace the cells of output 0 by better ones of the same solid, as GetRefinement() says. Its
-   * points, and those of the boundary, keep their vtkOriginalPointIds. Where the surface is
-   * remeshed, edges between triangles of different tags stay where they are. Default off.
-   */
+  /** Replace the cells of output 0 by better ones, as GetRefinement() says. Points that stay keep
+   * their vtkOriginalPointIds. Where the surface is remeshed, edges between triangles of different
+   * tags stay where they are. Default off. */
   vtkSetMacro(Refine, bool);
   vtkGetMacro(Refine, bool);
   vtkBooleanMacro(Refine, bool);

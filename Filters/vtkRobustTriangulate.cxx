@@ -39,10 +39,6 @@ vtkRobustTriangulate::vtkRobustTriangulate()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(5);
-  const PlanarHullParameters hull;
-  this->Orientation = static_cast<int>(hull.Orientation);
-  this->MergeTolerance = hull.Chain.MergeTolerance;
-  this->CountDuplicates = hull.Chain.CountDuplicates;
 }
 
 vtkRobustTriangulate::~vtkRobustTriangulate() = default;

@@ -37,6 +37,7 @@
 #define vtkRobustTriangulate_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkSmartPointer.h"           // for the stages
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -138,56 +139,19 @@ public:
   void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 
-  /** Which way the outlines run. */
-  enum OrientationType
-  {
-    AUTOMATIC = 0, ///< what runs clockwise is turned over, with a warning
-    AS_GIVEN = 1,  ///< nothing is
-    REVERSE = 2,   ///< everything is
-    OUTWARD = 3    ///< every part is made to enclose its inside, within others too
-  };
-
   ///@{
-  /** Which way outlines are meant to run; see vtkRobustTetrahedralize. Default AUTOMATIC. */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
-  vtkGetMacro(Orientation, int);
-  ///@}
+  /** How the input is counted: vtkInsideOutCounting.h describes these options. */
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
+    vtkInsideOutCountDuplicatesMacro() vtkInsideOutNonParticipatingMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Points at most this far apart become one, in units of the input; the one with the lowest id
-   * stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Count a segment as often as it is given. Default off: copies count once per direction, and
-   * opposite ones cancel.
-   */
-  vtkSetMacro(CountDuplicates, bool);
-  vtkGetMacro(CountDuplicates, bool);
-  vtkBooleanMacro(CountDuplicates, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of the input, of one number per cell: where it is not 0 the cell does not
-   * count in w, but still shapes the mesh. Default empty: every cell counts.
-   */
-  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
-  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of the input, of one integer or string per cell, that becomes the
-   * boundary's array BoundaryTag; see vtkRobustTetrahedralize. Default empty: groups, materials or
-   * blocks of the input.
-   */
-  vtkSetStdStringFromCharMacro(TagArrayName);
+    ///@{
+    /**
+     * Name of a cell array of the input, of one integer or string per cell, that becomes the
+     * boundary's array BoundaryTag; see vtkRobustTetrahedralize. Default empty: groups, materials
+     * or blocks of the input.
+     */
+    vtkSetStdStringFromCharMacro(TagArrayName);
   vtkGetCharFromStdStringMacro(TagArrayName);
   ///@}
 
@@ -210,10 +174,6 @@ protected:
   bool GenerateHull = false;
   bool Refine = false;
   std::string ConstrainedFacetsArrayName;
-  int Orientation;
-  double MergeTolerance;
-  bool CountDuplicates;
-  std::string NonParticipatingArrayName;
   std::string TagArrayName;
 
 private:

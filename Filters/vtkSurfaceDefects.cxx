@@ -34,9 +34,6 @@ vtkStandardNewMacro(vtkSurfaceDefects);
 vtkSurfaceDefects::vtkSurfaceDefects()
 {
   this->SetNumberOfOutputPorts(2);
-  const HullMeshParameters parameters;
-  this->Orientation = static_cast<int>(parameters.Orientation);
-  this->MergeTolerance = parameters.Chain.MergeTolerance;
 }
 
 void vtkSurfaceDefects::PrintSelf(ostream& os, vtkIndent indent)

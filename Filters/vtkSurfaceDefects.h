@@ -56,6 +56,7 @@
 #define vtkSurfaceDefects_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkPolyDataAlgorithm.h"
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceDefects : public vtkPolyDataAlgorithm
@@ -80,48 +81,19 @@ public:
   /** The lines (output 1). */
   vtkPolyData* GetLines();
 
-  /** Which way the surface faces. */
-  enum OrientationType
-  {
-    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
-    AS_GIVEN = 1,  ///< nothing is
-    REVERSE = 2,   ///< everything is
-    OUTWARD = 3    ///< every part is made to face outward, within others too
-  };
-
   ///@{
-  /**
-   * Which way facets are meant to face, as in vtkRobustTetrahedralize: Turned marks those that it
-   * would turn over. AUTOMATIC (0) makes facets agree with those around them,
-   * and turns parts over so that the least volume is left where w is below -1/2: a cavity stays,
-   * and an open sheet turns nothing else over. AS_GIVEN (1) turns nothing, REVERSE (2) everything.
-   * OUTWARD (3) makes every part that encloses something face outward, whatever lies within what.
-   * Default AUTOMATIC.
-   */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
-  vtkGetMacro(Orientation, int);
-  ///@}
+  /** How the input is counted: vtkInsideOutCounting.h describes these options. Turned marks the
+   * facets that Orientation would turn over. */
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Points at most this far apart become one, in units of the surface; of several the one with the
-   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-protected:
-  vtkSurfaceDefects();
+    protected : vtkSurfaceDefects();
   ~vtkSurfaceDefects() override = default;
 
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-
-  int Orientation;
-  double MergeTolerance;
 
 private:
   vtkSurfaceDefects(const vtkSurfaceDefects&) = delete;

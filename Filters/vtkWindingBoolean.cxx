@@ -36,10 +36,6 @@ vtkWindingBoolean::vtkWindingBoolean()
 {
   this->SetNumberOfOutputPorts(2);
   this->Operation = static_cast<int>(SetOperation::Union);
-  const BodyParameters parameters;
-  this->Orientation = static_cast<int>(parameters.Orientation);
-  this->MergeTolerance = parameters.Chain.MergeTolerance;
-  this->CountDuplicates = parameters.Chain.CountDuplicates;
 }
 
 void vtkWindingBoolean::PrintSelf(ostream& os, vtkIndent indent)

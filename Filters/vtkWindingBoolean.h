@@ -42,6 +42,7 @@
 #define vtkWindingBoolean_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for the expression
@@ -62,14 +63,6 @@ public:
     INTERSECTION = 1,        ///< what is in all of them
     DIFFERENCE = 2,          ///< what is in the first and in no other
     SYMMETRIC_DIFFERENCE = 3 ///< what is in an odd number of them
-  };
-
-  enum OrientationType
-  {
-    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
-    AS_GIVEN = 1,  ///< nothing is
-    REVERSE = 2,   ///< everything is
-    OUTWARD = 3    ///< every part is made to face outward, within others too
   };
 
   ///@{
@@ -119,41 +112,20 @@ public:
 
   ///@{
   /**
-   * Which way the polygons of each body are meant to face. Automatic (0, the default) turns what
-   * disagrees or is inside out; AsGiven (1) turns nothing; Reverse (2) everything; Outward (3) each
-   * part that faces inward. See vtkRobustTetrahedralize.
+   * How each body is counted: vtkInsideOutCounting.h describes these options. MergeTolerance also
+   * merges points of different bodies and closes gaps between these, with a warning for each kind.
+   * A facet all of whose corners are that near to the plane of a facet of an earlier body is moved
+   * into it: faces that were turned, and touch but for rounding, need that; a warning names the
+   * tolerance, and Statistics_NearTriangles counts these triangles. Gaps of uneven width, as
+   * between round faces, are closed by tetrahedra that belong to the last body beside them; see
+   * Statistics_GapCells and Statistics_GapVolume.
    */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
-  vtkGetMacro(Orientation, int);
-  ///@}
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
+    vtkInsideOutCountDuplicatesMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Points at most this far apart become one, in units of the surfaces, also those of different
-   * bodies; and so do flat faces of different bodies: where all corners of a facet are that near to
-   * the plane of a facet below it of an earlier body they are moved into it, with a warning. Gaps
-   * of uneven width, as between round faces, are closed by tetrahedra that belong to the last body
-   * beside them, with a warning, Statistics_GapCells and Statistics_GapVolume. Faces that were
-   * turned and touch but for rounding need a tolerance, too: a warning says which, and
-   * Statistics_NearTriangles counts these triangles. Default 0: only points with equal coordinates
-   * are merged, and what is inside a body by a hair's breadth is inside. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Count a polygon as often as its body has it. Default off: triangles with the same three points
-   * count once per orientation, and opposite ones cancel.
-   */
-  vtkSetMacro(CountDuplicates, bool);
-  vtkGetMacro(CountDuplicates, bool);
-  vtkBooleanMacro(CountDuplicates, bool);
-  ///@}
-
-  /** The tetrahedra of the result, where they were made: output 1. */
-  vtkUnstructuredGrid* GetTetrahedraOutput();
+    /** The tetrahedra of the result, where they were made: output 1. */
+    vtkUnstructuredGrid* GetTetrahedraOutput();
 
 protected:
   vtkWindingBoolean();
@@ -170,9 +142,6 @@ protected:
   int Operation;
   std::vector<std::string> BodyNames;
   bool Tetrahedra = false;
-  int Orientation;
-  double MergeTolerance;
-  bool CountDuplicates;
 
 private:
   vtkWindingBoolean(const vtkWindingBoolean&) = delete;

@@ -26,10 +26,6 @@ vtkStandardNewMacro(vtkWindingNumberToImageStencil);
 vtkWindingNumberToImageStencil::vtkWindingNumberToImageStencil()
 {
   this->SetNumberOfInputPorts(1);
-  const CountedChainParameters chain;
-  this->MergeTolerance = chain.MergeTolerance;
-  this->CountDuplicates = chain.CountDuplicates;
-  this->Orientation = static_cast<int>(HullMeshParameters().Orientation);
 }
 
 void vtkWindingNumberToImageStencil::PrintSelf(ostream& os, vtkIndent indent)

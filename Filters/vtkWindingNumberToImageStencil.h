@@ -23,6 +23,7 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkImageStencilSource.h"
+#include "vtkInsideOutCounting.h" // for the options of counting
 
 #include <string>
 
@@ -50,53 +51,13 @@ public:
   vtkGetMacro(Threshold, double);
   ///@}
 
-  /** Which way the surface faces. */
-  enum OrientationType
-  {
-    AUTOMATIC = 0, ///< what is inside out is turned over, with a warning
-    AS_GIVEN = 1,  ///< nothing is
-    REVERSE = 2,   ///< everything is
-    OUTWARD = 3    ///< every part is made to face outward, within others too
-  };
-
   ///@{
-  /**
-   * Which way facets are meant to face, as in vtkProbeWindingNumber. Default AUTOMATIC.
-   */
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD);
-  vtkGetMacro(Orientation, int);
-  ///@}
+  /** How the input is counted: vtkInsideOutCounting.h describes these options. */
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
+    vtkInsideOutCountDuplicatesMacro() vtkInsideOutNonParticipatingMacro()
+    ///@}
 
-  ///@{
-  /**
-   * Points at most this far apart become one, in units of the surface; of several the one with the
-   * lowest id stays. Default 0: only points with equal coordinates are merged. Range 0 to infinity.
-   */
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Count a polygon as often as it is given. Default off: triangles with the same three points
-   * count once per orientation, and opposite ones cancel.
-   */
-  vtkSetMacro(CountDuplicates, bool);
-  vtkGetMacro(CountDuplicates, bool);
-  vtkBooleanMacro(CountDuplicates, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of a cell array of the surface, of one number per cell: where it is not 0 the cell does
-   * not count. Such a cell cancels no other. Default empty: every cell counts.
-   */
-  vtkSetStdStringFromCharMacro(NonParticipatingArrayName);
-  vtkGetCharFromStdStringMacro(NonParticipatingArrayName);
-  ///@}
-
-protected:
-  vtkWindingNumberToImageStencil();
+    protected : vtkWindingNumberToImageStencil();
   ~vtkWindingNumberToImageStencil() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -106,10 +67,6 @@ protected:
     vtkInformationVector* outputVector) override;
 
   double Threshold = 0.5;
-  int Orientation;
-  double MergeTolerance;
-  bool CountDuplicates;
-  std::string NonParticipatingArrayName;
 
 private:
   vtkWindingNumberToImageStencil(const vtkWindingNumberToImageStencil&) = delete;
