@@ -71,7 +71,7 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
       const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
       vtkInsideOutRefusePlane(input, this->Thicken > 0);
       vtkInsideOutMonitor monitor(this,
-        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
+        { Stages::Validating, Stages::FindingIntersections, Stages::Orienting, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers });
       const vtkInsideOutSurface surface =
         vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);

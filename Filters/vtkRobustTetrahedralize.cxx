@@ -231,9 +231,9 @@ OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
 
 std::vector<std::string> StagesWith(bool refine)
 {
-  std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
-    Stages::FindingIntersections, Stages::Resolving, Stages::Tetrahedralizing,
-    Stages::WindingNumbers, Stages::Segmenting, Stages::Extracting };
+  std::vector<std::string> stages = { Stages::Validating, Stages::FindingIntersections,
+    Stages::Orienting, Stages::Resolving, Stages::Tetrahedralizing, Stages::WindingNumbers,
+    Stages::Segmenting, Stages::Extracting };
   if (refine)
   {
     stages.emplace_back(Stages::Refining);
@@ -259,8 +259,7 @@ vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   options.SplitPoints = filter->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
   options.SeparateOverlaps = filter->GetSeparateOverlaps();
   options.Boundary = { filter->GetMergeCoplanarPieces(), filter->GetSplitSeams(),
-    options.SplitPoints };
-  options.TagBodies = !std::string(filter->GetTagArrayName()).empty();
+    options.SplitPoints, !std::string(filter->GetTagArrayName()).empty() };
   options.GenerateHull = filter->GetGenerateHull();
   options.Refine = filter->GetRefine();
   options.Refinement = vtkInsideOutRefinementParameters(filter->GetRefinement());

@@ -230,7 +230,7 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
     [&]()
     {
       vtkInsideOutMonitor monitor(this,
-        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
+        { Stages::Validating, Stages::FindingIntersections, Stages::Orienting, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
           Stages::Extracting });
       vtkInsideOutRefuseSpreadParts(this);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Boolean/ResolveBodies.h"
 #include "Common/Statistics.h"
 #include "Common/TetrahedralMesh.h"
-#include "Orient/OrientFacets.h"
-#include "Orient/ThickenFacets.h"
 #include "Tetrahedralize/ConstrainedDelaunay.h"
-#include "Validate/CountedChain.h"
 
 namespace insideout
 {
@@ -20,30 +18,30 @@ struct HullMeshParameters
   bool PartsApart = false; ///< a hull for each part (TetrahedralizeApart.h); not of several bodies
 };
 
-/** The convex hull of a surface in tetrahedra, or those of its parts, and the surface's winding
- * number in each. */
-struct HullMesh
+/** The convex hull of bodies in tetrahedra, or those of a body's parts, and the winding numbers in
+ * each. */
+struct HullMesh : ResolvedBodies
 {
-  FacetComplex Surface;  ///< resolved; facets turned over as the orientation asked for
   TetrahedralMesh Mesh;  ///< as long as there are no cells, of the surface's points
-  std::vector<double> W; ///< one per cell
-  SurfaceCounts Counts;
-  std::vector<Id> MergedInto;          ///< as CountedChain's
-  std::vector<Id> DegenerateTriangles; ///< as CountedChain's
-  std::vector<Id> TurnedTriangles;     ///< of the soup: turned over; ascending
-  std::vector<Id> SheetTriangles;      ///< of the soup: of facets that enclose nothing; ascending
+  std::vector<double> W; ///< one per cell: the sum over the bodies
+  std::vector<std::vector<double>> WOfBodies; ///< of each body; a single one has W
+  SurfaceCounts Counts;                       ///< sums over the bodies
   insideout::Statistics Statistics;
-  std::vector<std::string> Warnings;
+
+  const std::vector<double>& WOfBody(Id body) const
+  {
+    return this->WOfBodies.empty() ? this->W : this->WOfBodies[body];
+  }
 };
 
 /**
- * Stages validate and pre: count the facets, turn them the way that is meant, thicken sheets, and
- * resolve their intersections. There are no cells yet.
+ * Stages validate and pre: count the facets of each body, turn them the way that is meant, thicken
+ * sheets, and resolve the intersections of all (ResolveBodies). There are no cells yet.
  *
  * @throws Error whatever the stages throw
  */
 HullMesh ResolveHull(
-  const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
+  std::vector<Body> bodies, const HullMeshParameters& parameters, Monitor& monitor);
 
 /**
  * Stages CDT and w, of what is resolved: tetrahedralize the convex hull, and find the winding
@@ -54,14 +52,11 @@ HullMesh ResolveHull(
 void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Monitor& monitor);
 
 /** Both: stages validate to w in a row. */
-HullMesh MeshHull(const TriangleSoup& soup, const HullMeshParameters& parameters, Monitor& monitor);
+HullMesh MeshHull(std::vector<Body> bodies, const HullMeshParameters& parameters, Monitor& monitor);
 
-/** Take what resolving made of the surface, with the figures about it. */
-void TakeResolved(FacetComplex surface, std::size_t intersectingPairs, HullMesh& hull);
-
-/** Tetrahedralize the hull of its resolved surface. */
-void FillHull(const ConstrainedDelaunayParameters& budgets, HullMesh& hull, Monitor& monitor);
-
-/** The figures about w. @param[in] isClosed whether w is an integer everywhere */
-void AddRangeOfW(bool isClosed, HullMesh& hull);
+/** The same of a surface given alone. */
+inline HullMesh MeshHull(TriangleSoup soup, const HullMeshParameters& parameters, Monitor& monitor)
+{
+  return MeshHull(OneBody(std::move(soup)), parameters, monitor);
+}
 } // namespace insideout

@@ -236,10 +236,12 @@ std::function<bool(Id, Id)> vtkInsideOutIsInOwnBody(const HullMesh& hull,
   };
 }
 
-void vtkInsideOutAddBodyW(const std::vector<std::vector<double>>& w,
-  const std::vector<std::string>& names, vtkUnstructuredGrid* grid)
+void vtkInsideOutAddBodyW(
+  const HullMesh& hull, const std::vector<std::string>& names, vtkUnstructuredGrid* grid)
 {
-  grid->GetCellData()->AddArray(ArrayOfBodies<vtkDoubleArray>("BodyW", w, names));
+  const std::vector<std::vector<double>> single = { hull.WOfBody(0) };
+  grid->GetCellData()->AddArray(
+    ArrayOfBodies<vtkDoubleArray>("BodyW", names.size() > 1 ? hull.WOfBodies : single, names));
 }
 
 void vtkInsideOutAddBodies(const vtkInsideOutBodies& bodies,

@@ -7,7 +7,7 @@
 
 #include "Boolean/BodyRegions.h"
 #include "Boolean/SegmentBodies.h"
-#include "HullOfBodies.h"
+#include "HullMesh.h"
 #include "Output/RegionBoundaries.h"
 #include "vtkInsideOutReadSurface.h"
 #include "vtkInsideOutTags.h"
@@ -16,13 +16,13 @@ class vtkDataObject;
 class vtkPointSet;
 class vtkUnstructuredGrid;
 
-/** The bodies of a surface. */
+/** The bodies of a surface; it is a single one without a name where there are none. */
 struct vtkInsideOutBodies
 {
   std::vector<insideout::Id> OfTriangle; ///< one per triangle, by the names
   std::vector<std::string> Names;
 
-  bool AreThere() const { return !this->Names.empty(); }
+  bool AreNamed() const { return !this->Names.empty(); }
 };
 
 /** The array that vtkInsideOutJoinBlocks adds. */
@@ -73,8 +73,8 @@ std::function<bool(insideout::Id, insideout::Id)> vtkInsideOutIsInOwnBody(
   const std::vector<std::vector<unsigned char>>& inside);
 
 /** The winding number of each body on a grid of all cells: its cell array BodyW. */
-void vtkInsideOutAddBodyW(const std::vector<std::vector<double>>& w,
-  const std::vector<std::string>& names, vtkUnstructuredGrid* grid);
+void vtkInsideOutAddBodyW(const insideout::HullMesh& hull, const std::vector<std::string>& names,
+  vtkUnstructuredGrid* grid);
 
 /** Where bodies are, on a grid of all cells, as its cell array InBody, and the field arrays
  * BodyNames, BodyVolume, RegionNames and RegionBodies. */

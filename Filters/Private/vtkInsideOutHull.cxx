@@ -27,19 +27,10 @@ vtkInsideOutHull::vtkInsideOutHull(vtkPolyData* input, const vtkInsideOutHullArr
 
 void vtkInsideOutHull::Resolve(const HullMeshParameters& parameters, Monitor& monitor)
 {
-  if (this->Bodies.AreThere())
-  {
-    HullOfBodies hull =
-      MeshBodies(SplitBodies(this->Surface.Soup, this->Bodies.OfTriangle, this->Bodies.Names),
-        parameters, monitor);
-    this->Hull = std::move(hull.Whole);
-    this->WOfBodies = std::move(hull.W);
-    this->IsFilled = true;
-  }
-  else
-  {
-    this->Hull = ResolveHull(this->Surface.Soup, parameters, monitor);
-  }
+  this->Hull = ResolveHull(this->Bodies.AreNamed()
+      ? SplitBodies(this->Surface.Soup, this->Bodies.OfTriangle, this->Bodies.Names)
+      : OneBody(this->Surface.Soup),
+    parameters, monitor);
 }
 
 void vtkInsideOutHull::Fill(const HullMeshParameters& parameters, Monitor& monitor)
@@ -60,8 +51,8 @@ void vtkInsideOutHull::MakeGrid()
     return;
   }
   this->Grid = this->Outputs.MakeGrid(this->Hull);
-  if (this->Bodies.AreThere())
+  if (this->Bodies.AreNamed())
   {
-    vtkInsideOutAddBodyW(this->WOfBodies, this->Bodies.Names, this->Grid);
+    vtkInsideOutAddBodyW(this->Hull, this->Bodies.Names, this->Grid);
   }
 }

@@ -42,14 +42,13 @@ inline auto vtkInsideOutAsTuple(
     blocksTime);
 }
 
-/** Stages validate to w of a surface, of one body or several. */
+/** Stages validate to w of a surface. */
 struct vtkInsideOutHull
 {
   /** Reads the surface. @throws insideout::Error */
   vtkInsideOutHull(vtkPolyData* input, const vtkInsideOutHullArrays& names);
 
-  /** Stages validate and pre of one body, all of several, without touching anything of VTK's.
-   * @throws insideout::Error */
+  /** Stages validate and pre, without touching anything of VTK's. @throws insideout::Error */
   void Resolve(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
 
   /** The other stages, unless they are done, without touching anything of VTK's.
@@ -63,7 +62,6 @@ struct vtkInsideOutHull
   vtkInsideOutMakeOutputs Outputs; ///< to be copied: each run has warnings of its own
   vtkInsideOutBodies Bodies;
   insideout::HullMesh Hull;
-  std::vector<std::vector<double>> WOfBodies; ///< where there are bodies
   bool IsFilled = false;
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< null until made
   std::exception_ptr Failure;                ///< what went wrong where it was meshed ahead

@@ -52,24 +52,20 @@ std::vector<BoundaryTriangle> MergedIfAsked(const vtkInsideOutHull& kept,
 }
 
 /**
- * The solid's boundary, of one body.
+ * The solid's boundary, of one body without a name.
  *
- * @param[in] parted the solid that was parted from the hull, or null
+ * @param[in] unparted the boundary in the hull: cells of a parted solid overlap
  */
 vtkSmartPointer<vtkPolyData> MakeBoundary(const vtkInsideOutHull& kept,
-  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const std::vector<BoundaryFace>& unparted, const vtkInsideOutParting* parted,
   const vtkInsideOutBoundaryOptions& options, vtkInsideOutMakeOutputs& outputs, Statistics& counts,
   Monitor& monitor)
 {
   const HullMesh& hull = kept.Hull;
   const TetrahedralMesh& mesh = parted ? parted->Solid.Mesh : hull.Mesh;
-  const std::vector<BoundaryFace> faces = BoundaryFaces(
-    mesh, parted ? parted->Solid.Inside : inside, monitor, { Stages::Extracting, 0, 0.05 });
-  // Of the hull's cells: those of a parted solid overlap.
-  const std::vector<BoundaryFace> unparted =
-    parted ? BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0.05, 0.05 }) : faces;
-  AppendTopology(
-    FindTopology(hull.Mesh, inside, unparted, monitor, { Stages::Extracting, 0.05, 0.05 }), counts);
+  const std::vector<BoundaryFace> faces = parted
+    ? BoundaryFaces(mesh, parted->Solid.Inside, monitor, { Stages::Extracting, 0.05, 0.05 })
+    : unparted;
   const std::vector<BoundaryTriangle> boundary = MergedIfAsked(kept,
     BoundaryTriangles(hull.Surface, mesh, faces, monitor, { Stages::Extracting, 0.05, 0.1 }),
     options, monitor);
@@ -100,10 +96,11 @@ vtkSmartPointer<vtkPolyData> MakeBoundaryOfBodies(const HullMesh& hull, const Bo
   return boundary;
 }
 
-/** Output 2, and what is lost. */
+/** Output 2, what is lost, and which points lie on seams. */
 void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers,
   vtkInsideOutMakeOutputs& outputs, Monitor& monitor, vtkInsideOutSolidSurfaces& surfaces)
 {
+  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
   monitor.Check(Stages::Extracting, 0.35);
   surfaces.Outliers = outputs.MakeOutliers(hull, outliers);
   monitor.Check(Stages::Extracting, 0.4);
@@ -114,19 +111,35 @@ void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers
 } // namespace
 
 vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& kept,
-  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const vtkInsideOutSegmentedHull& segmented, const vtkInsideOutParting* parted,
   const vtkInsideOutBoundaryOptions& options, const vtkInsideOutTags& tags,
   vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
 {
   const HullMesh& hull = kept.Hull;
+  const std::vector<unsigned char>& inside = segmented.All.Inside;
+  const ProgressRange findingOutliers = { Stages::Extracting, 0.3, 0.35 };
   vtkInsideOutSolidSurfaces surfaces;
-  surfaces.Boundary =
-    MakeBoundary(kept, inside, parted, options, outputs, surfaces.Counts, monitor);
-  vtkInsideOutAddTags(tags, surfaces.Boundary);
-  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
-  AddOutliers(hull,
-    OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, { Stages::Extracting, 0.3, 0.35 }),
-    outputs, monitor, surfaces);
+  const std::vector<BoundaryFace> faces =
+    BoundaryFaces(hull.Mesh, inside, monitor, { Stages::Extracting, 0, 0.05 });
+  AppendTopology(
+    FindTopology(hull.Mesh, inside, faces, monitor, { Stages::Extracting, 0.05, 0.05 }),
+    surfaces.Counts);
+  std::vector<OutlierPiece> outliers;
+  if (kept.Bodies.AreNamed())
+  {
+    surfaces.Boundary = MakeBoundaryOfBodies(hull, segmented.Regions, kept.Bodies.Names,
+      options.TagBodies ? &tags : nullptr, outputs, monitor);
+    outliers = OutlierPieces(hull.Surface, hull.Mesh,
+      vtkInsideOutIsInOwnBody(hull, kept.Bodies, segmented.InBodies), monitor, findingOutliers);
+  }
+  else
+  {
+    surfaces.Boundary =
+      MakeBoundary(kept, faces, parted, options, outputs, surfaces.Counts, monitor);
+    vtkInsideOutAddTags(tags, surfaces.Boundary);
+    outliers = OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, findingOutliers);
+  }
+  AddOutliers(hull, outliers, outputs, monitor, surfaces);
   return surfaces;
 }
 
@@ -139,30 +152,6 @@ vtkInsideOutSolidSurfaces vtkInsideOutMakeRepairedSurfaces(const vtkInsideOutHul
   surfaces.Boundary = MakeBoundary(kept, MergedIfAsked(kept, repaired.Boundary, options, monitor),
     options.SplitSeams, outputs, monitor);
   vtkInsideOutAddTags(tags, surfaces.Boundary);
-  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(kept.Hull));
   AddOutliers(kept.Hull, repaired.Outliers, outputs, monitor, surfaces);
-  return surfaces;
-}
-
-vtkInsideOutSolidSurfaces vtkInsideOutMakeSurfacesOfBodies(const vtkInsideOutHull& kept,
-  const vtkInsideOutSegmentedHull& segmented, const vtkInsideOutTags* tags,
-  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
-{
-  const HullMesh& hull = kept.Hull;
-  const std::vector<unsigned char>& inside = segmented.All.Inside;
-  const ProgressRange lookingAtTopology = { Stages::Extracting, 0, 0 };
-  vtkInsideOutSolidSurfaces surfaces;
-  AppendTopology(
-    FindTopology(hull.Mesh, inside, BoundaryFaces(hull.Mesh, inside, monitor, lookingAtTopology),
-      monitor, lookingAtTopology),
-    surfaces.Counts);
-  surfaces.Boundary =
-    MakeBoundaryOfBodies(hull, segmented.Regions, kept.Bodies.Names, tags, outputs, monitor);
-  surfaces.Counts.emplace_back("SeamPoints", outputs.CountSeamPoints(hull));
-  AddOutliers(hull,
-    OutlierPieces(hull.Surface, hull.Mesh,
-      vtkInsideOutIsInOwnBody(hull, kept.Bodies, segmented.InBodies), monitor,
-      { Stages::Extracting, 0.3, 0.35 }),
-    outputs, monitor, surfaces);
   return surfaces;
 }

@@ -19,6 +19,7 @@ struct vtkInsideOutBoundaryOptions
   bool MergePieces = false; ///< of input triangles
   bool SplitSeams = false;
   bool IsManifold = false; ///< of a parted solid
+  bool TagBodies = false;  ///< the boundary of bodies by the surface's tags, too
 };
 
 /** Both, and what is to be told of them. */
@@ -31,14 +32,14 @@ struct vtkInsideOutSolidSurfaces
 };
 
 /**
- * Both of one body.
+ * Both of a hull.
  *
- * @param[in] parted the solid that was parted from the hull, or null
+ * @param[in] parted the solid that was parted from the hull, or null; not of named bodies
  * @param[in,out] outputs gains warnings
  * @throws insideout::Error Stopped
  */
 vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& kept,
-  const std::vector<unsigned char>& inside, const vtkInsideOutParting* parted,
+  const vtkInsideOutSegmentedHull& segmented, const vtkInsideOutParting* parted,
   const vtkInsideOutBoundaryOptions& options, const vtkInsideOutTags& tags,
   vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);
 
@@ -46,8 +47,3 @@ vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& 
 vtkInsideOutSolidSurfaces vtkInsideOutMakeRepairedSurfaces(const vtkInsideOutHull& kept,
   const insideout::RepairedSurface& repaired, const vtkInsideOutBoundaryOptions& options,
   const vtkInsideOutTags& tags, vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);
-
-/** Both of several bodies. @param[in] tags of the surface, or null */
-vtkInsideOutSolidSurfaces vtkInsideOutMakeSurfacesOfBodies(const vtkInsideOutHull& kept,
-  const vtkInsideOutSegmentedHull& segmented, const vtkInsideOutTags* tags,
-  vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);

@@ -47,7 +47,7 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelHull(
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->ShallowCopy(kept.Grid);
-  if (kept.Bodies.AreThere())
+  if (kept.Bodies.AreNamed())
   {
     vtkInsideOutAddBodies(kept.Bodies, segmented.InBodies, segmented.Regions, kept.Hull.Mesh, grid);
   }
@@ -112,7 +112,7 @@ bool TakesTetrahedra(
   const vtkInsideOutHull& kept, bool hasSeeds, const vtkInsideOutSolidOptions& options)
 {
   const SegmentMeshParameters& segment = options.Segment.Parameters;
-  return kept.Bodies.AreThere() || hasSeeds || options.GenerateHull || options.Refine ||
+  return kept.Bodies.AreNamed() || hasSeeds || options.GenerateHull || options.Refine ||
     options.SeparateOverlaps || options.SplitPoints || segment.ConstrainFacets ||
     segment.FillNonManifold || !segment.Topology.ChangeNothing() ||
     !IsCutByWholeNumbers(segment.Cut);
@@ -184,11 +184,8 @@ vtkInsideOutTetrahedra vtkInsideOutMakeTetrahedra(const vtkInsideOutHull& kept,
       Part(hull, segmentation.Inside, options.SeparateOverlaps, options.SplitPoints, monitor);
     parted = &parting;
   }
-  vtkInsideOutSolidSurfaces surfaces = kept.Bodies.AreThere()
-    ? vtkInsideOutMakeSurfacesOfBodies(
-        kept, segmented, options.TagBodies ? &tags : nullptr, outputs, monitor)
-    : vtkInsideOutMakeSolidSurfaces(
-        kept, segmentation.Inside, parted, options.Boundary, tags, outputs, monitor);
+  vtkInsideOutSolidSurfaces surfaces = vtkInsideOutMakeSolidSurfaces(
+    kept, segmented, parted, options.Boundary, tags, outputs, monitor);
   const auto labelled = LabelHull(kept, segmented);
   const SolidRegions& regions = segmented.Regions.Regions;
   Solid solid = parted ? MakePartedSolid(kept, *parted, monitor)

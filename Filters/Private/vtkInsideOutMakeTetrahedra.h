@@ -16,7 +16,6 @@ struct vtkInsideOutSolidOptions
 {
   vtkInsideOutSegmentOptions Segment;
   vtkInsideOutBoundaryOptions Boundary;
-  bool TagBodies = false;    ///< the boundary of bodies by the surface's tags, too
   bool GenerateHull = false; ///< vtkInsideOutTetrahedra::Hull, too
   bool SeparateOverlaps = false;
   bool SplitPoints = false; ///< where the solid touches itself

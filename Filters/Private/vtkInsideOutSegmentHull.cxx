@@ -18,7 +18,7 @@ vtkInsideOutSegmentedHull vtkInsideOutSegmentHull(const vtkInsideOutHull& kept,
     vtkInsideOutReadChosenFacets(kept.Surface, options.ConstrainedArray, hull.Surface);
   const ProgressRange findingRegions = { Stages::Extracting, 0, 0 };
   vtkInsideOutSegmentedHull segmented;
-  if (!kept.Bodies.AreThere())
+  if (!kept.Bodies.AreNamed())
   {
     segmented.All = SegmentMesh(
       hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), given, options.Parameters, monitor);
@@ -34,7 +34,7 @@ vtkInsideOutSegmentedHull vtkInsideOutSegmentHull(const vtkInsideOutHull& kept,
   std::vector<BodyToSegment> bodies;
   for (std::size_t b = 0; b < names.size(); ++b)
   {
-    bodies.push_back({ names[b], kept.WOfBodies[b], pieces[b], seeds[b] });
+    bodies.push_back({ names[b], hull.WOfBody(static_cast<Id>(b)), pieces[b], seeds[b] });
   }
   BodySegmentation found = SegmentBodies(hull.Mesh, bodies, options.Parameters, monitor);
   segmented.InBodies = std::move(found.Inside);

@@ -25,7 +25,7 @@ struct vtkInsideOutSegmentOptions
 struct vtkInsideOutSegmentedHull
 {
   insideout::MeshSegmentation All;                  ///< inside any body
-  std::vector<std::vector<unsigned char>> InBodies; ///< where there are bodies
+  std::vector<std::vector<unsigned char>> InBodies; ///< where bodies are named
   insideout::BodyRegions Regions;
 };
 

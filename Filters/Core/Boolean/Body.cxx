@@ -21,6 +21,11 @@ Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriang
   return body;
 }
 
+std::vector<Body> OneBody(TriangleSoup soup)
+{
+  return { MakeBody({}, std::move(soup), 0, 0) };
+}
+
 namespace
 {
 void CheckSplit(

@@ -11,11 +11,20 @@ namespace insideout
 /** A body as it was given: a surface, and the numbers that its points and triangles go by. */
 struct Body
 {
-  std::string Name; ///< for messages
+  std::string Name; ///< for messages; empty for a surface that is given alone
   TriangleSoup Soup;
   std::vector<Id> PointIds;    ///< one per point; bodies may share numbers of points
   std::vector<Id> TriangleIds; ///< one per triangle, ascending; no two bodies share one
 };
+
+/** A surface as the only body, without a name. */
+std::vector<Body> OneBody(TriangleSoup soup);
+
+/** Whether there are several, or one with a name. */
+inline bool AreNamed(const std::vector<Body>& bodies)
+{
+  return bodies.size() != 1 || !bodies.front().Name.empty();
+}
 
 /** A surface by itself, its points numbered from `firstPoint` on and its triangles alike. */
 Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriangle);
@@ -32,7 +41,7 @@ std::vector<Body> SplitBodies(const TriangleSoup& soup, const std::vector<Id>& b
 /** What is said of a body. */
 inline std::string WordsOf(const std::string& body, const std::string& words)
 {
-  return "body " + body + ": " + words;
+  return body.empty() ? words : "body " + body + ": " + words;
 }
 
 /** Do something with a body; of what it throws the message names the body. */

@@ -38,7 +38,7 @@ std::vector<Id> BodyOfFacets(const ResolvedBodies& bodies)
   {
     if (bodies.CountOffsets[f] < bodies.CountOffsets[f + 1])
     {
-      body[f] = bodies.Counts[bodies.CountOffsets[f]].Body;
+      body[f] = bodies.BodyCounts[bodies.CountOffsets[f]].Body;
     }
   }
   return body;
@@ -69,10 +69,10 @@ void AddLayers(const ResolvedBodies& bodies, Id f, Id g, Contacts& contacts)
   const FacetComplex& surface = bodies.Surface;
   for (Id i = bodies.CountOffsets[f]; i < bodies.CountOffsets[f + 1]; ++i)
   {
-    const Id first = bodies.Counts[i].Body;
+    const Id first = bodies.BodyCounts[i].Body;
     for (Id j = bodies.CountOffsets[g]; j < bodies.CountOffsets[g + 1]; ++j)
     {
-      const Id second = bodies.Counts[j].Body;
+      const Id second = bodies.BodyCounts[j].Body;
       if (CountFor(bodies, g, first) != 0 || CountFor(bodies, f, second) != 0)
       {
         continue;

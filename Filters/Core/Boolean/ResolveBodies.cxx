@@ -99,6 +99,8 @@ private:
   void CountFacetsOfBodies();
   void FindOwnCrossings();
   void OrientBodies();
+  void ResolveAlone();
+  void ResolveTogether();
   struct ChainPoints
   {
     std::vector<Point> Points;
@@ -121,7 +123,8 @@ private:
   const Id NumberOfIds;    ///< of points
   DisjointSets SamePoints; ///< by their numbers
 
-  std::vector<FacetComplex> Chains; ///< one per body, by the body's own points and triangles
+  std::vector<FacetComplex>
+    Chains; ///< one per body, once oriented by its numbers of points and triangles
   std::vector<std::vector<FacetEdge>> Edges; ///< of each chain, until it is oriented
   std::vector<Id> FirstFacet; ///< of each chain, if the facets of all are numbered in a row
   std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< by facets of each chain
@@ -175,7 +178,10 @@ CountedChain AllDegenerateChain(const TriangleSoup& soup)
 void BodyResolver::CountFacetsOfBodies()
 {
   CountedChainParameters parameters = this->Parameters.Chain;
-  parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // it has been seen to
+  if (this->Given.size() > 1)
+  {
+    parameters.MergeTolerance = std::min(parameters.MergeTolerance, 0.0); // it has been seen to
+  }
   bool isAnyThere = false;
   for (std::size_t b = 0; b < this->Given.size(); ++b)
   {
@@ -191,7 +197,8 @@ void BodyResolver::CountFacetsOfBodies()
         }
         catch (const Error& error)
         {
-          if (error.Code != ErrorCode::EmptySurface && error.Code != ErrorCode::AllDegenerate)
+          if (!AreNamed(this->Given) ||
+            (error.Code != ErrorCode::EmptySurface && error.Code != ErrorCode::AllDegenerate))
           {
             throw;
           }
@@ -233,6 +240,22 @@ void BodyResolver::FindOwnCrossings()
   }
 }
 
+/** Replace indices into a body's soup by the numbers that its points and triangles go by. */
+void GiveNumbers(const Body& body, FacetComplex& chain)
+{
+  for (PointOrigin& origin : chain.Origins)
+  {
+    for (Id& p : origin.Points)
+    {
+      p = body.PointIds[p];
+    }
+  }
+  for (FacetSource& source : chain.Sources)
+  {
+    source.Triangle = body.TriangleIds[source.Triangle];
+  }
+}
+
 void BodyResolver::OrientBodies()
 {
   for (std::size_t b = 0; b < this->Given.size(); ++b)
@@ -267,6 +290,7 @@ void BodyResolver::OrientBodies()
       });
     this->Edges[b] = {};
     this->Warn(body, turns.Warnings);
+    GiveNumbers(body, chain);
   }
 }
 
@@ -281,19 +305,11 @@ BodyResolver::ChainPoints BodyResolver::PointsOfChains()
   }
   all.Points.reserve(points);
   all.Origins.reserve(points);
-  for (std::size_t b = 0; b < this->Chains.size(); ++b)
+  for (const FacetComplex& chain : this->Chains)
   {
-    const FacetComplex& chain = this->Chains[b];
     all.First.push_back(static_cast<Id>(all.Points.size()));
     all.Points.insert(all.Points.end(), chain.Points.begin(), chain.Points.end());
-    for (PointOrigin origin : chain.Origins)
-    {
-      for (Id& p : origin.Points)
-      {
-        p = this->Given[b].PointIds[p];
-      }
-      all.Origins.push_back(origin);
-    }
+    all.Origins.insert(all.Origins.end(), chain.Origins.begin(), chain.Origins.end());
   }
   all.Merged = MergePoints(all.Points, 0);
   for (std::size_t p = 0; p < all.Merged.size(); ++p)
@@ -409,7 +425,7 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
 {
   std::vector<FacetSource> sources;
   std::vector<Id> offsets = { 0 };
-  std::vector<BodyCount>& counts = this->Result.Counts;
+  std::vector<BodyCount>& counts = this->Result.BodyCounts;
   sources.reserve(resolved.Sources.size());
   offsets.reserve(resolved.Facets.size() + 1);
   counts.reserve(resolved.Sources.size());
@@ -432,8 +448,7 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
       counts.back().Count += count;
       for (Id i = chain.SourceOffsets[own]; i < chain.SourceOffsets[own + 1]; ++i)
       {
-        sources.push_back({ this->Given[body].TriangleIds[chain.Sources[i].Triangle],
-          chain.Sources[i].Reversed != reversed });
+        sources.push_back({ chain.Sources[i].Triangle, chain.Sources[i].Reversed != reversed });
       }
     }
     counts.erase(std::remove_if(counts.begin() + firstCount, counts.end(),
@@ -477,10 +492,43 @@ Id BodyResolver::BodyOf(Id chainFacet) const
   return static_cast<Id>(next - this->FirstFacet.begin()) - 1;
 }
 
+/** Resolves the only body: its chain is the whole complex. */
+void BodyResolver::ResolveAlone()
+{
+  const FacetComplex& chain = this->Chains[0];
+  Resolution resolution = ResolveSelfIntersections(
+    chain, this->Watch, { std::vector<Id>(chain.Facets.size(), 0), this->OwnCrossings[0] });
+  this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
+  this->Result.Surface = std::move(resolution.Surface);
+  for (const std::int16_t count : this->Result.Surface.Multiplicity)
+  {
+    if (count != 0)
+    {
+      this->Result.BodyCounts.push_back({ 0, count });
+    }
+    this->Result.CountOffsets.push_back(static_cast<Id>(this->Result.BodyCounts.size()));
+  }
+}
+
+void BodyResolver::ResolveTogether()
+{
+  const FacetComplex together = this->Together();
+  // Without a tolerance what is inside by a hair's breadth is inside.
+  const std::vector<Id> mayTouch = this->Parameters.Chain.MergeTolerance > 0
+    ? FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
+        SnappingRadius(LargestCoordinate(together.Points)))
+    : std::vector<Id>();
+  Resolution resolution = ResolveSelfIntersections(together, this->Watch, this->Known, mayTouch);
+  this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
+  this->TakeResolved(std::move(resolution.Surface));
+  this->TellOfNearBodies();
+}
+
 ResolvedBodies BodyResolver::Resolve()
 {
   Stopwatch stopwatch;
-  if (this->Parameters.Chain.MergeTolerance > 0)
+  const bool areSeveral = this->Given.size() > 1;
+  if (areSeveral && this->Parameters.Chain.MergeTolerance > 0)
   {
     this->MergeGivenPoints();
     const Id moved = CloseGaps(this->Given, this->Parameters.Chain.MergeTolerance, this->Watch);
@@ -498,16 +546,7 @@ ResolvedBodies BodyResolver::Resolve()
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
   std::sort(this->Result.TurnedTriangles.begin(), this->Result.TurnedTriangles.end());
   std::sort(this->Result.SheetTriangles.begin(), this->Result.SheetTriangles.end());
-  const FacetComplex together = this->Together();
-  // Without a tolerance what is inside by a hair's breadth is inside.
-  const std::vector<Id> mayTouch = this->Parameters.Chain.MergeTolerance > 0
-    ? FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
-        SnappingRadius(LargestCoordinate(together.Points)))
-    : std::vector<Id>();
-  Resolution resolution = ResolveSelfIntersections(together, this->Watch, this->Known, mayTouch);
-  this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
-  this->TakeResolved(std::move(resolution.Surface));
-  this->TellOfNearBodies();
+  areSeveral ? this->ResolveTogether() : this->ResolveAlone();
   for (Id p = 0; p < this->NumberOfIds; ++p)
   {
     this->Result.MergedInto.push_back(this->SamePoints.Find(p));

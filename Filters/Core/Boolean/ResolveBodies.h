@@ -39,10 +39,10 @@ struct ResolvedBodies
    */
   FacetComplex Surface;
 
-  /** The counts of facet f are Counts[CountOffsets[f]] to Counts[CountOffsets[f + 1]]: one for each
-   * body that it counts for, by body; none is 0. */
+  /** The counts of facet f are BodyCounts[CountOffsets[f]] to BodyCounts[CountOffsets[f + 1]]: one
+   * for each body that it counts for, by body; none is 0. */
   std::vector<Id> CountOffsets = { 0 };
-  std::vector<BodyCount> Counts;
+  std::vector<BodyCount> BodyCounts;
 
   std::vector<CountedBody> Bodies;
   std::vector<Id> MergedInto;          ///< per point the lowest that it became one with, or itself
@@ -62,20 +62,22 @@ inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
 {
   for (Id i = bodies.CountOffsets[facet]; i < bodies.CountOffsets[facet + 1]; ++i)
   {
-    if (bodies.Counts[i].Body == body)
+    if (bodies.BodyCounts[i].Body == body)
     {
-      return bodies.Counts[i].Count;
+      return bodies.BodyCounts[i].Count;
     }
   }
   return 0;
 }
 
 /**
- * Count and orient bodies, each as if it were alone (CountFacets, OrientFacets, ThickenFacets), so
- * that nothing of one cancels or turns anything of another; then resolve them together, as one
- * complex. Pieces of several bodies that coincide are one facet, with a count for each.
+ * Stages validate and pre. Count and orient bodies, each as if it were alone (CountFacets,
+ * OrientFacets, ThickenFacets), so that nothing of one cancels or turns anything of another; then
+ * resolve them together, as one complex. Pieces of several bodies that coincide are one facet, with
+ * a count for each.
  *
- * A body without facets is empty, with a warning.
+ * A single body is the case in which there is nothing to join. A body without facets is empty, with
+ * a warning, unless it has no name.
  *
  * @throws Error EmptySurface where no body has a facet, and whatever the stages throw, with the
  *   body's name before it; Stopped

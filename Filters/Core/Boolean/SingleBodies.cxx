@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/SingleBodies.h"
 
+#include <algorithm>
+
 namespace insideout
 {
 std::vector<char> FindClosedBodies(
@@ -14,7 +16,7 @@ std::vector<char> FindClosedBodies(
     {
       for (Id i = bodies.CountOffsets[edge->Facet]; i < bodies.CountOffsets[edge->Facet + 1]; ++i)
       {
-        visit(bodies.Counts[i].Body, edge->Direction * bodies.Counts[i].Count);
+        visit(bodies.BodyCounts[i].Body, edge->Direction * bodies.BodyCounts[i].Count);
       }
     }
   };
@@ -30,6 +32,12 @@ std::vector<char> FindClosedBodies(
         });
     });
   return isClosed;
+}
+
+bool AreClosed(const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges)
+{
+  const std::vector<char> isClosed = FindClosedBodies(bodies, edges);
+  return std::find(isClosed.begin(), isClosed.end(), 0) == isClosed.end();
 }
 
 FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body)

@@ -15,6 +15,9 @@ namespace insideout
 std::vector<char> FindClosedBodies(
   const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
 
+/** Whether no body has a boundary. */
+bool AreClosed(const ResolvedBodies& bodies, const std::vector<FacetEdge>& edges);
+
 /** The facets with what they count for one body: w of the body is that of this complex. */
 FacetComplex ComplexOfBody(const ResolvedBodies& bodies, Id body);
 } // namespace insideout

@@ -5,8 +5,6 @@
 #include "Boolean/SingleBodies.h"
 #include "Common/Stages.h"
 
-#include <algorithm>
-
 namespace insideout
 {
 namespace
@@ -66,7 +64,7 @@ std::vector<int> FirstCounts(const ResolvedBodies& bodies)
   for (Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
   {
     const Id first = bodies.CountOffsets[f];
-    counts.push_back(first < bodies.CountOffsets[f + 1] ? bodies.Counts[first].Count : 0);
+    counts.push_back(first < bodies.CountOffsets[f + 1] ? bodies.BodyCounts[first].Count : 0);
   }
   return counts;
 }
@@ -77,9 +75,7 @@ std::optional<std::vector<BoundaryTriangle>> SurfaceOfExpression(
 {
   const FacetComplex& surface = bodies.Surface;
   const std::vector<FacetEdge> edges = SortedFacetEdges(surface.Facets);
-  const std::vector<char> isClosed = FindClosedBodies(bodies, edges);
-  if (surface.NumberOfConstraints < surface.NumberOfFacets() ||
-    std::find(isClosed.begin(), isClosed.end(), 0) != isClosed.end())
+  if (surface.NumberOfConstraints < surface.NumberOfFacets() || !AreClosed(bodies, edges))
   {
     return std::nullopt;
   }

@@ -2,8 +2,8 @@
 """The names under which the work reports its progress, in this order and with an equal share of it each."""
 
 VALIDATING = "validating"
-ORIENTING = "orienting"
 FINDING = "finding self-intersections"
+ORIENTING = "orienting"
 RESOLVING = "resolving self-intersections"
 TETRAHEDRALIZING = "tetrahedralizing"
 WINDING_NUMBERS = "winding numbers"
@@ -13,7 +13,7 @@ EXTRACTING = "extracting"
 REFINING = "refining"
 
 RESOLVE = (VALIDATING, FINDING, RESOLVING)
-TETRAHEDRALIZE = (VALIDATING, ORIENTING, FINDING, RESOLVING, TETRAHEDRALIZING, WINDING_NUMBERS, SEGMENTING, EXTRACTING)
+TETRAHEDRALIZE = (VALIDATING, FINDING, ORIENTING, RESOLVING, TETRAHEDRALIZING, WINDING_NUMBERS, SEGMENTING, EXTRACTING)
 REFINE = (REFINING,)
 CHECK = (VALIDATING, ORIENTING, FINDING, "tracing intersections")
 CHECK_SOLID = (VALIDATING, FINDING, "measuring quality")

@@ -3,7 +3,7 @@
 #include "Boolean/SegmentBodies.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
-#include "HullOfBodies.h"
+#include "HullMesh.h"
 #include "Output/MassProperties.h"
 #include "Output/RegionBoundaries.h"
 #include "Support/AllowedThreads.h"
@@ -51,7 +51,7 @@ TriangleSoup Octahedron(const Point& center, double radius, int open = 0)
 /** Bodies on one mesh, and where each is. */
 struct Meshed
 {
-  HullOfBodies Hull;
+  HullMesh Hull;
   std::vector<std::vector<unsigned char>> Inside;
 };
 
@@ -59,13 +59,13 @@ Meshed Mesh(const std::vector<TriangleSoup>& soups, const HullMeshParameters& pa
 {
   Monitor silent;
   Meshed meshed;
-  meshed.Hull = MeshBodies(BodiesOf(soups), parameters, silent);
+  meshed.Hull = MeshHull(BodiesOf(soups), parameters, silent);
   std::vector<BodyToSegment> bodies;
-  for (const std::vector<double>& w : meshed.Hull.W)
+  for (Id body = 0; body < meshed.Hull.NumberOfBodies(); ++body)
   {
-    bodies.push_back({ "body", w, {}, {} });
+    bodies.push_back({ "body", meshed.Hull.WOfBody(body), {}, {} });
   }
-  meshed.Inside = SegmentBodies(meshed.Hull.Whole.Mesh, bodies, {}, silent).Inside;
+  meshed.Inside = SegmentBodies(meshed.Hull.Mesh, bodies, {}, silent).Inside;
   return meshed;
 }
 
@@ -78,14 +78,13 @@ BodyRegions Regions(const Meshed& meshed, RegionRule rule, const std::vector<Id>
 RegionBoundaries Boundaries(const Meshed& meshed, const SolidRegions& regions)
 {
   Monitor silent;
-  return FindRegionBoundaries(
-    meshed.Hull.Whole.Mesh, regions, silent, { Stages::Extracting, 0, 1 });
+  return FindRegionBoundaries(meshed.Hull.Mesh, regions, silent, { Stages::Extracting, 0, 1 });
 }
 
 std::vector<double> Volumes(const Meshed& meshed, const SolidRegions& regions)
 {
   std::vector<double> volumes;
-  for (const MassProperties& mass : MeasureRegions(meshed.Hull.Whole.Mesh, regions))
+  for (const MassProperties& mass : MeasureRegions(meshed.Hull.Mesh, regions))
   {
     volumes.push_back(mass.Volume);
   }
@@ -136,7 +135,7 @@ void ExpectEachBodyAsAlone(const std::vector<TriangleSoup>& soups, const Meshed&
   for (std::size_t b = 0; b < soups.size(); ++b)
   {
     const double alone = VolumeAlone(soups[b]);
-    EXPECT_NEAR(MeasureMass(meshed.Hull.Whole.Mesh, meshed.Inside[b]).Volume, alone, 1e-9 * alone)
+    EXPECT_NEAR(MeasureMass(meshed.Hull.Mesh, meshed.Inside[b]).Volume, alone, 1e-9 * alone)
       << "body " << b;
   }
 }
@@ -163,7 +162,7 @@ void ExpectRegionsAddUp(const std::vector<TriangleSoup>& soups, const Meshed& me
 /** Each face between two regions is there once, and is a face of exactly two cells. */
 void ExpectConforming(const Meshed& meshed, const SolidRegions& regions)
 {
-  const TetrahedralMesh& mesh = meshed.Hull.Whole.Mesh;
+  const TetrahedralMesh& mesh = meshed.Hull.Mesh;
   std::map<Triangle, std::vector<Id>> regionsAt;
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
@@ -206,7 +205,7 @@ TEST(Bodies, TenInABoxAreEachWhatTheyAreAlone)
   {
     const std::vector<TriangleSoup> soups = TenInABox(seed);
     const Meshed meshed = Mesh(soups);
-    EXPECT_TRUE(meshed.Hull.Whole.Mesh.LostFacets.empty());
+    EXPECT_TRUE(meshed.Hull.Mesh.LostFacets.empty());
     ExpectEachBodyAsAlone(soups, meshed);
     ExpectRegionsAddUp(soups, meshed);
     ExpectConforming(meshed, Regions(meshed, RegionRule::All).Regions);
@@ -285,7 +284,7 @@ TEST(Bodies, ThatTouchInAPlaneHaveOneInterfaceAndNoSliver)
   for (std::size_t i = 0; i < boundaries.Faces.size(); ++i)
   {
     const Triangle& t = boundaries.Faces[i].Corners;
-    const std::vector<Point>& points = meshed.Hull.Whole.Mesh.Points;
+    const std::vector<Point>& points = meshed.Hull.Mesh.Points;
     const Point normal = NormalOf(points[t[0]], points[t[1]], points[t[2]]);
     area += boundaries.Regions[i][1] == 1 ? Length(normal) / 2 : 0;
   }
@@ -306,25 +305,26 @@ TEST(Bodies, WithHolesKeepTheirOwnCutBesideClosedOnes)
   const std::vector<TriangleSoup> soups = { Box({ -3, -3, -3 }, { 3, 3, 3 }),
     Octahedron({ 0, 0, 0 }, 2, 1), Octahedron({ 0.5, 0.25, 0 }, 1, 1) };
   const Meshed meshed = Mesh(soups);
-  const TetrahedralMesh& mesh = meshed.Hull.Whole.Mesh;
+  const TetrahedralMesh& mesh = meshed.Hull.Mesh;
   EXPECT_NEAR(MeasureMass(mesh, meshed.Inside[0]).Volume, 216, 1e-9);
   EXPECT_NEAR(MeasureMass(mesh, meshed.Inside[1]).Volume, 32.0 / 3, 1.0);
   EXPECT_NEAR(MeasureMass(mesh, meshed.Inside[2]).Volume, 4.0 / 3, 0.2);
-  EXPECT_GT(*std::max_element(meshed.Hull.W[1].begin(), meshed.Hull.W[1].end()), 0.8);
+  EXPECT_GT(
+    *std::max_element(meshed.Hull.WOfBodies[1].begin(), meshed.Hull.WOfBodies[1].end()), 0.8);
   ExpectConforming(meshed, Regions(meshed, RegionRule::All).Regions);
 }
 
 TEST(Bodies, SeedsSpeakOfTheirBodyAlone)
 {
   Monitor silent;
-  const HullOfBodies hull = MeshBodies(
+  const HullMesh hull = MeshHull(
     BodiesOf({ Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 0, 0, 0 }, { 2, 2, 2 }) }), {}, silent);
-  const std::vector<BodyToSegment> bodies = {
-    { "a", hull.W[0], {}, { { { 0.9, 0.2, 0.3 }, false } } }, { "b", hull.W[1], {}, {} }
-  };
-  const BodySegmentation found = SegmentBodies(hull.Whole.Mesh, bodies, {}, silent);
-  EXPECT_LT(MeasureMass(hull.Whole.Mesh, found.Inside[0]).Volume, 1);
-  EXPECT_NEAR(MeasureMass(hull.Whole.Mesh, found.Inside[1]).Volume, 8, 1e-12);
+  const std::vector<BodyToSegment> bodies = { { "a", hull.WOfBodies[0], {},
+                                                { { { 0.9, 0.2, 0.3 }, false } } },
+    { "b", hull.WOfBodies[1], {}, {} } };
+  const BodySegmentation found = SegmentBodies(hull.Mesh, bodies, {}, silent);
+  EXPECT_LT(MeasureMass(hull.Mesh, found.Inside[0]).Volume, 1);
+  EXPECT_NEAR(MeasureMass(hull.Mesh, found.Inside[1]).Volume, 8, 1e-12);
 }
 
 TEST(Bodies, OfWhichOneIsWrongAreNamed)
@@ -353,8 +353,8 @@ TEST(Bodies, AreTheSameOnAnyNumberOfThreads)
   };
   const Meshed one = meshOn(1);
   const Meshed four = meshOn(4);
-  EXPECT_EQ(one.Hull.Whole.Mesh.Points, four.Hull.Whole.Mesh.Points);
-  EXPECT_EQ(one.Hull.Whole.Mesh.Cells, four.Hull.Whole.Mesh.Cells);
-  EXPECT_EQ(one.Hull.W, four.Hull.W);
+  EXPECT_EQ(one.Hull.Mesh.Points, four.Hull.Mesh.Points);
+  EXPECT_EQ(one.Hull.Mesh.Cells, four.Hull.Mesh.Cells);
+  EXPECT_EQ(one.Hull.WOfBodies, four.Hull.WOfBodies);
   EXPECT_EQ(one.Inside, four.Inside);
 }

@@ -6,7 +6,7 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Distance/SurfaceDistance.h"
-#include "HullOfBodies.h"
+#include "HullMesh.h"
 #include "Output/InsideBoundary.h"
 #include "Output/MassProperties.h"
 #include "Support/BodiesOfSoups.h"
@@ -98,19 +98,19 @@ struct Filled
 Filled Fill(const std::vector<TriangleSoup>& soups, double tolerance, std::vector<Id> order = {})
 {
   Monitor monitor;
-  HullOfBodies hull = MeshBodies(BodiesOf(soups), {}, monitor);
+  HullMesh hull = MeshHull(BodiesOf(soups), {}, monitor);
   std::vector<BodyToSegment> bodies;
-  for (const std::vector<double>& w : hull.W)
+  for (Id body = 0; body < hull.NumberOfBodies(); ++body)
   {
-    bodies.push_back({ "body", w, {}, {} });
+    bodies.push_back({ "body", hull.WOfBody(body), {}, {} });
     order.push_back(static_cast<Id>(order.size()));
   }
   order.resize(bodies.size());
   Filled filled;
-  filled.Before = SegmentBodies(hull.Whole.Mesh, bodies, {}, monitor).Inside;
+  filled.Before = SegmentBodies(hull.Mesh, bodies, {}, monitor).Inside;
   filled.After = filled.Before;
-  filled.Gaps = FillGaps(hull.Whole.Mesh, tolerance, order, filled.After, monitor);
-  filled.Hull = std::move(hull.Whole);
+  filled.Gaps = FillGaps(hull.Mesh, tolerance, order, filled.After, monitor);
+  filled.Hull = std::move(hull);
   return filled;
 }
 

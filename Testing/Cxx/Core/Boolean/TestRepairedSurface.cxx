@@ -56,7 +56,7 @@ TEST(RepairedSurface, BoundsTheSolidOfTheTetrahedra)
   {
     const TriangleSoup soup = DirtyBoxes(seed);
     Monitor monitor;
-    const HullMesh resolved = ResolveHull(soup, CountDuplicates(), monitor);
+    const HullMesh resolved = ResolveHull(OneBody(soup), CountDuplicates(), monitor);
     const auto repaired = RepairSurface(resolved.Surface, monitor);
     ASSERT_TRUE(repaired) << seed;
     ExpectSound(SoupOf(resolved.Surface.Points, repaired->Boundary));
@@ -80,7 +80,7 @@ TEST(RepairedSurface, HasTheOutliersOfTheTetrahedra)
     { { 0, 1, 2 }, { 0, 2, 1 }, { 3, 4, 5 }, { 3, 5, 4 } } };
   const TriangleSoup soup = Join(Box({ 0, 0, 0 }, { 4, 4, 4 }), sheets);
   Monitor monitor;
-  const HullMesh resolved = ResolveHull(soup, {}, monitor);
+  const HullMesh resolved = ResolveHull(OneBody(soup), {}, monitor);
   const auto repaired = RepairSurface(resolved.Surface, monitor);
   ASSERT_TRUE(repaired);
   EXPECT_EQ(repaired->Boundary.size(), 12u);
@@ -92,7 +92,7 @@ TEST(RepairedSurface, IsTheInputWhereThatIsSound)
 {
   const TriangleSoup box = Box({ 0, 0, 0 }, { 4, 4, 4 });
   Monitor monitor;
-  const HullMesh resolved = ResolveHull(box, {}, monitor);
+  const HullMesh resolved = ResolveHull(OneBody(box), {}, monitor);
   const auto repaired = RepairSurface(resolved.Surface, monitor);
   ASSERT_TRUE(repaired);
   ASSERT_EQ(repaired->Boundary.size(), 12u);
@@ -108,7 +108,7 @@ TEST(RepairedSurface, IsNotMadeOfOpenOnesAndWhereFacetsWereLeftOut)
   TriangleSoup open = Box({ 0, 0, 0 }, { 1, 1, 1 });
   open.Triangles.pop_back();
   Monitor monitor;
-  EXPECT_FALSE(RepairSurface(ResolveHull(open, {}, monitor).Surface, monitor));
+  EXPECT_FALSE(RepairSurface(ResolveHull(OneBody(open), {}, monitor).Surface, monitor));
   FacetComplex leftOut = ToComplex(Box({ 0, 0, 0 }, { 1, 1, 1 }));
   EXPECT_TRUE(RepairSurface(leftOut, monitor));
   --leftOut.NumberOfConstraints;

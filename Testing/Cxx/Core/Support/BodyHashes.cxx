@@ -7,7 +7,7 @@
 #include "Boolean/SurfaceOfExpression.h"
 #include "Common/Stages.h"
 #include "GraphCut/ConnectCells.h"
-#include "HullOfBodies.h"
+#include "HullMesh.h"
 #include "Output/RegionBoundaries.h"
 #include "Refine/QuadraticCells.h"
 #include "Refine/RefineTetrahedra.h"
@@ -40,7 +40,7 @@ std::vector<Body> BodiesWith(const TriangleSoup& soup)
 /** The bodies on one mesh, and what each of them is. */
 struct MeshedBodies
 {
-  HullOfBodies Hull;
+  HullMesh Hull;
   BodySegmentation Cut;
 };
 
@@ -50,13 +50,13 @@ MeshedBodies MeshBodiesWith(const TriangleSoup& soup, const HullMeshParameters& 
   parameters.Budgets.Engine = TetrahedralizationEngine::Exact;
   Monitor monitor;
   MeshedBodies meshed;
-  meshed.Hull = MeshBodies(BodiesWith(soup), parameters, monitor);
+  meshed.Hull = MeshHull(BodiesWith(soup), parameters, monitor);
   std::vector<BodyToSegment> bodies;
-  for (const std::vector<double>& w : meshed.Hull.W)
+  for (const std::vector<double>& w : meshed.Hull.WOfBodies)
   {
     bodies.push_back({ std::to_string(bodies.size()), w, {}, {} });
   }
-  meshed.Cut = SegmentBodies(meshed.Hull.Whole.Mesh, bodies, {}, monitor);
+  meshed.Cut = SegmentBodies(meshed.Hull.Mesh, bodies, {}, monitor);
   return meshed;
 }
 
@@ -80,7 +80,7 @@ struct Solid
 Solid SolidOf(const MeshedBodies& meshed, Id trianglesOfFirst)
 {
   Monitor monitor;
-  const HullMesh& hull = meshed.Hull.Whole;
+  const HullMesh& hull = meshed.Hull;
   const BodyRegions found =
     FindBodyRegions(meshed.Cut.Inside, RegionRule::All, {}, monitor, Progress);
   Solid solid;
@@ -109,9 +109,9 @@ void AddBodies(const TriangleSoup& soup, Hashes& hashes)
 {
   Monitor monitor;
   MeshedBodies meshed = MeshBodiesWith(soup);
-  const TetrahedralMesh& mesh = meshed.Hull.Whole.Mesh;
-  AddHull("hull", meshed.Hull.Whole, hashes);
-  AddHash("w of each", hashes, meshed.Hull.W);
+  const TetrahedralMesh& mesh = meshed.Hull.Mesh;
+  AddHull("hull", meshed.Hull, hashes);
+  AddHash("w of each", hashes, meshed.Hull.WOfBodies);
   AddHash("labels", hashes, meshed.Cut.Inside);
   AddHash("labels, figures", hashes, meshed.Cut.Statistics, meshed.Cut.Warnings);
   const std::vector<Id> priority = { 1, 0, 2 };
@@ -126,7 +126,7 @@ void AddBodies(const TriangleSoup& soup, Hashes& hashes)
 
   HullMeshParameters parameters;
   parameters.Chain.MergeTolerance = tolerance;
-  AddHull("merged", MeshBodiesWith(soup, parameters).Hull.Whole, hashes);
+  AddHull("merged", MeshBodiesWith(soup, parameters).Hull, hashes);
 }
 
 void AddBooleans(const TriangleSoup& soup, Hashes& hashes)
@@ -135,7 +135,7 @@ void AddBooleans(const TriangleSoup& soup, Hashes& hashes)
   const ResolvedBodies bodies = ResolveBodies(BodiesWith(soup), {}, monitor);
   AddHash("resolved", hashes, bodies.Surface.Points, bodies.Surface.Origins, bodies.Surface.Facets,
     bodies.Surface.Multiplicity, bodies.Surface.Sources, bodies.MergedInto, bodies.TurnedTriangles);
-  AddHash("counts", hashes, bodies.CountOffsets, bodies.Counts);
+  AddHash("counts", hashes, bodies.CountOffsets, bodies.BodyCounts);
   const double tolerance = 2 * Gap * DiagonalOf(soup);
   AddHash("has gaps", hashes, MayHaveGaps(bodies, tolerance, monitor));
   const std::vector<std::string> names = { "A", "B", "C" };

@@ -83,7 +83,7 @@ Point PointIn(const TriangleSoup& soup, double x, double y, double z)
 void AddRepair(const TriangleSoup& soup, Hashes& hashes)
 {
   Monitor monitor;
-  HullMesh hull = ResolveHull(soup, {}, monitor);
+  HullMesh hull = ResolveHull(OneBody(soup), {}, monitor);
   const std::optional<RepairedSurface> repaired = RepairSurface(hull.Surface, monitor);
   AddHash("is closed", hashes, repaired.has_value());
   if (repaired)
