@@ -240,7 +240,7 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
       const insideout::SetExpression expression = ExpressionOf(this, names);
       const ResolvedBodies resolved =
         ResolveBodies(TakeNamed(expression, inputs), ParametersOf(this), monitor);
-      std::optional<std::vector<BoundaryTriangle>> surface;
+      std::optional<ExpressionSurface> surface;
       std::optional<CellsOfExpression> cells;
       const bool hasGaps =
         this->MergeTolerance > 0 && MayHaveGaps(resolved, this->MergeTolerance, monitor);
@@ -257,7 +257,7 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
       vtkInsideOutAttributes::RenameArrays(
         inputs.Surface.Input->GetPointData(), { "BodyId" }, inputs.Surface.Warnings);
       vtkInsideOutMakeOutputs outputs(inputs.Surface);
-      const auto& boundary = surface ? *surface : cells->Boundary;
+      const auto& boundary = surface ? surface->Boundary : cells->Boundary;
       const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;
       const auto& origins = cells ? cells->Mesh.Origins : resolved.Surface.Origins;
       output->ShallowCopy(outputs.MakeBoundary(

@@ -144,7 +144,7 @@ vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& 
 }
 
 vtkInsideOutSolidSurfaces vtkInsideOutMakeRepairedSurfaces(const vtkInsideOutHull& kept,
-  const RepairedSurface& repaired, const vtkInsideOutBoundaryOptions& options,
+  const ExpressionSurface& repaired, const vtkInsideOutBoundaryOptions& options,
   const vtkInsideOutTags& tags, vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
 {
   vtkInsideOutSolidSurfaces surfaces;

@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "Boolean/RepairedSurface.h"
+#include "Boolean/SurfaceOfExpression.h"
 #include "Common/Statistics.h"
 #include "LostArea.h"
 #include "vtkInsideOutHull.h"
@@ -45,5 +45,5 @@ vtkInsideOutSolidSurfaces vtkInsideOutMakeSolidSurfaces(const vtkInsideOutHull& 
 
 /** Both of a closed surface whose boundary is known without tetrahedra. */
 vtkInsideOutSolidSurfaces vtkInsideOutMakeRepairedSurfaces(const vtkInsideOutHull& kept,
-  const insideout::RepairedSurface& repaired, const vtkInsideOutBoundaryOptions& options,
+  const insideout::ExpressionSurface& repaired, const vtkInsideOutBoundaryOptions& options,
   const vtkInsideOutTags& tags, vtkInsideOutMakeOutputs& outputs, insideout::Monitor& monitor);

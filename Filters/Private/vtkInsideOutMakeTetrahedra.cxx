@@ -134,7 +134,8 @@ std::optional<vtkInsideOutTetrahedra> vtkInsideOutMakeSurfaceOnly(const vtkInsid
     return std::nullopt;
   }
   Stopwatch stopwatch;
-  const std::optional<RepairedSurface> repaired = RepairSurface(kept.Hull.Surface, monitor);
+  const std::optional<ExpressionSurface> repaired =
+    SurfaceOfExpression(kept.Hull, { SetOperation::Union, kept.Hull.NumberOfBodies() }, monitor);
   if (!repaired || repaired->Boundary.empty())
   {
     return std::nullopt;

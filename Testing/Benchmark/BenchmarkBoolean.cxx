@@ -64,8 +64,8 @@ Union UnionByUs(const TriangleSoup& a, const TriangleSoup& b)
   Monitor monitor;
   Stopwatch stopwatch;
   const ResolvedBodies resolved = ResolveBodies(std::move(bodies), {}, monitor);
-  const auto triangles = SurfaceOfExpression(resolved, { SetOperation::Union, 2 }, monitor);
-  return { stopwatch.Lap(), triangles ? triangles->size() : 0 };
+  const auto surface = SurfaceOfExpression(resolved, { SetOperation::Union, 2 }, monitor);
+  return { stopwatch.Lap(), surface ? surface->Boundary.size() : 0 };
 }
 
 /** Of a pair of so many triangles in all. */

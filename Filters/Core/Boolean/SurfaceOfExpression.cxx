@@ -5,6 +5,8 @@
 #include "Boolean/SingleBodies.h"
 #include "Common/Stages.h"
 
+#include <algorithm>
+
 namespace insideout
 {
 namespace
@@ -24,8 +26,9 @@ std::vector<CountedTriangle> ChainOf(const ResolvedBodies& bodies, Id body)
   return chain;
 }
 
+/** @param[out] surface gains the range of w */
 std::vector<HoldsBeside> HoldsBesidePatches(const ResolvedBodies& bodies, const PatchPlaces& places,
-  Id numberOfPatches, const SetExpression& expression, Monitor& monitor)
+  Id numberOfPatches, const SetExpression& expression, ExpressionSurface& surface, Monitor& monitor)
 {
   const std::size_t patches = static_cast<std::size_t>(numberOfPatches);
   const std::size_t numberOfBodies = bodies.Bodies.size();
@@ -46,6 +49,8 @@ std::vector<HoldsBeside> HoldsBesidePatches(const ResolvedBodies& bodies, const 
     {
       front[patch][body] = sides[patch].Front >= 1;
       back[patch][body] = sides[patch].Back >= 1;
+      surface.MinimumW = std::min({ surface.MinimumW, sides[patch].Front, sides[patch].Back });
+      surface.MaximumW = std::max({ surface.MaximumW, sides[patch].Front, sides[patch].Back });
     }
   }
   std::vector<HoldsBeside> holds;
@@ -68,9 +73,24 @@ std::vector<int> FirstCounts(const ResolvedBodies& bodies)
   }
   return counts;
 }
+
+std::vector<OutlierPiece> OutliersOf(
+  const FacetComplex& surface, const SurfacePatches& patches, const std::vector<HoldsBeside>& holds)
+{
+  std::vector<OutlierPiece> outliers;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    const HoldsBeside& sides = holds[patches.Patch[f]];
+    if (!sides.Front && !sides.Back)
+    {
+      outliers.push_back({ surface.Facets[f], f, OutlierReason::Energy });
+    }
+  }
+  return outliers;
+}
 } // namespace
 
-std::optional<std::vector<BoundaryTriangle>> SurfaceOfExpression(
+std::optional<ExpressionSurface> SurfaceOfExpression(
   const ResolvedBodies& bodies, const SetExpression& expression, Monitor& monitor)
 {
   const FacetComplex& surface = bodies.Surface;
@@ -81,11 +101,12 @@ std::optional<std::vector<BoundaryTriangle>> SurfaceOfExpression(
   }
   const SurfacePatches patches = FindPatches(surface, edges);
   const PatchPlaces places(surface, patches);
+  ExpressionSurface found;
   const std::vector<HoldsBeside> holds =
-    HoldsBesidePatches(bodies, places, patches.Count, expression, monitor);
-  std::vector<BoundaryTriangle> triangles =
-    PatchBoundary(surface, edges, patches, places, holds, FirstCounts(bodies));
+    HoldsBesidePatches(bodies, places, patches.Count, expression, found, monitor);
+  found.Boundary = PatchBoundary(surface, edges, patches, places, holds, FirstCounts(bodies));
+  found.Outliers = OutliersOf(surface, patches, holds);
   monitor.Check(Stages::Extracting, 1);
-  return triangles;
+  return found;
 }
 } // namespace insideout

@@ -4,24 +4,36 @@
 #include "Boolean/ResolveBodies.h"
 #include "Boolean/SetExpression.h"
 #include "Output/BoundaryTriangles.h"
+#include "Output/Outliers.h"
 
 #include <optional>
 
 namespace insideout
 {
+/** What a set expression bounds. */
+struct ExpressionSurface
+{
+  std::vector<BoundaryTriangle> Boundary; ///< by points of bodies.Surface, in its facets' order
+  std::vector<OutlierPiece> Outliers;     ///< facets beside which the expression holds nowhere
+  int MinimumW = 0;                       ///< of any body at any place; 0 far away
+  int MaximumW = 0;
+};
+
 /**
  * The surface of what a set expression makes of closed bodies, without any tetrahedra. A place is
  * in a body where w of the body is 1 or more. The winding numbers of all bodies on both sides of
  * each patch say where the expression begins or ends to hold: the facets there are the surface
  * (Zhou, Grinspun, Zorin and Jacobson 2016, sections 4 and 5).
  *
- * It is watertight, and no two of its triangles meet but in shared points and edges.
+ * It is watertight, and no two of its triangles meet but in shared points and edges. The union of
+ * one body is its repair: self-intersections and inner walls are gone. The solid is the one that
+ * the cut gives with weights that IsCutByWholeNumbers (CutEnergy.h) is true for.
  *
  * @param[in] bodies one for each of expression.Bodies()
- * @return triangles by points of bodies.Surface, in the order of its facets; nothing where a body
- * is not closed, or a facet was left out in resolving: its winding number then takes a mesh
+ * @return nothing where a body is not closed, or a facet was left out in resolving: its winding
+ *   number then takes a mesh
  * @throws Error (Stopped)
  */
-std::optional<std::vector<BoundaryTriangle>> SurfaceOfExpression(
+std::optional<ExpressionSurface> SurfaceOfExpression(
   const ResolvedBodies& bodies, const SetExpression& expression, Monitor& monitor);
 } // namespace insideout

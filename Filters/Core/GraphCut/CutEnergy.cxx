@@ -273,4 +273,10 @@ double CutEnergy::Of(const std::vector<unsigned char>& inside) const
   }
   return data + this->Gamma * cut;
 }
+
+bool IsCutByWholeNumbers(const GraphCutParameters& cut)
+{
+  const GraphCutParameters most;
+  return cut.DataTerm == DataTerm::Uniform && cut.Gamma <= most.Gamma && cut.Sigma <= most.Sigma;
+}
 } // namespace insideout

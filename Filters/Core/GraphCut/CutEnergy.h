@@ -52,6 +52,12 @@ struct GraphCutParameters
   insideout::DataTerm DataTerm = insideout::DataTerm::Uniform;
 };
 
+/**
+ * Whether a cut with these weights is known to take the cells with w of 1 or more, where w is a
+ * whole number in each: no weight is above the defaults', for which the proof is above.
+ */
+bool IsCutByWholeNumbers(const GraphCutParameters& cut);
+
 /** A face between two cells. */
 struct InteriorFace
 {

@@ -18,9 +18,12 @@ using namespace testmeshes;
 struct Made
 {
   ResolvedBodies Bodies;
-  std::optional<std::vector<BoundaryTriangle>> Triangles;
+  std::optional<ExpressionSurface> Found;
 
-  TriangleSoup Surface() const { return SoupOf(this->Bodies.Surface.Points, *this->Triangles); }
+  TriangleSoup Surface() const
+  {
+    return SoupOf(this->Bodies.Surface.Points, this->Found->Boundary);
+  }
 };
 
 std::vector<std::string> Letters(std::size_t count)
@@ -48,7 +51,7 @@ Made Make(const std::vector<TriangleSoup>& soups, const std::string& text)
   Monitor monitor;
   Made made;
   made.Bodies = ResolveBodies(std::move(bodies), {}, monitor);
-  made.Triangles = SurfaceOfExpression(made.Bodies, expression, monitor);
+  made.Found = SurfaceOfExpression(made.Bodies, expression, monitor);
   return made;
 }
 
@@ -113,7 +116,7 @@ void ExpectWhatTheExpressionHolds(
   const std::vector<TriangleSoup>& soups, const std::string& text, unsigned seed)
 {
   const Made made = Make(soups, text);
-  ASSERT_TRUE(made.Triangles);
+  ASSERT_TRUE(made.Found);
   const TriangleSoup surface = made.Surface();
   ExpectSound(surface);
   Monitor monitor;
@@ -189,10 +192,10 @@ TEST(SurfaceOfExpression, HasVolumesThatAddUp)
 TEST(SurfaceOfExpression, OfABodyWithItselfIsExact)
 {
   const TriangleSoup box = Turned(Box({ 0, 0, 0 }, { 1, 2, 3 }), 1);
-  EXPECT_EQ(Make({ box, box }, "A | B").Triangles->size(), 12u);
-  EXPECT_EQ(Make({ box, Reversed(box) }, "A & B").Triangles->size(), 12u);
-  EXPECT_TRUE(Make({ box, box }, "A - B").Triangles->empty());
-  EXPECT_TRUE(Make({ box, box }, "A ^ B").Triangles->empty());
+  EXPECT_EQ(Make({ box, box }, "A | B").Found->Boundary.size(), 12u);
+  EXPECT_EQ(Make({ box, Reversed(box) }, "A & B").Found->Boundary.size(), 12u);
+  EXPECT_TRUE(Make({ box, box }, "A - B").Found->Boundary.empty());
+  EXPECT_TRUE(Make({ box, box }, "A ^ B").Found->Boundary.empty());
 }
 
 TEST(SurfaceOfExpression, KnowsTheInputTriangleOfEachOfItsOwn)
@@ -201,8 +204,8 @@ TEST(SurfaceOfExpression, KnowsTheInputTriangleOfEachOfItsOwn)
   const std::vector<TriangleSoup> soups = { Box({ 0, 0, 0 }, { 4, 4, 4 }),
     Box({ 1, 1, 1 }, { 2, 2, 2 }) };
   const Made made = Make(soups, "A - B");
-  ASSERT_EQ(made.Triangles->size(), 24u);
-  for (const BoundaryTriangle& triangle : *made.Triangles)
+  ASSERT_EQ(made.Found->Boundary.size(), 24u);
+  for (const BoundaryTriangle& triangle : made.Found->Boundary)
   {
     const bool isOfB = triangle.Source >= 12;
     const Point& corner = made.Bodies.Surface.Points[triangle.Corners[0]];
@@ -222,7 +225,7 @@ TEST(SurfaceOfExpression, IsTheBoundaryOfTheCells)
       Monitor monitor;
       const CellsOfExpression cells =
         FindCellsOfExpression(made.Bodies, Letters(2), SetExpression(text, Letters(2)), 0, monitor);
-      const double volume = VolumeWithin(made.Bodies.Surface.Points, *made.Triangles);
+      const double volume = VolumeWithin(made.Bodies.Surface.Points, made.Found->Boundary);
       EXPECT_NEAR(VolumeWithin(cells.Mesh.Points, cells.Boundary), volume, 1e-9 * volume);
       ExpectSound(SoupOf(cells.Mesh.Points, cells.Boundary));
     }
@@ -233,7 +236,7 @@ TEST(CellsOfExpression, AreNoneInAPlane)
 {
   const TriangleSoup flat = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
   const Made made = Make({ flat, flat }, "A | B");
-  EXPECT_FALSE(made.Triangles);
+  EXPECT_FALSE(made.Found);
   Monitor monitor;
   const CellsOfExpression cells = FindCellsOfExpression(
     made.Bodies, Letters(2), SetExpression(SetOperation::Union, 2), 0, monitor);
@@ -246,7 +249,7 @@ TEST(SurfaceOfExpression, IsNotMadeOfOpenBodies)
   TriangleSoup open = Box({ 0, 0, 0 }, { 1, 1, 1 });
   open.Triangles.pop_back();
   const std::vector<TriangleSoup> soups = { open, Box({ 0.5, 0.5, 0.5 }, { 2, 2, 2 }) };
-  EXPECT_FALSE(Make(soups, "A | B").Triangles);
-  EXPECT_TRUE(Make(soups, "B").Triangles);
+  EXPECT_FALSE(Make(soups, "A | B").Found);
+  EXPECT_TRUE(Make(soups, "B").Found);
 }
 } // namespace

@@ -143,7 +143,8 @@ void AddBooleans(const TriangleSoup& soup, Hashes& hashes)
   {
     const SetExpression expression(text, names);
     const auto surface = SurfaceOfExpression(bodies, expression, monitor);
-    AddHash(text + ", surface", hashes, surface ? *surface : std::vector<BoundaryTriangle>());
+    AddHash(
+      text + ", surface", hashes, surface ? surface->Boundary : std::vector<BoundaryTriangle>());
   }
   for (const double gaps : { 0.0, tolerance })
   {

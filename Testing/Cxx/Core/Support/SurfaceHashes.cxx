@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Boolean/RepairedSurface.h"
+#include "Boolean/SurfaceOfExpression.h"
 #include "Common/Box.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
@@ -84,7 +84,7 @@ void AddRepair(const TriangleSoup& soup, Hashes& hashes)
 {
   Monitor monitor;
   HullMesh hull = ResolveHull(OneBody(soup), {}, monitor);
-  const std::optional<RepairedSurface> repaired = RepairSurface(hull.Surface, monitor);
+  const auto repaired = SurfaceOfExpression(hull, { SetOperation::Union, 1 }, monitor);
   AddHash("is closed", hashes, repaired.has_value());
   if (repaired)
   {

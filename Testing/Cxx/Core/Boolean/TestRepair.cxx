@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Boolean/RepairedSurface.h"
+#include "Boolean/SurfaceOfExpression.h"
 
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
@@ -17,6 +17,13 @@ HullMeshParameters CountDuplicates()
   HullMeshParameters parameters;
   parameters.Chain.CountDuplicates = true;
   return parameters;
+}
+
+/** The union of one body. */
+std::optional<ExpressionSurface> Repair(const ResolvedBodies& body)
+{
+  Monitor monitor;
+  return SurfaceOfExpression(body, { SetOperation::Union, 1 }, monitor);
 }
 
 /** What the tetrahedra give, with the cut's defaults. */
@@ -50,14 +57,14 @@ TriangleSoup DirtyBoxes(unsigned seed)
   return boxes;
 }
 
-TEST(RepairedSurface, BoundsTheSolidOfTheTetrahedra)
+TEST(Repair, BoundsTheSolidOfTheTetrahedra)
 {
   for (unsigned seed = 0; seed < 8; ++seed)
   {
     const TriangleSoup soup = DirtyBoxes(seed);
     Monitor monitor;
     const HullMesh resolved = ResolveHull(OneBody(soup), CountDuplicates(), monitor);
-    const auto repaired = RepairSurface(resolved.Surface, monitor);
+    const auto repaired = Repair(resolved);
     ASSERT_TRUE(repaired) << seed;
     ExpectSound(SoupOf(resolved.Surface.Points, repaired->Boundary));
     HullMesh hull;
@@ -72,7 +79,7 @@ TEST(RepairedSurface, BoundsTheSolidOfTheTetrahedra)
   }
 }
 
-TEST(RepairedSurface, HasTheOutliersOfTheTetrahedra)
+TEST(Repair, HasTheOutliersOfTheTetrahedra)
 {
   // A sheet far from a box, drawn from both sides, is not part of the solid; one within is.
   const TriangleSoup sheets = { { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 2, 2 }, { 9, 9, 9 }, { 8, 9, 9 },
@@ -81,19 +88,19 @@ TEST(RepairedSurface, HasTheOutliersOfTheTetrahedra)
   const TriangleSoup soup = Join(Box({ 0, 0, 0 }, { 4, 4, 4 }), sheets);
   Monitor monitor;
   const HullMesh resolved = ResolveHull(OneBody(soup), {}, monitor);
-  const auto repaired = RepairSurface(resolved.Surface, monitor);
+  const auto repaired = Repair(resolved);
   ASSERT_TRUE(repaired);
   EXPECT_EQ(repaired->Boundary.size(), 12u);
   ASSERT_EQ(repaired->Outliers.size(), 1u);
   EXPECT_EQ(SourceOfFacet(resolved.Surface, repaired->Outliers[0].Facet, +1), 14);
 }
 
-TEST(RepairedSurface, IsTheInputWhereThatIsSound)
+TEST(Repair, IsTheInputWhereThatIsSound)
 {
   const TriangleSoup box = Box({ 0, 0, 0 }, { 4, 4, 4 });
   Monitor monitor;
   const HullMesh resolved = ResolveHull(OneBody(box), {}, monitor);
-  const auto repaired = RepairSurface(resolved.Surface, monitor);
+  const auto repaired = Repair(resolved);
   ASSERT_TRUE(repaired);
   ASSERT_EQ(repaired->Boundary.size(), 12u);
   for (std::size_t t = 0; t < 12; ++t)
@@ -103,15 +110,15 @@ TEST(RepairedSurface, IsTheInputWhereThatIsSound)
   }
 }
 
-TEST(RepairedSurface, IsNotMadeOfOpenOnesAndWhereFacetsWereLeftOut)
+TEST(Repair, IsNotMadeOfOpenOnesAndWhereFacetsWereLeftOut)
 {
   TriangleSoup open = Box({ 0, 0, 0 }, { 1, 1, 1 });
   open.Triangles.pop_back();
   Monitor monitor;
-  EXPECT_FALSE(RepairSurface(ResolveHull(OneBody(open), {}, monitor).Surface, monitor));
-  FacetComplex leftOut = ToComplex(Box({ 0, 0, 0 }, { 1, 1, 1 }));
-  EXPECT_TRUE(RepairSurface(leftOut, monitor));
-  --leftOut.NumberOfConstraints;
-  EXPECT_FALSE(RepairSurface(leftOut, monitor));
+  EXPECT_FALSE(Repair(ResolveHull(OneBody(open), {}, monitor)));
+  HullMesh leftOut = ResolveHull(OneBody(Box({ 0, 0, 0 }, { 1, 1, 1 })), {}, monitor);
+  EXPECT_TRUE(Repair(leftOut));
+  --leftOut.Surface.NumberOfConstraints;
+  EXPECT_FALSE(Repair(leftOut));
 }
 } // namespace
