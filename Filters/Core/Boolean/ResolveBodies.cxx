@@ -99,6 +99,7 @@ private:
   void CountFacetsOfBodies();
   void FindOwnCrossings();
   void OrientBodies();
+  bool Thickens() const { return this->Parameters.Thicken.Width != 0; }
   void ResolveAlone();
   void ResolveTogether();
   struct ChainPoints
@@ -229,7 +230,7 @@ void BodyResolver::CountFacetsOfBodies()
   }
 }
 
-/** Searches each body once. */
+/** Searches each body once: here, or once it is thickened. */
 void BodyResolver::FindOwnCrossings()
 {
   for (std::size_t b = 0; b < this->Given.size(); ++b)
@@ -272,7 +273,8 @@ void BodyResolver::OrientBodies()
       [&]()
       {
         turns = OrientFacets(chain, this->Edges[b], this->Parameters.Orientation, monitor,
-          this->OwnCrossings[b].empty() ? Crossings::Absent : Crossings::Unknown);
+          this->Thickens() || !this->OwnCrossings[b].empty() ? Crossings::Unknown
+                                                             : Crossings::Absent);
         for (const Id t : TrianglesOfFacets(chain, turns.Turned))
         {
           this->Result.TurnedTriangles.push_back(body.TriangleIds[t]);
@@ -283,7 +285,7 @@ void BodyResolver::OrientBodies()
         }
         this->Result.Bodies[b].ThickenedFacets =
           ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
-        if (this->Result.Bodies[b].ThickenedFacets > 0)
+        if (this->Thickens())
         {
           this->OwnCrossings[b] = FindIntersections(chain.Points, chain.Facets, monitor);
         }
@@ -540,7 +542,10 @@ ResolvedBodies BodyResolver::Resolve()
     }
   }
   this->CountFacetsOfBodies();
-  this->FindOwnCrossings();
+  if (!this->Thickens())
+  {
+    this->FindOwnCrossings();
+  }
   this->OrientBodies();
   this->Result.SecondsValidate = stopwatch.Lap();
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 namespace insideout
 {
@@ -115,6 +116,10 @@ private:
 std::vector<Id> FacetsNearOthers(const std::vector<Point>& points,
   const std::vector<Triangle>& facets, const std::vector<Id>& setOf, double radius)
 {
+  if (std::adjacent_find(setOf.begin(), setOf.end(), std::not_equal_to<>()) == setOf.end())
+  {
+    return {}; // a single set
+  }
   FacetGrid grid(BoundingBox(points), facets.size());
   std::vector<CellRange> around; // each point
   around.reserve(points.size());

@@ -265,6 +265,10 @@ Pairs FindIntersectionsBetween(const std::vector<Point>& points,
 {
   monitor.Check(Stages::FindingIntersections, 0);
   const std::vector<Id> near = FacetsNearOthers(points, facets, setOf, 0);
+  if (near.empty())
+  {
+    return {};
+  }
   std::vector<Id> sets;
   for (const Id f : near)
   {
