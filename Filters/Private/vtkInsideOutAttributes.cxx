@@ -386,6 +386,20 @@ bool FitTogether(vtkAbstractArray* a, vtkAbstractArray* b)
   return a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
     (areNumbers || a->GetDataType() == b->GetDataType());
 }
+
+/** The first input with tuples that is not among the owners, which ascend; else their number. */
+std::size_t FirstWithout(
+  const std::vector<std::size_t>& owners, const std::vector<vtkIdType>& first)
+{
+  const std::size_t numberOfInputs = first.size() - 1;
+  std::size_t input = 0;
+  while (input < numberOfInputs &&
+    (first[input] == first[input + 1] || std::binary_search(owners.begin(), owners.end(), input)))
+  {
+    ++input;
+  }
+  return input;
+}
 } // namespace
 
 void vtkInsideOutAttributes::Append(const std::vector<vtkDataSetAttributes*>& inputs,
@@ -424,10 +438,10 @@ void vtkInsideOutAttributes::Append(const std::vector<vtkDataSetAttributes*>& in
         owners.push_back(i);
       }
     }
-    if (arrays.size() < usable.size() && usable[owners.front()]->GetNormals() == arrays.front())
+    const std::size_t without = FirstWithout(owners, first);
+    if (without < usable.size() && usable[owners.front()]->GetNormals() == arrays.front())
     {
-      WarnOnce("the normals of input " + std::to_string(owners.front() + 1) +
-          " are left out, for not all inputs have normals",
+      WarnOnce("the normals are left out, for input " + std::to_string(without + 1) + " has none",
         warnings);
       continue;
     }
