@@ -19,6 +19,7 @@
 #include "vtkRefineTetrahedra.h"
 
 #include <vtkFieldData.h>
+#include <vtkGarbageCollector.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -82,6 +83,14 @@ vtkMTimeType vtkRobustTetrahedralize::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->WindingNumber->GetMTime(),
     this->Segmentation->GetMTime(), this->Refinement->GetMTime() });
+}
+
+void vtkRobustTetrahedralize::ReportReferences(vtkGarbageCollector* collector)
+{
+  this->Superclass::ReportReferences(collector);
+  vtkGarbageCollectorReport(collector, this->WindingNumber, "WindingNumber");
+  vtkGarbageCollectorReport(collector, this->Segmentation, "Segmentation");
+  vtkGarbageCollectorReport(collector, this->Refinement, "Refinement");
 }
 
 void vtkRobustTetrahedralize::SetWindingNumber(vtkGeneralizedWindingNumber* windingNumber)
@@ -429,7 +438,13 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       }
       if (this->SurfaceOnly)
       {
-        vtkInsideOutAddStatistics({ { "Tetrahedra", areTetrahedraMade } }, made->Grid);
+        for (vtkUnstructuredGrid* grid : { made->Grid.Get(), made->Hull.Get() })
+        {
+          if (grid)
+          {
+            vtkInsideOutAddStatistics({ { "Tetrahedra", areTetrahedraMade } }, grid);
+          }
+        }
       }
       vtkUnstructuredGrid* solid = vtkUnstructuredGrid::GetData(outputVector, 0);
       if (this->SurfaceOnly)

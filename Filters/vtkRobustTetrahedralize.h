@@ -60,8 +60,7 @@
  * Regions; with density 1 and in the units of the input Volume, CenterOfMassX to Z, and the inertia
  * tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x y). Topology:
  * SolidComponents, SolidTunnels and SolidCavities, the Betti numbers of the cells with all that
- * they touch in; SolidEulerCharacteristic; the same of the boundary (BoundaryComponents and so on);
- * and Genus, half of BoundaryTunnels.
+ * they touch in; SolidEulerCharacteristic; those of the boundary; Genus, half of BoundaryTunnels.
  *
  * Refine replaces the solid's cells, and its arrays as vtkRefineTetrahedra describes; InsideCells
  * counts the cells before. Where Surface is not KEPT output 1 is the boundary of the new cells, its
@@ -359,6 +358,7 @@ protected:
   vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override;
 
+  void ReportReferences(vtkGarbageCollector* collector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,

@@ -13,6 +13,7 @@
 #include "vtkGraphCutSegmentation.h"
 #include "vtkRefineTetrahedra.h"
 
+#include <vtkGarbageCollector.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -69,6 +70,13 @@ vtkMTimeType vtkRobustTriangulate::GetMTime()
 {
   return std::max(
     { this->Superclass::GetMTime(), this->Segmentation->GetMTime(), this->Refinement->GetMTime() });
+}
+
+void vtkRobustTriangulate::ReportReferences(vtkGarbageCollector* collector)
+{
+  this->Superclass::ReportReferences(collector);
+  vtkGarbageCollectorReport(collector, this->Segmentation, "Segmentation");
+  vtkGarbageCollectorReport(collector, this->Refinement, "Refinement");
 }
 
 void vtkRobustTriangulate::SetSegmentation(vtkGraphCutSegmentation* segmentation)

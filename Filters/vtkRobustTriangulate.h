@@ -16,8 +16,8 @@
  * BoundaryTag. Output 2, the outliers: polylines that are no edge of a triangle inside, with
  * OutlierReason (see vtkRobustTetrahedralize). Outputs 3 and 4 are made with GenerateHull: all
  * triangles of the convex hull, with w, Inside and RegionId; and the input as polylines that meet
- * in shared points only, with FacetMultiplicity. All carry the input's point data and
- * vtkOriginalPointIds, the lines its cell data.
+ * in shared points only, with FacetMultiplicity as Orientation has it. All carry the input's
+ * point data and vtkOriginalPointIds, the lines its cell data.
  *
  * Field data of output 0: Statistics_NAME, LeftOutCellIds, TurnedCellIds, and RegionArea and
  * RegionCenterOfMass (3 components) of each region. Statistics are those of
@@ -162,6 +162,7 @@ protected:
   vtkRobustTriangulate();
   ~vtkRobustTriangulate() override;
 
+  void ReportReferences(vtkGarbageCollector* collector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,

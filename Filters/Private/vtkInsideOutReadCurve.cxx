@@ -194,7 +194,7 @@ void ReadLines(vtkInsideOutCurve& curve)
     });
 }
 
-/** How often lines count that vtkResolveSelfIntersections made. */
+/** How often lines count that are the resolved lines of vtkRobustTriangulate. */
 void ReadMultiplicity(vtkInsideOutCurve& curve)
 {
   vtkDataArray* multiplicity = vtkInsideOutFindCellArray(curve.Input, "FacetMultiplicity");

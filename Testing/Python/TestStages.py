@@ -14,7 +14,7 @@ from insideout.commands.query import QueryJob
 from insideout.commands.refine import RefineJob
 from insideout.stages import CHECK, CHECK_SOLID, REFINE, RESOLVE, TETRAHEDRALIZE, UNNAMED, WINDING
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
 
 SEGMENTING = TETRAHEDRALIZE[-2:]
 
@@ -155,6 +155,25 @@ class Again(unittest.TestCase):
             self.filter.SetGamma(gamma)
             seen = stages_of(self.filter)
         self.assertEqual(seen, list(TETRAHEDRALIZE))
+
+    def test_a_stage_behind_its_own_filter_is_freed_with_it(self):
+        polygon = vtkRegularPolygonSource()
+        polygon.Update()
+        for kind, surface in (
+            (insideout.vtkRobustTetrahedralize, surfaces.two_boxes()),
+            (insideout.vtkRobustTriangulate, polygon.GetOutput()),
+        ):
+            freed = []
+            owner = kind()
+            owner.AddObserver("DeleteEvent", lambda *_: freed.append(True))
+            owner.SetInputData(surface)
+            owner.GenerateHullOn()
+            stage = owner.GetSegmentation()
+            stage.SetInputConnection(owner.GetOutputPort(3))
+            stage.Update()
+            self.assertGreater(stage.GetOutput().GetNumberOfCells(), 0)
+            del owner, stage
+            self.assertEqual(freed, [True])
 
     def test_each_block_is_remembered(self):
         blocks = vtkMultiBlockDataSet()
