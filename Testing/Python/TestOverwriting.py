@@ -7,7 +7,7 @@ import unittest
 import insideout
 import surfaces
 from command import CommandLine, run_here
-from insideout.files import WRITABLE_SURFACES, is_surface_of_others
+from insideout.files import WRITABLE_SURFACES, is_of_others
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 OFF = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
@@ -48,8 +48,31 @@ class Overwriting(CommandLine):
         ):
             with self.subTest(arguments):
                 done = run_here(*arguments, "--quiet")
-                self.check_failure(done, f"{arguments[-1]} is a surface that insideout did not write", "--force")
+                self.check_failure(done, f"{arguments[-1]} bears no mark of insideout", "--force")
                 self.assertEqual([self.content(path) for path in (first, second, third)], [OFF.encode()] * 3)
+
+    def test_nor_a_solid(self):
+        solid = self.path("made.vtu")
+        self.assertEqual(run_here(self.of_others("a.off"), solid, "--quiet").returncode, 0)
+        other = self.file("other.vtu", self.content(solid).replace(b"Written by InsideOut", b"By somebody else"))
+        before = self.content(other)
+        self.check_failure(run_here("refine", solid, other, "--quiet"), f"{other} bears no mark of insideout")
+        self.assertEqual(self.content(other), before)
+        for told in (("--force",), ()):  # the second time it is insideout's
+            self.assertEqual(run_here("refine", solid, other, *told, "--quiet").returncode, 0)
+
+    def test_what_ending_an_output_needs_is_said_first(self):
+        points, first, second = self.file("points.csv", "x,y,z\n2,2,2\n"), self.of_others("a.off"), self.of_others("b.off")
+        self.check_failure(run_here("query", points, first, second), f"{second}: unknown ending, it must be .csv")
+
+    def test_an_empty_file_is_no_surface(self):
+        for kind in WRITABLE_SURFACES:
+            done = run_here("repair", self.of_others("a.off"), self.file("empty" + kind, ""), "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_name_is_no_mark(self):
+        stl = self.file("joy.stl", ASCII[".stl"].replace("solid a", "solid InsideOut_Joy"))
+        self.check_failure(run_here("repair", self.of_others("a.off"), stl, "--quiet"), f"{stl} bears no mark of insideout")
 
     def test_whoever_says_so_replaces_it(self):
         first = self.of_others("a.off")
@@ -70,11 +93,11 @@ class Overwriting(CommandLine):
         for kind in WRITABLE_SURFACES:
             with self.subTest(kind):
                 output = self.path("out" + kind)
-                self.assertTrue(is_surface_of_others(self.of_others("other" + kind)))
+                self.assertTrue(is_of_others(self.of_others("other" + kind)))
                 for _ in range(2):
                     done = run_here("repair", source, output, "--quiet")
                     self.assertEqual(done.returncode, 0, done.stderr)
-                    self.assertFalse(is_surface_of_others(output))
+                    self.assertFalse(is_of_others(output))
                 self.assertEqual(insideout.check(output).statistics["Facets"], 4)
 
     def test_other_files_are_replaced_as_ever(self):

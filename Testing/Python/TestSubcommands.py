@@ -136,6 +136,12 @@ class Help(unittest.TestCase):
                 self.assertIn("usage: insideout " + "".join(given), text)
                 self.assertIn("--help-all", text)
 
+    def test_narrow_terminals_have_it_too(self):
+        for columns in ("1", "27"):
+            with unittest.mock.patch.dict(os.environ, COLUMNS=columns):
+                for given in (("--help",), ("--help-all",), *((name, "--help") for name in COMMANDS)):
+                    self.assertEqual(run_here(*given).returncode, 0)
+
     def test_the_first_has_the_commands_and_what_stands_for_them(self):
         text = screen()
         for name, command in COMMANDS.items():
@@ -216,6 +222,9 @@ class Refused(CommandLine):
             (("check", box, "--gamma", "1"), "unrecognized arguments: --gamma 1 (see insideout check --help)"),
             (("check", box, self.output), "check meshes nothing: it goes without OUTPUT.vtu"),
             (("check", box, "--plot", self.path("picture.png")), "check meshes nothing: it goes without --plot"),
+            (("--check", box, "-o", self.output), "--check meshes nothing: it goes without --output"),
+            (("--check", box, "--force"), "--check meshes nothing: it goes without --force"),
+            (("draw", "--together", cells, cells, self.path("angles.png")), "--together is about surfaces: it goes without " + cells),
             (("check", cells, "--orientation", "as-given"), "--orientation is about surfaces: it goes without " + cells),
             (("refine", cells, self.path("fixed.ply")), "fixed.ply: unknown ending, it must be .vtu"),
             (("refine", box, self.output), "box.ply: unknown ending, it must be .vtu"),

@@ -135,14 +135,14 @@ def _refuse_what_does_not_go_together(parser: argparse.ArgumentParser, options: 
     solids = [surface for surface in surfaces if ending(surface) in READABLE_SOLIDS]
     others: Sequence[str] = MESH_OPTIONS
     if solids and options.command in ("check", "draw"):
-        for name in CHECK_OPTIONS if options.command == "check" else OPTIONS:
+        for name in CHECK_OPTIONS if options.command == "check" else ("together", *OPTIONS):
             if _is_given(options, name):
                 parser.error(f"{flag_of(name)} is about surfaces: it goes without {solids[0]}")
     if options.command == "check":
         others = (*CHECK_OPTIONS, "plot") if len(solids) == len(surfaces) else CHECK_OPTIONS
     elif options.command in ("query", "boolean"):
         others = WINDING_OPTIONS if options.command == "query" else BOOLEAN_OPTIONS
-    for name in MESH_OPTIONS:
+    for name in (*MESH_OPTIONS, *(("output", "force") if options.command == "check" else ())):
         if name not in others and _is_given(options, name):
             parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without {flag_of(name)}")
 

@@ -20,7 +20,7 @@ from .commands.mesh import MeshJob
 from .commands.query import QueryJob
 from .commands.refine import RefineJob
 from .commands.repair import RepairJob
-from .files import identity, is_surface_of_others
+from .files import identity
 from .pipeline import Error, set_threads
 from .summary import table
 
@@ -75,7 +75,3 @@ def check_names(options: argparse.Namespace, all_files: Sequence[Files]) -> None
         if which is not None and which in outputs:
             raise Error(f"{path} is named twice: it is {outputs[which]}, and a file cannot be two things")
         outputs[which] = path
-    if not options.force and not options.is_output_told:
-        for path in (files.output for files in all_files if files.output is not None):
-            if is_surface_of_others(path):
-                raise Error(f"{path} is a surface that insideout did not write; -o {path} or --force replaces it")

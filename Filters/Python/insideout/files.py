@@ -45,8 +45,13 @@ PIECE = 1 << 20  # bytes, decompressed at once
 
 LONGEST_CHAIN = 40  # of links, as in Linux
 
-_MARK, _LENGTH_OF_MARK = b"InsideOut", 64
-"""What the writers of surfaces leave in the first or last bytes of a file."""
+MARKED = (*WRITABLE_SURFACES, *READABLE_SOLIDS)
+"""The endings of inputs whose writers leave a mark."""
+
+_MARKS = (b"Written by InsideOut", b"Binary STL of InsideOut")
+"""What they leave: a comment, or the title of an STL."""
+
+_NEAR_AN_END = 1024  # bytes at the begin and at the end of a file that are searched for a mark
 
 # What VTK's .vtp reader calls an error and is none: that a surface is empty, which whoever takes it
 # says better, and that a range which VTK noted beside an array is not finite.
@@ -278,17 +283,18 @@ def check_output(path: Path, endings: tuple[str, ...]) -> None:
         raise Error(f"cannot write {path}: permission denied")
 
 
-def is_surface_of_others(path: Path) -> bool:
-    """Whether a surface is there, by its ending, that no run of this program wrote: the writers leave a mark at the begin or end."""
-    if ending(path) not in WRITABLE_SURFACES or not os.path.isfile(path):
+def is_of_others(path: Path) -> bool:
+    """Whether a file with something in it is there that bears no mark of this program's writers."""
+    if not os.path.isfile(path) or os.path.getsize(path) == 0:
         return False
     try:
         with open(path, "rb") as file:
-            begin = file.read(_LENGTH_OF_MARK)
-            file.seek(max(0, os.path.getsize(path) - _LENGTH_OF_MARK))
-            return _MARK not in begin and _MARK not in file.read()
+            begin = file.read(_NEAR_AN_END)
+            file.seek(max(0, os.path.getsize(path) - _NEAR_AN_END))
+            ends = (begin, file.read())
     except OSError:
         return True
+    return not any(mark in end for mark in _MARKS for end in ends)
 
 
 def identity(path: Path) -> Optional[object]:

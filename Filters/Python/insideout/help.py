@@ -10,7 +10,7 @@ from .options import flag_of
 from .usage import COMMANDS, SHORT_FLAGS, argument_of
 
 INDENT = 27  # columns before what an option means
-MOST_COLUMNS = 100
+FEWEST_COLUMNS, MOST_COLUMNS = 2 * INDENT, 100  # narrower terminals break lines themselves
 
 SHORT_FORM = """\
 options that stand for a command, without one:
@@ -107,4 +107,4 @@ def _beside(head: str, words: str, indent: int = INDENT) -> list[str]:
 
 
 def _columns() -> int:
-    return min(shutil.get_terminal_size().columns, MOST_COLUMNS)
+    return max(FEWEST_COLUMNS, min(shutil.get_terminal_size().columns, MOST_COLUMNS))

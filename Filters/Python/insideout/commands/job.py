@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from ..arguments import Files
 from ..bodies import BODY_IDS, join
-from ..files import READABLE_SURFACES, check_input, check_output, read_solid, read_standard_input, read_surface
+from ..files import MARKED, READABLE_SURFACES, check_input, check_output, ending, is_of_others, read_solid, read_standard_input, read_surface
 from ..interruption import exit_status, message, told, work_on
 from ..options import OPTIONS, Options, in_words_of_command
 from ..pipeline import Error, write_bytes
@@ -95,6 +95,15 @@ class Job:
             path = getattr(files, name)
             if path is not None:
                 check_output(path, endings)
+        self.check_last_name()
+
+    def check_last_name(self) -> None:
+        """Raise `Error` where OUTPUT was forgotten: where the last file could be an input, and nobody says that it is to be replaced."""
+        path = self.files.output or ""
+        is_told = self.options.force or self.options.is_output_told
+        could_be_input = ending(path) in self.readable and ending(path) in MARKED
+        if could_be_input and not is_told and is_of_others(path):
+            raise Error(f"{path} bears no mark of insideout; to replace it, name it behind -o or give --force")
 
     def check_parameters(self) -> dict[str, Any]:
         """The parameters that the work will use. Raises `Error` for one out of range."""
