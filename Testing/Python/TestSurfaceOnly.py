@@ -125,6 +125,16 @@ class Data(unittest.TestCase):
         self.assertGreater(filter.GetOutput().GetNumberOfCells(), 0)
         self.assertEqual(insideout.pipeline.statistics_of(filter.GetOutput())["SecondsPre"], resolved)
 
+    def test_a_hull_has_the_same_statistics(self):
+        filter = insideout.vtkRobustTetrahedralize()
+        filter.SetInputData(surfaces.two_boxes())
+        filter.SurfaceOnlyOn()
+        filter.GenerateHullOn()
+        filter.Update()
+        self.assertGreater(filter.GetHull().GetNumberOfCells(), 0)
+        solid, hull = (insideout.pipeline.statistics_of(data) for data in (filter.GetOutput(), filter.GetHull()))
+        self.assertEqual(hull, solid)
+
     def test_what_takes_cells_is_refused_of_the_boundary_alone(self):
         square = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
         for surface in (surfaces.two_boxes(), surfaces.open_box(), square):
