@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Boxes.h"
+#include "Listener.h"
+#include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
 
 #include <vtkCallbackCommand.h>
@@ -356,4 +359,94 @@ TEST(vtkGraphCutSegmentation, RefusesWhatItsOptionsCannotWorkOn)
   auto overlapping = Three({ 1, 1, 1 });
   overlapping->GetPoints()->SetPoint(4, 0, 0, 2);
   expectError(overlapping, beManifold, "cells 0 and 1 are on one side of the face that they share");
+}
+
+TEST(vtkGraphCutSegmentation, LabelsWhatTheWindingNumberFilterGives)
+{
+  vtkNew<vtkGeneralizedWindingNumber> w;
+  w->SetInputData(TwoBoxes());
+  vtkNew<vtkGraphCutSegmentation> cut;
+  cut->SetInputConnection(w->GetOutputPort());
+  cut->Update();
+  EXPECT_NEAR(Volume(cut->GetOutput()), 1.875, 1e-12);
+  cut->ExtractInsideOff();
+  cut->Update();
+  EXPECT_EQ(cut->GetOutput()->GetNumberOfCells(), w->GetOutput()->GetNumberOfCells());
+  EXPECT_TRUE(cut->GetOutput()->GetCellData()->GetArray("Inside"));
+}
+
+TEST(vtkGraphCutSegmentation, SeesTheSameFacesInVoxelsAsInHexahedra)
+{
+  constexpr int Size = 6;
+  vtkIdType inside[2] = { 0, 0 };
+  for (const int type : { VTK_VOXEL, VTK_HEXAHEDRON })
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkDoubleArray> w;
+    w->SetName("w");
+    for (int i = 0; i < (Size + 1) * (Size + 1) * (Size + 1); ++i)
+    {
+      points->InsertNextPoint(
+        i % (Size + 1), i / (Size + 1) % (Size + 1), i / (Size + 1) / (Size + 1));
+    }
+    grid->SetPoints(points);
+    for (int c = 0; c < Size * Size * Size; ++c)
+    {
+      vtkIdType corners[8];
+      for (int k = 0; k < 8; ++k)
+      {
+        corners[k] = c % Size + (k & 1) +
+          (Size + 1) * (c / Size % Size + (k >> 1 & 1) + (Size + 1) * (c / Size / Size + (k >> 2)));
+      }
+      if (type == VTK_HEXAHEDRON)
+      {
+        std::swap(corners[2], corners[3]);
+        std::swap(corners[6], corners[7]);
+      }
+      grid->InsertNextCell(type, 8, corners);
+      w->InsertNextValue((c * 7919) % 10 < 6 ? 0.55 : 0.45);
+    }
+    grid->GetCellData()->AddArray(w);
+    vtkNew<vtkGraphCutSegmentation> cut;
+    cut->SetInputData(grid);
+    cut->SetGamma(10);
+    cut->Update();
+    inside[type == VTK_VOXEL] = cut->GetOutput()->GetNumberOfCells();
+  }
+  EXPECT_EQ(inside[0], Size * Size * Size) << "smoothness decides where w is unsure";
+  EXPECT_EQ(inside[1], inside[0]);
+}
+
+TEST(vtkGraphCutSegmentation, SaysThatWHasNotOneValuePerCell)
+{
+  vtkNew<vtkGeneralizedWindingNumber> filter;
+  filter->SetInputData(TwoBoxes());
+  filter->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->ShallowCopy(filter->GetOutput());
+  vtkNew<vtkDoubleArray> w;
+  w->SetName("w");
+  grid->GetCellData()->RemoveArray("w");
+  grid->GetCellData()->AddArray(w);
+  vtkNew<vtkGraphCutSegmentation> cut;
+  Listener errors(cut, vtkCommand::ErrorEvent);
+  cut->SetInputData(grid);
+  cut->Update();
+  EXPECT_TRUE(errors.Heard("one value per cell"));
+}
+
+TEST(vtkGraphCutSegmentation, SaysThatThereIsNoW)
+{
+  vtkNew<vtkGeneralizedWindingNumber> w;
+  w->SetInputData(TwoBoxes());
+  w->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->ShallowCopy(w->GetOutput());
+  grid->GetCellData()->RemoveArray("w");
+  vtkNew<vtkGraphCutSegmentation> cut;
+  Listener errors(cut, vtkCommand::ErrorEvent);
+  cut->SetInputData(grid);
+  cut->Update();
+  EXPECT_TRUE(errors.Heard("no cell array w"));
 }
