@@ -200,7 +200,7 @@ public:
 
   ///@{
   /** Optional second input: points that have to be inside or outside, by their array Inside (1 or
-   * 0). Of several cells that contain a point the one of the lowest id gets its label. Seeds win
+   * 0). The cell of the lowest id gets the label of a point that several cells contain. Seeds win
    * over ConstrainFacets and NonManifold; conflicts are warned about. */
   void SetSeedsData(vtkPointSet* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);

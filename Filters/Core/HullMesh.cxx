@@ -44,7 +44,7 @@ double DiagonalOf(const std::vector<Body>& bodies)
   return Distance(box.Low, box.High);
 }
 
-/** Of each body in the area of all. */
+/** The share of each body in the area of all. */
 std::vector<double> SharesOf(const std::vector<Body>& bodies)
 {
   if (bodies.size() == 1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * Of a composite data set each block is a surface of its own: VTK runs a filter once for each, and
+ * Each block of a composite data set is a surface of its own: VTK runs a filter once for each, and
  * shows it nothing but the block. What is said of point 3 has to say of which block, too.
  */
 #pragma once

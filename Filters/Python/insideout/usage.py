@@ -106,7 +106,7 @@ class Command:
     first: Sequence[str] = ()  # the options that one screen describes, where it has no room for all
 
     def names(self, left_out: Sequence[str] = ()) -> str:
-        """Of the operands."""
+        """The names of the operands."""
         return " ".join(name + "..." * name.startswith("S") for name, _ in self.operands if name not in left_out)
 
     def by_topic(self) -> dict[str, list[str]]:

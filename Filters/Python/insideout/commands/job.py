@@ -27,7 +27,7 @@ from ..verdict import verdict
 from ..version import __version__
 
 SUCCESS, FAILURE = 0, 1
-"""Of the exit status; above are those of signals."""
+"""The exit status; higher ones are those of signals."""
 
 
 class Job:
