@@ -47,14 +47,6 @@ def blocks(**parts: vtkPolyData) -> vtkMultiBlockDataSet:
     return data
 
 
-def joined(*parts: vtkPolyData) -> vtkPolyData:
-    points, triangles = [], []
-    for part in parts:
-        triangles += (surfaces.triangles_of(part) + len(points)).tolist()
-        points += surfaces.points_of(part).tolist()
-    return surfaces.polydata(points, triangles)
-
-
 def turned_over(surface: vtkPolyData) -> vtkPolyData:
     return surfaces.polydata(surfaces.points_of(surface), surfaces.triangles_of(surface)[:, ::-1])
 
@@ -88,7 +80,7 @@ def sheet(side: int, place=lambda x, y: (x, y, 0)) -> vtkPolyData:
 def walls() -> vtkPolyData:
     """A box that is inside out between two that share walls with it, a fourth apart, and a group for each."""
     middle = turned_over(surfaces.box((1, 0, 0)))
-    surface = joined(surfaces.box(), middle, surfaces.box((2, 0, 0)), surfaces.box((4, 0, 0)))
+    surface = surfaces.joined(surfaces.box(), middle, surfaces.box((2, 0, 0)), surfaces.box((4, 0, 0)))
     add_array(surface.GetCellData(), "GroupIds", np.repeat(np.arange(4, dtype=np.int32), 12))
     add_strings(surface.GetFieldData(), "GroupNames", ["left", "middle", "right", "apart"])
     return surface
@@ -97,7 +89,7 @@ def walls() -> vtkPolyData:
 def hollows() -> vtkPolyData:
     """A box with two cavities that touch in a point, and two boxes beside it that touch in an edge."""
     cavities = [turned_over(surfaces.box((k, k, k))) for k in (1, 2)]
-    return joined(surfaces.box((0, 0, 0), 4), *cavities, surfaces.box((6, 0, 0)), surfaces.box((7, 1, 0), 2))
+    return surfaces.joined(surfaces.box((0, 0, 0), 4), *cavities, surfaces.box((6, 0, 0)), surfaces.box((7, 1, 0), 2))
 
 
 def seams() -> vtkPolyData:
@@ -120,7 +112,7 @@ def open_balls() -> vtkPolyData:
         ball = surfaces.ball(1, 14, 12)
         triangles = [corners for corners in surfaces.triangles_of(ball).tolist() if 0 not in corners]
         balls.append(surfaces.polydata(surfaces.points_of(ball) + (0.75 * k, 0.125 * k, 0), triangles))
-    return joined(*balls)
+    return surfaces.joined(*balls)
 
 
 def mixed_cells() -> vtkPolyData:
@@ -172,14 +164,14 @@ MADE = {
     "open-box": surfaces.open_box,
     "closed-both-ways": surfaces.closed_both_ways,
     "stray-facet": surfaces.two_boxes_and_a_stray_facet,
-    "box-thrice": lambda: joined(surfaces.box(), surfaces.box(), turned_over(surfaces.box())),
+    "box-thrice": lambda: surfaces.joined(surfaces.box(), surfaces.box(), turned_over(surfaces.box())),
     "walls": walls,
     "hollows": hollows,
     "limbs": lambda: tube([(0, 0), (6, 0), (6, 3), (2, 3), (2, -3)], closed=False),
     "ring": lambda: tube([(0, 0), (4, 0), (4, 4), (0, 4)], closed=True),
     "seams": seams,
     "open-balls": open_balls,
-    "cape": lambda: joined(surfaces.ball(2, 12, 10), sheet(6, lambda x, y: (x - 2.5, 2 + y / 4, y / 2 - x * x / 8))),
+    "cape": lambda: surfaces.joined(surfaces.ball(2, 12, 10), sheet(6, lambda x, y: (x - 2.5, 2 + y / 4, y / 2 - x * x / 8))),
     "flat-sheet": lambda: sheet(4),
     "mixed-cells": mixed_cells,
     "assembly": lambda: blocks(left=surfaces.box((0, 0, 0), 2), right=surfaces.box((1, 0, 0), 2), top=surfaces.open_box()),

@@ -10,14 +10,6 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
 
-def joined(*parts: vtkPolyData) -> vtkPolyData:
-    points, triangles = [], []
-    for part in parts:
-        triangles += (surfaces.triangles_of(part) + len(points)).tolist()
-        points += surfaces.points_of(part).tolist()
-    return surfaces.polydata(points, triangles)
-
-
 def moved(surface: vtkPolyData, random: np.random.Generator, in_a_plane: bool) -> vtkPolyData:
     """Along an axis, so that faces stay in their planes, or turned in any way."""
     points = surfaces.points_of(surface)
@@ -33,10 +25,10 @@ def dirty_surfaces() -> list[vtkPolyData]:
     small = surfaces.box((0.2, 0.3, 0.4), 0.3)
     return [
         surfaces.two_boxes(),
-        joined(surfaces.box(), surfaces.box()),
-        joined(surfaces.box(), surfaces.polydata(surfaces.points_of(small) + 0.9, surfaces.triangles_of(small)[:, ::-1])),
-        joined(surfaces.box(), surfaces.reversed_box()),
-        joined(surfaces.box(), surfaces.polydata(surfaces.points_of(small), surfaces.triangles_of(small)[:, ::-1])),
+        surfaces.joined(surfaces.box(), surfaces.box()),
+        surfaces.joined(surfaces.box(), surfaces.polydata(surfaces.points_of(small) + 0.9, surfaces.triangles_of(small)[:, ::-1])),
+        surfaces.joined(surfaces.box(), surfaces.reversed_box()),
+        surfaces.joined(surfaces.box(), surfaces.polydata(surfaces.points_of(small), surfaces.triangles_of(small)[:, ::-1])),
     ]
 
 

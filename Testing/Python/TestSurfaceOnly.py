@@ -9,7 +9,7 @@ import insideout
 import numpy as np
 import surfaces
 from insideout.bodies import join
-from TestBoolean import dirty_surfaces, joined
+from TestBoolean import dirty_surfaces
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
@@ -31,7 +31,7 @@ def random_balls(seed: int) -> vtkPolyData:
         turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
         points = corners * random.uniform(0.5, 1.5, size=(6, 1)) @ turn + random.normal(size=3) / 2
         parts.append(surfaces.polydata(points, facets if random.random() < 0.7 else facets[:, ::-1]))
-    return joined(*parts)
+    return surfaces.joined(*parts)
 
 
 class Laws(unittest.TestCase):
@@ -86,7 +86,7 @@ class Laws(unittest.TestCase):
 class Data(unittest.TestCase):
     def test_the_boundary_has_the_arrays_of_that_of_the_tetrahedra(self):
         surface = surfaces.two_boxes_and_a_stray_facet()
-        box = joined(surfaces.two_boxes(), surfaces.polydata([(9, 9, 9), (9.5, 9, 9), (9, 9.5, 9)], [(0, 1, 2), (0, 2, 1)]))
+        box = surfaces.joined(surfaces.two_boxes(), surfaces.polydata([(9, 9, 9), (9.5, 9, 9), (9, 9.5, 9)], [(0, 1, 2), (0, 2, 1)]))
         surfaces.add_array(box.GetCellData(), "kind", np.arange(26) // 12)
         surfaces.add_array(box.GetPointData(), "heat", np.arange(19.0))
         self.assertEqual(insideout.tetrahedralize(surface, surface_only=True).statistics["Tetrahedra"], 1)
@@ -102,7 +102,7 @@ class Data(unittest.TestCase):
         self.assertEqual(set(made.outliers.cell_arrays["OutlierReason"]), {0})
 
     def test_pieces_are_put_together_and_seams_split_as_with_tetrahedra(self):
-        surface = joined(surfaces.box((0, 0, 0), 4), surfaces.box((1, 1, 0)))  # cuts the bottom from within
+        surface = surfaces.joined(surfaces.box((0, 0, 0), 4), surfaces.box((1, 1, 0)))  # cuts the bottom from within
         surfaces.add_array(surface.GetPointData(), "heat", np.arange(16.0))
         for options in ({"merge_coplanar_pieces": True}, {"split_seams": True}):
             made = insideout.tetrahedralize(surface, surface_only=True, **options)

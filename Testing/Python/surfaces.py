@@ -119,6 +119,15 @@ def triangles_of(surface: vtkPolyData) -> np.ndarray:
     return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 3)
 
 
+def joined(*parts: vtkPolyData) -> vtkPolyData:
+    """One surface of triangles, whose points stay apart."""
+    points, triangles = [], []
+    for part in parts:
+        triangles += (triangles_of(part) + len(points)).tolist()
+        points += points_of(part).tolist()
+    return polydata(points, triangles)
+
+
 def cell_array(data, name: str) -> np.ndarray:
     return vtk_to_numpy(data.GetCellData().GetArray(name))
 
