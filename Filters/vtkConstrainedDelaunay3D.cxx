@@ -2,13 +2,13 @@
 #include "vtkConstrainedDelaunay3D.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutReadCurve.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/ReadCurve.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
 #include "Resolve/FindIntersections.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 #include "Tetrahedralize/Ladder.h"
 
 #include <vtkInformation.h>
@@ -55,7 +55,7 @@ namespace
 {
 /** TetGen may do anything with facets that cross, so that they have to be found before. */
 void CheckThatNothingCrosses(
-  const FacetComplex& surface, const vtkInsideOutSurface& input, Monitor& monitor)
+  const FacetComplex& surface, const vtkInsideOut::Surface& input, Monitor& monitor)
 {
   const auto pairs = FindIntersections(surface.Points, surface.Facets, monitor);
   if (!pairs.empty())
@@ -72,7 +72,7 @@ void CheckThatNothingCrosses(
 int vtkConstrainedDelaunay3D::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOut::RequestWhole(inputVector, outputVector);
   return 1;
 }
 
@@ -81,30 +81,30 @@ int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutRefusePlane(input);
-      vtkInsideOutMonitor monitor(
+      vtkInsideOut::RefusePlane(input);
+      vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Tetrahedralizing });
-      const vtkInsideOutSurface surface =
-        vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
+      const vtkInsideOut::Surface surface =
+        vtkInsideOut::ReadSurface(input, this->NonParticipatingArrayName);
       const CountedChain chain =
-        CountFacets(surface.Soup, vtkInsideOutChainParameters(this), monitor);
+        CountFacets(surface.Soup, vtkInsideOut::ChainParametersOf(this), monitor);
       CheckThatNothingCrosses(chain.Surface, surface, monitor);
       Stopwatch stopwatch;
       const Tetrahedralization result =
-        ConstrainedDelaunay(chain.Surface, vtkInsideOutDelaunayParameters(this), monitor);
+        ConstrainedDelaunay(chain.Surface, vtkInsideOut::DelaunayParametersOf(this), monitor);
       Statistics statistics;
       AddMeshCounts(result, statistics);
       statistics.emplace_back("SecondsCDT", stopwatch.Lap());
       std::vector<std::string> warnings = chain.Warnings;
       AddWarnings(result, warnings);
 
-      vtkInsideOutMakeOutputs outputs(surface);
+      vtkInsideOut::MakeOutputs outputs(surface);
       output->ShallowCopy(outputs.MakeGrid(chain.Surface, result.Mesh));
-      vtkInsideOutAddStatistics(statistics, output);
-      vtkInsideOutWarn(this, warnings);
-      vtkInsideOutWarn(this, outputs.Warnings);
+      vtkInsideOut::AddStatistics(statistics, output);
+      vtkInsideOut::Warn(this, warnings);
+      vtkInsideOut::Warn(this, outputs.Warnings);
     });
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDistributeParts.h"
 
-#include "Private/vtkInsideOutAssembly.h"
-#include "Private/vtkInsideOutFailTogether.h"
-#include "Private/vtkInsideOutGather.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/WholeInput.h"
+#include "Ranks/Assembly.h"
+#include "Ranks/FailTogether.h"
+#include "Ranks/Gather.h"
+#include "Run/RunFilter.h"
 
 #include <vtkDataObjectTree.h>
 #include <vtkInformation.h>
@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkDistributeParts);
 
 vtkDistributeParts::vtkDistributeParts()
   : Controller(vtkMultiProcessController::GetGlobalController())
-  , Failures(new vtkInsideOutFailTogether)
+  , Failures(new vtkInsideOut::FailTogether)
 {
 }
 
@@ -65,7 +65,7 @@ int vtkDistributeParts::FillInputPortInformation(int vtkNotUsed(port), vtkInform
 int vtkDistributeParts::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkInsideOutSayWhetherPartsAreWhole(outputVector->GetInformationObject(0),
+  vtkInsideOut::SayWhetherPartsAreWhole(outputVector->GetInformationObject(0),
     this->Controller && this->Controller->GetNumberOfProcesses() > 1);
   return 1;
 }
@@ -107,14 +107,14 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
   auto* input = vtkDataObjectTree::GetData(inputVector[0]);
   auto* output = vtkDataObjectTree::GetData(outputVector);
   vtkMultiProcessController* controller = this->Controller;
-  if (!vtkInsideOutAllRanksWork(controller, outputVector->GetInformationObject(0)))
+  if (!vtkInsideOut::AllRanksWork(controller, outputVector->GetInformationObject(0)))
   {
     output->ShallowCopy(input);
     return 1;
   }
   // Whatever fails has to fail on all ranks alike: none may leave while another waits for it.
-  vtkInsideOutAssembly parts(input);
-  const std::string disagreement = vtkInsideOutAgree(parts, output, controller);
+  vtkInsideOut::Assembly parts(input);
+  const std::string disagreement = vtkInsideOut::Agree(parts, output, controller);
   if (!disagreement.empty())
   {
     output->Initialize();
@@ -127,9 +127,9 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
                     << " blocks are left out, for they are no surfaces (vtkPolyData)");
   }
   const std::vector<int> owners =
-    ChooseOwners(vtkInsideOutCountCells(parts, controller), controller->GetNumberOfProcesses());
+    ChooseOwners(vtkInsideOut::CountCells(parts, controller), controller->GetNumberOfProcesses());
   std::vector<std::string> warnings;
-  vtkInsideOutSetParts(vtkInsideOutMoveParts(parts, owners, controller, warnings), output);
-  vtkInsideOutWarn(this, warnings);
+  vtkInsideOut::SetParts(vtkInsideOut::MoveParts(parts, owners, controller, warnings), output);
+  vtkInsideOut::Warn(this, warnings);
   return 1;
 }

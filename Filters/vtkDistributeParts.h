@@ -37,7 +37,10 @@
 
 #include <memory>
 
-class vtkInsideOutFailTogether;
+namespace vtkInsideOut
+{
+class FailTogether;
+}
 class vtkMultiProcessController;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkDistributeParts : public vtkPassInputTypeAlgorithm
@@ -75,7 +78,7 @@ private:
   vtkDistributeParts(const vtkDistributeParts&) = delete;
   void operator=(const vtkDistributeParts&) = delete;
 
-  const std::unique_ptr<vtkInsideOutFailTogether> Failures;
+  const std::unique_ptr<vtkInsideOut::FailTogether> Failures;
 };
 
 #endif

@@ -2,12 +2,12 @@
 #include "vtkGeneralizedWindingNumber.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutReadCurve.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/ReadCurve.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -56,7 +56,7 @@ int vtkGeneralizedWindingNumber::FillInputPortInformation(
 int vtkGeneralizedWindingNumber::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOut::RequestWhole(inputVector, outputVector);
   return 1;
 }
 
@@ -65,22 +65,22 @@ int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      const HullMeshParameters parameters = vtkInsideOutHullMeshParameters(this);
-      vtkInsideOutRefusePlane(input, this->Thicken > 0);
-      vtkInsideOutMonitor monitor(this,
+      const HullMeshParameters parameters = vtkInsideOut::HullParametersOf(this);
+      vtkInsideOut::RefusePlane(input, this->Thicken > 0);
+      vtkInsideOut::AlgorithmMonitor monitor(this,
         { Stages::Validating, Stages::FindingIntersections, Stages::Orienting, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers });
-      const vtkInsideOutSurface surface =
-        vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
+      const vtkInsideOut::Surface surface =
+        vtkInsideOut::ReadSurface(input, this->NonParticipatingArrayName);
       const HullMesh hull = MeshHull(surface.Soup, parameters, monitor);
-      vtkInsideOutMakeOutputs outputs(surface);
+      vtkInsideOut::MakeOutputs outputs(surface);
       output->ShallowCopy(outputs.MakeGrid(hull));
-      vtkInsideOutAddStatistics(hull.Statistics, output);
+      vtkInsideOut::AddStatistics(hull.Statistics, output);
       outputs.AddLeftOutCells(hull.Surface, output);
-      vtkInsideOutWarn(this, hull.Warnings);
-      vtkInsideOutWarn(this, outputs.Warnings);
+      vtkInsideOut::Warn(this, hull.Warnings);
+      vtkInsideOut::Warn(this, outputs.Warnings);
     });
 }

@@ -2,15 +2,15 @@
 #include "vtkGraphCutSegmentation.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutArrays.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutPart.h"
-#include "Private/vtkInsideOutReadGrid.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutSeedsPort.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "Data/Arrays.h"
+#include "In/ReadGrid.h"
+#include "In/SeedsPort.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
+#include "Out/PartSolid.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -59,7 +59,7 @@ void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
 
 int vtkGraphCutSegmentation::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkInsideOutFillPort(port, info, "vtkUnstructuredGrid");
+  return vtkInsideOut::FillPort(port, info, "vtkUnstructuredGrid");
 }
 
 void vtkGraphCutSegmentation::SetSeedsData(vtkPointSet* seeds)
@@ -79,11 +79,12 @@ MeshSegmentation SegmentCells(
   vtkUnstructuredGrid* grid, const GraphCutParameters& parameters, Monitor& monitor)
 {
   CellGraph graph;
-  graph.W = vtkInsideOutReadWindingNumbers(grid);
-  graph.Faces = SharedSides(vtkInsideOutReadPoints(grid, "the grid"), vtkInsideOutReadSides(grid));
+  graph.W = vtkInsideOut::ReadWindingNumbers(grid);
+  graph.Faces =
+    SharedSides(vtkInsideOut::ReadPoints(grid, "the grid"), vtkInsideOut::ReadSides(grid));
   if (parameters.DataTerm == DataTerm::VolumeWeighted)
   {
-    graph.Volumes = vtkInsideOutReadSizes(grid);
+    graph.Volumes = vtkInsideOut::ReadSizes(grid);
   }
   Segmentation segmentation = GraphCutSegmentation(graph, parameters, monitor);
   return { std::move(segmentation.Inside), { { "Energy", segmentation.Energy } }, {} };
@@ -95,7 +96,7 @@ MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& see
 {
   const bool isPlain = seeds.empty() && !parameters.ConstrainFacets &&
     !parameters.FillNonManifold && parameters.Topology.ChangeNothing() && !split;
-  const vtkIdType other = vtkInsideOutFindOtherCell(grid);
+  const vtkIdType other = vtkInsideOut::FindOtherCell(grid);
   if (other >= 0 && !isPlain)
   {
     throw Error(ErrorCode::InvalidParameter,
@@ -107,14 +108,14 @@ MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& see
   {
     return SegmentCells(grid, parameters.Cut, monitor);
   }
-  if (parameters.ConstrainFacets && !vtkInsideOutHasFacetIds(grid))
+  if (parameters.ConstrainFacets && !vtkInsideOut::HasFacetIds(grid))
   {
     throw Error(ErrorCode::InvalidParameter,
       "the grid has no cell array FacetIds of four values per cell, which tells the facets to "
       "keep");
   }
-  const std::vector<double> w = vtkInsideOutReadWindingNumbers(grid);
-  const TetrahedralMesh mesh = vtkInsideOutReadTetrahedra(grid);
+  const std::vector<double> w = vtkInsideOut::ReadWindingNumbers(grid);
+  const TetrahedralMesh mesh = vtkInsideOut::ReadTetrahedra(grid);
   return SegmentMesh(mesh, w, PiecesOfFacets(mesh), seeds, parameters, monitor);
 }
 } // namespace
@@ -122,7 +123,7 @@ MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& see
 int vtkGraphCutSegmentation::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
+  vtkInsideOut::RequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -131,10 +132,10 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this, { Stages::Segmenting });
+      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Segmenting });
       if (input->GetNumberOfCells() == 0)
       {
         throw Error(ErrorCode::EmptySurface, "the grid has no cells");
@@ -146,28 +147,28 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
         throw Error(ErrorCode::InvalidParameter,
           "NonManifold of the kind Split takes ExtractInside: only the cells inside can be parted");
       }
-      const MeshSegmentation segmentation = Segment(input, vtkInsideOutReadSeeds(inputVector),
-        vtkInsideOutSegmentMeshParameters(this), split, monitor);
+      const MeshSegmentation segmentation = Segment(input, vtkInsideOut::ReadSeeds(inputVector),
+        vtkInsideOut::SegmentParametersOf(this), split, monitor);
 
-      vtkInsideOutParting parting;
+      vtkInsideOut::Parting parting;
       vtkSmartPointer<vtkUnstructuredGrid> labelled = vtkSmartPointer<vtkUnstructuredGrid>::New();
       labelled->ShallowCopy(input);
       if (split)
       {
-        parting.Solid = UnpartedSolid(vtkInsideOutReadTetrahedra(input), segmentation.Inside);
-        vtkInsideOutSplitPoints(parting, monitor, { Stages::Segmenting, 1, 1 });
-        labelled = vtkInsideOutMakePartedGrid(input, parting);
+        parting.Solid = UnpartedSolid(vtkInsideOut::ReadTetrahedra(input), segmentation.Inside);
+        vtkInsideOut::SplitPoints(parting, monitor, { Stages::Segmenting, 1, 1 });
+        labelled = vtkInsideOut::MakePartedGrid(input, parting);
       }
-      vtkInsideOutAddInside(segmentation.Inside, labelled);
+      vtkInsideOut::AddInside(segmentation.Inside, labelled);
       output->ShallowCopy(this->ExtractInside
-          ? vtkInsideOutExtractInside(labelled, monitor, { Stages::Segmenting, 1, 1 }).Get()
+          ? vtkInsideOut::ExtractInside(labelled, monitor, { Stages::Segmenting, 1, 1 }).Get()
           : labelled.Get());
       Statistics statistics = segmentation.Statistics;
       statistics.insert(statistics.end(), parting.Statistics.begin(), parting.Statistics.end());
       statistics.emplace_back(
         "InsideCells", std::count(segmentation.Inside.begin(), segmentation.Inside.end(), 1));
       statistics.emplace_back("SecondsCut", stopwatch.Lap());
-      vtkInsideOutAddStatistics(statistics, output);
-      vtkInsideOutWarn(this, segmentation.Warnings);
+      vtkInsideOut::AddStatistics(statistics, output);
+      vtkInsideOut::Warn(this, segmentation.Warnings);
     });
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitWindingNumber.h"
 
-#include "Private/vtkInsideOutMakeWindingNumber.h"
-#include "Private/vtkInsideOutRun.h"
+#include "Probe/InputWindingNumber.h"
+#include "Run/RunFilter.h"
 
 #include "Common/ForkableMutex.h"
 
@@ -21,7 +21,8 @@ vtkStandardNewMacro(vtkImplicitWindingNumber);
 class vtkImplicitWindingNumber::Internal
 {
 public:
-  std::unique_ptr<const vtkInsideOutWindingNumber> WindingNumber; ///< null without a usable surface
+  std::unique_ptr<const vtkInsideOut::InputWindingNumber>
+    WindingNumber; ///< null without a usable surface
   std::atomic<vtkMTimeType> BuildTime{ 0 };
   ForkableMutex Mutex;
 };
@@ -29,7 +30,7 @@ public:
 vtkImplicitWindingNumber::vtkImplicitWindingNumber()
   : Built(new Internal)
 {
-  this->AreaArrayName = vtkInsideOutSurfaceOptions().Areas;
+  this->AreaArrayName = vtkInsideOut::SurfaceOptions().Areas;
 }
 
 vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
@@ -69,11 +70,11 @@ void vtkImplicitWindingNumber::Build()
   {
     Monitor silent;
     std::vector<std::string> warnings;
-    vtkInsideOutSurfaceOptions options = vtkInsideOutReadSurfaceOptions(this);
+    vtkInsideOut::SurfaceOptions options = vtkInsideOut::ReadSurfaceOptions(this);
     options.Areas = this->AreaArrayName;
     options.Distance = this->SignedDistance;
-    this->Built->WindingNumber =
-      std::make_unique<const vtkInsideOutWindingNumber>(this->Input, options, silent, warnings);
+    this->Built->WindingNumber = std::make_unique<const vtkInsideOut::InputWindingNumber>(
+      this->Input, options, silent, warnings);
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);
@@ -81,7 +82,7 @@ void vtkImplicitWindingNumber::Build()
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< vtkInsideOutWordsOf(error));
+    vtkErrorMacro(<< vtkInsideOut::WordsOf(error));
   }
 }
 
@@ -103,7 +104,7 @@ const vtkImplicitWindingNumber::Internal& vtkImplicitWindingNumber::UpToDate()
 
 namespace
 {
-double Signed(const vtkInsideOutNearest& nearest, double w)
+double Signed(const vtkInsideOut::NearestPoint& nearest, double w)
 {
   return w > 0.5 ? -nearest.Distance : nearest.Distance;
 }
@@ -141,9 +142,9 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
     }
     Monitor silent;
     const std::vector<double> w = built.WindingNumber->At(points, silent);
-    const std::vector<vtkInsideOutNearest> nearest = this->SignedDistance
+    const std::vector<vtkInsideOut::NearestPoint> nearest = this->SignedDistance
       ? built.WindingNumber->NearestTo(points, silent, { Stages::Distances, 0, 1 })
-      : std::vector<vtkInsideOutNearest>();
+      : std::vector<vtkInsideOut::NearestPoint>();
     for (vtkIdType i = 0; i < size; ++i)
     {
       output->SetComponent(i, 0, this->SignedDistance ? Signed(nearest[i], w[i]) : 0.5 - w[i]);
@@ -151,7 +152,7 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< vtkInsideOutWordsOf(error)); // no caller of VTK's expects it to be thrown
+    vtkErrorMacro(<< vtkInsideOut::WordsOf(error)); // no caller of VTK's expects it to be thrown
   }
 }
 
@@ -162,7 +163,7 @@ void vtkImplicitWindingNumber::EvaluateGradient(double x[3], double g[3])
   std::fill_n(g, 3, 0.0);
   if (built.WindingNumber && this->SignedDistance)
   {
-    const vtkInsideOutNearest nearest = built.WindingNumber->NearestTo(place);
+    const vtkInsideOut::NearestPoint nearest = built.WindingNumber->NearestTo(place);
     const double distance = Signed(nearest, built.WindingNumber->At(place));
     for (int i = 0; i < 3 && distance != 0; ++i)
     {

@@ -2,18 +2,18 @@
 #include "vtkProbeWindingNumber.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutArrays.h"
-#include "Private/vtkInsideOutAttributes.h"
-#include "Private/vtkInsideOutBlock.h"
-#include "Private/vtkInsideOutFailTogether.h"
-#include "Private/vtkInsideOutGather.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutPieces.h"
-#include "Private/vtkInsideOutReadCurve.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutVisitPlaces.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "Data/Arrays.h"
+#include "Data/Attributes.h"
+#include "In/Blocks.h"
+#include "In/ReadCurve.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
+#include "Probe/VisitPlaces.h"
+#include "Ranks/FailTogether.h"
+#include "Ranks/Gather.h"
+#include "Ranks/SurfaceChunks.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkCellData.h>
@@ -42,16 +42,16 @@ vtkStandardNewMacro(vtkProbeWindingNumber);
 class vtkProbeWindingNumber::Internal
 {
 public:
-  std::unique_ptr<vtkInsideOutPieces> Surface;
+  std::unique_ptr<vtkInsideOut::SurfaceChunks> Surface;
 };
 
 vtkProbeWindingNumber::vtkProbeWindingNumber()
   : Controller(vtkMultiProcessController::GetGlobalController())
   , Last(new Internal)
-  , Failures(new vtkInsideOutFailTogether)
+  , Failures(new vtkInsideOut::FailTogether)
 {
   this->SetNumberOfInputPorts(2);
-  this->AreaArrayName = vtkInsideOutSurfaceOptions().Areas;
+  this->AreaArrayName = vtkInsideOut::SurfaceOptions().Areas;
   const WindingNumberParameters windingNumber;
   this->Method = static_cast<int>(windingNumber.Method);
   this->ApproximationOrder = windingNumber.ApproximationOrder;
@@ -131,13 +131,14 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  bool inPieces = vtkInsideOutAllRanksWork(this->Controller, outputVector->GetInformationObject(0));
+  bool inPieces =
+    vtkInsideOut::AllRanksWork(this->Controller, outputVector->GetInformationObject(0));
   for (int port = 0; port < 2; ++port)
   {
     if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
     {
-      vtkInsideOutRememberBlocks(input);
-      inPieces = inPieces && !vtkInsideOutHasBlocks(input);
+      vtkInsideOut::RememberBlocks(input);
+      inPieces = inPieces && !vtkInsideOut::HasBlocks(input);
     }
   }
   if (vtkInformation* surface = inputVector[1]->GetInformationObject(0))
@@ -153,7 +154,7 @@ int vtkProbeWindingNumber::RequestUpdateExtent(
 
 namespace
 {
-vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
+vtkInsideOut::SurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
 {
   using Filter = vtkProbeWindingNumber;
   using Method = WindingNumberMethod;
@@ -161,7 +162,7 @@ vtkInsideOutSurfaceOptions ReadOptions(vtkProbeWindingNumber* filter)
   static_assert(Filter::NAIVE == static_cast<int>(Method::Naive));
   static_assert(Filter::HIERARCHICAL == static_cast<int>(Method::Hierarchical));
   static_assert(Filter::APPROXIMATE == static_cast<int>(Method::Approximate));
-  vtkInsideOutSurfaceOptions options = vtkInsideOutReadSurfaceOptions(filter);
+  vtkInsideOut::SurfaceOptions options = vtkInsideOut::ReadSurfaceOptions(filter);
   options.WindingNumber.Method = static_cast<Method>(filter->GetMethod());
   options.WindingNumber.ApproximationOrder = filter->GetApproximationOrder();
   options.WindingNumber.Accuracy = filter->GetAccuracy();
@@ -181,17 +182,17 @@ using Arrays = std::vector<vtkSmartPointer<vtkDataArray>>;
 template <typename Array>
 Array* Add(Arrays& arrays, const char* name, vtkIdType size, int components = 1)
 {
-  const auto array = vtkInsideOutMakeArray<Array>(name, size, components);
+  const auto array = vtkInsideOut::MakeArray<Array>(name, size, components);
   arrays.emplace_back(array);
   return array;
 }
 
 /** w, if it is wanted or adds up, and Inside, which is the last. */
-Arrays AskWindingNumbers(
-  vtkProbeWindingNumber* filter, vtkDataSet* input, vtkInsideOutPieces& surface, Monitor& monitor)
+Arrays AskWindingNumbers(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  vtkInsideOut::SurfaceChunks& surface, Monitor& monitor)
 {
   const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
-  const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
+  const vtkIdType size = vtkInsideOut::NumberOfPlaces(input, atPoints);
   const double threshold = filter->GetThreshold();
   const bool insideOut = filter->GetInsideOut();
   const bool addsUp = surface.Size() > 1;
@@ -208,9 +209,9 @@ Arrays AskWindingNumbers(
       inside = Add<vtkUnsignedCharArray>(arrays, "Inside", size)->GetPointer(0);
     });
   surface.TakeTurns(monitor,
-    [&](const vtkInsideOutPieces::Turn& turn)
+    [&](const vtkInsideOut::SurfaceChunks::Turn& turn)
     {
-      vtkInsideOutVisitPlaces(input, atPoints, turn.Piece,
+      vtkInsideOut::VisitPlaces(input, atPoints, turn.Piece,
         w ? std::nullopt : std::optional<double>(threshold), monitor, turn.Progress,
         [&](vtkIdType first, const std::vector<double>& values)
         {
@@ -239,18 +240,18 @@ Arrays AskWindingNumbers(
 }
 
 /** Distance, and what goes with it; the array Inside gives it its sign. */
-Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input, vtkInsideOutPieces& surface,
-  vtkDataArray* inside, Monitor& monitor)
+Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input,
+  vtkInsideOut::SurfaceChunks& surface, vtkDataArray* inside, Monitor& monitor)
 {
   const bool atPoints = filter->GetAssociation() == vtkProbeWindingNumber::POINTS;
-  const vtkIdType size = vtkInsideOutNumberOfPlaces(input, atPoints);
+  const vtkIdType size = vtkInsideOut::NumberOfPlaces(input, atPoints);
   const bool closest = filter->GetClosestPoints();
   const double negative = filter->GetInsideOut() ? 0 : 1;
   Arrays arrays;
   vtkDoubleArray* distance = nullptr;
   vtkDoubleArray* place = nullptr;
   vtkIdTypeArray* cell = nullptr;
-  std::vector<vtkInsideOutNearest> best; // so far
+  std::vector<vtkInsideOut::NearestPoint> best; // so far
   surface.DoTogether(
     [&]()
     {
@@ -260,12 +261,12 @@ Arrays AskDistances(vtkProbeWindingNumber* filter, vtkDataSet* input, vtkInsideO
       best.resize(surface.Size() > 1 ? size : 0);
     });
   surface.TakeTurnsForDistances(
-    [&](const vtkInsideOutPieces::Turn& turn)
+    [&](const vtkInsideOut::SurfaceChunks::Turn& turn)
     {
-      vtkInsideOutVisitNearest(input, atPoints, turn.Piece, monitor, turn.Progress,
-        [&](vtkIdType i, const vtkInsideOutNearest& found)
+      vtkInsideOut::VisitNearest(input, atPoints, turn.Piece, monitor, turn.Progress,
+        [&](vtkIdType i, const vtkInsideOut::NearestPoint& found)
         {
-          const vtkInsideOutNearest& nearest =
+          const vtkInsideOut::NearestPoint& nearest =
             turn.IsFirst || found.IsNearerThan(best[i]) ? found : best[i];
           if (!turn.IsLast)
           {
@@ -297,27 +298,27 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   this->Last->Surface.reset();
   const auto work = [&]()
   {
-    vtkInsideOutWarnOfThreads(this);
+    vtkInsideOut::WarnOfThreads(this);
     std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
       Stages::WindingNumbers };
     if (this->Distance)
     {
       stages.emplace_back(Stages::Distances);
     }
-    if (vtkInsideOutAreLines(surface) || surface->GetNumberOfCells() == 0)
+    if (vtkInsideOut::AreLines(surface) || surface->GetNumberOfCells() == 0)
     {
       // A curve, all of which others may have, is resolved, and its hull triangulated, before it is
       // known which way it runs.
       stages.insert(stages.begin() + 1, { Stages::Resolving, Stages::Triangulating });
     }
-    vtkInsideOutMonitor monitor(this, stages);
+    vtkInsideOut::AlgorithmMonitor monitor(this, stages);
     std::vector<std::string> warnings;
-    const vtkInsideOutSurfaceOptions options = ReadOptions(this);
+    const vtkInsideOut::SurfaceOptions options = ReadOptions(this);
     this->Last->Surface = together
-      ? std::make_unique<vtkInsideOutPieces>(
+      ? std::make_unique<vtkInsideOut::SurfaceChunks>(
           surface, options, this->FacetsAtOnce, together, monitor, warnings)
-      : std::make_unique<vtkInsideOutPieces>(surface, options, monitor, warnings);
-    vtkInsideOutPieces& pieces = *this->Last->Surface;
+      : std::make_unique<vtkInsideOut::SurfaceChunks>(surface, options, monitor, warnings);
+    vtkInsideOut::SurfaceChunks& pieces = *this->Last->Surface;
     Arrays arrays = AskWindingNumbers(this, input, pieces, monitor);
     if (this->Distance)
     {
@@ -329,21 +330,21 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
     for (const auto& array : arrays)
     {
-      vtkInsideOutAttributes::RenameArrays(data, { array->GetName() }, warnings);
+      vtkInsideOut::Attributes::RenameArrays(data, { array->GetName() }, warnings);
       data->AddArray(array);
     }
     data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove those of before
     if (together)
     {
-      vtkInsideOutAddStatistics(
+      vtkInsideOut::AddStatistics(
         { { "SurfacePieces", static_cast<double>(pieces.Size()) } }, output);
     }
-    if (!vtkInsideOutIsFurtherPiece(outputVector)) // all say the same of the surface
+    if (!vtkInsideOut::IsFurtherPiece(outputVector)) // all say the same of the surface
     {
-      vtkInsideOutWarn(this, warnings);
+      vtkInsideOut::Warn(this, warnings);
     }
   };
-  return vtkInsideOutRun(this, outputVector, work, together);
+  return vtkInsideOut::Run(this, outputVector, work, together);
 }
 
 int vtkProbeWindingNumber::IsInside(vtkIdType id)
@@ -359,7 +360,7 @@ int vtkProbeWindingNumber::IsInside(vtkIdType id)
 
 int vtkProbeWindingNumber::IsInsideSurface(double x, double y, double z)
 {
-  const vtkInsideOutWindingNumber* windingNumber =
+  const vtkInsideOut::InputWindingNumber* windingNumber =
     this->Last->Surface ? this->Last->Surface->Whole() : nullptr;
   return windingNumber ? Mark(windingNumber->At(Point{ x, y, z }), this->Threshold, this->InsideOut)
                        : 0;

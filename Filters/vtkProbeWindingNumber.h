@@ -68,7 +68,10 @@
 #include <memory>
 #include <string>
 
-class vtkInsideOutFailTogether;
+namespace vtkInsideOut
+{
+class FailTogether;
+}
 class vtkMultiProcessController;
 class vtkPolyData;
 
@@ -272,7 +275,7 @@ private:
 
   class Internal;
   Internal* Last; ///< what the last update left for IsInsideSurface
-  const std::unique_ptr<vtkInsideOutFailTogether> Failures;
+  const std::unique_ptr<vtkInsideOut::FailTogether> Failures;
 };
 
 #endif

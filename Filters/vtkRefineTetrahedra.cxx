@@ -2,13 +2,13 @@
 #include "vtkRefineTetrahedra.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutRefine.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutSizes.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/ReadLengths.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
+#include "Out/RefineGrid.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
@@ -78,10 +78,10 @@ void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::s
     }
     return;
   }
-  sizes.Lengths = vtkInsideOutReadLengths(input, name);
+  sizes.Lengths = vtkInsideOut::ReadLengths(input, name);
   if (background)
   {
-    sizes.LengthAt = vtkInsideOutLengthsWithin(background, name);
+    sizes.LengthAt = vtkInsideOut::LengthsWithin(background, name);
   }
   else if (sizes.Lengths.empty())
   {
@@ -94,7 +94,7 @@ void AddLengths(vtkUnstructuredGrid* input, vtkDataSet* background, const std::s
 int vtkRefineTetrahedra::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
+  vtkInsideOut::RequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -104,16 +104,16 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkDataSet* background = vtkDataSet::GetData(inputVector[1]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this, { Stages::Refining });
-      RefinementParameters parameters = vtkInsideOutRefinementParameters(this);
+      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Refining });
+      RefinementParameters parameters = vtkInsideOut::RefinementParametersOf(this);
       AddLengths(input, background, this->SizingArrayName, parameters.Sizes);
-      const vtkInsideOutRefinement refinement =
-        vtkInsideOutRefine(input, nullptr, parameters, this->QuadraticCells, monitor);
+      const vtkInsideOut::Refinement refinement =
+        vtkInsideOut::RefineGrid(input, nullptr, parameters, this->QuadraticCells, monitor);
       output->ShallowCopy(refinement.Grid);
-      vtkInsideOutAddStatistics(refinement.Statistics, output);
-      vtkInsideOutWarn(this, refinement.Warnings);
+      vtkInsideOut::AddStatistics(refinement.Statistics, output);
+      vtkInsideOut::Warn(this, refinement.Warnings);
     });
 }

@@ -2,13 +2,13 @@
 #include "vtkResolveSelfIntersections.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutReadCurve.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/ReadCurve.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
 #include "Resolve/ResolveSelfIntersections.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -36,7 +36,7 @@ void vtkResolveSelfIntersections::PrintSelf(ostream& os, vtkIndent indent)
 int vtkResolveSelfIntersections::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOut::RequestWhole(inputVector, outputVector);
   return 1;
 }
 
@@ -45,22 +45,22 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutRefuseLines(input);
-      vtkInsideOutMonitor monitor(
+      vtkInsideOut::RefuseLines(input);
+      vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Resolving });
-      const vtkInsideOutSurface given =
-        vtkInsideOutReadSurface(input, this->NonParticipatingArrayName);
+      const vtkInsideOut::Surface given =
+        vtkInsideOut::ReadSurface(input, this->NonParticipatingArrayName);
       const CountedChain chain =
-        CountFacets(given.Soup, vtkInsideOutChainParameters(this), monitor);
+        CountFacets(given.Soup, vtkInsideOut::ChainParametersOf(this), monitor);
       const Resolution resolution = ResolveSelfIntersections(chain.Surface, monitor);
       const FacetComplex& surface = resolution.Surface;
 
       std::vector<Id> facets(surface.NumberOfConstraints);
       std::iota(facets.begin(), facets.end(), 0);
-      vtkInsideOutMakeOutputs outputs(given);
+      vtkInsideOut::MakeOutputs outputs(given);
       output->ShallowCopy(outputs.MakeSurface(surface, facets));
 
       Statistics statistics;
@@ -69,11 +69,11 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
       statistics.emplace_back("ResolvedFacets", facets.size());
       statistics.emplace_back(
         "LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
-      vtkInsideOutAddStatistics(statistics, output);
+      vtkInsideOut::AddStatistics(statistics, output);
       outputs.AddLeftOutCells(surface, output);
 
-      vtkInsideOutWarn(this, chain.Warnings);
-      vtkInsideOutWarn(this, outputs.Warnings);
+      vtkInsideOut::Warn(this, chain.Warnings);
+      vtkInsideOut::Warn(this, outputs.Warnings);
       if (surface.NumberOfConstraints < surface.NumberOfFacets())
       {
         const auto cells =

@@ -3,17 +3,17 @@
 
 #include "Common/Stages.h"
 #include "Common/Team.h"
-#include "Private/vtkInsideOutBlock.h"
-#include "Private/vtkInsideOutCache.h"
-#include "Private/vtkInsideOutHull.h"
-#include "Private/vtkInsideOutMakeTetrahedra.h"
-#include "Private/vtkInsideOutMeshAhead.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutReadCurve.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutSeedsPort.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/Blocks.h"
+#include "In/ReadCurve.h"
+#include "In/SeedsPort.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/KeptHull.h"
+#include "Out/MakeTetrahedra.h"
+#include "Out/MeshAhead.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/Cache.h"
+#include "Run/RunFilter.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkRefineTetrahedra.h"
@@ -32,12 +32,18 @@
 
 using namespace insideout;
 
+using Filter = vtkRobustTetrahedralize;
+static_assert(Filter::OUTLIER_BY_ENERGY == static_cast<int>(OutlierReason::Energy));
+static_assert(Filter::OUTLIER_LOST == static_cast<int>(OutlierReason::Lost));
+static_assert(Filter::OUTLIER_LEFT_OUT == static_cast<int>(OutlierReason::LeftOut));
+static_assert(Filter::OUTLIER_DEGENERATE == static_cast<int>(OutlierReason::Degenerate));
+
 vtkStandardNewMacro(vtkRobustTetrahedralize);
 
 class vtkRobustTetrahedralize::Cache
-  : public vtkInsideOutCache<decltype(vtkInsideOutAsTuple(
-                               HullMeshParameters(), vtkInsideOutHullArrays())),
-      vtkInsideOutHull>
+  : public vtkInsideOut::Cache<decltype(vtkInsideOut::AsTuple(
+                                 HullMeshParameters(), vtkInsideOut::HullArrays())),
+      vtkInsideOut::KeptHull>
 {
 };
 
@@ -95,7 +101,7 @@ void vtkRobustTetrahedralize::ReportReferences(vtkGarbageCollector* collector)
 
 void vtkRobustTetrahedralize::SetWindingNumber(vtkGeneralizedWindingNumber* windingNumber)
 {
-  vtkInsideOutSetStage(this, windingNumber, this->WindingNumber);
+  vtkInsideOut::SetStage(this, windingNumber, this->WindingNumber);
 }
 
 vtkGeneralizedWindingNumber* vtkRobustTetrahedralize::GetWindingNumber()
@@ -105,7 +111,7 @@ vtkGeneralizedWindingNumber* vtkRobustTetrahedralize::GetWindingNumber()
 
 void vtkRobustTetrahedralize::SetSegmentation(vtkGraphCutSegmentation* segmentation)
 {
-  vtkInsideOutSetStage(this, segmentation, this->Segmentation);
+  vtkInsideOut::SetStage(this, segmentation, this->Segmentation);
 }
 
 vtkGraphCutSegmentation* vtkRobustTetrahedralize::GetSegmentation()
@@ -115,7 +121,7 @@ vtkGraphCutSegmentation* vtkRobustTetrahedralize::GetSegmentation()
 
 void vtkRobustTetrahedralize::SetRefinement(vtkRefineTetrahedra* refinement)
 {
-  vtkInsideOutSetStage(this, refinement, this->Refinement);
+  vtkInsideOut::SetStage(this, refinement, this->Refinement);
 }
 
 vtkRefineTetrahedra* vtkRobustTetrahedralize::GetRefinement()
@@ -155,7 +161,7 @@ void vtkRobustTetrahedralize::SetExtractInside(bool extract)
 
 int vtkRobustTetrahedralize::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkInsideOutFillPort(port, info, "vtkPolyData");
+  return vtkInsideOut::FillPort(port, info, "vtkPolyData");
 }
 
 void vtkRobustTetrahedralize::SetBlocksAreBodies(bool blocksAreBodies)
@@ -214,7 +220,7 @@ namespace
 struct OneSurface
 {
   vtkSmartPointer<vtkPolyData> Polygons;
-  vtkInsideOutHullArrays Names;
+  vtkInsideOut::HullArrays Names;
   std::vector<std::string> Warnings;
 };
 
@@ -224,11 +230,11 @@ OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
     { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), {}, 0 }, {} };
   if (filter->GetBlocksAreBodies())
   {
-    vtkInsideOutRefuseSpreadParts(filter);
-    input.Polygons = vtkInsideOutJoinBlocks(given, input.Warnings);
-    vtkInsideOutHullArrays& names = input.Names;
-    names.Bodies = vtkInsideOutBodyIds;
-    vtkInsideOutVisitBlocks(given,
+    vtkInsideOut::RefuseSpreadParts(filter);
+    input.Polygons = vtkInsideOut::JoinBlocks(given, input.Warnings);
+    vtkInsideOut::HullArrays& names = input.Names;
+    names.Bodies = vtkInsideOut::BodyIds;
+    vtkInsideOut::VisitBlocks(given,
       [&](vtkDataObject* block, const std::string& name)
       {
         names.BlockNames.push_back(name);
@@ -252,17 +258,17 @@ std::vector<std::string> StagesWith(bool refine)
 
 HullMeshParameters HullParametersOf(vtkRobustTetrahedralize* filter)
 {
-  HullMeshParameters parameters = vtkInsideOutHullMeshParameters(filter->GetWindingNumber());
+  HullMeshParameters parameters = vtkInsideOut::HullParametersOf(filter->GetWindingNumber());
   parameters.PartsApart = filter->GetPartsApart();
   return parameters;
 }
 
-vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
+vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
 {
   static_assert(vtkRobustTetrahedralize::BY_PRIORITY == static_cast<int>(RegionRule::Priority));
   static_assert(vtkRobustTetrahedralize::ALL == static_cast<int>(RegionRule::All));
-  vtkInsideOutSolidOptions options;
-  options.Segment = { vtkInsideOutSegmentMeshParameters(filter->GetSegmentation()),
+  vtkInsideOut::SolidOptions options;
+  options.Segment = { vtkInsideOut::SegmentParametersOf(filter->GetSegmentation()),
     filter->GetConstrainedFacetsArrayName(), static_cast<RegionRule>(filter->GetRegionRule()),
     filter->GetPriority(), filter->GetMergeTolerance() };
   options.SplitPoints = filter->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
@@ -271,7 +277,7 @@ vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
     options.SplitPoints, !std::string(filter->GetTagArrayName()).empty() };
   options.GenerateHull = filter->GetGenerateHull();
   options.Refine = filter->GetRefine();
-  options.Refinement = vtkInsideOutRefinementParameters(filter->GetRefinement());
+  options.Refinement = vtkInsideOut::RefinementParametersOf(filter->GetRefinement());
   options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
   return options;
 }
@@ -280,7 +286,7 @@ vtkInsideOutSolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
+  vtkInsideOut::RequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -342,14 +348,14 @@ void vtkRobustTetrahedralize::CheckBodies()
   }
 }
 
-void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
+void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOut::AlgorithmMonitor& monitor)
 {
   const HullMeshParameters parameters = HullParametersOf(this);
   constexpr std::size_t BlocksPerThread = 8; // so that threads end at about the same time
   const std::size_t most = BlocksPerThread * std::min(this->BlocksAtOnce, MostThreads());
-  std::vector<vtkDataObject*> blocks = vtkInsideOutBlocksFromHere(this);
+  std::vector<vtkDataObject*> blocks = vtkInsideOut::BlocksFromHere(this);
   blocks.resize(std::min(blocks.size(), most));
-  std::vector<std::shared_ptr<vtkInsideOutHull>> hulls;
+  std::vector<std::shared_ptr<vtkInsideOut::KeptHull>> hulls;
   try
   {
     for (vtkDataObject* block : blocks)
@@ -357,11 +363,11 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
       try
       {
         const auto [input, names, warnings] = ReadInput(this, block);
-        const auto key = vtkInsideOutAsTuple(parameters, names);
+        const auto key = vtkInsideOut::AsTuple(parameters, names);
         if (input && !this->Hulls->Find(block, key))
         {
-          vtkInsideOutRefusePlane(input, this->GetThicken() > 0);
-          hulls.push_back(std::make_shared<vtkInsideOutHull>(input, names));
+          vtkInsideOut::RefusePlane(input, this->GetThicken() > 0);
+          hulls.push_back(std::make_shared<vtkInsideOut::KeptHull>(input, names));
           this->Hulls->Remember(block, key, hulls.back());
         }
       }
@@ -370,7 +376,7 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
         // is said when VTK comes to the block, as where that is no surface
       }
     }
-    vtkInsideOutMeshAhead(hulls, parameters, !this->SurfaceOnly, this->BlocksAtOnce, monitor);
+    vtkInsideOut::MeshAhead(hulls, parameters, !this->SurfaceOnly, this->BlocksAtOnce, monitor);
   }
   catch (...) // no hull is remembered that was not made
   {
@@ -383,34 +389,34 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOutMonitor& monitor)
 int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
       vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
       const auto [input, names, inputWarnings] = ReadInput(this, given);
-      vtkInsideOutRefusePlane(input, this->GetThicken() > 0);
+      vtkInsideOut::RefusePlane(input, this->GetThicken() > 0);
       this->CheckBodies();
-      vtkInsideOutMonitor monitor(this, StagesWith(this->Refine));
+      vtkInsideOut::AlgorithmMonitor monitor(this, StagesWith(this->Refine));
       this->CheckOptions();
-      const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
+      const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(inputVector);
       if (!names.Bodies.empty())
       {
-        PriorityOf(vtkInsideOutReadTags(input, names.Bodies, {}).Names,
-          vtkInsideOutSplitNames(this->Priority)); // it throws before the work begins
+        PriorityOf(vtkInsideOut::ReadTags(input, names.Bodies, {}).Names,
+          vtkInsideOut::SplitNames(this->Priority)); // it throws before the work begins
       }
-      const vtkInsideOutTags tags =
-        vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
+      const vtkInsideOut::Tags tags =
+        vtkInsideOut::ReadTags(input, this->TagArrayName, vtkInsideOut::FindBlocks(this));
       const HullMeshParameters parameters = HullParametersOf(this);
       if (this->BlocksAtOnce > 1 &&
-        !this->Hulls->Find(given, vtkInsideOutAsTuple(parameters, names)))
+        !this->Hulls->Find(given, vtkInsideOut::AsTuple(parameters, names)))
       {
         this->MeshBlocksAhead(monitor);
       }
-      const std::shared_ptr<vtkInsideOutHull> kept =
-        this->Hulls->Get(given, vtkInsideOutAsTuple(parameters, names),
+      const std::shared_ptr<vtkInsideOut::KeptHull> kept =
+        this->Hulls->Get(given, vtkInsideOut::AsTuple(parameters, names),
           [&, &surface = input, &arrays = names]()
           {
-            auto hull = std::make_shared<vtkInsideOutHull>(surface, arrays);
+            auto hull = std::make_shared<vtkInsideOut::KeptHull>(surface, arrays);
             hull->Resolve(parameters, monitor);
             return hull;
           });
@@ -422,18 +428,18 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       {
         std::rethrow_exception(kept->Failure);
       }
-      const vtkInsideOutSolidOptions options = SolidOptionsOf(this);
-      std::optional<vtkInsideOutTetrahedra> made;
+      const vtkInsideOut::SolidOptions options = SolidOptionsOf(this);
+      std::optional<vtkInsideOut::Tetrahedra> made;
       if (this->SurfaceOnly)
       {
-        made = vtkInsideOutMakeSurfaceOnly(*kept, !seeds.empty(), tags, options, monitor);
+        made = vtkInsideOut::MakeSurfaceOnly(*kept, !seeds.empty(), tags, options, monitor);
       }
       const bool areTetrahedraMade = !made;
       if (areTetrahedraMade)
       {
         kept->Fill(parameters, monitor);
         kept->MakeGrid();
-        made = vtkInsideOutMakeTetrahedra(
+        made = vtkInsideOut::MakeTetrahedra(
           *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, options, monitor);
       }
       if (this->SurfaceOnly)
@@ -442,7 +448,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
         {
           if (grid)
           {
-            vtkInsideOutAddStatistics({ { "Tetrahedra", areTetrahedraMade } }, grid);
+            vtkInsideOut::AddStatistics({ { "Tetrahedra", areTetrahedraMade } }, grid);
           }
         }
       }
@@ -461,7 +467,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       {
         vtkUnstructuredGrid::GetData(outputVector, 3)->ShallowCopy(made->Hull);
       }
-      vtkInsideOutWarn(this, inputWarnings);
-      vtkInsideOutWarn(this, made->Warnings);
+      vtkInsideOut::Warn(this, inputWarnings);
+      vtkInsideOut::Warn(this, made->Warnings);
     });
 }

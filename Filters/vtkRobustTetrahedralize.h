@@ -83,7 +83,10 @@
 
 class vtkGeneralizedWindingNumber;
 class vtkGraphCutSegmentation;
-class vtkInsideOutMonitor;
+namespace vtkInsideOut
+{
+class AlgorithmMonitor;
+}
 class vtkPointSet;
 class vtkPolyData;
 class vtkRefineTetrahedra;
@@ -385,7 +388,7 @@ protected:
   bool Refine = false;
 
 private:
-  void MeshBlocksAhead(vtkInsideOutMonitor& monitor);
+  void MeshBlocksAhead(vtkInsideOut::AlgorithmMonitor& monitor);
   bool PartsSolid();
   void CheckOptions();
   void CheckBodies();

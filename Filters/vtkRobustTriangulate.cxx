@@ -2,14 +2,14 @@
 #include "vtkRobustTriangulate.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutBlock.h"
-#include "Private/vtkInsideOutCache.h"
-#include "Private/vtkInsideOutMakeTriangles.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutSeedsPort.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "In/Blocks.h"
+#include "In/SeedsPort.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeTriangles.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/Cache.h"
+#include "Run/RunFilter.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkRefineTetrahedra.h"
 
@@ -28,8 +28,9 @@ using namespace insideout;
 vtkStandardNewMacro(vtkRobustTriangulate);
 
 class vtkRobustTriangulate::Cache
-  : public vtkInsideOutCache<decltype(vtkInsideOutAsTuple(PlanarHullParameters(), std::string())),
-      vtkInsideOutPlanarHull>
+  : public vtkInsideOut::Cache<decltype(vtkInsideOut::AsTuple(
+                                 PlanarHullParameters(), std::string())),
+      vtkInsideOut::KeptPlanarHull>
 {
 };
 
@@ -63,7 +64,7 @@ void vtkRobustTriangulate::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkRobustTriangulate::IsInAPlane(vtkPolyData* input)
 {
-  return input && vtkInsideOutIsInAPlane(input);
+  return input && vtkInsideOut::IsInAPlane(input);
 }
 
 vtkMTimeType vtkRobustTriangulate::GetMTime()
@@ -81,7 +82,7 @@ void vtkRobustTriangulate::ReportReferences(vtkGarbageCollector* collector)
 
 void vtkRobustTriangulate::SetSegmentation(vtkGraphCutSegmentation* segmentation)
 {
-  vtkInsideOutSetStage(this, segmentation, this->Segmentation);
+  vtkInsideOut::SetStage(this, segmentation, this->Segmentation);
 }
 
 vtkGraphCutSegmentation* vtkRobustTriangulate::GetSegmentation()
@@ -91,7 +92,7 @@ vtkGraphCutSegmentation* vtkRobustTriangulate::GetSegmentation()
 
 void vtkRobustTriangulate::SetRefinement(vtkRefineTetrahedra* refinement)
 {
-  vtkInsideOutSetStage(this, refinement, this->Refinement);
+  vtkInsideOut::SetStage(this, refinement, this->Refinement);
 }
 
 vtkRefineTetrahedra* vtkRobustTriangulate::GetRefinement()
@@ -122,7 +123,7 @@ void vtkRobustTriangulate::SetSeedsConnection(vtkAlgorithmOutput* output)
 
 int vtkRobustTriangulate::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return vtkInsideOutFillPort(port, info, "vtkPolyData");
+  return vtkInsideOut::FillPort(port, info, "vtkPolyData");
 }
 
 int vtkRobustTriangulate::FillOutputPortInformation(int port, vtkInformation* info)
@@ -155,7 +156,7 @@ vtkPolyData* vtkRobustTriangulate::GetResolvedLines()
 int vtkRobustTriangulate::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
+  vtkInsideOut::RequestWhole(inputVector, outputVector, this->GetNumberOfInputPorts());
   return 1;
 }
 
@@ -177,7 +178,7 @@ int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
       this->CheckOptions();
@@ -188,32 +189,34 @@ int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),
       {
         stages.emplace_back(Stages::Refining);
       }
-      vtkInsideOutMonitor monitor(this, stages);
-      const std::vector<Seed> seeds = vtkInsideOutReadSeeds(inputVector);
-      const vtkInsideOutTags tags =
-        vtkInsideOutReadTags(input, this->TagArrayName, vtkInsideOutFindBlocks(this));
+      vtkInsideOut::AlgorithmMonitor monitor(this, stages);
+      const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(inputVector);
+      const vtkInsideOut::Tags tags =
+        vtkInsideOut::ReadTags(input, this->TagArrayName, vtkInsideOut::FindBlocks(this));
       PlanarHullParameters parameters;
-      parameters.Chain = vtkInsideOutChainParameters(this);
-      parameters.Orientation = vtkInsideOutOrientation(this);
+      parameters.Chain = vtkInsideOut::ChainParametersOf(this);
+      parameters.Orientation = vtkInsideOut::OrientationOf(this);
       const std::string& ignored = this->NonParticipatingArrayName;
-      const std::shared_ptr<vtkInsideOutPlanarHull> kept = this->Hulls->Get(input,
-        vtkInsideOutAsTuple(parameters, ignored),
-        [&]()
-        { return std::make_shared<vtkInsideOutPlanarHull>(input, parameters, ignored, monitor); });
+      const std::shared_ptr<vtkInsideOut::KeptPlanarHull> kept =
+        this->Hulls->Get(input, vtkInsideOut::AsTuple(parameters, ignored),
+          [&]() {
+            return std::make_shared<vtkInsideOut::KeptPlanarHull>(
+              input, parameters, ignored, monitor);
+          });
       if (this->GetReleaseDataFlag())
       {
         this->Hulls->Forget(input);
       }
 
-      vtkInsideOutPlanarOptions options;
-      options.Segment = vtkInsideOutSegmentMeshParameters(this->Segmentation.Get());
+      vtkInsideOut::PlanarOptions options;
+      options.Segment = vtkInsideOut::SegmentParametersOf(this->Segmentation.Get());
       options.ConstrainedArray = this->ConstrainedFacetsArrayName;
       options.SplitPoints = this->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
       options.GenerateHull = this->GenerateHull;
       options.Refine = this->Refine;
-      options.Refinement = vtkInsideOutRefinementParameters(this->Refinement.Get());
-      const vtkInsideOutTriangles made =
-        vtkInsideOutMakeTriangles(*kept, seeds, tags, options, monitor);
+      options.Refinement = vtkInsideOut::RefinementParametersOf(this->Refinement.Get());
+      const vtkInsideOut::Triangles made =
+        vtkInsideOut::MakeTriangles(*kept, seeds, tags, options, monitor);
       vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(made.Grid);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(made.Boundary);
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(made.Outliers);
@@ -222,6 +225,6 @@ int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),
         vtkUnstructuredGrid::GetData(outputVector, 3)->ShallowCopy(made.Hull);
         vtkPolyData::GetData(outputVector, 4)->ShallowCopy(made.Resolved);
       }
-      vtkInsideOutWarn(this, made.Warnings);
+      vtkInsideOut::Warn(this, made.Warnings);
     });
 }

@@ -3,16 +3,16 @@
 
 #include "Common/Error.h"
 #include "Common/Stages.h"
+#include "Data/Arrays.h"
+#include "Data/Attributes.h"
+#include "In/ReadGrid.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
 #include "Output/Topology.h"
-#include "Private/vtkInsideOutArrays.h"
-#include "Private/vtkInsideOutAttributes.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutReadGrid.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
 #include "Quality/QualityOfMesh.h"
 #include "Quality/SolidDefects.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -39,7 +39,7 @@ void vtkSolidQuality::PrintSelf(ostream& os, vtkIndent indent)
 int vtkSolidQuality::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOut::RequestWhole(inputVector, outputVector);
   return 1;
 }
 
@@ -47,10 +47,10 @@ namespace
 {
 /** An array with a value for each tetrahedron, and 0 for other cells. */
 template <typename Array, typename ValueOf>
-void AddArray(const char* name, const vtkInsideOutGridTetrahedra& tetrahedra,
+void AddArray(const char* name, const vtkInsideOut::GridTetrahedra& tetrahedra,
   vtkUnstructuredGrid* grid, const ValueOf& valueOf)
 {
-  const auto array = vtkInsideOutMakeArray<Array>(name, grid->GetNumberOfCells());
+  const auto array = vtkInsideOut::MakeArray<Array>(name, grid->GetNumberOfCells());
   array->Fill(0);
   for (std::size_t c = 0; c < tetrahedra.Cells.size(); ++c)
   {
@@ -59,7 +59,7 @@ void AddArray(const char* name, const vtkInsideOutGridTetrahedra& tetrahedra,
   grid->GetCellData()->AddArray(array);
 }
 
-void MarkCells(const vtkInsideOutGridTetrahedra& cells, const SolidDefects& defects,
+void MarkCells(const vtkInsideOut::GridTetrahedra& cells, const SolidDefects& defects,
   const std::vector<CellQuality>& qualities, vtkUnstructuredGrid* grid)
 {
   AddArray<vtkDoubleArray>("MinDihedralAngle", cells, grid,
@@ -80,12 +80,12 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(
+      vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Measuring });
-      const vtkInsideOutGridTetrahedra given = vtkInsideOutReadCorners(input);
+      const vtkInsideOut::GridTetrahedra given = vtkInsideOut::ReadCorners(input);
       if (given.Cells.empty())
       {
         throw Error(ErrorCode::EmptySurface, "the grid has no tetrahedra");
@@ -105,12 +105,12 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
 
       vtkNew<vtkUnstructuredGrid> marked;
       marked->CopyStructure(input);
-      vtkInsideOutAttributes::PassAll(input,
+      vtkInsideOut::Attributes::PassAll(input,
         { "MinDihedralAngle", "MaxDihedralAngle", "RadiusEdgeRatio", "MeanRatio", "Orientation" },
         marked, warnings);
       MarkCells(given, defects, qualities, marked);
       marked->GetFieldData()->AddArray(
-        vtkInsideOutMakeArray<vtkIdTypeArray>("DihedralAngleHistogram",
+        vtkInsideOut::MakeArray<vtkIdTypeArray>("DihedralAngleHistogram",
           std::vector<vtkIdType>(quality.Histogram.begin(), quality.Histogram.end())));
       Statistics statistics;
       AppendSolidDefects(defects, statistics);
@@ -121,8 +121,8 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
           FindTopology(given.Points.size(), given.Cells, defects.Boundary, defects.NumberOfRegions),
           statistics);
       }
-      vtkInsideOutAddStatistics(statistics, marked);
+      vtkInsideOut::AddStatistics(statistics, marked);
       output->ShallowCopy(marked);
-      vtkInsideOutWarn(this, warnings);
+      vtkInsideOut::Warn(this, warnings);
     });
 }

@@ -2,9 +2,9 @@
 #include "vtkSolidWriter.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutReadSolid.h"
-#include "Private/vtkInsideOutRun.h"
+#include "In/ReadSolid.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -65,23 +65,23 @@ void vtkSolidWriter::SetBoundaryData(vtkPolyData* boundary)
 
 void vtkSolidWriter::WriteData()
 {
-  const int written = vtkInsideOutRun(this, nullptr,
+  const int written = vtkInsideOut::Run(this, nullptr,
     [&]()
     {
       if (!this->FileName || !*this->FileName)
       {
         throw Error(ErrorCode::FileUnwritable, "no file name is set");
       }
-      vtkInsideOutMonitor monitor(this, { Stages::Writing });
+      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
       auto* boundary = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
-      WriteSolid(this->FileName, vtkInsideOutReadSolid(this->GetInput(), boundary),
+      WriteSolid(this->FileName, vtkInsideOut::ReadSolid(this->GetInput(), boundary),
         insideout::MshVersion(this->MshVersion), monitor);
     });
   if (!written)
   {
     this->SetErrorCode(vtkErrorCode::UnknownError); // Write() gives 0 then
   }
-  else if (vtkInsideOutMonitor::ShouldAbort(this))
+  else if (vtkInsideOut::AlgorithmMonitor::ShouldAbort(this))
   {
     this->SetErrorCode(vtkErrorCode::UserError);
   }

@@ -2,14 +2,15 @@
 #include "vtkSurfaceDefects.h"
 
 #include "Common/Stages.h"
+#include "Data/Arrays.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
+#include "Out/MarkCurve.h"
+#include "Planar/CurveDefects.h"
 #include "Planar/PlanarHull.h"
-#include "Private/vtkInsideOutArrays.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMarkCurve.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -28,6 +29,13 @@
 #include <cmath>
 
 using namespace insideout;
+
+static_assert(vtkSurfaceDefects::OPEN_END ==
+  vtkInsideOut::FirstPointType + static_cast<int>(CurveDefect::OpenEnd));
+static_assert(vtkSurfaceDefects::CROSSING ==
+  vtkInsideOut::FirstPointType + static_cast<int>(CurveDefect::Crossing));
+static_assert(vtkSurfaceDefects::T_JUNCTION ==
+  vtkInsideOut::FirstPointType + static_cast<int>(CurveDefect::TJunction));
 
 vtkStandardNewMacro(vtkSurfaceDefects);
 
@@ -134,16 +142,16 @@ std::vector<TriangleDefects> DefectsOfCells(
 void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
-  const auto component = vtkInsideOutMakeArray<vtkIntArray>("ComponentId", size);
-  const auto shell = vtkInsideOutMakeArray<vtkIntArray>("ShellId", size);
-  const auto crossings = vtkInsideOutMakeArray<vtkIntArray>("SelfIntersections", size);
-  const auto degenerate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Degenerate", size);
-  const auto duplicate = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Duplicate", size);
-  const auto inconsistent = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Inconsistent", size);
-  const auto twoSided = vtkInsideOutMakeArray<vtkUnsignedCharArray>("TwoSided", size);
-  const auto turned = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Turned", size);
-  const auto sheet = vtkInsideOutMakeArray<vtkUnsignedCharArray>("Sheet", size);
-  const auto color = vtkInsideOutMakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
+  const auto component = vtkInsideOut::MakeArray<vtkIntArray>("ComponentId", size);
+  const auto shell = vtkInsideOut::MakeArray<vtkIntArray>("ShellId", size);
+  const auto crossings = vtkInsideOut::MakeArray<vtkIntArray>("SelfIntersections", size);
+  const auto degenerate = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Degenerate", size);
+  const auto duplicate = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Duplicate", size);
+  const auto inconsistent = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Inconsistent", size);
+  const auto twoSided = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("TwoSided", size);
+  const auto turned = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Turned", size);
+  const auto sheet = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Sheet", size);
+  const auto color = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
   for (vtkIdType c = 0; c < size; ++c)
   {
     const TriangleDefects& cell = cells[c];
@@ -193,9 +201,9 @@ std::vector<DefectType> TypesOfCells(const std::vector<DefectLine>& lines)
 void NameLines(const std::vector<DefectType>& types, vtkCellData* data)
 {
   const vtkIdType size = static_cast<vtkIdType>(types.size());
-  const auto type = vtkInsideOutMakeArray<vtkIntArray>("DefectType", size);
-  const auto name = vtkInsideOutMakeArray<vtkStringArray>("DefectName", size);
-  const auto color = vtkInsideOutMakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
+  const auto type = vtkInsideOut::MakeArray<vtkIntArray>("DefectType", size);
+  const auto name = vtkInsideOut::MakeArray<vtkStringArray>("DefectName", size);
+  const auto color = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
   for (vtkIdType c = 0; c < size; ++c)
   {
     using Filter = vtkSurfaceDefects;
@@ -217,7 +225,7 @@ void NameLines(const std::vector<DefectType>& types, vtkCellData* data)
 int vtkSurfaceDefects::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOut::RequestWhole(inputVector, outputVector);
   return 1;
 }
 
@@ -227,7 +235,7 @@ PlanarHullParameters PlanarParameters(vtkSurfaceDefects* filter)
 {
   PlanarHullParameters parameters;
   parameters.Chain.MergeTolerance = filter->GetMergeTolerance();
-  parameters.Orientation = vtkInsideOutOrientation(filter);
+  parameters.Orientation = vtkInsideOut::OrientationOf(filter);
   return parameters;
 }
 
@@ -247,7 +255,7 @@ double AreaInAPlane(vtkPolyData* input, PlanarHullParameters parameters, Monitor
     }
   };
   AtTheEnd monitor(caller);
-  const vtkInsideOutCurve curve = vtkInsideOutReadCurve(input, parameters.Orientation, "");
+  const vtkInsideOut::Curve curve = vtkInsideOut::ReadCurve(input, parameters.Orientation, "");
   parameters.Orientation = insideout::Orientation::AsGiven; // they were turned when read
   return EnclosedArea(MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor));
 }
@@ -257,37 +265,37 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      if (vtkInsideOutAreLines(input))
+      if (vtkInsideOut::AreLines(input))
       {
-        vtkInsideOutMonitor monitor(this,
+        vtkInsideOut::AlgorithmMonitor monitor(this,
           { Stages::Validating, Stages::FindingIntersections, Stages::Resolving,
             Stages::Triangulating, Stages::Orienting, Stages::WindingNumbers });
         const PlanarHullParameters parameters = PlanarParameters(this);
-        const vtkInsideOutMarkedCurve marked = vtkInsideOutMarkCurve(
-          vtkInsideOutReadCurve(input, parameters.Orientation, ""), parameters, monitor);
+        const vtkInsideOut::MarkedCurve marked = vtkInsideOut::MarkCurve(
+          vtkInsideOut::ReadCurve(input, parameters.Orientation, ""), parameters, monitor);
         vtkPolyData::GetData(outputVector, 0)->ShallowCopy(marked.Curve);
         vtkPolyData::GetData(outputVector, 1)->ShallowCopy(marked.Points);
-        vtkInsideOutWarn(this, marked.Warnings);
+        vtkInsideOut::Warn(this, marked.Warnings);
         return;
       }
-      vtkInsideOutMonitor monitor(this,
+      vtkInsideOut::AlgorithmMonitor monitor(this,
         { Stages::Validating, Stages::Orienting, Stages::FindingIntersections,
           Stages::TracingIntersections });
-      const vtkInsideOutSurface given = vtkInsideOutReadSurface(input);
+      const vtkInsideOut::Surface given = vtkInsideOut::ReadSurface(input);
       const SurfaceDefects defects = FindSurfaceDefects(
-        given.Soup, this->MergeTolerance, vtkInsideOutOrientation(this), monitor);
+        given.Soup, this->MergeTolerance, vtkInsideOut::OrientationOf(this), monitor);
 
-      vtkInsideOutMakeOutputs outputs(given);
+      vtkInsideOut::MakeOutputs outputs(given);
       const auto surface = outputs.CopySurface({ "ComponentId", "ShellId", "SelfIntersections",
         "Degenerate", "Duplicate", "Inconsistent", "TwoSided", "Turned", "Sheet", "DefectColor" });
       MarkCells(DefectsOfCells(defects, given.CellOfTriangle, input->GetNumberOfCells()),
         surface->GetCellData());
       surface->GetFieldData()->AddArray(
-        vtkInsideOutMakeArray<vtkDoubleArray>("ShellVolumes", defects.Turns.ShellVolumes));
-      const auto lines = vtkInsideOutMakeLines(defects);
+        vtkInsideOut::MakeArray<vtkDoubleArray>("ShellVolumes", defects.Turns.ShellVolumes));
+      const auto lines = vtkInsideOut::MakeLines(defects);
       NameLines(TypesOfCells(defects.Lines), lines->GetCellData());
 
       Statistics statistics;
@@ -300,9 +308,9 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
       {
         vtkPolyData* output = vtkPolyData::GetData(outputVector, port);
         output->ShallowCopy(port == 0 ? surface : lines);
-        vtkInsideOutAddStatistics(statistics, output);
+        vtkInsideOut::AddStatistics(statistics, output);
       }
-      vtkInsideOutWarn(this, defects.Warnings);
-      vtkInsideOutWarn(this, outputs.Warnings);
+      vtkInsideOut::Warn(this, defects.Warnings);
+      vtkInsideOut::Warn(this, outputs.Warnings);
     });
 }

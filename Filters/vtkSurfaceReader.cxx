@@ -2,9 +2,9 @@
 #include "vtkSurfaceReader.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutRun.h"
+#include "Out/MakeOutputs.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -35,16 +35,16 @@ int vtkSurfaceReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOut::Run(this, outputVector,
     [&]()
     {
       if (!this->FileName || !*this->FileName)
       {
         throw Error(ErrorCode::FileUnreadable, "no file name is set");
       }
-      vtkInsideOutMonitor monitor(this, { Stages::Reading });
+      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Reading });
       const PolygonSurface surface = ReadSurface(this->FileName, monitor);
-      output->ShallowCopy(vtkInsideOutMakePolygons(surface));
-      vtkInsideOutWarn(this, surface.Warnings);
+      output->ShallowCopy(vtkInsideOut::MakePolygons(surface));
+      vtkInsideOut::Warn(this, surface.Warnings);
     });
 }

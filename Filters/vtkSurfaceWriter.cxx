@@ -2,9 +2,9 @@
 #include "vtkSurfaceWriter.h"
 
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutReadSurface.h"
-#include "Private/vtkInsideOutRun.h"
+#include "In/ReadSurface.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -50,7 +50,7 @@ vtkPolyData* vtkSurfaceWriter::GetInput(int port)
 
 void vtkSurfaceWriter::WriteData()
 {
-  const int written = vtkInsideOutRun(this, nullptr,
+  const int written = vtkInsideOut::Run(this, nullptr,
     [&]()
     {
       if (!this->FileName || !*this->FileName)
@@ -63,14 +63,14 @@ void vtkSurfaceWriter::WriteData()
           std::string("the input is a ") + this->Superclass::GetInput(0)->GetClassName() +
             ", and a file holds one surface: extract one of the blocks, or append them");
       }
-      vtkInsideOutMonitor monitor(this, { Stages::Writing });
-      WriteSurface(this->FileName, vtkInsideOutReadPolygons(this->GetInput()), monitor);
+      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
+      WriteSurface(this->FileName, vtkInsideOut::ReadPolygons(this->GetInput()), monitor);
     });
   if (!written)
   {
     this->SetErrorCode(vtkErrorCode::UnknownError); // Write() gives 0 then
   }
-  else if (vtkInsideOutMonitor::ShouldAbort(this))
+  else if (vtkInsideOut::AlgorithmMonitor::ShouldAbort(this))
   {
     this->SetErrorCode(vtkErrorCode::UserError);
   }

@@ -2,13 +2,13 @@
 #include "vtkVoxelFractions.h"
 
 #include "Common/Stages.h"
+#include "Data/Arrays.h"
+#include "Data/Attributes.h"
+#include "In/ReadGrid.h"
 #include "Output/VoxelFractions.h"
-#include "Private/vtkInsideOutArrays.h"
-#include "Private/vtkInsideOutAttributes.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutReadGrid.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutVisitPlaces.h"
+#include "Probe/VisitPlaces.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkCellData.h>
@@ -80,7 +80,7 @@ namespace
 std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
 {
   GridPlaces grid;
-  if (!vtkInsideOutReadAxes(input, true, grid))
+  if (!vtkInsideOut::ReadAxes(input, true, grid))
   {
     throw Error(
       ErrorCode::InvalidParameter, "the image has no points, or its axes are not x, y and z");
@@ -119,7 +119,7 @@ std::array<std::vector<double>, 3> ReadSides(vtkDataSet* input)
 
 /** The tetrahedra that count. */
 std::vector<Tetrahedron> ReadInside(
-  vtkUnstructuredGrid* solid, const vtkInsideOutGridTetrahedra& all)
+  vtkUnstructuredGrid* solid, const vtkInsideOut::GridTetrahedra& all)
 {
   vtkDataArray* const inside = solid->GetCellData()->GetArray("Inside");
   if (inside && inside->GetNumberOfTuples() != solid->GetNumberOfCells())
@@ -146,20 +146,20 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
   vtkUnstructuredGrid* solid = vtkUnstructuredGrid::GetData(inputVector[1]);
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOut::Run(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this, { Stages::Measuring });
-      const vtkInsideOutGridTetrahedra tetrahedra = vtkInsideOutReadCorners(solid);
+      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Measuring });
+      const vtkInsideOut::GridTetrahedra tetrahedra = vtkInsideOut::ReadCorners(solid);
       const std::vector<double> fractions = VoxelFractions(tetrahedra.Points,
         ReadInside(solid, tetrahedra), ReadSides(input), monitor, { Stages::Measuring, 0, 1 });
       output->ShallowCopy(input);
       std::vector<std::string> warnings;
-      vtkInsideOutAttributes::RenameArrays(output->GetCellData(), { "VolumeFraction" }, warnings);
+      vtkInsideOut::Attributes::RenameArrays(output->GetCellData(), { "VolumeFraction" }, warnings);
       output->GetCellData()->AddArray(
-        vtkInsideOutMakeArray<vtkDoubleArray>("VolumeFraction", fractions));
+        vtkInsideOut::MakeArray<vtkDoubleArray>("VolumeFraction", fractions));
       // SetScalars would remove those of before.
       output->GetCellData()->SetActiveScalars("VolumeFraction");
-      vtkInsideOutWarn(this, warnings);
+      vtkInsideOut::Warn(this, warnings);
     });
 }

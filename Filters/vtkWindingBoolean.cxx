@@ -5,14 +5,14 @@
 #include "Boolean/FindGaps.h"
 #include "Boolean/SurfaceOfExpression.h"
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutArrays.h"
-#include "Private/vtkInsideOutAttributes.h"
-#include "Private/vtkInsideOutMakeOutputs.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutOptions.h"
-#include "Private/vtkInsideOutReadInputs.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutWholeInput.h"
+#include "Data/Arrays.h"
+#include "Data/Attributes.h"
+#include "In/ReadInputs.h"
+#include "In/StageParameters.h"
+#include "In/WholeInput.h"
+#include "Out/MakeOutputs.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
@@ -97,7 +97,7 @@ vtkUnstructuredGrid* vtkWindingBoolean::GetTetrahedraOutput()
 int vtkWindingBoolean::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInsideOutRequestWhole(inputVector, outputVector);
+  vtkInsideOut::RequestWhole(inputVector, outputVector);
   return 1;
 }
 
@@ -106,16 +106,16 @@ namespace
 BodyParameters ParametersOf(vtkWindingBoolean* filter)
 {
   BodyParameters parameters;
-  parameters.Chain = vtkInsideOutChainParameters(filter);
-  parameters.Orientation = vtkInsideOutOrientation(filter);
+  parameters.Chain = vtkInsideOut::ChainParametersOf(filter);
+  parameters.Orientation = vtkInsideOut::OrientationOf(filter);
   return parameters;
 }
 
 /** The inputs, called as the user calls them. */
-std::vector<vtkInsideOutNamedSurface> NamedSurfaces(
+std::vector<vtkInsideOut::NamedSurface> NamedSurfaces(
   vtkWindingBoolean* filter, vtkInformationVector* inputs)
 {
-  std::vector<vtkInsideOutNamedSurface> surfaces = vtkInsideOutFindInputs(inputs);
+  std::vector<vtkInsideOut::NamedSurface> surfaces = vtkInsideOut::FindInputs(inputs);
   const std::size_t named = static_cast<std::size_t>(filter->GetNumberOfBodyNames());
   for (std::size_t body = 0; body < std::min(named, surfaces.size()); ++body)
   {
@@ -152,7 +152,7 @@ std::vector<std::string> NamesIn(
 }
 
 /** Those that the expression names. The others' soups are gone then. */
-std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOutInputs& bodies)
+std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOut::Inputs& bodies)
 {
   std::vector<Body> named;
   std::vector<char> isNamed(bodies.Bodies.size(), 0);
@@ -177,7 +177,7 @@ std::vector<Body> TakeNamed(const SetExpression& expression, vtkInsideOutInputs&
 void SplitIds(const char* name, const std::vector<vtkIdType>& first, vtkDataSetAttributes* data)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
-  const auto bodies = vtkInsideOutMakeArray<vtkIntArray>("BodyId", ids->GetNumberOfTuples());
+  const auto bodies = vtkInsideOut::MakeArray<vtkIntArray>("BodyId", ids->GetNumberOfTuples());
   for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
   {
     const vtkIdType id = ids->GetValue(i);
@@ -207,18 +207,18 @@ Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryT
 
 /** The cells of the result with the parts that they make up: RegionId. */
 vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(const ResolvedBodies& resolved,
-  const CellsOfExpression& cells, const vtkInsideOutInputs& inputs,
-  vtkInsideOutMakeOutputs& outputs, Monitor& monitor)
+  const CellsOfExpression& cells, const vtkInsideOut::Inputs& inputs,
+  vtkInsideOut::MakeOutputs& outputs, Monitor& monitor)
 {
   const auto hull = outputs.MakeGrid(resolved.Surface, cells.Mesh);
   hull->GetCellData()->RemoveArray("FacetIds"); // they would number the cells of all inputs
   hull->GetCellData()->RemoveArray("FacetMultiplicity"); // which is a sum over bodies
   hull->GetFieldData()->Initialize();
   SplitIds("vtkOriginalPointIds", inputs.FirstPoint, hull->GetPointData());
-  vtkInsideOutAddInside(cells.Inside, hull);
-  vtkInsideOutAddRegions(
+  vtkInsideOut::AddInside(cells.Inside, hull);
+  vtkInsideOut::AddRegions(
     FindRegions(cells.Mesh, cells.Inside, monitor, { Stages::Extracting, 1, 1 }), hull);
-  return vtkInsideOutExtractInside(hull, monitor, { Stages::Extracting, 1, 1 });
+  return vtkInsideOut::ExtractInside(hull, monitor, { Stages::Extracting, 1, 1 });
 }
 } // namespace
 
@@ -226,16 +226,16 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkInsideOutRunOnWhole(this, outputVector,
+  return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkInsideOutMonitor monitor(this,
+      vtkInsideOut::AlgorithmMonitor monitor(this,
         { Stages::Validating, Stages::FindingIntersections, Stages::Orienting, Stages::Resolving,
           Stages::Tetrahedralizing, Stages::WindingNumbers, Stages::Segmenting,
           Stages::Extracting });
-      vtkInsideOutRefuseSpreadParts(this);
+      vtkInsideOut::RefuseSpreadParts(this);
       Stopwatch stopwatch;
-      vtkInsideOutInputs inputs = vtkInsideOutReadInputs(NamedSurfaces(this, inputVector[0]));
+      vtkInsideOut::Inputs inputs = vtkInsideOut::ReadInputs(NamedSurfaces(this, inputVector[0]));
       const std::vector<std::string> names = inputs.Names();
       const insideout::SetExpression expression = ExpressionOf(this, names);
       const ResolvedBodies resolved =
@@ -254,9 +254,9 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
           resolved, NamesIn(expression, names), expression, this->MergeTolerance, monitor);
       }
 
-      vtkInsideOutAttributes::RenameArrays(
+      vtkInsideOut::Attributes::RenameArrays(
         inputs.Surface.Input->GetPointData(), { "BodyId" }, inputs.Surface.Warnings);
-      vtkInsideOutMakeOutputs outputs(inputs.Surface);
+      vtkInsideOut::MakeOutputs outputs(inputs.Surface);
       const auto& boundary = surface ? surface->Boundary : cells->Boundary;
       const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;
       const auto& origins = cells ? cells->Mesh.Origins : resolved.Surface.Origins;
@@ -264,7 +264,7 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
         points, origins, boundary, resolved.TurnedTriangles, { "Turned", "BodyId" }));
       SplitIds("vtkOriginalCellIds", inputs.FirstCell, output->GetCellData());
       SplitIds("vtkOriginalPointIds", inputs.FirstPoint, output->GetPointData());
-      output->GetFieldData()->AddArray(vtkInsideOutMakeStrings("BodyNames", names));
+      output->GetFieldData()->AddArray(vtkInsideOut::MakeStrings("BodyNames", names));
       Statistics statistics = FiguresOf(resolved, boundary, points);
       statistics.emplace_back("Tetrahedra", cells ? 1 : 0);
       if (cells)
@@ -272,11 +272,11 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
         statistics.insert(statistics.end(), cells->Statistics.begin(), cells->Statistics.end());
         vtkUnstructuredGrid::GetData(outputVector, 1)
           ->ShallowCopy(MakeSolid(resolved, *cells, inputs, outputs, monitor));
-        vtkInsideOutWarn(this, cells->Warnings);
+        vtkInsideOut::Warn(this, cells->Warnings);
       }
       statistics.emplace_back("SecondsBoolean", stopwatch.Lap());
-      vtkInsideOutAddStatistics(statistics, output);
-      vtkInsideOutWarn(this, resolved.Warnings);
-      vtkInsideOutWarn(this, outputs.Warnings);
+      vtkInsideOut::AddStatistics(statistics, output);
+      vtkInsideOut::Warn(this, resolved.Warnings);
+      vtkInsideOut::Warn(this, outputs.Warnings);
     });
 }

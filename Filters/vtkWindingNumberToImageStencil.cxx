@@ -3,10 +3,10 @@
 
 #include "Common/Error.h"
 #include "Common/Stages.h"
-#include "Private/vtkInsideOutMonitor.h"
-#include "Private/vtkInsideOutReadCurve.h"
-#include "Private/vtkInsideOutRun.h"
-#include "Private/vtkInsideOutVisitPlaces.h"
+#include "In/ReadCurve.h"
+#include "Probe/VisitPlaces.h"
+#include "Run/AlgorithmMonitor.h"
+#include "Run/RunFilter.h"
 
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
@@ -87,10 +87,10 @@ int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(reque
 {
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  return vtkInsideOutRun(this, outputVector,
+  return vtkInsideOut::Run(this, outputVector,
     [&]()
     {
-      if (vtkInsideOutAreLines(surface))
+      if (vtkInsideOut::AreLines(surface))
       {
         throw Error(ErrorCode::EmptySurface,
           "the surface has lines but no polygons, and a stencil is of polygons only");
@@ -104,11 +104,11 @@ int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(reque
       vtkImageStencilData* stencil =
         this->AllocateOutputData(outInfo->Get(vtkDataObject::DATA_OBJECT()),
           outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
-      vtkInsideOutMonitor monitor(
+      vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::Orienting, Stages::WindingNumbers });
       std::vector<std::string> warnings;
-      const vtkInsideOutWindingNumber windingNumber(
-        surface, vtkInsideOutReadSurfaceOptions(this), monitor, warnings);
+      const vtkInsideOut::InputWindingNumber windingNumber(
+        surface, vtkInsideOut::ReadSurfaceOptions(this), monitor, warnings);
       vtkNew<vtkImageData> image;
       image->SetExtent(stencil->GetExtent());
       image->SetOrigin(stencil->GetOrigin());
@@ -116,7 +116,7 @@ int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(reque
       const int* const extent = stencil->GetExtent();
       const vtkIdType width = extent[1] - extent[0] + 1;
       const vtkIdType height = extent[3] - extent[2] + 1;
-      vtkInsideOutVisitPlaces(image, true, windingNumber, this->Threshold, monitor,
+      vtkInsideOut::VisitPlaces(image, true, windingNumber, this->Threshold, monitor,
         { Stages::WindingNumbers, 0, 1 },
         [&](vtkIdType first, const std::vector<double>& w)
         {
@@ -128,6 +128,6 @@ int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(reque
               extent[4] + static_cast<int>(all / height), stencil);
           }
         });
-      vtkInsideOutWarn(this, warnings);
+      vtkInsideOut::Warn(this, warnings);
     });
 }

@@ -14,6 +14,7 @@ check = runpy.run_path(str(SCRIPT))["check"]
 # A tree that keeps every rule.
 KEPT = {
     "Filters/Core/Rooms.txt": "# From the ground up.\nGround\nUpper\n",
+    "Filters/Core/CMakeLists.txt": "",
     "Filters/Core/README.md": "[Ground](Ground/README.md), [Upper](Upper/Tower.h), and above them `Roof`.\n",
     "Filters/Core/Roof.h": "int Height();\n",
     "Filters/Core/Roof.cxx": '#include "Roof.h"\n#include "Upper/Tower.h"\n',
@@ -22,9 +23,13 @@ KEPT = {
     "Filters/Core/Upper/README.md": "`Tower`\n",
     "Filters/Core/Upper/Tower.h": '#include "Ground/Base.h"\n',
     "Filters/Core/Upper/Tower.cxx": '#include "Upper/Tower.h"\n',
-    "Filters/README.md": "`vtkHouse`, `vtkCellar`\n",
+    "Filters/README.md": "`vtkHouse`, `Wine`, `Beam`\n",
     "Filters/vtkHouse.h": "/**\n * @class vtkHouse\n * @brief has rooms\n */\nclass EXPORT vtkHouse : public vtkBuilding\n{\n};\n",
-    "Filters/Private/vtkCellar.h": "int Depth();\n",
+    "Filters/Rooms.txt": "Cellar\nAttic\n",
+    "Filters/Cellar/Wine.h": '#include "Ground/Base.h"\n#include "vtkBuilding.h"\n',
+    "Filters/Attic/Beam.h": '#include "Cellar/Wine.h"\n',
+    "Filters/Shed/CMakeLists.txt": "",
+    "Filters/Shed/Tool.h": "int Uses();\n",
 }
 
 # Braces and keywords in places where they mean nothing to the length of a function.
@@ -95,6 +100,11 @@ class TestStructureRules(unittest.TestCase):
         name = "Filters/Core/Upper/Tower.cxx"
         self.expect_one(name, "includes Roof.h", **{name: ' # include "Roof.h"\n'})
 
+    def test_a_room_of_the_filters_includes_no_class_and_no_room_above_it(self):
+        name = "Filters/Cellar/Wine.h"
+        for included in ("vtkHouse.h", "Attic/Beam.h", "Shed/Tool.h"):
+            self.expect_one(name, f"includes {included}", **{name: f'#include "{included}"\n'})
+
     def test_nothing_includes_from_a_room_that_is_not_there(self):
         name = "Filters/Core/Roof.cxx"
         self.expect_one(name, "includes Attic/Beam.h", **{name: '#include "Attic/Beam.h"\n'})
@@ -121,8 +131,8 @@ class TestStructureRules(unittest.TestCase):
 
     def test_every_file_of_the_filters_is_named_where_they_have_a_page(self):
         name = "Filters/README.md"
-        self.expect_one(name, "does not name `vtkCellar` of Filters/Private", **{name: "`vtkHouse.h`\n"})
-        self.expect_one(name, "does not name `vtkHouse` of Filters", **{name: "`vtkCellar`\n"})
+        self.expect_one(name, "does not name `Wine` of Filters/Cellar", **{name: "`vtkHouse.h`, `Beam`\n"})
+        self.expect_one(name, "does not name `vtkHouse` of Filters", **{name: "`Wine`, `Beam`\n"})
         self.assertEqual(self.complaints(**{name: None}), [])
 
     def test_no_page_was_formatted_as_code(self):
@@ -167,6 +177,8 @@ class TestStructureRules(unittest.TestCase):
         for first, second in (("struct Beam\n{\n", "class Beam : public Wood\n{\n"), ("enum class Beam\n{\n", "struct Beam { int A;\n")):
             texts = {"Filters/Core/Ground/Base.h": f"{first}}};\n", name: f"{second}}};\n"}
             self.expect_one(name, "Beam is declared in Filters/Core/Ground/Base.h, too", **texts)
+        texts["Filters/Core/Ground/Base.h"] = "namespace other\n{\nstruct Beam\n{\n};\n}\n"
+        self.assertEqual(self.complaints(**texts), [])
         for second in ("struct Beam;\n", "  struct Beam\n  {\n  };\n", "// struct Beam\n{\n", "Beam Make();\n"):
             texts = {"Filters/Core/Ground/Base.h": "struct Beam\n{\n};\n", name: second}
             self.assertEqual(self.complaints(**texts), [])
@@ -176,8 +188,8 @@ class TestStructureRules(unittest.TestCase):
         for declared in ("class vtkHouses\n{\n", "class vtkHouse;\n", "// class vtkHouse\n{\n"):
             text = KEPT[name].replace("class EXPORT vtkHouse : public vtkBuilding\n{\n", declared)
             self.expect_one(name, "@class vtkHouse, but", **{name: text})
-        name = "Filters/Private/vtkCellar.h"
-        self.expect_one(name, "@class vtkCellar, but", **{name: "/** @class vtkCellar */\nint Depth();\n"})
+        name = "Filters/Attic/Beam.h"
+        self.expect_one(name, "@class Beam, but", **{name: "/** @class Beam */\nint Length();\n"})
 
 
 if __name__ == "__main__":

@@ -45,23 +45,43 @@ def code_of(text: str) -> str:
 # The rooms
 
 
-def check_rooms(root: Path) -> Iterator[str]:
-    core = root / "Filters/Core"
-    lines = read(core / "Rooms.txt").splitlines()
-    rooms = [line.strip() for line in lines if line.strip() and not line.startswith("#")]
-    folders = {file.relative_to(core).parts[0] for file in files_in(core, CPP) if file.parent != core}
+def rooms_of(house: Path) -> list[str]:
+    """The rooms from the ground up; none where the house has no list of them."""
+    file = house / "Rooms.txt"
+    lines = read(file).splitlines() if file.exists() else []
+    return [line.strip() for line in lines if line.strip() and not line.startswith("#")]
+
+
+def check_house(root: Path, house: Path, basement: Path | None) -> Iterator[str]:
+    """The rooms of a folder, and what they include: nothing above them, but all of the basement. A folder that builds
+    something of its own is no room."""
+    rooms = rooms_of(house)
+    others = {file.parent for file in house.glob("*/CMakeLists.txt")}
+    sources = [file for file in files_in(house, CPP) if others.isdisjoint(file.parents)]
+    folders = {file.relative_to(house).parts[0] for file in sources if file.parent != house}
+    where = house.relative_to(root)
     for room in sorted(folders.symmetric_difference(rooms)):
         what = "has no folder of sources" if room in rooms else "is not in Rooms.txt"
-        yield f"Filters/Core/{room}: the room {what}"
-    for file in files_in(core, CPP):
-        room = file.relative_to(core).parts[0] if file.parent != core else None
+        yield f"{where}/{room}: the room {what}"
+    for file in sources:
+        room = file.relative_to(house).parts[0] if file.parent != house else None
         if room is not None and room not in rooms:
             continue
         allowed = rooms if room is None else rooms[: rooms.index(room) + 1]
         for included in re.findall(r'^\s*#\s*include\s*"([^"]+)"', read(file), re.MULTILINE):
-            of_room = included.split("/")[0] if "/" in included else None
-            if of_room not in allowed and not (room is None and of_room is None):
+            if basement is not None and (basement / included).exists():
+                continue
+            if "/" not in included and (room is None or not (house / included).exists()):
+                continue
+            if included.split("/")[0] not in allowed:
                 yield f"{file.relative_to(root)}: includes {included}, which is not below it in Rooms.txt"
+
+
+def check_rooms(root: Path) -> Iterator[str]:
+    filters, core = root / "Filters", root / "Filters/Core"
+    yield from check_house(root, core, None)
+    if rooms_of(filters):
+        yield from check_house(root, filters, core)
 
 
 # The pages
@@ -79,7 +99,7 @@ def check_pages(root: Path) -> Iterator[str]:
     pages = [(folder / "README.md", folder) for folder in folders]
     filters = root / "Filters/README.md"
     if filters.exists():
-        pages += [(filters, root / "Filters"), (filters, root / "Filters/Private")]
+        pages += [(filters, root / "Filters" / room) for room in (".", *rooms_of(root / "Filters"))]
     for page, folder in pages:
         stems = {file.stem for file in folder.glob("*") if file.suffix in CPP}
         if stems and not page.exists():
@@ -190,11 +210,14 @@ def check_classes(root: Path) -> Iterator[str]:
 
 def check_names(root: Path) -> Iterator[str]:
     """Two types of one name are one to the linker, which takes the functions of either: no compiler sees it."""
-    first: dict[str, Path] = {}
+    first: dict[tuple[str, str], Path] = {}
     for file in files_in(root / "Filters", (".h",)):
-        for name in re.findall(r"^(?:class|struct|union|enum(?: class)?)\s+(?:\w+\s+)?(\w+)\s*(?::[^:;{][^;{]*)?\{", code_of(read(file)), re.MULTILINE):
-            if first.setdefault(name, file) != file:
-                yield f"{file.relative_to(root)}: {name} is declared in {first[name].relative_to(root)}, too"
+        code = code_of(read(file))
+        spaces = re.findall(r"^namespace (\w+)\n", code, re.MULTILINE)
+        for name in re.findall(r"^(?:class|struct|union|enum(?: class)?)\s+(?:\w+\s+)?(\w+)\s*(?::[^:;{][^;{]*)?\{", code, re.MULTILINE):
+            other = first.setdefault((spaces[-1] if spaces else "", name), file)
+            if other != file:
+                yield f"{file.relative_to(root)}: {name} is declared in {other.relative_to(root)}, too"
 
 
 def check(root: Path) -> list[str]:

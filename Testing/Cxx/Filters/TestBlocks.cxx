@@ -107,7 +107,7 @@ std::vector<std::string> ErrorsOf(vtkAlgorithm* algorithm)
 }
 } // namespace
 
-TEST(vtkInsideOutBlock, ErrorsNameTheBlockAndItsPoint)
+TEST(Blocks, ErrorsNameTheBlockAndItsPoint)
 {
   vtkNew<vtkRobustTetrahedralize> filter;
   filter->SetInputDataObject(Blocks());
@@ -121,7 +121,7 @@ TEST(vtkInsideOutBlock, ErrorsNameTheBlockAndItsPoint)
   EXPECT_EQ(ErrorsOf(filter), expected) << "the second time, too";
 }
 
-TEST(vtkInsideOutBlock, AnErrorOfASurfaceAloneNamesNone)
+TEST(Blocks, AnErrorOfASurfaceAloneNamesNone)
 {
   vtkNew<vtkTrivialProducer> producer; // of one thing after the other
   producer->SetOutput(Blocks());
@@ -132,7 +132,7 @@ TEST(vtkInsideOutBlock, AnErrorOfASurfaceAloneNamesNone)
   EXPECT_EQ(ErrorsOf(filter), std::vector<std::string>{ "point 2 is not finite" });
 }
 
-TEST(vtkInsideOutBlock, APartThatIsAloneNeedsNoNumber)
+TEST(Blocks, APartThatIsAloneNeedsNoNumber)
 {
   vtkNew<vtkPartitionedDataSet> part;
   part->SetPartition(0, BoxWithout(3));
@@ -145,7 +145,7 @@ TEST(vtkInsideOutBlock, APartThatIsAloneNeedsNoNumber)
   EXPECT_EQ(ErrorsOf(filter), std::vector<std::string>{ "block wing: point 3 is not finite" });
 }
 
-TEST(vtkInsideOutBlock, AProbeNamesTheBlockOfItsSurface)
+TEST(Blocks, AProbeNamesTheBlockOfItsSurface)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
@@ -174,7 +174,7 @@ const std::vector<std::string> OfAnotherType = {
 };
 } // namespace
 
-TEST(vtkInsideOutBlock, OneOfAnotherTypeIsAnErrorAndKeepsNoOtherFromItsSolid)
+TEST(Blocks, OneOfAnotherTypeIsAnErrorAndKeepsNoOtherFromItsSolid)
 {
   for (const int atOnce : { 1, 2 })
   {
@@ -191,7 +191,7 @@ TEST(vtkInsideOutBlock, OneOfAnotherTypeIsAnErrorAndKeepsNoOtherFromItsSolid)
   }
 }
 
-TEST(vtkInsideOutBlock, OneOfAnotherTypeIsAnErrorOfAllFilters)
+TEST(Blocks, OneOfAnotherTypeIsAnErrorOfAllFilters)
 {
   const std::vector<vtkSmartPointer<vtkAlgorithm>> filters = {
     vtkSmartPointer<vtkConstrainedDelaunay3D>::New(),
@@ -209,7 +209,7 @@ TEST(vtkInsideOutBlock, OneOfAnotherTypeIsAnErrorOfAllFilters)
   EXPECT_EQ(ErrorsOf(probe), OfAnotherType);
 }
 
-TEST(vtkInsideOutBlock, ThatVtkMakesNoOutputForIsAnError)
+TEST(Blocks, ThatVtkMakesNoOutputForIsAnError)
 {
   vtkNew<vtkWindingNumberToImageStencil> stencil;
   stencil->SetInputDataObject(Blocks());
@@ -293,7 +293,7 @@ std::vector<double> BitsOf(vtkDataObject* solids)
 }
 } // namespace
 
-TEST(vtkInsideOutMeshAhead, SolidsAndErrorsAreTheSameForBlocksAtOnce)
+TEST(MeshAhead, SolidsAndErrorsAreTheSameForBlocksAtOnce)
 {
   const testthreads::Allowed threads(4);
   const auto blocks = ManyBlocks();
@@ -319,7 +319,7 @@ TEST(vtkInsideOutMeshAhead, SolidsAndErrorsAreTheSameForBlocksAtOnce)
   }
 }
 
-TEST(vtkInsideOutMeshAhead, StopsAndThenMakesAll)
+TEST(MeshAhead, StopsAndThenMakesAll)
 {
   const testthreads::Allowed threads(4);
   vtkNew<vtkRobustTetrahedralize> several;

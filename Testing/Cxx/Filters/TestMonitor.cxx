@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Private/vtkInsideOutMonitor.h"
+#include "Run/AlgorithmMonitor.h"
 
 #include "Common/Stages.h"
 #include "vtkConstrainedDelaunay3D.h"
@@ -103,11 +103,11 @@ void ExpectStages(vtkAlgorithm* filter, const std::set<std::string>& stages)
 }
 } // namespace
 
-TEST(vtkInsideOutMonitor, WarnsOnceOfAStageThatItDoesNotKnowAndGoesOn)
+TEST(AlgorithmMonitor, WarnsOnceOfAStageThatItDoesNotKnowAndGoesOn)
 {
   vtkNew<vtkPolyDataAlgorithm> algorithm;
   Listener listener(algorithm);
-  vtkInsideOutMonitor monitor(algorithm, { Stages::Validating, Stages::Segmenting });
+  vtkInsideOut::AlgorithmMonitor monitor(algorithm, { Stages::Validating, Stages::Segmenting });
   EXPECT_TRUE(monitor.Continue(Stages::Validating, 0.5));
   EXPECT_TRUE(listener.Warnings.empty());
   EXPECT_TRUE(monitor.Continue(Stages::Extracting, 0.2));
@@ -119,11 +119,12 @@ TEST(vtkInsideOutMonitor, WarnsOnceOfAStageThatItDoesNotKnowAndGoesOn)
   EXPECT_EQ(algorithm->GetProgress(), 0.75);
 }
 
-TEST(vtkInsideOutMonitor, TakesAStageThatComesAgainForAPartOfTheLaterOne)
+TEST(AlgorithmMonitor, TakesAStageThatComesAgainForAPartOfTheLaterOne)
 {
   vtkNew<vtkPolyDataAlgorithm> algorithm;
   Listener listener(algorithm);
-  vtkInsideOutMonitor monitor(algorithm, { Stages::FindingIntersections, Stages::Resolving });
+  vtkInsideOut::AlgorithmMonitor monitor(
+    algorithm, { Stages::FindingIntersections, Stages::Resolving });
   monitor.Continue(Stages::FindingIntersections, 1);
   monitor.Continue(Stages::Resolving, 0.25);
   monitor.Continue(Stages::FindingIntersections, 0.5);
@@ -133,7 +134,7 @@ TEST(vtkInsideOutMonitor, TakesAStageThatComesAgainForAPartOfTheLaterOne)
   EXPECT_TRUE(listener.Warnings.empty());
 }
 
-TEST(vtkInsideOutMonitor, KnowsEveryStageThatTheFiltersRun)
+TEST(AlgorithmMonitor, KnowsEveryStageThatTheFiltersRun)
 {
   const std::set<std::string> toCrossings = { Stages::Validating, Stages::FindingIntersections };
   const auto with = [](std::set<std::string> stages, std::initializer_list<const char*> more)

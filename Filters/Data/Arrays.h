@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * VTK's points, cells and arrays of plain ones; and plain points of VTK's.
+ */
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkStringArray;
+
+namespace vtkInsideOut
+{
+/**
+ * The points of a data set that the stages can count.
+ *
+ * @param[in] name what the data set is, for the error
+ * @throws insideout::Error TooLarge, also for its cells
+ */
+std::vector<insideout::Point> ReadPoints(vtkDataSet* input, const std::string& name);
+
+/**
+ * Before VTK's arrays take memory: they end the program where there is none, if VTK was built with
+ * assertions, as Debian's is.
+ *
+ * @throws std::bad_alloc where there are not so many bytes, and some more
+ */
+void RequireMemory(vtkIdType bytes);
+
+/** Points in double precision. */
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<insideout::Point>& values);
+
+/** Cells of `Size` points each. */
+template <std::size_t Size>
+vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::array<insideout::Id, Size>>& values)
+{
+  RequireMemory(static_cast<vtkIdType>((Size + 2) * values.size() * sizeof(vtkIdType)));
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(Size * values.size()));
+  if (!values.empty())
+  {
+    std::copy_n(values.front().data(), Size * values.size(), connectivity->GetPointer(0));
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(static_cast<vtkIdType>(Size), connectivity);
+  return cells;
+}
+
+/** An array with a name and room for tuples. */
+template <typename Array>
+vtkSmartPointer<Array> MakeArray(const char* name, vtkIdType size, int components = 1)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  RequireMemory(size * components * array->GetDataTypeSize());
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(size);
+  return array;
+}
+
+/** An array with a name and these values, one per tuple. */
+template <typename Array, typename Value>
+vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& values)
+{
+  auto array = MakeArray<Array>(name, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+/** An array of strings with a name. */
+vtkSmartPointer<vtkStringArray> MakeStrings(
+  const char* name, const std::vector<std::string>& values);
+} // namespace vtkInsideOut

@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Data/Attributes.h"
+
+#include "Data/Arrays.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+
+namespace vtkInsideOut
+{
+namespace
+{
+using Warnings = std::vector<std::string>;
+
+void WarnOnce(const std::string& warning, Warnings& warnings)
+{
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+  {
+    warnings.push_back(warning);
+  }
+}
+
+/**
+ * A shallow copy of the input's data in which every array has `size` tuples and none has one of the
+ * names that the output adds.
+ */
+template <typename Data>
+vtkSmartPointer<Data> UsableArrays(
+  Data* input, vtkIdType size, std::initializer_list<const char*> added, Warnings& warnings)
+{
+  auto copy = vtkSmartPointer<Data>::New();
+  copy->ShallowCopy(input);
+  for (int i = copy->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = copy->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != size)
+    {
+      WarnOnce(std::string("the input's array ") +
+          (array->GetName() ? array->GetName() : "(unnamed)") + " has " +
+          std::to_string(array->GetNumberOfTuples()) + " tuples where " + std::to_string(size) +
+          " are needed: it is left out",
+        warnings);
+      copy->RemoveArray(i);
+    }
+  }
+  Attributes::RenameArrays(copy, added, warnings);
+  return copy;
+}
+
+bool IsReal(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+}
+
+/** Set tuple `id` of every array of integers to 0: between ids there is nothing. */
+void SetIntegersToZero(vtkDataSetAttributes* data, vtkIdType id)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    for (int k = 0; array && !IsReal(array) && k < array->GetNumberOfComponents(); ++k)
+    {
+      array->SetComponent(id, k, 0);
+    }
+  }
+}
+
+/** Set tuple `id` of every array to NaN, or 0 where the type has none. */
+void SetNoValue(vtkDataSetAttributes* data, vtkIdType id)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = data->GetArray(i))
+    {
+      const double value = IsReal(array) ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      {
+        array->SetComponent(id, k, value);
+      }
+    }
+  }
+}
+
+/** Give an interpolated normal unit length again. */
+void NormalizeNormal(vtkDataSetAttributes* data, vtkIdType id)
+{
+  vtkDataArray* normals = data->GetNormals();
+  if (!normals || !IsReal(normals))
+  {
+    return;
+  }
+  double normal[3];
+  normals->GetTuple(id, normal);
+  if (vtkMath::Normalize(normal) > 0)
+  {
+    normals->SetTuple(id, normal);
+  }
+}
+
+/** Make room for `size` tuples in every array, so that none is left without a value. */
+void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    data->GetAbstractArray(i)->SetNumberOfTuples(size);
+  }
+}
+
+/** Before `size` tuples of every array are made. */
+void RequireTuples(vtkDataSetAttributes* data, vtkIdType size)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    RequireMemory(size * array->GetNumberOfComponents() * array->GetDataTypeSize());
+  }
+}
+} // namespace
+
+void Attributes::RenameArrays(
+  vtkFieldData* data, std::initializer_list<const char*> names, Warnings& warnings)
+{
+  for (const char* name : names)
+  {
+    if (vtkAbstractArray* array = data->GetAbstractArray(name))
+    {
+      std::string renamed = std::string("Input_") + name;
+      while (data->HasArray(renamed.c_str()))
+      {
+        renamed = "Input_" + renamed;
+      }
+      vtkSmartPointer<vtkAbstractArray> clone;
+      clone.TakeReference(array->NewInstance());
+      RequireMemory(static_cast<vtkIdType>(array->GetActualMemorySize()) << 10);
+      clone->DeepCopy(array);
+      clone->SetName(renamed.c_str());
+      data->RemoveArray(name);
+      data->AddArray(clone);
+      WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
+          ", for the output has its own",
+        warnings);
+    }
+  }
+}
+
+void Attributes::PassPointData(vtkDataSet* input,
+  const std::vector<insideout::PointOrigin>& origins, vtkPointData* output, Warnings& warnings)
+{
+  const vtkIdType size = static_cast<vtkIdType>(origins.size());
+  const vtkSmartPointer<vtkPointData> source = UsableArrays(
+    input->GetPointData(), input->GetNumberOfPoints(), { "vtkOriginalPointIds" }, warnings);
+  RequireTuples(source, size);
+  output->InterpolateAllocate(source, size);
+  SetNumberOfTuples(output, size);
+
+  std::vector<vtkIdType> inputPoints(size, -1);
+  vtkNew<vtkIdList> corners;
+  corners->SetNumberOfIds(3);
+  for (vtkIdType p = 0; p < size; ++p)
+  {
+    insideout::PointOrigin origin = origins[p];
+    if (origin.IsInput())
+    {
+      inputPoints[p] = origin.Points[0];
+      output->CopyData(source, origin.Points[0], p);
+    }
+    else if (origin.Points[0] == insideout::None)
+    {
+      SetNoValue(output, p);
+    }
+    else
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        corners->SetId(k, origin.Points[k]);
+      }
+      output->InterpolatePoint(source, p, corners, origin.Weights.data());
+      NormalizeNormal(output, p);
+    }
+  }
+  output->AddArray(MakeArray<vtkIdTypeArray>("vtkOriginalPointIds", inputPoints));
+}
+
+void Attributes::PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
+  std::initializer_list<const char*> added, vtkCellData* output, Warnings& warnings)
+{
+  const vtkIdType size = static_cast<vtkIdType>(cells.size());
+  const vtkSmartPointer<vtkCellData> source = UsableArrays(input->GetCellData(),
+    input->GetNumberOfCells(), { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
+  RenameArrays(source, added, warnings);
+  RequireTuples(source, size);
+  output->CopyAllocate(source, size);
+  SetNumberOfTuples(output, size);
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    if (cells[c] >= 0)
+    {
+      output->CopyData(source, cells[c], c);
+    }
+    else
+    {
+      SetNoValue(output, c);
+    }
+  }
+  output->AddArray(MakeArray<vtkIdTypeArray>("vtkOriginalCellIds", cells));
+}
+
+void Attributes::CopyCellData(vtkDataSet* input, const std::vector<insideout::Id>& cells,
+  vtkCellData* output, Warnings& warnings)
+{
+  const vtkIdType size = static_cast<vtkIdType>(cells.size());
+  const vtkSmartPointer<vtkCellData> source =
+    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), {}, warnings);
+  RequireTuples(source, size);
+  output->CopyAllocate(source, size);
+  SetNumberOfTuples(output, size);
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    output->CopyData(source, cells[c], c);
+  }
+}
+
+void Attributes::MixPointData(vtkDataSet* input, const std::vector<Mixture>& mixtures,
+  const std::vector<insideout::Edge>& edges, vtkPointData* output, Warnings& warnings)
+{
+  const vtkIdType corners = static_cast<vtkIdType>(mixtures.size());
+  const vtkIdType size = corners + static_cast<vtkIdType>(edges.size());
+  const vtkSmartPointer<vtkPointData> source =
+    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), {}, warnings);
+  vtkDataArray* given = source->GetArray("vtkOriginalPointIds");
+  const vtkSmartPointer<vtkDataArray> earlierPoints =
+    given && given->GetNumberOfComponents() == 1 ? given : nullptr;
+  source->RemoveArray("vtkOriginalPointIds");
+  RequireTuples(source, size);
+  output->InterpolateAllocate(source, size);
+  SetNumberOfTuples(output, size);
+
+  std::vector<vtkIdType> inputPoints(size, -1);
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(4);
+  for (vtkIdType p = 0; p < corners; ++p)
+  {
+    Mixture mixture = mixtures[p];
+    if (!mixture.IsNew)
+    {
+      const vtkIdType original = mixture.Points[0];
+      inputPoints[p] =
+        earlierPoints ? static_cast<vtkIdType>(earlierPoints->GetComponent(original, 0)) : original;
+      output->CopyData(source, original, p);
+      continue;
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      ids->SetId(k, mixture.Points[k]);
+    }
+    output->InterpolatePoint(source, p, ids, mixture.Weights.data());
+    NormalizeNormal(output, p);
+    SetIntegersToZero(output, p);
+  }
+  for (vtkIdType p = corners; p < size; ++p)
+  {
+    const insideout::Edge& edge = edges[p - corners];
+    for (int i = 0; i < output->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = output->GetAbstractArray(i);
+      array->InterpolateTuple(p, edge[0], array, edge[1], array, 0.5);
+    }
+    NormalizeNormal(output, p);
+    SetIntegersToZero(output, p);
+  }
+  output->AddArray(MakeArray<vtkIdTypeArray>("vtkOriginalPointIds", inputPoints));
+}
+
+void Attributes::PassAll(vtkDataSet* input, std::initializer_list<const char*> added,
+  vtkDataSet* output, Warnings& warnings)
+{
+  output->GetPointData()->ShallowCopy(
+    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), {}, warnings));
+  output->GetCellData()->ShallowCopy(
+    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), added, warnings));
+}
+
+std::vector<insideout::Id> Attributes::AlikePoints(
+  vtkDataSet* input, const std::vector<insideout::Id>& mergedInto)
+{
+  vtkPointData* data = input->GetPointData();
+  std::vector<insideout::Id> alike = mergedInto;
+  std::vector<vtkDataArray*> arrays;
+  for (vtkDataArray* array : { data->GetTCoords(), data->GetNormals() })
+  {
+    if (array && array->GetNumberOfTuples() == input->GetNumberOfPoints())
+    {
+      arrays.push_back(array);
+    }
+  }
+  if (arrays.empty())
+  {
+    return alike;
+  }
+  const auto values = [&](insideout::Id p)
+  {
+    std::vector<std::uint64_t> bits; // which compare NaNs as well
+    for (vtkDataArray* array : arrays)
+    {
+      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      {
+        const double value = array->GetComponent(p, k) + 0.0; // -0 becomes 0
+        bits.emplace_back();
+        std::memcpy(&bits.back(), &value, sizeof(value));
+      }
+    }
+    return bits;
+  };
+  std::map<std::pair<insideout::Id, std::vector<std::uint64_t>>, insideout::Id> lowest;
+  std::vector<char> isShared(alike.size(), 0);
+  for (const insideout::Id p : mergedInto)
+  {
+    isShared[p] += isShared[p] < 2;
+  }
+  for (insideout::Id p = 0; p < static_cast<insideout::Id>(alike.size()); ++p)
+  {
+    if (isShared[mergedInto[p]] > 1)
+    {
+      alike[p] = lowest.insert({ { mergedInto[p], values(p) }, p }).first->second;
+    }
+  }
+  return alike;
+}
+
+namespace
+{
+/** An array of the type that holds both, with room for `size` tuples that have no value. */
+vtkSmartPointer<vtkAbstractArray> MakeAlike(
+  const std::vector<vtkAbstractArray*>& arrays, vtkIdType size)
+{
+  vtkSmartPointer<vtkAbstractArray> result;
+  result.TakeReference(arrays.front()->NewInstance());
+  for (vtkAbstractArray* array : arrays)
+  {
+    if (array->GetDataType() != result->GetDataType())
+    {
+      result = vtkSmartPointer<vtkDoubleArray>::New();
+    }
+  }
+  vtkAbstractArray* first = arrays.front();
+  RequireMemory(size * first->GetNumberOfComponents() * result->GetDataTypeSize());
+  result->SetName(first->GetName());
+  result->SetNumberOfComponents(first->GetNumberOfComponents());
+  for (int k = 0; k < first->GetNumberOfComponents(); ++k)
+  {
+    if (const char* component = first->GetComponentName(k))
+    {
+      result->SetComponentName(k, component);
+    }
+  }
+  result->SetNumberOfTuples(size);
+  if (auto* numbers = vtkDataArray::SafeDownCast(result))
+  {
+    const double none = IsReal(numbers) ? std::numeric_limits<double>::quiet_NaN() : 0;
+    for (int k = 0; k < numbers->GetNumberOfComponents(); ++k)
+    {
+      numbers->FillComponent(k, none);
+    }
+  }
+  return result;
+}
+
+/** Whether two arrays of a name can be one. */
+bool FitTogether(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  const bool areNumbers = vtkDataArray::SafeDownCast(a) && vtkDataArray::SafeDownCast(b);
+  return a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+    (areNumbers || a->GetDataType() == b->GetDataType());
+}
+
+/** The first input with tuples that is not among the owners, which ascend; else their number. */
+std::size_t FirstWithout(
+  const std::vector<std::size_t>& owners, const std::vector<vtkIdType>& first)
+{
+  const std::size_t numberOfInputs = first.size() - 1;
+  std::size_t input = 0;
+  while (input < numberOfInputs &&
+    (first[input] == first[input + 1] || std::binary_search(owners.begin(), owners.end(), input)))
+  {
+    ++input;
+  }
+  return input;
+}
+} // namespace
+
+void Attributes::Append(const std::vector<vtkDataSetAttributes*>& inputs,
+  const std::vector<vtkIdType>& first, vtkDataSetAttributes* output, Warnings& warnings)
+{
+  std::vector<vtkSmartPointer<vtkDataSetAttributes>> usable;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    usable.push_back(UsableArrays(inputs[i], first[i + 1] - first[i], {}, warnings));
+    for (int k = 0; k < usable[i]->GetNumberOfArrays(); ++k)
+    {
+      const char* name = usable[i]->GetAbstractArray(k)->GetName();
+      if (name && std::find(names.begin(), names.end(), name) == names.end())
+      {
+        names.emplace_back(name);
+      }
+    }
+  }
+  for (const std::string& name : names)
+  {
+    std::vector<vtkAbstractArray*> arrays;
+    std::vector<std::size_t> owners;
+    for (std::size_t i = 0; i < usable.size(); ++i)
+    {
+      vtkAbstractArray* array = usable[i]->GetAbstractArray(name.c_str());
+      if (array && !arrays.empty() && !FitTogether(arrays.front(), array))
+      {
+        WarnOnce("the array " + name + " of input " + std::to_string(i + 1) +
+            " has another type or number of components than an earlier one's: it is left out",
+          warnings);
+      }
+      else if (array)
+      {
+        arrays.push_back(array);
+        owners.push_back(i);
+      }
+    }
+    const std::size_t without = FirstWithout(owners, first);
+    if (without < usable.size() && usable[owners.front()]->GetNormals() == arrays.front())
+    {
+      WarnOnce("the normals are left out, for input " + std::to_string(without + 1) + " has none",
+        warnings);
+      continue;
+    }
+    const vtkSmartPointer<vtkAbstractArray> all = MakeAlike(arrays, first.back());
+    for (std::size_t k = 0; k < arrays.size(); ++k)
+    {
+      all->InsertTuples(first[owners[k]], arrays[k]->GetNumberOfTuples(), 0, arrays[k]);
+    }
+    const int index = output->AddArray(all);
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    {
+      vtkAbstractArray* active = usable[owners.front()]->GetAbstractAttribute(type);
+      if (active == arrays.front() && !output->GetAbstractAttribute(type))
+      {
+        output->SetActiveAttribute(index, type);
+      }
+    }
+  }
+}
+} // namespace vtkInsideOut

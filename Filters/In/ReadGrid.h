@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Reads a vtkUnstructuredGrid: tetrahedra as they are; for the graph cut with their neighbours, or
+ * cells of any type by their parts.
+ */
+#pragma once
+
+#include "Common/TetrahedralMesh.h"
+#include "GraphCut/CellParts.h"
+
+#include <vtkType.h>
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace vtkInsideOut
+{
+/** The first cell that is no tetrahedron, -1 if all are. */
+vtkIdType FindOtherCell(vtkUnstructuredGrid* grid);
+
+/** What VTK calls cells of a type: vtkHexahedron, say. */
+std::string CellName(int type);
+
+/** The tetrahedra of a grid. */
+struct GridTetrahedra
+{
+  std::vector<insideout::Point> Points; ///< all of the grid
+  std::vector<insideout::Tetrahedron> Cells;
+  std::vector<vtkIdType> CellIds; ///< of the grid
+};
+
+/**
+ * The corners of tetrahedra of first and second order (vtkTetra, vtkQuadraticTetra), in their
+ * order. Cells of fewer dimensions, as the triangles of a boundary, are passed over.
+ *
+ * @throws insideout::Error that names another cell of three dimensions, one without four different
+ *         points, or a point that is not finite; TooLarge
+ */
+GridTetrahedra ReadCorners(vtkUnstructuredGrid* grid);
+
+/** @throws insideout::Error when there is no cell array w of one value per cell */
+std::vector<double> ReadWindingNumbers(vtkUnstructuredGrid* grid);
+
+/** Whether a cell array FacetIds tells which faces are on facets. */
+bool HasFacetIds(vtkUnstructuredGrid* grid);
+
+/**
+ * Tetrahedra with their neighbours. A face is on a facet where FacetIds is not negative; without
+ * the array, none is.
+ *
+ * @throws insideout::Error TooLarge, and when the grid does not conform
+ */
+insideout::TetrahedralMesh ReadTetrahedra(vtkUnstructuredGrid* grid);
+
+/**
+ * The faces of volumes, or the edges of polygons.
+ *
+ * @throws insideout::Error that names a cell that is curved or of another dimension
+ */
+insideout::CellParts ReadSides(vtkUnstructuredGrid* grid);
+
+/** The sizes of cells, by the tetrahedra or triangles that VTK cuts them into. */
+std::vector<double> ReadSizes(vtkUnstructuredGrid* grid);
+} // namespace vtkInsideOut

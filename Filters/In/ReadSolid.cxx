@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "In/ReadSolid.h"
+
+#include "Common/Error.h"
+#include "Common/SortUniquely.h"
+#include "Data/Arrays.h"
+#include "Files/SolidFaces.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vtkInsideOut
+{
+using namespace insideout;
+
+namespace
+{
+constexpr int CornersOfTetra = 4;
+constexpr int CornersOfTriangle = 3;
+
+[[noreturn]] void Refuse(const std::string& what)
+{
+  throw Error(ErrorCode::InvalidParameter, what);
+}
+
+struct Parts
+{
+  vtkUnstructuredGrid* Solid = nullptr;
+  vtkPolyData* Boundary = nullptr;
+};
+
+/** The solid, and the boundary if there is one, among the blocks that have cells. */
+Parts PartsOf(vtkCompositeDataSet* blocks)
+{
+  Parts parts;
+  int grids = 0;
+  int surfaces = 0;
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    auto* block = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject());
+    if (!block || block->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(block))
+    {
+      parts.Solid = grid;
+      ++grids;
+    }
+    else if (auto* surface = vtkPolyData::SafeDownCast(block))
+    {
+      parts.Boundary = surface;
+      ++surfaces;
+    }
+  }
+  if (grids != 1 || surfaces > 1)
+  {
+    Refuse("the blocks are " + std::to_string(grids) + " solids and " + std::to_string(surfaces) +
+      " surfaces; one is written, and its boundary");
+  }
+  return parts;
+}
+
+/** Points of a cell by ids that may be anything. */
+template <std::size_t Size>
+void CopyIds(const vtkIdType* ids, vtkIdType cell, vtkIdType points, std::array<Id, Size>& corners)
+{
+  for (std::size_t k = 0; k < Size; ++k)
+  {
+    if (ids[k] < 0 || ids[k] >= points)
+    {
+      throw Error(ErrorCode::PointOutOfRange,
+        "cell " + std::to_string(cell) + " refers to point " + std::to_string(ids[k]) + " of " +
+          std::to_string(points));
+    }
+    corners[k] = static_cast<Id>(ids[k]);
+  }
+}
+
+/** Corners and midpoints of the cells, which are all of one kind. */
+void ReadCells(vtkUnstructuredGrid* grid, SolidMesh& solid)
+{
+  const vtkIdType cells = grid->GetNumberOfCells();
+  const bool quadratic = cells > 0 && grid->GetCellType(0) == VTK_QUADRATIC_TETRA;
+  solid.Cells.resize(cells);
+  solid.Midpoints.resize(quadratic ? cells : 0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < cells; ++c)
+  {
+    const int type = grid->GetCellType(c);
+    if (type != (quadratic ? VTK_QUADRATIC_TETRA : VTK_TETRA))
+    {
+      Refuse("cell " + std::to_string(c) + " is of VTK's type " + std::to_string(type) +
+        "; a solid has tetrahedra, all linear (10) or all quadratic (24)");
+    }
+    grid->GetCellPoints(c, ids);
+    CopyIds(ids->begin(), c, grid->GetNumberOfPoints(), solid.Cells[c]);
+    if (quadratic)
+    {
+      CopyIds(ids->begin() + CornersOfTetra, c, grid->GetNumberOfPoints(), solid.Midpoints[c]);
+    }
+  }
+}
+
+/** The numbers that a cell array has, all 0 without it. */
+std::vector<Id> ReadNumbers(vtkDataSet* data, const char* name, Id least)
+{
+  std::vector<Id> numbers(data->GetNumberOfCells(), 0);
+  vtkDataArray* array = data->GetCellData()->GetArray(name);
+  if (!array)
+  {
+    return numbers;
+  }
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != data->GetNumberOfCells())
+  {
+    Refuse(std::string("the cell array ") + name + " has not one number per cell");
+  }
+  constexpr double most = std::numeric_limits<Id>::max() - 2; // files count from 1
+  for (std::size_t c = 0; c < numbers.size(); ++c)
+  {
+    const double number = array->GetComponent(static_cast<vtkIdType>(c), 0);
+    if (!(number >= least && number <= most && number == std::floor(number)))
+    {
+      Refuse(std::string("the cell array ") + name + " is " + std::to_string(number) + " at cell " +
+        std::to_string(c) + "; it has to hold whole numbers from " + std::to_string(least));
+    }
+    numbers[c] = static_cast<Id>(number);
+  }
+  return numbers;
+}
+
+/** The groups of the numbers that there are, ascending, and which of these each element has. Files
+ * count from 1, and -1 comes last there. */
+template <typename NameOf>
+std::vector<SolidGroup> MakeGroups(std::vector<Id>& numbers, const NameOf& nameOf)
+{
+  std::vector<Id> present = numbers;
+  SortUniquely(present);
+  const bool isAlone = !present.empty() && present.back() == 0; // but for what is outside
+  std::vector<SolidGroup> groups;
+  for (const Id number : present)
+  {
+    groups.push_back({ nameOf(number, isAlone), 1 + (number < 0 ? present.back() + 1 : number) });
+  }
+  for (Id& number : numbers)
+  {
+    number = IndexIn(present, number);
+  }
+  return groups;
+}
+
+std::vector<Triangle> ReadTriangles(vtkPolyData* boundary)
+{
+  const vtkIdType triangles = boundary->GetNumberOfPolys();
+  if (triangles != boundary->GetNumberOfCells())
+  {
+    Refuse("the boundary has cells that are no polygons");
+  }
+  std::vector<Triangle> corners(triangles);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < triangles; ++t)
+  {
+    boundary->GetPolys()->GetCellAtId(t, ids);
+    if (ids->GetNumberOfIds() != CornersOfTriangle)
+    {
+      Refuse("cell " + std::to_string(t) + " of the boundary has " +
+        std::to_string(ids->GetNumberOfIds()) + " corners; it has to have 3");
+    }
+    CopyIds(ids->begin(), t, boundary->GetNumberOfPoints(), corners[t]);
+  }
+  return corners;
+}
+
+void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)
+{
+  const std::vector<Point> points = ReadPoints(boundary, "the boundary");
+  solid.Faces = FacesOfTriangles(solid, points, ReadTriangles(boundary));
+  solid.TagOfFace = ReadNumbers(boundary, "BoundaryTag", 0);
+  auto* names =
+    vtkStringArray::SafeDownCast(boundary->GetFieldData()->GetAbstractArray("BoundaryTagNames"));
+  solid.Tags = MakeGroups(solid.TagOfFace,
+    [names](Id tag, bool isAlone)
+    {
+      if (names && tag < names->GetNumberOfValues() && !names->GetValue(tag).empty())
+      {
+        return std::string(names->GetValue(tag));
+      }
+      return isAlone ? "surface" : "tag_" + std::to_string(tag);
+    });
+}
+} // namespace
+
+SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary)
+{
+  Parts parts;
+  parts.Solid = vtkUnstructuredGrid::SafeDownCast(input);
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    parts = PartsOf(blocks);
+  }
+  parts.Boundary = boundary ? boundary : parts.Boundary;
+  if (!parts.Solid)
+  {
+    Refuse("there is no solid to write");
+  }
+
+  SolidMesh solid;
+  solid.Points = ReadPoints(parts.Solid, "the solid");
+  ReadCells(parts.Solid, solid);
+  solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId", None);
+  auto* names =
+    vtkStringArray::SafeDownCast(parts.Solid->GetFieldData()->GetAbstractArray("RegionNames"));
+  solid.Regions = MakeGroups(solid.RegionOfCell,
+    [names](Id region, bool isAlone)
+    {
+      const bool isNamed = names && region >= 0 && region < names->GetNumberOfValues();
+      return region == None ? std::string("outside")
+        : isNamed           ? std::string(names->GetValue(region))
+        : isAlone           ? std::string("solid")
+                            : "region_" + std::to_string(region);
+    });
+  if (parts.Boundary)
+  {
+    ReadBoundary(parts.Boundary, solid);
+  }
+  else
+  {
+    solid.Faces = OuterFaces(solid);
+    solid.TagOfFace.assign(solid.Faces.size(), 0);
+    solid.Tags = { { "surface", 1 } };
+  }
+  return solid;
+}
+} // namespace vtkInsideOut

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "In/Tags.h"
+
+#include "Data/Arrays.h"
+
+#include "Common/Error.h"
+#include "Files/NameNumbers.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkVariant.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace vtkInsideOut
+{
+using insideout::Error;
+using insideout::ErrorCode;
+
+namespace
+{
+/** Arrays that tell what a cell belongs to, where the user names none. The last is that of VTK's
+ * STL reader; its OBJ reader has GroupIds and MaterialIds, too. */
+constexpr const char* KnownArrays[] = { "BoundaryTag", "GroupIds", "MaterialIds",
+  "STLSolidLabeling" };
+
+/** Numbers names in the order in which they come. They may be in any encoding: VTK's readers take
+ * them as they are. */
+class TagNumbers
+{
+public:
+  int Of(const std::string& given)
+  {
+    const std::string name = insideout::ToUtf8(given);
+    const auto [found, isNew] =
+      this->Numbers.insert({ name, static_cast<int>(this->Names.size()) });
+    if (isNew)
+    {
+      this->Names.push_back(name);
+    }
+    return found->second;
+  }
+
+  std::vector<std::string> Names;
+
+private:
+  std::map<std::string, int> Numbers;
+};
+
+/** A cell array of one value per cell; nullptr where there is none of this name. */
+vtkAbstractArray* FindArray(vtkPolyData* input, const std::string& name)
+{
+  vtkAbstractArray* array = input->GetCellData()->GetAbstractArray(name.c_str());
+  const bool fits = array && array->GetNumberOfComponents() == 1 &&
+    array->GetNumberOfTuples() == input->GetNumberOfCells();
+  return fits ? array : nullptr;
+}
+
+/** The field array of the names of what an array numbers; nullptr where there is none. */
+vtkStringArray* FindNames(vtkPolyData* input, const std::string& name)
+{
+  const std::string ids = "Ids";
+  const bool isIds = name.size() > ids.size() && name.substr(name.size() - ids.size()) == ids;
+  const std::string stem = isIds ? name.substr(0, name.size() - ids.size()) : name;
+  return vtkStringArray::SafeDownCast(
+    input->GetFieldData()->GetAbstractArray((stem + "Names").c_str()));
+}
+
+/** The whole number that a value is, also where it is stored as a float, as VTK's readers do. */
+std::optional<long long> WholeNumber(const vtkVariant& value)
+{
+  constexpr double Beyond = 9223372036854775808.0; // 2^63
+  if (value.IsFloat() || value.IsDouble())
+  {
+    const double number = value.ToDouble();
+    const bool isWhole = std::abs(number) < Beyond && number == std::trunc(number);
+    return isWhole ? std::optional(static_cast<long long>(number)) : std::nullopt;
+  }
+  const long long number = value.ToLongLong();
+  const bool isTooLarge = number < 0 && value.ToDouble() > 0;
+  return isTooLarge ? std::nullopt : std::optional(number);
+}
+
+std::optional<long long> NumberAt(vtkDataArray* array, vtkIdType cell)
+{
+  return WholeNumber(array->GetDataType() == VTK_BIT
+      ? vtkVariant(array->GetComponent(cell, 0)) // vtkBitArray knows no variants
+      : array->GetVariantValue(cell));
+}
+
+/** What a number is called. */
+std::string NameOf(vtkStringArray* names, long long number)
+{
+  const bool isNamed =
+    names && number >= 0 && number < names->GetNumberOfValues() && !names->GetValue(number).empty();
+  return isNamed ? std::string(names->GetValue(number)) : std::to_string(number);
+}
+
+using Cells = std::vector<vtkIdType>;
+
+Tags TagsOfNumbers(vtkDataArray* array, vtkStringArray* names, const Cells& cells)
+{
+  std::map<long long, int> tagOf;
+  std::vector<long long> values;
+  for (const vtkIdType cell : cells)
+  {
+    const std::optional<long long> number = NumberAt(array, cell);
+    if (!number)
+    {
+      throw Error(ErrorCode::InvalidParameter,
+        std::string("the cell array ") + array->GetName() + " has the value " +
+          array->GetVariantValue(cell).ToString() + " at cell " + std::to_string(cell) +
+          ": tags are integers or strings");
+    }
+    values.push_back(*number);
+    tagOf.insert({ *number, 0 });
+  }
+  TagNumbers numbers;
+  for (auto& [number, tag] : tagOf)
+  {
+    tag = numbers.Of(NameOf(names, number));
+  }
+  Tags tags{ std::vector<int>(array->GetNumberOfTuples(), -1), numbers.Names };
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    tags.OfCell[cells[i]] = tagOf.at(values[i]);
+  }
+  return tags;
+}
+
+Tags TagsOfStrings(vtkStringArray* array, const Cells& cells)
+{
+  Tags tags{ std::vector<int>(array->GetNumberOfTuples(), -1), {} };
+  TagNumbers numbers;
+  for (const vtkIdType cell : cells)
+  {
+    const std::string& name = array->GetValue(cell);
+    tags.OfCell[cell] = numbers.Of(name.empty() ? "default" : name);
+  }
+  tags.Names = numbers.Names;
+  return tags;
+}
+
+Tags TagsOf(vtkPolyData* input, const std::string& name, const Cells& cells)
+{
+  vtkAbstractArray* array = FindArray(input, name);
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    return TagsOfStrings(strings, cells);
+  }
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    return TagsOfNumbers(numbers, FindNames(input, name), cells);
+  }
+  throw Error(ErrorCode::InvalidParameter,
+    "the surface has no cell array " + name + " of one integer or string per cell, for its tags");
+}
+
+/** The tag of a block among those of all, so that they can be put together. */
+Tags TagsOfBlock(vtkPolyData* input, const Blocks& blocks)
+{
+  TagNumbers numbers;
+  int current = 0;
+  for (int block = 0; block < static_cast<int>(blocks.Names.size()); ++block)
+  {
+    const std::string& name = blocks.Names[block];
+    const int tag = numbers.Of(name.empty() ? std::to_string(block) : name);
+    current = block == blocks.Current ? tag : current;
+  }
+  return { std::vector<int>(input->GetNumberOfCells(), current), numbers.Names };
+}
+
+Tags AutomaticTags(vtkPolyData* input, const Blocks& blocks, const Cells& cells)
+{
+  std::optional<Tags> first;
+  for (const char* name : KnownArrays)
+  {
+    try
+    {
+      Tags tags = TagsOf(input, name, cells);
+      if (tags.Names.size() > 1)
+      {
+        return tags;
+      }
+      first = first ? first : std::move(tags);
+    }
+    catch (const Error&)
+    {
+      continue; // not there, or something else that is called so
+    }
+  }
+  const bool isNamed = blocks.AreThere() && !blocks.Names.front().empty();
+  if (blocks.Names.size() > 1 || (isNamed && !first))
+  {
+    return TagsOfBlock(input, blocks);
+  }
+  return first ? *first : Tags{ std::vector<int>(input->GetNumberOfCells(), 0), { "surface" } };
+}
+} // namespace
+
+Tags ReadTags(vtkPolyData* surface, const std::string& name, const Blocks& blocks)
+{
+  const bool arePolygons = surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+  const vtkIdType lines = surface->GetNumberOfVerts(); // what is flat may be lines alone
+  const vtkIdType polygons = lines + surface->GetNumberOfLines();
+  const vtkIdType first = arePolygons ? polygons : lines;
+  Cells cells((arePolygons ? surface->GetNumberOfCells() : polygons) - first);
+  std::iota(cells.begin(), cells.end(), first);
+  return name.empty() ? AutomaticTags(surface, blocks, cells) : TagsOf(surface, name, cells);
+}
+
+void AddTags(const Tags& tags, vtkPolyData* boundary)
+{
+  vtkDataArray* cells = boundary->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::vector<std::string> names = tags.Names;
+  const int hole = static_cast<int>(names.size());
+  std::vector<int> tagOf;
+  bool hasHole = false;
+  for (vtkIdType triangle = 0; triangle < boundary->GetNumberOfCells(); ++triangle)
+  {
+    const auto cell = static_cast<vtkIdType>(cells->GetComponent(triangle, 0));
+    hasHole = hasHole || cell < 0;
+    tagOf.push_back(cell < 0 ? hole : tags.OfCell[cell]);
+  }
+  if (hasHole)
+  {
+    std::string name = "hole";
+    for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
+    {
+      name = "hole_" + std::to_string(k);
+    }
+    names.push_back(name);
+  }
+  boundary->GetCellData()->AddArray(MakeArray<vtkIntArray>("BoundaryTag", tagOf));
+  boundary->GetFieldData()->AddArray(MakeStrings("BoundaryTagNames", names));
+}
+
+namespace
+{
+bool AreEqual(vtkStringArray* a, vtkStringArray* b)
+{
+  bool areEqual = a && b && a->GetNumberOfValues() == b->GetNumberOfValues();
+  for (vtkIdType i = 0; areEqual && i < a->GetNumberOfValues(); ++i)
+  {
+    areEqual = a->GetValue(i) == b->GetValue(i);
+  }
+  return areEqual;
+}
+
+/** The cell arrays of numbers that have names in a piece. */
+std::vector<std::string> NamedArrays(vtkPolyData* piece)
+{
+  std::vector<std::string> named;
+  for (int i = 0; i < piece->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    const char* name = piece->GetCellData()->GetArrayName(i);
+    if (name && vtkDataArray::SafeDownCast(FindArray(piece, name)) && FindNames(piece, name))
+    {
+      named.emplace_back(name);
+    }
+  }
+  return named;
+}
+
+/** An array as numbers of names; nullptr where it has something else than integers. */
+vtkSmartPointer<vtkIntArray> Renumber(vtkPolyData* piece, const std::string& name, TagNumbers& all)
+{
+  auto* array = vtkDataArray::SafeDownCast(FindArray(piece, name));
+  vtkStringArray* names = FindNames(piece, name);
+  std::vector<int> numbers;
+  for (vtkIdType cell = 0; array && cell < piece->GetNumberOfCells(); ++cell)
+  {
+    const std::optional<long long> number = NumberAt(array, cell);
+    if (!number)
+    {
+      return nullptr;
+    }
+    numbers.push_back(all.Of(NameOf(names, *number)));
+  }
+  return array ? MakeArray<vtkIntArray>(name.c_str(), numbers) : nullptr;
+}
+
+/** Give the pieces the same names for what one of their arrays numbers. */
+void ShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const std::string& name)
+{
+  std::string nameOfNames;
+  TagNumbers all;
+  std::vector<vtkSmartPointer<vtkIntArray>> renumbered;
+  for (vtkPolyData* piece : pieces)
+  {
+    vtkStringArray* names = FindNames(piece, name);
+    nameOfNames = names ? names->GetName() : nameOfNames;
+    for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+    {
+      all.Of(NameOf(names, i));
+    }
+    renumbered.push_back(Renumber(piece, name, all));
+  }
+  if (std::find(renumbered.begin(), renumbered.end(), nullptr) != renumbered.end())
+  {
+    return; // no array of all pieces
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    vtkNew<vtkFieldData> fields; // the piece's own may be others' too
+    fields->ShallowCopy(pieces[i]->GetFieldData());
+    fields->AddArray(MakeStrings(nameOfNames.c_str(), all.Names));
+    pieces[i]->SetFieldData(fields);
+    pieces[i]->GetCellData()->AddArray(renumbered[i]);
+  }
+}
+} // namespace
+
+void ShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
+{
+  for (vtkPolyData* piece : pieces)
+  {
+    for (const std::string& name : NamedArrays(piece))
+    {
+      const auto differs = [&](vtkPolyData* other)
+      { return !AreEqual(FindNames(piece, name), FindNames(other, name)); };
+      if (std::any_of(pieces.begin(), pieces.end(), differs))
+      {
+        ShareNames(pieces, name);
+      }
+    }
+  }
+}
+} // namespace vtkInsideOut

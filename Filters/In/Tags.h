@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * What the cells of a surface are tagged with, for the boundary of the solid that is made of it.
+ */
+#pragma once
+
+#include "In/Blocks.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace vtkInsideOut
+{
+/** Tags are numbers from 0, which have names. */
+struct Tags
+{
+  std::vector<int> OfCell; ///< one per cell of the surface, -1 where it does not count
+  std::vector<std::string> Names;
+};
+
+/**
+ * The tags that a cell array of integers or strings gives to the polygons of a surface, or to its
+ * lines where it has no polygons. Integers are numbered in their order, and called by the field
+ * array of strings that goes with the array (GroupNames with GroupIds, BoundaryTagNames with
+ * BoundaryTag) or else as they are written; strings are numbered in the order of their first cells.
+ * What has one name has one tag.
+ *
+ * Where no array is named it is the first that tells cells apart, of the tags of a boundary that
+ * this house made (BoundaryTag), groups (GroupIds), materials (MaterialIds), the solids of VTK's
+ * STL reader (STLSolidLabeling), and the blocks of a composite data set, of which this surface is
+ * one. If none does all cells have one tag: the one name that the first of these gives, or else
+ * surface.
+ *
+ * @throws insideout::Error when the surface has no such array, or it holds something else
+ */
+Tags ReadTags(vtkPolyData* surface, const std::string& name, const Blocks& blocks);
+
+/** Tag the triangles of a boundary by its vtkOriginalCellIds: the cell array BoundaryTag, and the
+ * field array BoundaryTagNames. Those that lie on no cell close a hole, and have a tag of their
+ * own, the last. */
+void AddTags(const Tags& tags, vtkPolyData* boundary);
+
+/**
+ * Give the pieces of one surface the same names for what their cell arrays of integers number.
+ * Where the field arrays of names differ, all get one that has all names, and the cell arrays are
+ * renumbered. A number without a name is called as it is written.
+ */
+void ShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces);
+} // namespace vtkInsideOut

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * The defects of lines as data sets: what vtkSurfaceDefects does in two dimensions.
+ */
+#pragma once
+
+#include "Common/Monitor.h"
+#include "In/ReadCurve.h"
+#include "Planar/PlanarHull.h"
+
+namespace vtkInsideOut
+{
+/** vtkSurfaceDefects's number of the first CurveDefect: lines of surfaces have those before it. */
+constexpr int FirstPointType = 4;
+
+/** Outputs, and what is to be told of them. */
+struct MarkedCurve
+{
+  vtkSmartPointer<vtkPolyData> Curve;  ///< the input with marks
+  vtkSmartPointer<vtkPolyData> Points; ///< vertices where something is wrong
+  std::vector<std::string> Warnings;
+};
+
+/** @throws insideout::Error */
+MarkedCurve MarkCurve(const Curve& curve, const insideout::PlanarHullParameters& parameters,
+  insideout::Monitor& monitor);
+} // namespace vtkInsideOut

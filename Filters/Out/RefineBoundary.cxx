@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Out/RefineBoundary.h"
+
+#include "Common/Vectors.h"
+#include "Data/Arrays.h"
+#include "Data/Attributes.h"
+#include "Refine/TriangleTree.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace vtkInsideOut
+{
+using namespace insideout;
+
+namespace
+{
+/** A face of a cell, 4 * cell + face, and the same one from behind: None where that is outside. */
+using BothSides = std::array<Id, 2>;
+
+/** The faces on the boundary, then those between regions from the side of the lower one: in the
+ * order in which a boundary has them. */
+std::vector<BothSides> FacesOnBoundary(const TetrahedralMesh& mesh, const std::vector<Id>& regions)
+{
+  std::vector<BothSides> faces;
+  std::vector<BothSides> interfaces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id behind = mesh.Neighbors[c][k];
+      if (behind == None)
+      {
+        faces.push_back({ { 4 * c + k, None } });
+      }
+      else if (!regions.empty() && regions[c] < regions[behind])
+      {
+        const auto& back = mesh.Neighbors[behind];
+        const auto side = std::find(back.begin(), back.end(), c) - back.begin();
+        interfaces.push_back({ { 4 * c + k, 4 * behind + static_cast<Id>(side) } });
+      }
+    }
+  }
+  faces.insert(faces.end(), interfaces.begin(), interfaces.end());
+  return faces;
+}
+
+std::array<Id, 3> CornersOfCell(vtkPolyData* surface, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  surface->GetCellPoints(cell, corners);
+  return { { static_cast<Id>(corners->GetId(0)), static_cast<Id>(corners->GetId(1)),
+    static_cast<Id>(corners->GetId(2)) } };
+}
+
+/** Mixes the point data of a surface's triangles for places on it or near it. */
+class SurfaceMixer
+{
+public:
+  explicit SurfaceMixer(vtkPolyData* surface)
+    : Surface(surface)
+    , Tree(TrianglesOf(surface))
+  {
+  }
+
+  /** @param[in] hint a triangle near the place */
+  Attributes::Mixture At(const Point& place, Id hint) const
+  {
+    const Id triangle = this->Tree.NearestTo(place, 0, hint).Triangle;
+    const Triangle ids = CornersOfCell(this->Surface, triangle);
+    const std::array<Point, 3> corners = PlacesOf(this->Surface, triangle);
+    const auto at = std::find(corners.begin(), corners.end(), place) - corners.begin();
+    return at < 3
+      ? Attributes::Mixture{ { { ids[at], 0, 0, 0 } }, { { 1, 0, 0, 0 } }, false }
+      : Attributes::Mixture{ { { ids[0], ids[1], ids[2], 0 } }, WeightsIn(corners, place), true };
+  }
+
+private:
+  static std::array<Point, 3> PlacesOf(vtkPolyData* surface, Id triangle)
+  {
+    std::array<Point, 3> places;
+    const Triangle ids = CornersOfCell(surface, triangle);
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(ids[i], places[i].data());
+    }
+    return places;
+  }
+
+  static std::vector<LabelledTriangle> TrianglesOf(vtkPolyData* surface)
+  {
+    std::vector<LabelledTriangle> triangles;
+    for (Id t = 0; t < static_cast<Id>(surface->GetNumberOfCells()); ++t)
+    {
+      triangles.push_back({ PlacesOf(surface, t), 0 });
+    }
+    return triangles;
+  }
+
+  vtkPolyData* Surface;
+  TriangleTree Tree;
+};
+} // namespace
+
+std::array<double, 4> WeightsIn(const std::array<Point, 3>& t, const Point& place)
+{
+  std::array<double, 4> weights = { { 0, 0, 0, 0 } };
+  const Point normal = NormalOf(t[0], t[1], t[2]);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = std::max(0.0, Dot(NormalOf(place, t[(k + 1) % 3], t[(k + 2) % 3]), normal));
+    sum += weights[k];
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = sum > 0 ? weights[k] / sum : 1.0 / 3;
+  }
+  return weights;
+}
+
+std::vector<std::array<Id, 4>> LabelsOf(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, vtkPolyData* boundary)
+{
+  vtkDataArray* tags = boundary->GetCellData()->GetArray("BoundaryTag");
+  std::vector<std::array<Id, 4>> labels(mesh.Cells.size(), { { 0, 0, 0, 0 } });
+  const std::vector<BothSides> faces = FacesOnBoundary(mesh, regions);
+  const std::size_t there = std::min<std::size_t>(faces.size(), boundary->GetNumberOfCells());
+  for (std::size_t i = 0; i < there && tags; ++i)
+  {
+    for (const Id face : faces[i])
+    {
+      if (face != None)
+      {
+        labels[face / 4][face % 4] =
+          static_cast<Id>(tags->GetComponent(static_cast<vtkIdType>(i), 0));
+      }
+    }
+  }
+  return labels;
+}
+
+vtkSmartPointer<vtkPolyData> RefineBoundary(const TetrahedralMesh& mesh,
+  const std::vector<Id>& regions, const RefinedMesh& refined, vtkPolyData* before,
+  std::vector<std::string>& warnings)
+{
+  std::vector<std::array<Id, 2>> triangleOfFace; // (face, triangle), from one side of each
+  for (const BothSides& face : FacesOnBoundary(mesh, regions))
+  {
+    triangleOfFace.push_back({ { face[0], static_cast<Id>(triangleOfFace.size()) } });
+  }
+  std::sort(triangleOfFace.begin(), triangleOfFace.end());
+  const SurfaceMixer mixer(before);
+  std::vector<Id> numbers(refined.Points.size(), None);
+  std::vector<Point> points;
+  std::vector<Attributes::Mixture> mixtures;
+  std::vector<Triangle> triangles;
+  std::vector<Id> sources;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id face = refined.OriginalFaces[c][k];
+      const auto found = std::lower_bound(
+        triangleOfFace.begin(), triangleOfFace.end(), std::array<Id, 2>{ { face, 0 } });
+      if (face == None || found == triangleOfFace.end() || (*found)[0] != face)
+      {
+        continue; // within, or seen from behind
+      }
+      sources.push_back((*found)[1]);
+      triangles.push_back(FaceOf(refined.Cells[c], k));
+      for (Id& corner : triangles.back())
+      {
+        if (numbers[corner] == None)
+        {
+          numbers[corner] = static_cast<Id>(points.size());
+          points.push_back(refined.Points[corner]);
+          mixtures.push_back(mixer.At(points.back(), sources.back()));
+        }
+        corner = numbers[corner];
+      }
+    }
+  }
+  auto boundary = vtkSmartPointer<vtkPolyData>::New();
+  boundary->SetPoints(MakePoints(points));
+  boundary->SetPolys(MakeCells(triangles));
+  Attributes::MixPointData(before, mixtures, {}, boundary->GetPointData(), warnings);
+  Attributes::CopyCellData(before, sources, boundary->GetCellData(), warnings);
+  boundary->GetFieldData()->ShallowCopy(before->GetFieldData());
+  return boundary;
+}
+} // namespace vtkInsideOut

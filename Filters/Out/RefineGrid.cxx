@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Out/RefineGrid.h"
+
+#include "Common/Error.h"
+#include "Common/Stages.h"
+#include "Common/Vectors.h"
+#include "Data/Arrays.h"
+#include "Data/Attributes.h"
+#include "In/ReadGrid.h"
+#include "Out/RefineBoundary.h"
+#include "Quality/QualityOfMesh.h"
+#include "Refine/MakeRefinable.h"
+#include "Refine/QuadraticCells.h"
+#include "Refine/RefineTetrahedra.h"
+#include "Refine/TriangleTree.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace vtkInsideOut
+{
+using namespace insideout;
+
+namespace
+{
+/** What would lead a stage astray: VTK checks none of it. */
+void CheckGrid(vtkUnstructuredGrid* grid)
+{
+  if (grid->GetNumberOfCells() == 0)
+  {
+    throw Error(ErrorCode::EmptySurface, "the grid has no cells");
+  }
+  if (const vtkIdType other = FindOtherCell(grid); other >= 0)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "cell " + std::to_string(other) + " is a " + CellName(grid->GetCellType(other)) +
+        "; only tetrahedra (vtkTetra) can be refined. Triangles in a plane become better ones "
+        "where "
+        "vtkRobustTetrahedralize makes them, by its Refine");
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCellPoints(c, corners);
+    for (const vtkIdType p : *corners)
+    {
+      if (p < 0 || p >= grid->GetNumberOfPoints())
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "cell " + std::to_string(c) + " has the point " + std::to_string(p) +
+            ", which is not there");
+      }
+      Point place;
+      grid->GetPoint(p, place.data());
+      if (!IsFinite(place))
+      {
+        throw Error(ErrorCode::InvalidParameter, "point " + std::to_string(p) + " is not finite");
+      }
+    }
+  }
+}
+
+/** The cells' RegionId, numbered anew; empty where there is none. */
+std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
+  if (!array)
+  {
+    return {};
+  }
+  const bool isReal = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+  if (isReal || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != grid->GetNumberOfCells())
+  {
+    throw Error(ErrorCode::InvalidParameter, "the cell array RegionId is not one integer per cell");
+  }
+  std::vector<double> values(grid->GetNumberOfCells());
+  for (std::size_t c = 0; c < values.size(); ++c)
+  {
+    values[c] = array->GetComponent(static_cast<vtkIdType>(c), 0);
+  }
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<Id> regions(values.size());
+  std::transform(values.begin(), values.end(), regions.begin(),
+    [&](double value)
+    {
+      return static_cast<Id>(
+        std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+    });
+  return regions;
+}
+
+/** The face of a cell of the grid that is face k of the mesh's: one that is inside out was turned.
+ */
+int FaceInGrid(vtkUnstructuredGrid* grid, const TetrahedralMesh& mesh, Id cell, int k)
+{
+  vtkNew<vtkIdList> given;
+  grid->GetCellPoints(cell, given);
+  const bool turned = !std::equal(given->begin(), given->end(), mesh.Cells[cell].begin());
+  // ConnectCells says which faces of turned cells change places.
+  return turned && (k == 0 || k == 3) ? 3 - k : k;
+}
+
+/** Arrays of four values per cell, one per face: those of facets stay, others are `otherwise`. */
+void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const char* name,
+  double otherwise, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
+  vtkDataArray* source = input->GetCellData()->GetArray(name);
+  vtkDataArray* array = output->GetCellData()->GetArray(name);
+  if (!array || !source || source->GetNumberOfComponents() != 4)
+  {
+    return;
+  }
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id face = refined.OriginalFaces[c][k];
+      array->SetComponent(static_cast<vtkIdType>(c), k,
+        face == None ? otherwise
+                     : source->GetComponent(face / 4, FaceInGrid(input, mesh, face / 4, face % 4)));
+    }
+  }
+}
+
+/** The weights of a cell's corners at a place in it: none is negative, however thin the cell. */
+std::array<double, 4> WeightsAt(
+  const std::vector<Point>& points, const Tetrahedron& cell, const Point& place)
+{
+  std::array<double, 4> weights;
+  for (int k = 0; k < 4; ++k)
+  {
+    std::array<Point, 4> corners = CornersOf(points, cell);
+    corners[k] = place;
+    weights[k] = std::max(0.0,
+      Determinant(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]),
+        Difference(corners[3], corners[0])));
+  }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& weight : weights)
+  {
+    weight = sum > 0 ? weight / sum : 0.25;
+  }
+  return weights;
+}
+
+/**
+ * On the boundary and between regions points are mixtures of a face's corners, not of a cell's: one
+ * of these may be a point in the volume, which has no data.
+ */
+void MixOnFaces(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const RefinedMesh& refined, std::vector<Attributes::Mixture>& mixtures)
+{
+  const std::vector<FacetOfInput> facets = FacetsOf(mesh, regions, {});
+  std::vector<LabelledTriangle> triangles;
+  triangles.reserve(facets.size());
+  for (const FacetOfInput& facet : facets)
+  {
+    triangles.push_back({ facet.Corners, 0 });
+  }
+  const TriangleTree tree(std::move(triangles));
+  std::vector<char> isDone(mixtures.size(), 0);
+  Id nearest = None;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (refined.OriginalFaces[c][k] == None)
+      {
+        continue;
+      }
+      for (const Id p : FaceOf(refined.Cells[c], k))
+      {
+        if (mixtures[p].IsNew && std::exchange(isDone[p], 1) == 0)
+        {
+          nearest = tree.NearestTo(refined.Points[p], 0, nearest).Triangle;
+          const Id face = facets[nearest].Faces[0];
+          const Triangle corners = FaceOf(mesh.Cells[face / 4], face % 4);
+          mixtures[p].Points = { { corners[0], corners[1], corners[2], corners[0] } };
+          mixtures[p].Weights = WeightsIn(CornersOf(mesh.Points, corners), refined.Points[p]);
+        }
+      }
+    }
+  }
+}
+
+std::vector<Attributes::Mixture> MixturesOf(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, const RefinedMesh& refined)
+{
+  std::vector<Attributes::Mixture> mixtures(refined.Points.size());
+  for (std::size_t p = 0; p < mixtures.size(); ++p)
+  {
+    const Id original = refined.OriginalPoints[p];
+    const Tetrahedron& cell = mesh.Cells[refined.CellsOfPoints[p]];
+    mixtures[p].IsNew = original == None;
+    mixtures[p].Points = original == None ? cell : Tetrahedron{ { original, 0, 0, 0 } };
+    mixtures[p].Weights = original == None ? WeightsAt(mesh.Points, cell, refined.Points[p])
+                                           : std::array<double, 4>{ { 1, 0, 0, 0 } };
+  }
+  MixOnFaces(mesh, regions, refined, mixtures);
+  return mixtures;
+}
+
+/** Points and cells of a result, where wanted with points amid the edges. */
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+  const RefinedMesh& refined, const QuadraticCells* quadratic)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (!quadratic)
+  {
+    grid->SetPoints(MakePoints(refined.Points));
+    grid->SetCells(VTK_TETRA, MakeCells(refined.Cells));
+    return grid;
+  }
+  std::vector<Point> points = refined.Points;
+  points.reserve(points.size() + quadratic->Edges.size());
+  for (const Edge& edge : quadratic->Edges)
+  {
+    points.push_back(Midpoint(refined.Points[edge[0]], refined.Points[edge[1]]));
+  }
+  grid->SetPoints(MakePoints(points));
+  grid->SetCells(VTK_QUADRATIC_TETRA, MakeCells(quadratic->Cells));
+  return grid;
+}
+
+std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
+{
+  std::ostringstream words;
+  words << static_cast<Id>(count) << " of " << cells << " cells are larger than MaximumVolume, "
+        << maximumVolume << ": faces that stay as they are may allow no smaller ones";
+  return words.str();
+}
+/** Of a solid that is no longer quite the same. */
+void MeasureMasses(const RefinedMesh& refined, vtkUnstructuredGrid* grid, Refinement& result)
+{
+  vtkDataArray* regions = grid->GetCellData()->GetArray("RegionId");
+  TetrahedralMesh mesh;
+  mesh.Points = refined.Points;
+  mesh.Cells = refined.Cells;
+  SolidRegions after;
+  for (const Id cell : refined.OriginalCells)
+  {
+    after.OfCell.push_back(regions ? static_cast<Id>(regions->GetComponent(cell, 0)) : 0);
+    after.Count = std::max(after.Count, after.OfCell.back() + 1);
+  }
+  result.Masses = MeasureRegions(mesh, after);
+  result.Mass = MeasureMass(mesh, std::vector<unsigned char>(mesh.Cells.size(), 1));
+}
+
+double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
+{
+  for (const auto& [name, value] : refined.Statistics)
+  {
+    if (name == wanted)
+    {
+      return value;
+    }
+  }
+  return 0;
+}
+
+void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameters,
+  std::vector<std::string>& warnings)
+{
+  if (const double large = StatisticOf(refined, "CellsAboveMaximumVolume"); large > 0)
+  {
+    warnings.push_back(TooLargeCells(large, refined.Cells.size(), parameters.Sizes.MaximumVolume));
+  }
+  if (const double kept = StatisticOf(refined, "KeptFacets"); kept > 0)
+  {
+    warnings.push_back(std::to_string(static_cast<Id>(kept)) +
+      " triangles of the surface stay as they are, since they cross others");
+  }
+  const double distance = StatisticOf(refined, "InputDistance");
+  if (const double tolerance = StatisticOf(refined, "SurfaceTolerance"); distance > tolerance)
+  {
+    std::ostringstream words;
+    words << "a part of the surface is " << distance << " away from the remeshed one, farther than "
+          << tolerance;
+    warnings.push_back(words.str());
+  }
+}
+} // namespace
+
+Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  const RefinementParameters& given, bool quadratic, Monitor& monitor)
+{
+  Stopwatch stopwatch;
+  CheckGrid(grid);
+  const std::vector<Id> regions = ReadRegions(grid);
+  const TetrahedralMesh mesh = ReadTetrahedra(grid);
+  RefinementParameters parameters = given;
+  if (boundary && parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    parameters.Labels = LabelsOf(mesh, regions, boundary);
+  }
+  const RefinedMesh refined = RefineTetrahedra(mesh, regions, parameters, monitor);
+  QuadraticCells secondOrder;
+  if (quadratic)
+  {
+    secondOrder = MakeQuadraticCells(static_cast<Id>(refined.Points.size()), refined.Cells);
+  }
+
+  Refinement result;
+  result.Grid = MakeGrid(refined, quadratic ? &secondOrder : nullptr);
+  Attributes::MixPointData(grid, MixturesOf(mesh, regions, refined), secondOrder.Edges,
+    result.Grid->GetPointData(), result.Warnings);
+  Attributes::CopyCellData(
+    grid, refined.OriginalCells, result.Grid->GetCellData(), result.Warnings);
+  CarryFaces(mesh, refined, "FacetIds", -1, grid, result.Grid);
+  CarryFaces(mesh, refined, "FacetMultiplicity", 0, grid, result.Grid);
+  result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  result.Boundary = boundary;
+  if (boundary && parameters.Surface != SurfaceTreatment::Kept)
+  {
+    result.Boundary = RefineBoundary(mesh, regions, refined, boundary, result.Warnings);
+  }
+
+  if (parameters.Surface == SurfaceTreatment::Remeshed)
+  {
+    MeasureMasses(refined, grid, result);
+  }
+  result.Statistics = refined.Statistics;
+  const ProgressRange end = { Stages::Refining, 1, 1 };
+  AppendQuality(QualityOfMesh(mesh.Points, mesh.Cells, monitor, end), result.Statistics, "Before");
+  AppendQuality(QualityOfMesh(refined.Points, refined.Cells, monitor, end), result.Statistics);
+  result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
+  WarnAbout(refined, parameters, result.Warnings);
+  result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());
+  return result;
+}
+} // namespace vtkInsideOut
