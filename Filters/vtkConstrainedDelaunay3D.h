@@ -64,9 +64,9 @@ public:
 
   ///@{
   /**
-   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips and cuts, and TetGen should
-   * these lose a facet; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only the one. Where neither keeps
-   * every facet the mesh that loses fewest is taken. Default ENGINE_AUTOMATIC.
+   * Engine that makes the tetrahedra. ENGINE_EXACT flips and cuts, ENGINE_TETGEN runs TetGen,
+   * ENGINE_AUTOMATIC runs TetGen only where the exact engine loses a facet. Default
+   * ENGINE_AUTOMATIC. The mesh that loses the fewest facets is taken where none keeps all.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
   vtkGetMacro(Engine, int);
@@ -77,10 +77,10 @@ public:
 
   ///@{
   /**
-   * Seconds that tetrahedralizing may take, an equal part of it in each of the ways that are tried
-   * in turn. Default 0: no clock. Exact cuts are then limited by a count of their work, so that a
-   * busy machine gives the same mesh; TetGen, should it have its turn, by 4 s of processor time in
-   * each of its ways, and 0.3 ms for each point and facet. Range 0 to infinity.
+   * Seconds that tetrahedralizing may take, in all attempts together. Default 0: limited by work,
+   * not by the clock, so that a busy machine gives the same mesh. Range 0 to infinity. Each kind of
+   * attempt gets an equal part. With 0 each of TetGen's attempts takes at most 4 s of processor
+   * time, and 0.3 ms for each point and facet.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);
@@ -88,9 +88,9 @@ public:
 
   ///@{
   /**
-   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
-   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
-   * Range 0 to infinity.
+   * MiB of memory that TetGen's process may hold. Default 0: limited by the size of the surface.
+   * Range 0 to infinity. Beyond it the next attempt begins. With 0 the limit is 1024 MiB, and 16
+   * KiB for each point and facet, but at most three quarters of the machine's memory.
    */
   vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryBudget, double);

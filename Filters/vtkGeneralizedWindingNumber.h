@@ -51,18 +51,16 @@ public:
 
     ///@{
     /**
-     * Give sheets, which enclose nothing, this thickness: a closed slab, half of it before the
-     * facets and half behind, that joins what it touches; the facets stay as faces within. In units
-     * of the surface. Default 0: sheets bound nothing. Range 0 to infinity.
+     * Thickness given to sheets, which enclose nothing, in units of the surface. Default 0: sheets
+     * bound nothing. Range 0 to infinity. A sheet becomes a closed slab, half before the facets and
+     * half behind, that joins what it touches; the facets stay as faces within.
      */
     vtkSetClampMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Thicken, double);
   ///@}
 
   ///@{
-  /**
-   * On: thicken every facet, and not only sheets. Default off.
-   */
+  /** Thicken every facet, not only sheets. Default off. Without effect where Thicken is 0. */
   vtkSetMacro(ThickenAll, bool);
   vtkGetMacro(ThickenAll, bool);
   vtkBooleanMacro(ThickenAll, bool);
@@ -70,10 +68,10 @@ public:
 
   ///@{
   /**
-   * How w is averaged over a cell: at the barycentre (1), or by quadrature that integrates
-   * polynomials up to this degree exactly, of 4 (2), 8 (3) or 14 places (4 and 5). Matters on open
-   * surfaces only: on a closed one w is constant in a cell. Next to an open edge w depends on the
-   * direction from the edge, and high order gains little there. Default 1, range 1 to 5.
+   * Degree of the polynomials that the average of w over a cell integrates exactly. It matters near
+   * the holes of open surfaces only. Default 1: w at the barycenter. Range 1 to 5. Orders 2 to 5
+   * evaluate w at 4, 8, 14 and 14 points. Next to an open edge w depends on the direction from the
+   * edge, and high orders gain little there.
    */
   vtkSetClampMacro(QuadratureOrder, int, 1, 5);
   vtkGetMacro(QuadratureOrder, int);
@@ -89,9 +87,9 @@ public:
 
   ///@{
   /**
-   * What makes the tetrahedra: ENGINE_AUTOMATIC (0) tries exact flips and cuts, and TetGen should
-   * these lose a facet; ENGINE_EXACT (1) and ENGINE_TETGEN (2) only the one. Where neither keeps
-   * every facet the mesh that loses fewest is taken. Default ENGINE_AUTOMATIC.
+   * Engine that makes the tetrahedra. ENGINE_EXACT flips and cuts, ENGINE_TETGEN runs TetGen,
+   * ENGINE_AUTOMATIC runs TetGen only where the exact engine loses a facet. Default
+   * ENGINE_AUTOMATIC. The mesh that loses the fewest facets is taken where none keeps all.
    */
   vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
   vtkGetMacro(Engine, int);
@@ -102,10 +100,10 @@ public:
 
   ///@{
   /**
-   * Seconds that tetrahedralizing may take, an equal part of it in each of the ways that are tried
-   * in turn. Default 0: no clock. Exact cuts are then limited by a count of their work, so that a
-   * busy machine gives the same mesh; TetGen, should it have its turn, by 4 s of processor time in
-   * each of its ways, and 0.3 ms for each point and facet. Range 0 to infinity.
+   * Seconds that tetrahedralizing may take, in all attempts together. Default 0: limited by work,
+   * not by the clock, so that a busy machine gives the same mesh. Range 0 to infinity. Each kind of
+   * attempt gets an equal part. With 0 each of TetGen's attempts takes at most 4 s of processor
+   * time, and 0.3 ms for each point and facet.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);
@@ -113,9 +111,9 @@ public:
 
   ///@{
   /**
-   * MiB of memory that TetGen's process may hold; beyond it the next way is tried. Default 0: 1024
-   * MiB, and 16 KiB for each point and facet, but at most three quarters of the machine's memory.
-   * Range 0 to infinity.
+   * MiB of memory that TetGen's process may hold. Default 0: limited by the size of the surface.
+   * Range 0 to infinity. Beyond it the next attempt begins. With 0 the limit is 1024 MiB, and 16
+   * KiB for each point and facet, but at most three quarters of the machine's memory.
    */
   vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryBudget, double);

@@ -42,9 +42,9 @@ public:
 
   ///@{
   /**
-   * Weight of a smooth boundary against the winding number, without unit. 0 is thresholding: inside
-   * where w > 1/2. Larger values cut off and fill up thin parts where w is unsure. Default 2, range
-   * 0 to infinity.
+   * Weight of a smooth boundary against the winding number, without unit. 0 takes every cell with w
+   * above 1/2; larger values cut off and fill up thin parts where w is unsure. Default 2. Range 0
+   * to infinity.
    */
   vtkSetClampMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Gamma, double);
@@ -52,8 +52,9 @@ public:
 
   ///@{
   /**
-   * How large a step in w may be noise. Steps between two cells that are several times larger cost
-   * nothing to cut along, smaller ones cost up to Gamma. Default 0.15, range 1e-6 to infinity.
+   * Step of w between neighboring cells that may be noise. Default 0.15. Range 1e-6 to infinity.
+   * Cutting along steps several times larger costs nothing; along smaller ones it costs up to
+   * Gamma.
    */
   vtkSetClampMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
@@ -68,9 +69,9 @@ public:
 
   ///@{
   /**
-   * How much a cell's own winding number counts: UNIFORM (0) as much as any other's, so that small
-   * cells, of which there are many around details, keep what is thin; VOLUME_WEIGHTED (1) by
-   * volume, so that slivers do not outvote large cells. Default UNIFORM.
+   * Weight of a cell's own winding number. UNIFORM: every cell counts the same, which keeps what is
+   * thin. VOLUME_WEIGHTED: cells count by volume, so that slivers do not outvote large cells.
+   * Default UNIFORM.
    */
   vtkSetClampMacro(DataTerm, int, UNIFORM, VOLUME_WEIGHTED);
   vtkGetMacro(DataTerm, int);
@@ -78,9 +79,9 @@ public:
 
   ///@{
   /**
-   * Every piece of every facet has to be a face of a cell inside, also where it costs energy: for
-   * thin sheets that are to be part of the solid. What is inside is then a local minimum. Takes
-   * tetrahedra with the cell array FacetIds: faces where it is not negative are kept. Default off.
+   * Keep every piece of every facet as a face of a cell inside, thin sheets included. Default off.
+   * What is inside is then a local minimum. Requires tetrahedra with the cell array FacetIds: faces
+   * where it is not negative are kept.
    */
   vtkSetMacro(ConstrainFacets, bool);
   vtkGetMacro(ConstrainFacets, bool);
@@ -97,14 +98,13 @@ public:
 
   ///@{
   /**
-   * What becomes of the solid's boundary where it is no 2-manifold, which has two faces at each
-   * edge and one fan of faces at each point. NONMANIFOLD_KEEP (0): it stays so. NONMANIFOLD_FILL
-   * (1): cells are added until it is one; what is inside is then a local minimum.
-   * NONMANIFOLD_SPLIT (2): points are copied, so that parts of the solid that touch in points or
-   * edges, and are not joined through faces around these, share none any more; places and cells
-   * stay the same but for the points' ids, and vtkOriginalPointIds are those of the points that
-   * were copied. Both take tetrahedra, and NONMANIFOLD_SPLIT takes ExtractInside. Default
-   * NONMANIFOLD_KEEP.
+   * Treatment of a boundary that is no 2-manifold. NONMANIFOLD_KEEP leaves it so, NONMANIFOLD_FILL
+   * adds cells, NONMANIFOLD_SPLIT copies points, so that parts that touch share none. Default
+   * NONMANIFOLD_KEEP. A 2-manifold has two faces at each edge and one fan of faces at each point.
+   * After NONMANIFOLD_FILL what is inside is a local minimum. NONMANIFOLD_SPLIT copies points where
+   * parts of the solid touch in points or edges and are not joined through faces around these;
+   * cells stay, but for their points' ids, and vtkOriginalPointIds are those of the copied points.
+   * Both require tetrahedra; NONMANIFOLD_SPLIT requires ExtractInside.
    */
   vtkSetClampMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
   vtkGetMacro(NonManifold, int);
@@ -115,29 +115,25 @@ public:
 
   ///@{
   /**
-   * How many regions of the solid stay at most, the largest by volume (in two dimensions by area);
-   * regions are parts that faces connect. What is dropped counts in the statistics DroppedRegions
-   * and DroppedVolume, and its facets are outliers; a seed that is to be inside goes with its
-   * region, and counts in SeedConflicts, with a warning. Takes tetrahedra, as what follows does.
-   * Default 0: any number. Range 0 to VTK_INT_MAX.
+   * Number of regions that stay at most, the largest by volume, in a plane by area. A region is a
+   * part that faces connect. Default 0: any number. Range 0 to infinity. The statistics
+   * DroppedRegions and DroppedVolume count what is dropped; its facets are outliers. A seed in a
+   * dropped region counts in SeedConflicts, with a warning. Requires tetrahedra, as the following
+   * options do.
    */
   vtkSetClampMacro(LargestRegions, int, 0, VTK_INT_MAX);
   vtkGetMacro(LargestRegions, int);
   ///@}
 
   ///@{
-  /**
-   * Drop regions of a smaller volume, in two dimensions area, in the units of the input. Default 0:
-   * none. Range 0 to infinity.
-   */
+  /** Volume below which regions are dropped, in a plane area, in units of the input. Default 0:
+   * none. Range 0 to infinity. */
   vtkSetClampMacro(MinimumRegionVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumRegionVolume, double);
   ///@}
 
   ///@{
-  /**
-   * Drop regions without a seed that is to be inside (second input). Default off.
-   */
+  /** Drop regions without a seed that is to be inside. Default off. */
   vtkSetMacro(SeededRegions, bool);
   vtkGetMacro(SeededRegions, bool);
   vtkBooleanMacro(SeededRegions, bool);
@@ -145,9 +141,9 @@ public:
 
   ///@{
   /**
-   * Fill the solid's cavities, the parts of the outside that it encloses (in two dimensions its
-   * holes), once regions are dropped; but not those with a seed that is to be outside. The
-   * statistics FilledCavities and FilledVolume say how many. Default off.
+   * Fill the cavities that the solid encloses, in a plane its holes. Default off. Regions are
+   * dropped first. Cavities with a seed that is to be outside stay. The statistics FilledCavities
+   * and FilledVolume count the others.
    */
   vtkSetMacro(FillCavities, bool);
   vtkGetMacro(FillCavities, bool);
@@ -164,14 +160,14 @@ public:
 
   ///@{
   /**
-   * What the solid's topology is to be. TOPOLOGY_ANY (0): as the segmentation has it.
-   * TOPOLOGY_ONE_COMPONENT (1): regions are joined, by the cells of shortest ways between them, or
-   * dropped, whichever adds less energy, one after the other. TOPOLOGY_SIMPLY_CONNECTED (2): a ball
-   * besides, in two dimensions a disc; tunnels and cavities are cut open by walls, or filled by
-   * membranes, each tried in the way that adds less energy. Neither is a global minimum. Seeds,
-   * ConstrainFacets and NonManifold of the kind Fill still hold; where they forbid what is asked
-   * for a warning says so. The statistics have EnergyBeforeTopology, DroppedRegions and
-   * JoinedRegions. Default TOPOLOGY_ANY.
+   * Topology that the solid is to have. TOPOLOGY_ANY: as the cut has it. TOPOLOGY_ONE_COMPONENT:
+   * regions are joined or dropped, whichever adds less energy. TOPOLOGY_SIMPLY_CONNECTED: besides,
+   * tunnels and cavities are cut open or filled. Default TOPOLOGY_ANY. Regions are joined by the
+   * cells of shortest paths between them, one after the other. A simply connected solid is a ball,
+   * in a plane a disc: tunnels are cut open by walls or filled by membranes, each in the way that
+   * adds less energy. Neither result is a global minimum. Seeds, ConstrainFacets and
+   * NONMANIFOLD_FILL still hold; a warning says where they forbid the topology. The statistics have
+   * EnergyBeforeTopology, DroppedRegions and JoinedRegions.
    */
   vtkSetClampMacro(Topology, int, TOPOLOGY_ANY, TOPOLOGY_SIMPLY_CONNECTED);
   vtkGetMacro(Topology, int);
@@ -191,10 +187,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * On: the output holds only the cells inside. Off: all cells of the hull, with the array Inside
-   * to tell them apart. Default on.
-   */
+  /** Output only the cells inside. Off: all cells of the hull, told apart by the array Inside.
+   * Default on. */
   vtkSetMacro(ExtractInside, bool);
   vtkGetMacro(ExtractInside, bool);
   vtkBooleanMacro(ExtractInside, bool);

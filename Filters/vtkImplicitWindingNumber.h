@@ -89,11 +89,8 @@ public:
   void EvaluateGradient(double x[3], double g[3]) override;
 
   ///@{
-  /**
-   * On: the function is the distance of the nearest polygon, in units of the surface, negative
-   * where w is above 1/2, instead of 1/2 - w. Of polygons only: with lines it is an error. Default
-   * off.
-   */
+  /** Evaluate the distance of the nearest polygon, in units of the surface, negative where w is
+   * above 1/2, instead of 1/2 - w. An error with lines, which have none. Default off. */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
   vtkBooleanMacro(SignedDistance, bool);
@@ -107,9 +104,8 @@ public:
 
     ///@{
     /**
-     * Name of a point array of a cloud, of one number per point: the area that each stands for, in
-     * squared units of the surface, at least 0. Default "Area"; where the cloud has no array of
-     * this name the areas are estimated.
+     * Point array of a cloud, one number per point: the area that each stands for, in squared units
+     * of the surface. Default "Area"; without it the areas are estimated. Areas are at least 0.
      */
     vtkSetStdStringFromCharMacro(AreaArrayName);
   vtkGetCharFromStdStringMacro(AreaArrayName);

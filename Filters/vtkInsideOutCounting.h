@@ -14,11 +14,11 @@
 #include <string>
 
 /**
- * Orientation: which way facets, or in a plane outlines, are meant to face. AUTOMATIC (0) makes
- * facets agree with those around them, and turns parts over so that the least volume is left where
- * w is below -1/2, with a warning: a cavity stays, and an open sheet turns nothing else over.
- * AS_GIVEN (1) turns nothing, REVERSE (2) everything. OUTWARD (3) makes every part that encloses
- * something face outward, whatever lies within what. Default AUTOMATIC.
+ * Orientation: how facets, or in a plane outlines, are turned before they count. AUTOMATIC makes
+ * neighboring facets agree and turns over parts that are inside out, with a warning; cavities stay.
+ * AS_GIVEN turns nothing, REVERSE everything, OUTWARD every closed part outward. Default AUTOMATIC.
+ * AUTOMATIC leaves the least volume where w is below -1/2; an open sheet turns nothing else over.
+ * OUTWARD ignores which part lies within which.
  */
 #define vtkInsideOutOrientationMacro()                    \
   enum OrientationType                                    \
@@ -37,9 +37,9 @@ protected:                                                \
 public:
 
 /**
- * MergeTolerance: points at most this far apart become one, in units of the input; of several the
- * one with the lowest id stays. Default 0: only points with equal coordinates are merged. Range 0
- * to infinity.
+ * MergeTolerance: merge points at most this far apart, in units of the input. Narrower gaps between
+ * bodies close. Default 0: only points with equal coordinates. Range 0 to infinity. The point with
+ * the lowest id stays.
  */
 #define vtkInsideOutMergeToleranceMacro()                        \
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX); \
@@ -50,10 +50,8 @@ protected:                                                       \
                                                                  \
 public:
 
-/**
- * CountDuplicates: count a polygon, or in a plane a segment, as often as it is given. Default off:
- * copies with the same points count once per orientation, and opposite ones cancel.
- */
+/** CountDuplicates: count a polygon, or in a plane a segment, as often as it is given. Default off:
+ * copies count once per orientation, and opposite ones cancel. */
 #define vtkInsideOutCountDuplicatesMacro() \
   vtkSetMacro(CountDuplicates, bool);      \
   vtkGetMacro(CountDuplicates, bool);      \
@@ -65,9 +63,9 @@ protected:                                 \
 public:
 
 /**
- * NonParticipatingArrayName: name of a cell array of the input, of one number per cell. Where it is
- * not 0 the cell does not count in w and cancels no other; where a mesh is made it still shapes
- * that, as accessories that are no part of the body should. Default empty: every cell counts.
+ * NonParticipatingArrayName: cell array of the input, one number per cell: cells where it is not 0
+ * do not count in w. They still shape the mesh. Default empty: every cell counts. Such cells cancel
+ * no other. Accessories that are no part of the body are examples.
  */
 #define vtkInsideOutNonParticipatingMacro()                \
   vtkSetStdStringFromCharMacro(NonParticipatingArrayName); \

@@ -100,35 +100,27 @@ public:
   };
 
   ///@{
-  /**
-   * Whether w is evaluated at the POINTS (0) or at the centres of the CELLS (1). Default POINTS.
-   */
+  /** Where w is evaluated: at POINTS, or at the centers of CELLS. Default POINTS. */
   vtkSetClampMacro(Association, int, POINTS, CELLS);
   vtkGetMacro(Association, int);
   ///@}
 
   ///@{
-  /**
-   * Inside is where w is above this, without unit. Default 0.5, range minus infinity to infinity.
-   */
+  /** Winding number above which a point is inside, without unit. Default 0.5. Range minus infinity
+   * to infinity. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
 
   ///@{
-  /**
-   * On: the array Inside marks what is outside instead. w stays as it is. Default off.
-   */
+  /** Mark what is outside in the array Inside instead; w stays as it is. Default off. */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);
   ///@}
 
   ///@{
-  /**
-   * On: the array w is in the output. Off: only Inside, which takes an eighth of the memory.
-   * Default on.
-   */
+  /** Output the array w. Off: only Inside, which takes an eighth of the memory. Default on. */
   vtkSetMacro(OutputWindingNumber, bool);
   vtkGetMacro(OutputWindingNumber, bool);
   vtkBooleanMacro(OutputWindingNumber, bool);
@@ -136,9 +128,9 @@ public:
 
   ///@{
   /**
-   * On: the array Distance is in the output: how far the nearest polygon is, in units of the
-   * surface, negative where w is above Threshold; every polygon counts for it, even where it does
-   * not in w. Of polygons only: with lines it is an error. Default off.
+   * Output the array Distance: how far the nearest polygon is, in units of the surface, negative
+   * where w is above Threshold. Default off. Every polygon counts for it, even where it does not in
+   * w. An error with lines, which have none.
    */
   vtkSetMacro(Distance, bool);
   vtkGetMacro(Distance, bool);
@@ -146,10 +138,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * On, with Distance: the arrays ClosestPoint and ClosestCellId are in the output: the nearest
-   * place on the surface, and the surface's cell that it is on. Default off.
-   */
+  /** Output, with Distance, the arrays ClosestPoint and ClosestCellId: the nearest point on the
+   * surface, and the surface's cell that it is on. Default off. */
   vtkSetMacro(ClosestPoints, bool);
   vtkGetMacro(ClosestPoints, bool);
   vtkBooleanMacro(ClosestPoints, bool);
@@ -166,28 +156,25 @@ public:
 
   ///@{
   /**
-   * How w is evaluated. EXACT (0) is right to rounding and the fastest. For reference: NAIVE (1)
-   * sums the solid angles of all facets, HIERARCHICAL (2) is the hierarchy of Jacobson, Kavan and
-   * Sorkine-Hornung (2013), both exact as well; APPROXIMATE (3) is the far-field expansion of
-   * Barill et al. (2018), which errs by some 1e-3. Default EXACT.
+   * Method that evaluates w. EXACT is right to rounding and the fastest; the others are for
+   * reference. NAIVE sums all facets, HIERARCHICAL is the hierarchy of the method's authors,
+   * APPROXIMATE a far-field expansion that errs by some 1e-3. Default EXACT. NAIVE and HIERARCHICAL
+   * (Jacobson, Kavan and Sorkine-Hornung, 2013) are exact as well; APPROXIMATE is by Barill et al.
+   * (2018).
    */
   vtkSetClampMacro(Method, int, EXACT, APPROXIMATE);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
-  /**
-   * Of APPROXIMATE: the order of the expansion. Default 2, range 1 to 3.
-   */
+  /** Order of the expansion of APPROXIMATE. Default 2. Range 1 to 3. */
   vtkSetClampMacro(ApproximationOrder, int, 1, 3);
   vtkGetMacro(ApproximationOrder, int);
   ///@}
 
   ///@{
-  /**
-   * Of APPROXIMATE: how many of their radii away facets count as far. Larger is slower and errs
-   * less. Default 2, range 1 to infinity.
-   */
+  /** Distance, in radii of a group of facets, from which on APPROXIMATE expands it. Larger is
+   * slower and errs less. Default 2. Range 1 to infinity. */
   vtkSetClampMacro(Accuracy, double, 1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Accuracy, double);
   ///@}
@@ -200,9 +187,8 @@ public:
 
     ///@{
     /**
-     * Name of a point array of a cloud, of one number per point: the area that each stands for, in
-     * squared units of the surface, at least 0. Default "Area"; where the cloud has no array of
-     * this name the areas are estimated.
+     * Point array of a cloud, one number per point: the area that each stands for, in squared units
+     * of the surface. Default "Area"; without it the areas are estimated. Areas are at least 0.
      */
     vtkSetStdStringFromCharMacro(AreaArrayName);
   vtkGetCharFromStdStringMacro(AreaArrayName);
@@ -220,10 +206,10 @@ public:
 
   ///@{
   /**
-   * Of several processes: how many facets of the surface each of them holds at once. A surface of
-   * more polygons is cut into pieces of at most as many, which all processes have in turn; one of
-   * no more is whole in each. Fewer take less memory, some 400 bytes for each, and more time, for
-   * every piece is asked at every place. Default 4194304 (2^22, some 1.7 GB), range 1 to infinity.
+   * Number of facets of the surface that each of several processes (MPI) holds at once. Fewer take
+   * less memory, some 400 bytes each, and more time. Default 4194304. Range 1 to infinity. A
+   * surface of more polygons is cut into chunks of at most this size, which all processes visit in
+   * turn; a smaller one is whole in each. The default takes some 1.7 GB.
    */
   vtkSetClampMacro(FacetsAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(FacetsAtOnce, int);

@@ -59,39 +59,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * How long edges are to be at most, in units of the input; 0: as long as those of the surface
-   * allow. Edges of faces that stay may be longer. Default 0, range 0 to infinity.
-   */
+  /** Upper limit on the length of edges, in units of the input. Edges of faces that stay may be
+   * longer. Default 0: as the edges of the surface allow. Range 0 to infinity. */
   vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
   ///@}
 
   ///@{
-  /**
-   * By how much the length of edges may grow per unit of distance from the surface, where they are
-   * as long as its own. Small values make many cells of nearly the same size. Default 0.35, range
-   * 1e-6 to infinity.
-   */
+  /** Growth of edges per unit of distance from the boundary. Small values make many cells of nearly
+   * the same size. Default 0.35. Range 1e-6 to infinity. */
   vtkSetClampMacro(Grading, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Grading, double);
   ///@}
 
   ///@{
-  /**
-   * How large cells are to be at most, in cubic units of the input; 0: any size. Default 0, range 0
-   * to infinity.
-   */
+  /** Upper limit on the volume of cells, in a plane on their area, in units of the input. Default
+   * 0: any size. Range 0 to infinity. */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
   ///@}
 
   ///@{
-  /**
-   * The point array of the input, of the background, or of both, that has how long edges are to be
-   * there, positive; NaN where it does not matter. The least of all wishes counts. Default "":
-   * none.
-   */
+  /** Point array of edge lengths: of the input, of the background, or of both. Default empty: none.
+   * Lengths are positive; NaN asks for nothing. The least of all lengths counts. */
   vtkSetMacro(SizingArrayName, std::string);
   virtual const char* GetSizingArrayName() const { return this->SizingArrayName.c_str(); }
   ///@}
@@ -106,12 +96,11 @@ public:
 
   ///@{
   /**
-   * What becomes of the triangles of the boundary, and between regions. KEPT: each stays as it is,
-   * bit by bit. SPLIT: points are added on them, so that long and thin ones become pieces that are
-   * not; all points that were there stay, and the pieces lie in the triangles' planes, within
-   * rounding. REMESHED: triangles of the edge length that is asked for take their place, no farther
-   * away than SurfaceTolerance; edges above FeatureAngle stay where they are. What would touch
-   * another part of the boundary so stays as it is. Default KEPT.
+   * Treatment of the triangles of the boundary and between regions. KEPT: each stays, bit by bit.
+   * SPLIT: they are split, so that long and thin ones do not make thin cells. REMESHED: others of
+   * the edge length asked for take their place, within SurfaceTolerance. Default KEPT. SPLIT keeps
+   * all points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges
+   * above FeatureAngle, and triangles whose replacement would touch another part of the boundary.
    */
   vtkSetClampMacro(Surface, int, KEPT, REMESHED);
   vtkGetMacro(Surface, int);
@@ -119,29 +108,24 @@ public:
 
   ///@{
   /**
-   * Where the surface is REMESHED: how far the new one may be from the old one, and the old one
-   * from the new one, in units of the input; 0: a thousandth of the longest edge of its bounding
-   * box. Default 0, range 0 to infinity.
+   * Upper limit on the distance between a remeshed boundary and the old one, both ways, in units of
+   * the input. Default 0: a thousandth of the longest edge of the bounding box. Range 0 to
+   * infinity.
    */
   vtkSetClampMacro(SurfaceTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SurfaceTolerance, double);
   ///@}
 
   ///@{
-  /**
-   * Where the surface is REMESHED: edges stay where they are between triangles whose normals differ
-   * by more than this, but for those of steps lower than SurfaceTolerance. In degrees; default 30,
-   * range 0 to 180.
-   */
+  /** Angle between normals, in degrees, above which edges of a remeshed boundary stay. Default 30.
+   * Range 0 to 180. Edges of steps lower than SurfaceTolerance do not stay. */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
   ///@{
-  /**
-   * Cells of second order (vtkQuadraticTetra): ten points each, of which six lie amid the straight
-   * edges, shared with the neighbours. Their ids follow those of the corners. Default off.
-   */
+  /** Make cells of second order (vtkQuadraticTetra), with mid-edge nodes on the straight edges.
+   * Default off. Neighbors share the mid-edge nodes, whose ids follow those of the corners. */
   vtkSetMacro(QuadraticCells, bool);
   vtkGetMacro(QuadraticCells, bool);
   vtkBooleanMacro(QuadraticCells, bool);

@@ -137,12 +137,12 @@ public:
 
   ///@{
   /**
-   * An option of GetWindingNumber(): points at most this far apart become one. It closes gaps
-   * between bodies, with a warning for each kind. A facet all of whose corners are that near to the
-   * plane of a facet of an earlier body is moved into it: faces that were turned, and touch but for
-   * rounding, need that; a warning names the tolerance, and Statistics_NearTriangles counts these
-   * triangles. Cells between bodies that are nowhere farther from either become cells of the last
-   * of them in the order of Priority; see Statistics_GapCells and Statistics_GapVolume.
+   * An option of GetWindingNumber(). It closes gaps between bodies, with a warning for each kind. A
+   * facet all of whose corners are that near to the plane of a facet of an earlier body is moved
+   * into it: faces that touch but for rounding need that; a warning names the tolerance, and
+   * Statistics_NearTriangles counts these triangles. Cells between bodies that are nowhere farther
+   * from either become cells of the last of them in the order of Priority (Statistics_GapCells
+   * and Statistics_GapVolume).
    */
   void SetMergeTolerance(double tolerance);
   double GetMergeTolerance();
@@ -150,10 +150,10 @@ public:
 
   ///@{
   /**
-   * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT is for one body, goes together
-   * neither with MergeCoplanarPieces nor with SplitSeams, and with Refine takes Surface KEPT. Where
-   * cells join all around what touches, as around two cavities, the boundary (output 1) alone has
-   * several points in a place, whose cells share one; a warning counts them.
+   * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
+   * Refine, Surface KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells join all
+   * around what touches, as around two cavities, only the boundary has several points at one
+   * location, whose cells share one; a warning counts them.
    */
   void SetGamma(double gamma);
   double GetGamma();
@@ -171,7 +171,7 @@ public:
   ///@}
 
   ///@{
-  /** Fill output 3. Default off. */
+  /** Fill output 3, the hull: all cells, with w and Inside. Default off. */
   vtkSetMacro(GenerateHull, bool);
   vtkGetMacro(GenerateHull, bool);
   vtkBooleanMacro(GenerateHull, bool);
@@ -182,19 +182,19 @@ public:
   void SetExtractInside(bool extract);
 
   ///@{
-  /** Cell array of the surface that chooses the polygons that ConstrainFacets keeps: those whose
-   * value is not 0. Default empty: all. */
+  /** Cell array of the input that chooses the cells that ConstrainFacets keeps: those where it is
+   * not 0. Default empty: all. */
   vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
   vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
   ///@}
 
   ///@{
   /**
-   * Give each of two layers of the solid that overlap, where w is near 2, cells of its own, glued
-   * to that layer alone, so that a limb can be pulled out of another. Both have the arrays of the
-   * cells that they are copies of. Overlaps of more layers, and those whose faces do not tell the
-   * layers apart, stay glued; a warning counts them. Requires one body and, with Refine, Surface
-   * KEPT; excludes MergeCoplanarPieces and SplitSeams. Default off: the solid has every place once.
+   * Give each of two layers of the solid that overlap cells of its own, so that a limb can be
+   * pulled out of another. Default off: the solid fills every place once. Layers overlap where w is
+   * near 2. Both have the arrays of the cells that they are copies of. Overlaps of more layers, and
+   * those whose faces do not tell the layers apart, stay glued; a warning counts them. Requires one
+   * body and, with Refine, Surface KEPT; excludes MergeCoplanarPieces and SplitSeams.
    */
   vtkSetMacro(SeparateOverlaps, bool);
   vtkGetMacro(SeparateOverlaps, bool);
@@ -211,9 +211,9 @@ public:
 
   ///@{
   /**
-   * Join the pieces of an input triangle on the boundary (output 1), where all of it lies there and
-   * no other triangle needs the points between. The boundary stays watertight, but not all of its
-   * triangles are faces of cells. Default off.
+   * Join the pieces of an input triangle on the boundary where all of it lies there. Default off:
+   * the triangles of the boundary are faces of cells. Pieces stay where another triangle needs the
+   * points between. The boundary stays watertight.
    */
   vtkSetMacro(MergeCoplanarPieces, bool);
   vtkGetMacro(MergeCoplanarPieces, bool);
@@ -222,11 +222,10 @@ public:
 
   ///@{
   /**
-   * Keep all texture coordinates and normals of input points in one place. Off: these points are
-   * one point of the boundary (output 1), with the data of the lowest id; a warning counts them.
-   * On: the boundary has a point for each, so that every triangle has the data of the input
-   * triangle that it lies on; it is watertight by coordinates, not by ids. Statistics_SeamPoints
-   * counts such points of the input. Default off.
+   * Give the boundary a point for each of the input's texture coordinates and normals at one
+   * location. Default off: one point, with the data of the lowest id. Every triangle of the
+   * boundary then has the data of the input triangle that it lies on; it is watertight by
+   * coordinates, not by ids. Statistics_SeamPoints counts such points of the input.
    */
   vtkSetMacro(SplitSeams, bool);
   vtkGetMacro(SplitSeams, bool);
@@ -235,15 +234,13 @@ public:
 
   ///@{
   /**
-   * Make only the surfaces, outputs 1 and 2; output 0 has field data and no cells. The boundary of
-   * a closed input is then found without tetrahedra, at the speed of vtkResolveSelfIntersections,
-   * from the winding numbers on both sides of its facets: the same solid, whose boundary is
-   * watertight, without self-intersections, inner walls and duplicates. Tetrahedra are made all the
-   * same where the input is open, has facets that could not be resolved or nothing inside; for
-   * bodies, GenerateHull, Refine, seeds, ConstrainFacets, NonManifold, SeparateOverlaps, a choice
-   * of regions, FillCavities, Topology and DataTerm; and for a Gamma or Sigma above the default.
-   * Statistics_Tetrahedra says which way was taken (1 or 0). Without tetrahedra the statistics are
-   * those of the input and of the boundary, and Volume. Default off.
+   * Make only the surfaces; the boundary of a closed input is found without tetrahedra, at the
+   * speed of resolving self-intersections. Default off. Output 0 has no cells then. Tetrahedra are
+   * made all the same where the input is open, has facets that could not be resolved or nothing
+   * inside; for bodies, GenerateHull, Refine, seeds, ConstrainFacets, NonManifold,
+   * SeparateOverlaps, a choice of regions, FillCavities, Topology and DataTerm; and for a Gamma or
+   * Sigma above the default. Statistics_Tetrahedra says which way was taken (1 or 0). Without
+   * tetrahedra the statistics are those of the input and of the boundary, and Volume.
    */
   vtkSetMacro(SurfaceOnly, bool);
   vtkGetMacro(SurfaceOnly, bool);
@@ -252,12 +249,12 @@ public:
 
   ///@{
   /**
-   * Name of a cell array of the input, of one integer or string per cell: what becomes the
-   * boundary's array BoundaryTag. Strings are numbered in the order of their first cells, integers
-   * in their own order; these are called as the field array of strings says that goes with the
-   * array (GroupNames with GroupIds, PartNames with Part), or else as they are written; floats have
-   * to be whole numbers. Default empty: the first of BoundaryTag, GroupIds, MaterialIds and
-   * STLSolidLabeling that tells polygons apart, or the blocks of a composite input.
+   * Cell array of the input, one integer or string per cell, that tags the boundary. Default empty:
+   * its groups, materials or solids do, or the blocks of a composite input. Strings are numbered in
+   * the order of their first cells, integers in their own order. Integers are called by the field
+   * array of strings that goes with the array (GroupNames with GroupIds, PartNames with Part), or
+   * else as they are written; floats have to be whole numbers. Empty is the first of BoundaryTag,
+   * GroupIds, MaterialIds and STLSolidLabeling that tells polygons apart, or the blocks.
    */
   vtkSetStdStringFromCharMacro(TagArrayName);
   vtkGetCharFromStdStringMacro(TagArrayName);
@@ -265,9 +262,10 @@ public:
 
   ///@{
   /**
-   * Name of a cell array of the input, of one integer or string per cell, as TagArrayName: which
-   * body each cell is of. Bodies are numbered and called as tags are: those of an OBJ file by
-   * GroupIds, of an STL file of several solids too. Default empty: all is one body.
+   * Cell array of the input, one integer or string per cell, that says which body each cell belongs
+   * to. All bodies become one mesh, with a region for each. Default empty: all is one body. Bodies
+   * are numbered and called as tags are: those of an OBJ file by GroupIds, of an STL file of
+   * several solids too.
    */
   vtkSetStdStringFromCharMacro(BodyArrayName);
   vtkGetCharFromStdStringMacro(BodyArrayName);
@@ -275,10 +273,10 @@ public:
 
   ///@{
   /**
-   * Make one mesh of a composite input, whose blocks are bodies with the blocks' names.
-   * vtkOriginalPointIds then count the points of all blocks, one block after the other, and
-   * vtkOriginalCellIds their cells: vertices of all blocks, then lines, polygons and strips.
-   * Default off: each block becomes its own solid.
+   * Make one mesh of a composite input, whose blocks are the bodies. Default off: each block
+   * becomes its own solid. vtkOriginalPointIds then count the points of all blocks, one block after
+   * the other, and vtkOriginalCellIds their cells: vertices of all blocks, then lines, polygons and
+   * strips.
    */
   void SetBlocksAreBodies(bool blocksAreBodies);
   vtkGetMacro(BlocksAreBodies, bool);
@@ -287,11 +285,10 @@ public:
 
   ///@{
   /**
-   * Number of blocks of a composite data set that are resolved and meshed at once, each by one
-   * thread; at most as many as threads may work (OMP_NUM_THREADS). The solids are the same, bit by
-   * bit. It pays where blocks are many and small. Each takes the memory that it takes alone, and
-   * eight hulls per thread are kept until their turn. Without effect on a single surface and with
-   * BlocksAreBodies. Default 1. Range 1 to infinity.
+   * Number of blocks of a composite data set that are meshed at once, each by one thread. Default
+   * 1. Range 1 to infinity. The solids are the same, bit by bit. Limited to the threads that may
+   * work (OMP_NUM_THREADS). Each block takes the memory that it takes alone, and eight hulls per
+   * thread wait for their turn. Without effect on a single surface and with BlocksAreBodies.
    */
   vtkSetClampMacro(BlocksAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(BlocksAtOnce, int);
@@ -299,18 +296,15 @@ public:
 
   ///@{
   /**
-   * Tetrahedralize parts of the surface whose bounding boxes do not meet apart, each in a convex
-   * hull of its own by a thread of its own, without cells between them. That saves time where a
-   * surface has many parts: with 27 on two threads the tetrahedra took 0.6 of the time. All pieces
-   * that have open edges or lie in a plane are one part. Statistics_PartsApart counts the parts.
-   *
-   * The solid of a closed surface fills the same space; its boundary has the same triangles, except
-   * where Statistics_SurfaceSteinerPoints counts points added on them, and its regions weigh the
-   * same, within rounding. The tetrahedra, the order of regions and points, the energies and what
-   * constraints add are different. Where the surface is open each cell has the w of the whole
-   * surface, but nothing beyond the hulls of the parts is inside; a warning tells of seeds there.
-   * Output 3 has the hulls of the parts. TimeBudget is for all parts, MemoryBudget for each.
-   * Requires one body and TOPOLOGY_ANY. Default off.
+   * Tetrahedralize parts of the surface whose bounding boxes do not meet apart, by several threads
+   * at once, without cells between them. The solid of a closed surface is the same, in other
+   * tetrahedra. Default off. All pieces that have open edges or lie in a plane are one part. 27
+   * parts took 0.6 of the time on two threads. Statistics_PartsApart counts the parts. The boundary
+   * of a closed surface has the same triangles, except where Statistics_SurfaceSteinerPoints counts
+   * points added on them; tetrahedra, the order of regions and points, and energies are different.
+   * Where the surface is open, nothing beyond the hulls of the parts is inside; a warning tells of
+   * seeds there. Output 3 has these hulls. TimeBudget is for all parts, MemoryBudget for each.
+   * Requires one body and TOPOLOGY_ANY.
    */
   vtkSetMacro(PartsApart, bool);
   vtkGetMacro(PartsApart, bool);
@@ -326,10 +320,10 @@ public:
 
   ///@{
   /**
-   * What becomes a region where there are bodies. BY_PRIORITY (0): each body is a region with the
-   * body's number; where bodies overlap the first in Priority has the cell, and a body that others
-   * cover whole has none. ALL (1): each combination of bodies that occurs is a region; the field
-   * array RegionBodies says which bodies it is of. Default BY_PRIORITY.
+   * Regions that bodies become. BY_PRIORITY: one for each body; where several overlap, the first in
+   * Priority has the cell. ALL: one for each combination of bodies that occurs. Default
+   * BY_PRIORITY. BY_PRIORITY gives a region the body's number; a body that others cover whole has
+   * none. With ALL the field array RegionBodies says which bodies a region is of.
    */
   vtkSetClampMacro(RegionRule, int, BY_PRIORITY, ALL);
   vtkGetMacro(RegionRule, int);
@@ -337,18 +331,21 @@ public:
 
   ///@{
   /**
-   * The names of bodies, separated by commas, from the one that has cells before all others; bodies
-   * that are not named follow in their own order. A comma within a name is written \, and a
-   * backslash \\. Naming what is no body, or one twice, is an error. Default empty.
+   * Names of bodies, separated by commas, from the one that has cells before all others. Default
+   * empty: the bodies' own order. Bodies that are not named follow in their own order. A comma
+   * within a name is written \, and a backslash \\. Naming what is no body, or one twice, is an
+   * error.
    */
   vtkSetStdStringFromCharMacro(Priority);
   vtkGetCharFromStdStringMacro(Priority);
   ///@}
 
   ///@{
-  /** Replace the cells of output 0 by better ones, as GetRefinement() says. Points that stay keep
-   * their vtkOriginalPointIds. Where the surface is remeshed, edges between triangles of different
-   * tags stay where they are. Default off. */
+  /**
+   * Replace the cells of the solid by better ones, as the options of refinement say. Default off.
+   * Points that stay keep their vtkOriginalPointIds. Where the surface is remeshed, edges between
+   * triangles of different tags stay.
+   */
   vtkSetMacro(Refine, bool);
   vtkGetMacro(Refine, bool);
   vtkBooleanMacro(Refine, bool);

@@ -108,24 +108,22 @@ public:
   ///@}
 
   ///@{
-  /** Fill the outputs 3 and 4. Default off. */
+  /** Fill outputs 3 and 4: the hull, with w and Inside, and the resolved lines. Default off. */
   vtkSetMacro(GenerateHull, bool);
   vtkGetMacro(GenerateHull, bool);
   vtkBooleanMacro(GenerateHull, bool);
   ///@}
 
   ///@{
-  /** Replace the triangles inside by better ones, as GetRefinement() says. Default off. */
+  /** Replace the triangles inside by better ones, as the options of refinement say. Default off. */
   vtkSetMacro(Refine, bool);
   vtkGetMacro(Refine, bool);
   vtkBooleanMacro(Refine, bool);
   ///@}
 
   ///@{
-  /**
-   * A cell array of the input that chooses which cells ConstrainFacets keeps: those whose value is
-   * not 0. Default empty: all.
-   */
+  /** Cell array of the input that chooses the cells that ConstrainFacets keeps: those where it is
+   * not 0. Default empty: all. */
   vtkSetStdStringFromCharMacro(ConstrainedFacetsArrayName);
   vtkGetCharFromStdStringMacro(ConstrainedFacetsArrayName);
   ///@}
@@ -147,9 +145,9 @@ public:
 
     ///@{
     /**
-     * Name of a cell array of the input, of one integer or string per cell, that becomes the
-     * boundary's array BoundaryTag; see vtkRobustTetrahedralize. Default empty: groups, materials
-     * or blocks of the input.
+     * Cell array of the input, one integer or string per cell, that tags the boundary. Default
+     * empty: its groups, materials or blocks do. The tags become the boundary's array BoundaryTag;
+     * see vtkRobustTetrahedralize.
      */
     vtkSetStdStringFromCharMacro(TagArrayName);
   vtkGetCharFromStdStringMacro(TagArrayName);

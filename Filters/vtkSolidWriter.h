@@ -68,10 +68,8 @@ public:
   };
 
   ///@{
-  /**
-   * Which version of gmsh's format a .msh file has: MSHVERSION_4_1 (0), or MSHVERSION_2_2 (1) for
-   * programs that do not read the first. Default MSHVERSION_4_1.
-   */
+  /** Version of gmsh's format that a .msh file has: MSHVERSION_4_1, or MSHVERSION_2_2 for programs
+   * that do not read the first. Default MSHVERSION_4_1. */
   vtkSetClampMacro(MshVersion, int, MSHVERSION_4_1, MSHVERSION_2_2);
   vtkGetMacro(MshVersion, int);
   ///@}

@@ -67,12 +67,12 @@ public:
 
   ///@{
   /**
-   * What to make of the bodies. Operators are | or + (union), & (intersection), - (difference) and
-   * ^ (symmetric difference), with the precedence that they have in Python and C++: + and - first,
-   * then &, then ^, then |; of equal ones the left first. Parentheses go before all. A body is
-   * called by its name, in quotes where that is more than letters, digits and underscores; by its
-   * number, #1 the first; or by a letter, A the first, where none has that name. Default empty:
-   * Operation says it.
+   * Set expression of the bodies, such as A - (B | C). Operators are | or + (union), &
+   * (intersection), - (difference) and ^ (symmetric difference). Default empty: Operation says it.
+   * The precedence is that of Python and C++: + and - first, then &, then ^, then |; among equals
+   * the left first. Parentheses go before all. A body is called by its name, in quotes where that
+   * is more than letters, digits and underscores; by its number, #1 the first; or by a letter, A
+   * the first, where none has that name.
    */
   vtkSetStdStringFromCharMacro(Expression);
   vtkGetCharFromStdStringMacro(Expression);
@@ -80,9 +80,9 @@ public:
 
   ///@{
   /**
-   * What to make of all bodies where Expression is empty: what is in one of them at least (Union,
-   * 0, the default), in all of them (Intersection, 1), in the first and no other (Difference, 2),
-   * or in an odd number of them (SymmetricDifference, 3).
+   * Set operation of all bodies where Expression is empty. UNION: what is in at least one of them;
+   * INTERSECTION: in all; DIFFERENCE: in the first and no other; SYMMETRIC_DIFFERENCE: in an odd
+   * number. Default UNION.
    */
   vtkSetClampMacro(Operation, int, UNION, SYMMETRIC_DIFFERENCE);
   vtkGetMacro(Operation, int);
@@ -101,10 +101,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Make tetrahedra even where all bodies are closed, and give those of the result as output 1.
-   * Default off: they are made only where a body is open.
-   */
+  /** Make tetrahedra even where all bodies are closed, and give those of the result as output 1.
+   * Default off: only where a body is open. */
   vtkSetMacro(Tetrahedra, bool);
   vtkGetMacro(Tetrahedra, bool);
   vtkBooleanMacro(Tetrahedra, bool);

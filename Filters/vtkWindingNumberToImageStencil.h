@@ -43,10 +43,8 @@ public:
   void SetInputData(vtkPolyData* surface);
 
   ///@{
-  /**
-   * A voxel is inside where w at its centre is above this, without unit. Default 0.5, range minus
-   * infinity to infinity.
-   */
+  /** Winding number above which the center of a voxel is inside, without unit. Default 0.5. Range
+   * minus infinity to infinity. */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
   ///@}
