@@ -46,6 +46,18 @@ void vtkGeneralizedWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
 
+HullMeshParameters vtkInsideOut::HullParametersOf(vtkGeneralizedWindingNumber* filter)
+{
+  HullMeshParameters parameters;
+  parameters.Chain = ChainParametersOf(filter);
+  parameters.Orientation = OrientationOf(filter);
+  parameters.Thicken.Width = filter->GetThicken();
+  parameters.Thicken.All = filter->GetThickenAll();
+  parameters.Budgets = DelaunayParametersOf(filter);
+  parameters.QuadratureOrder = filter->GetQuadratureOrder();
+  return parameters;
+}
+
 int vtkGeneralizedWindingNumber::FillInputPortInformation(
   int vtkNotUsed(port), vtkInformation* info)
 {

@@ -57,6 +57,31 @@ void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";
 }
 
+SegmentMeshParameters vtkInsideOut::SegmentParametersOf(vtkGraphCutSegmentation* filter)
+{
+  static_assert(vtkGraphCutSegmentation::UNIFORM == static_cast<int>(DataTerm::Uniform));
+  static_assert(
+    vtkGraphCutSegmentation::VOLUME_WEIGHTED == static_cast<int>(DataTerm::VolumeWeighted));
+  static_assert(vtkGraphCutSegmentation::TOPOLOGY_ANY == static_cast<int>(TopologyGoal::Any));
+  static_assert(vtkGraphCutSegmentation::TOPOLOGY_ONE_COMPONENT ==
+    static_cast<int>(TopologyGoal::OneComponent));
+  static_assert(vtkGraphCutSegmentation::TOPOLOGY_SIMPLY_CONNECTED ==
+    static_cast<int>(TopologyGoal::SimplyConnected));
+  SegmentMeshParameters parameters;
+  parameters.Cut.Gamma = filter->GetGamma();
+  parameters.Cut.Sigma = filter->GetSigma();
+  parameters.Cut.DataTerm = static_cast<DataTerm>(filter->GetDataTerm());
+  parameters.ConstrainFacets = filter->GetConstrainFacets();
+  parameters.FillNonManifold =
+    filter->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_FILL;
+  parameters.Topology.Regions.LargestRegions = filter->GetLargestRegions();
+  parameters.Topology.Regions.MinimumRegionVolume = filter->GetMinimumRegionVolume();
+  parameters.Topology.Regions.SeededRegions = filter->GetSeededRegions();
+  parameters.Topology.Regions.FillCavities = filter->GetFillCavities();
+  parameters.Topology.Goal = static_cast<TopologyGoal>(filter->GetTopology());
+  return parameters;
+}
+
 int vtkGraphCutSegmentation::FillInputPortInformation(int port, vtkInformation* info)
 {
   return vtkInsideOut::FillPort(port, info, "vtkUnstructuredGrid");

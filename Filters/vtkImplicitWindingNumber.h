@@ -103,10 +103,8 @@ public:
     ///@}
 
     ///@{
-    /**
-     * Point array of a cloud, one number per point: the area that each stands for, in squared units
-     * of the surface. Default "Area"; without it the areas are estimated. Areas are at least 0.
-     */
+    /** Point array of the areas that a cloud's points stand for, in squared units of the surface.
+     * Default "Area"; without it the areas are estimated. Areas are at least 0. */
     vtkSetStdStringFromCharMacro(AreaArrayName);
   vtkGetCharFromStdStringMacro(AreaArrayName);
   ///@}

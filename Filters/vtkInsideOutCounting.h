@@ -14,7 +14,7 @@
 #include <string>
 
 /**
- * Orientation: how facets, or in a plane outlines, are turned before they count. AUTOMATIC makes
+ * Orientation: how facets are turned before they count, in a plane outlines. AUTOMATIC makes
  * neighboring facets agree and turns over parts that are inside out, with a warning; cavities stay.
  * AS_GIVEN turns nothing, REVERSE everything, OUTWARD every closed part outward. Default AUTOMATIC.
  * AUTOMATIC leaves the least volume where w is below -1/2; an open sheet turns nothing else over.
@@ -50,7 +50,7 @@ protected:                                                       \
                                                                  \
 public:
 
-/** CountDuplicates: count a polygon, or in a plane a segment, as often as it is given. Default off:
+/** CountDuplicates: count a polygon as often as it is given, in a plane a segment. Default off:
  * copies count once per orientation, and opposite ones cancel. */
 #define vtkInsideOutCountDuplicatesMacro() \
   vtkSetMacro(CountDuplicates, bool);      \
@@ -63,9 +63,9 @@ protected:                                 \
 public:
 
 /**
- * NonParticipatingArrayName: cell array of the input, one number per cell: cells where it is not 0
- * do not count in w. They still shape the mesh. Default empty: every cell counts. Such cells cancel
- * no other. Accessories that are no part of the body are examples.
+ * NonParticipatingArrayName: cell array of the input whose cells do not count in w where it is not
+ * 0, one number per cell. They still shape the mesh. Default empty: every cell counts. Such cells
+ * cancel no other. Accessories that are no part of the body are examples.
  */
 #define vtkInsideOutNonParticipatingMacro()                \
   vtkSetStdStringFromCharMacro(NonParticipatingArrayName); \

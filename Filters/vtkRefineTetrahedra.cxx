@@ -27,7 +27,7 @@ vtkRefineTetrahedra::vtkRefineTetrahedra()
   this->EdgeLength = defaults.Sizes.EdgeLength;
   this->Grading = defaults.Sizes.Grading;
   this->MaximumVolume = defaults.Sizes.MaximumVolume;
-  this->Surface = static_cast<int>(defaults.Surface);
+  this->SurfaceTreatment = static_cast<int>(defaults.Surface);
   this->SurfaceTolerance = defaults.SurfaceTolerance;
   this->FeatureAngle = defaults.FeatureAngle;
 }
@@ -39,10 +39,25 @@ void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Grading: " << this->Grading << "\n";
   os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
   os << indent << "SizingArrayName: " << this->SizingArrayName << "\n";
-  os << indent << "Surface: " << this->Surface << "\n";
+  os << indent << "SurfaceTreatment: " << this->SurfaceTreatment << "\n";
   os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
+}
+
+RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* filter)
+{
+  static_assert(vtkRefineTetrahedra::KEPT == static_cast<int>(SurfaceTreatment::Kept));
+  static_assert(vtkRefineTetrahedra::SPLIT == static_cast<int>(SurfaceTreatment::Split));
+  static_assert(vtkRefineTetrahedra::REMESHED == static_cast<int>(SurfaceTreatment::Remeshed));
+  RefinementParameters parameters;
+  parameters.Sizes.EdgeLength = filter->GetEdgeLength();
+  parameters.Sizes.Grading = filter->GetGrading();
+  parameters.Sizes.MaximumVolume = filter->GetMaximumVolume();
+  parameters.Surface = static_cast<SurfaceTreatment>(filter->GetSurfaceTreatment());
+  parameters.SurfaceTolerance = filter->GetSurfaceTolerance();
+  parameters.FeatureAngle = filter->GetFeatureAngle();
+  return parameters;
 }
 
 int vtkRefineTetrahedra::FillInputPortInformation(int port, vtkInformation* info)

@@ -7,10 +7,10 @@
  * gives other tetrahedra of the same solid: points are added where edges are longer than asked for,
  * and the thin cells are improved as far as points that may move allow it. By default every
  * triangle of the boundary, and between cells of different RegionId (an optional cell array of
- * integers), stays as it is, bit by bit, and so do its points; Surface says what else may become of
- * them. Every cell has a positive volume, exactly, and no triangles of the boundary cross; cells of
- * the input that are turned over are turned back. The same input gives the same output, on any
- * number of threads.
+ * integers), stays as it is, bit by bit, and so do its points; SurfaceTreatment says what else may
+ * become of them. Every cell has a positive volume, exactly, and no triangles of the boundary
+ * cross; cells of the input that are turned over are turned back. The same input gives the same
+ * output, on any number of threads.
  *
  * An optional second input, any data set, is a background: its point array of the name
  * SizingArrayName is how long edges are to be, linear between its points. Outside it there is no
@@ -87,7 +87,7 @@ public:
   ///@}
 
   /** What becomes of the surface. */
-  enum SurfaceType
+  enum SurfaceTreatmentType
   {
     KEPT,
     SPLIT,
@@ -102,8 +102,8 @@ public:
    * all points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges
    * above FeatureAngle, and triangles whose replacement would touch another part of the boundary.
    */
-  vtkSetClampMacro(Surface, int, KEPT, REMESHED);
-  vtkGetMacro(Surface, int);
+  vtkSetClampMacro(SurfaceTreatment, int, KEPT, REMESHED);
+  vtkGetMacro(SurfaceTreatment, int);
   ///@}
 
   ///@{
@@ -117,7 +117,7 @@ public:
   ///@}
 
   ///@{
-  /** Angle between normals, in degrees, above which edges of a remeshed boundary stay. Default 30.
+  /** Angle between normals above which edges of a remeshed boundary stay, in degrees. Default 30.
    * Range 0 to 180. Edges of steps lower than SurfaceTolerance do not stay. */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -151,7 +151,7 @@ protected:
   double Grading;
   double MaximumVolume;
   std::string SizingArrayName;
-  int Surface;
+  int SurfaceTreatment;
   double SurfaceTolerance;
   double FeatureAngle;
   bool QuadraticCells = false;

@@ -314,7 +314,7 @@ void vtkRobustTetrahedralize::CheckOptions()
   {
     refuse(pieces + " does not go together with " + parting);
   }
-  const bool isKept = this->Refinement->GetSurface() == vtkRefineTetrahedra::KEPT;
+  const bool isKept = this->Refinement->GetSurfaceTreatment() == vtkRefineTetrahedra::KEPT;
   if (this->Refine && !isKept && (this->PartsSolid() || changesPieces))
   {
     refuse((changesPieces ? pieces : parting) +

@@ -63,8 +63,8 @@
  * they touch in; SolidEulerCharacteristic; those of the boundary; Genus, half of BoundaryTunnels.
  *
  * Refine replaces the solid's cells, and its arrays as vtkRefineTetrahedra describes; InsideCells
- * counts the cells before. Where Surface is not KEPT output 1 is the boundary of the new cells, its
- * point data interpolated in the triangles before.
+ * counts the cells before. Where SurfaceTreatment is not KEPT output 1 is the boundary of the new
+ * cells, its point data interpolated in the triangles before.
  *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.
@@ -151,8 +151,8 @@ public:
   ///@{
   /**
    * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
-   * Refine, Surface KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells join all
-   * around what touches, as around two cavities, only the boundary has several points at one
+   * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells join
+   * all around what touches, as around two cavities, only the boundary has several points at one
    * location, whose cells share one; a warning counts them.
    */
   void SetGamma(double gamma);
@@ -194,7 +194,7 @@ public:
    * pulled out of another. Default off: the solid fills every place once. Layers overlap where w is
    * near 2. Both have the arrays of the cells that they are copies of. Overlaps of more layers, and
    * those whose faces do not tell the layers apart, stay glued; a warning counts them. Requires one
-   * body and, with Refine, Surface KEPT; excludes MergeCoplanarPieces and SplitSeams.
+   * body and, with Refine, SurfaceTreatment KEPT; excludes MergeCoplanarPieces and SplitSeams.
    */
   vtkSetMacro(SeparateOverlaps, bool);
   vtkGetMacro(SeparateOverlaps, bool);
@@ -249,7 +249,7 @@ public:
 
   ///@{
   /**
-   * Cell array of the input, one integer or string per cell, that tags the boundary. Default empty:
+   * Cell array of the input that tags the boundary, one integer or string per cell. Default empty:
    * its groups, materials or solids do, or the blocks of a composite input. Strings are numbered in
    * the order of their first cells, integers in their own order. Integers are called by the field
    * array of strings that goes with the array (GroupNames with GroupIds, PartNames with Part), or
@@ -262,9 +262,9 @@ public:
 
   ///@{
   /**
-   * Cell array of the input, one integer or string per cell, that says which body each cell belongs
-   * to. All bodies become one mesh, with a region for each. Default empty: all is one body. Bodies
-   * are numbered and called as tags are: those of an OBJ file by GroupIds, of an STL file of
+   * Cell array of the input that says which body each cell belongs to, one integer or string per
+   * cell. All bodies become one mesh, with a region for each. Default empty: all is one body.
+   * Bodies are numbered and called as tags are: those of an OBJ file by GroupIds, of an STL file of
    * several solids too.
    */
   vtkSetStdStringFromCharMacro(BodyArrayName);
@@ -331,7 +331,7 @@ public:
 
   ///@{
   /**
-   * Names of bodies, separated by commas, from the one that has cells before all others. Default
+   * Names of bodies from the one that has cells before all others, separated by commas. Default
    * empty: the bodies' own order. Bodies that are not named follow in their own order. A comma
    * within a name is written \, and a backslash \\. Naming what is no body, or one twice, is an
    * error.

@@ -167,7 +167,7 @@ void vtkRobustTriangulate::CheckOptions()
     throw Error(ErrorCode::InvalidParameter,
       "QuadraticCells makes tetrahedra only, and the input lies in a plane");
   }
-  if (this->Refine && this->Refinement->GetSurface() == vtkRefineTetrahedra::REMESHED)
+  if (this->Refine && this->Refinement->GetSurfaceTreatment() == vtkRefineTetrahedra::REMESHED)
   {
     throw Error(ErrorCode::InvalidParameter,
       "the input lies in a plane, where the boundary can be kept or split, not remeshed");

@@ -85,10 +85,10 @@ public:
   ///@{
   /**
    * The stage whose options Refine goes by: EdgeLength, Grading, MaximumVolume (an area here) and
-   * Surface. KEPT: the boundary and all lines at inside triangles stay. SPLIT: they are cut, so
-   * that no angle is below 20.7 degrees except at sharp corners; a warning tells where such corners
-   * are too close to each other. REMESHED and QuadraticCells are errors. Its inputs and outputs are
-   * not used. Never null: setting null does nothing.
+   * SurfaceTreatment. KEPT: the boundary and all lines at inside triangles stay. SPLIT: they are
+   * cut, so that no angle is below 20.7 degrees except at sharp corners; a warning tells where such
+   * corners are too close to each other. REMESHED and QuadraticCells are errors. Its inputs and
+   * outputs are not used. Never null: setting null does nothing.
    */
   void SetRefinement(vtkRefineTetrahedra* refinement);
   vtkRefineTetrahedra* GetRefinement();
@@ -145,7 +145,7 @@ public:
 
     ///@{
     /**
-     * Cell array of the input, one integer or string per cell, that tags the boundary. Default
+     * Cell array of the input that tags the boundary, one integer or string per cell. Default
      * empty: its groups, materials or blocks do. The tags become the boundary's array BoundaryTag;
      * see vtkRobustTetrahedralize.
      */

@@ -109,7 +109,7 @@ def draw(results: dict, file: str) -> None:
 def main(picture_file=None) -> None:
     results = {
         "The mask counts": insideout.tetrahedralize(scene()),
-        "The mask does not count": insideout.tetrahedralize(scene(), non_participating=ARRAY),
+        "The mask does not count": insideout.tetrahedralize(scene(), non_participating_array=ARRAY),
     }
     for name, result in results.items():
         print(

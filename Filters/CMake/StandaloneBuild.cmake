@@ -100,7 +100,18 @@ install(FILES
   ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfig.cmake
   ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfigVersion.cmake
   DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+
+# The page of all options.
+set(reference ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DOCDIR}/Options.md)
+file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/Filters/vtk*.h)
+get_filename_component(reference_folder ${reference} DIRECTORY)
+file(MAKE_DIRECTORY ${reference_folder})
+add_custom_command(
+  OUTPUT  ${reference}
+  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/write-reference.py ${PROJECT_SOURCE_DIR}/Filters ${reference}
+  DEPENDS ${CMAKE_CURRENT_LIST_DIR}/write-reference.py ${CMAKE_CURRENT_LIST_DIR}/declared_options.py ${headers})
+add_custom_target(InsideOutReference ALL DEPENDS ${reference})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${reference}
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if (INSIDEOUT_USE_TETGEN)
   install(FILES ${PROJECT_SOURCE_DIR}/Filters/Tetgen/LICENSE

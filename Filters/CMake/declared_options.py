@@ -48,7 +48,7 @@ class Declared:
     @property
     def brief(self) -> str:
         """The words up to the default and the range."""
-        found = re.match(r".*?\bDefault .*?\.(?= [A-Z]|$)(?: Range .*?\.(?= |$))?", self.words)
+        found = re.match(r".*?\bDefault .*?\.(?= |$)(?: Range .*?\.(?= |$))?", self.words)
         return found[0] if found else self.words
 
     def choices(self) -> dict[int, str]:

@@ -94,8 +94,8 @@ def refinement(on: Settings) -> list[tuple[str, list[object], Settings]]:
     short = {**on, **SHORT_EDGES}
     return [
         *[("EdgeLength", [Length(0.125)], on), ("Grading", [0.125, 2], on), ("MaximumVolume", [Length(1 / 256, 3)], on)],
-        *[("Surface", [1, 2], short), ("SurfaceTolerance", [Length(1 / 64)], {**short, "Surface": 2})],
-        *[("FeatureAngle", [60], {**short, "Surface": 2}), ("QuadraticCells", [True], on)],
+        *[("SurfaceTreatment", [1, 2], short), ("SurfaceTolerance", [Length(1 / 64)], {**short, "SurfaceTreatment": 2})],
+        *[("FeatureAngle", [60], {**short, "SurfaceTreatment": 2}), ("QuadraticCells", [True], on)],
     ]
 
 
@@ -110,9 +110,9 @@ TETRAHEDRALIZE = [
     *[("BodyArrayName", ["Part"], {}), ("RegionRule", [1], BODIES), ("Priority", ["two,one"], BODIES)],
     *[("Hull", [True], BODIES), ("SeedsData", ["@seeds"], BODIES), ("MergeTolerance", [Length(1 / 128)], BODIES), ("Topology", [2], BODIES)],
     *[("LargestRegions", [1], BODIES), ("TagArrayName", ["Part"], BODIES), ("SurfaceOnly", [True], BODIES), ("ConstrainFacets", [True], BODIES)],
-    *[("NonManifold", [1, 2], BODIES), ("Refine", [True], BODIES), ("Surface", [1, 2], {**BODIES, **REFINE_SHORT})],
+    *[("NonManifold", [1, 2], BODIES), ("Refine", [True], BODIES), ("SurfaceTreatment", [1, 2], {**BODIES, **REFINE_SHORT})],
     *[("BlocksAtOnce", [2], {}), ("BlocksAreBodies", [True], {}), ("RegionRule", [1], BLOCKS)],
-    *[("MergeTolerance", [Length(1 / 128)], BLOCKS), ("Refine", [True], BLOCKS), ("Surface", [2], {**BLOCKS, **REFINE_SHORT})],
+    *[("MergeTolerance", [Length(1 / 128)], BLOCKS), ("Refine", [True], BLOCKS), ("SurfaceTreatment", [2], {**BLOCKS, **REFINE_SHORT})],
 ]
 BOOLEAN = [
     *[("Operation", [1, 2, 3], {}), ("Operation", [0, 1, 2, 3], {"Tetrahedra": True}), ("Expression", ["B - A", "(A + B", "#1 ^ #2"], {})],

@@ -102,7 +102,7 @@ class TestBodies(unittest.TestCase):
         for cell in range(surface.GetNumberOfCells()):
             names.InsertNextValue("spleen" if cell < 12 else "liver")
         surface.GetCellData().AddArray(names)
-        result = insideout.tetrahedralize(surface, bodies="Organ")
+        result = insideout.tetrahedralize(surface, body_array="Organ")
         self.assertEqual({name: round(volume, 12) for name, volume in result.bodies.items()}, {"spleen": 8, "liver": 12})
         self.assertEqual(insideout.tetrahedralize(surface).bodies, {})
 
@@ -258,14 +258,14 @@ class TestBodies(unittest.TestCase):
             ({"separate_overlaps": True}, "SeparateOverlaps takes one body"),
             ({"non_manifold": "split"}, "NonManifold of the kind Split takes one body"),
             ({"separate_overlaps": True, "progress": self.fail_on_work}, "SeparateOverlaps takes one body"),
-            ({"bodies": "Organ"}, "bodies names an array of one surface"),
+            ({"body_array": "Organ"}, "body_array names an array of one surface"),
         ):
             with self.subTest(wrong), self.assertRaisesRegex(insideout.Error, words):
                 insideout.tetrahedralize(bodies, **wrong)
         with self.assertRaisesRegex(insideout.Error, "none of the bodies has polygons"):
             insideout.tetrahedralize({"left": vtkPolyData(), "right": vtkPolyData()})
         with self.assertRaisesRegex(insideout.Error, "no cell array Organ"):
-            insideout.tetrahedralize(LEFT, bodies="Organ")
+            insideout.tetrahedralize(LEFT, body_array="Organ")
         with self.assertRaisesRegex(insideout.Error, "body right: "):
             insideout.tetrahedralize({"left": LEFT, "right": "missing.ply"})
 
@@ -304,7 +304,7 @@ class TestCommand(unittest.TestCase):
 
     def test_what_makes_no_sense_is_said(self):
         for arguments, words in (
-            (("--together", "left.ply", "right.ply", "both.vtu", "--bodies", "Part"), "it goes without --bodies"),
+            (("--together", "left.ply", "right.ply", "both.vtu", "--body-array", "Part"), "it goes without --body-array"),
             (("--together", "--check", "left.ply", "right.ply"), "--check meshes nothing: it goes without --together"),
             (("--together", "left.ply", "missing.ply", "both.vtu"), "missing.ply"),
         ):

@@ -70,12 +70,12 @@ class Success(CommandLine):
                         **{"scale": 1, "engine": "automatic", "dimension": "automatic", "data_term": "uniform", "orientation": "automatic"},
                         **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
                         **{"thicken": 0, "thicken_all": False},
-                        **{"constrain_facets": False, "non_manifold": "keep", "separate_overlaps": False},
+                        **{"constrain_facets": False, "constrained_facets_array": None, "non_manifold": "keep", "separate_overlaps": False},
                         **{"largest_regions": 0, "minimum_region_volume": 0, "seeded_regions": False, "fill_cavities": False, "topology": "any"},
-                        **{"tag_array": None, "non_participating": None, "merge_coplanar_pieces": False, "split_seams": False, "surface_only": False},
-                        **{"bodies": None, "parts_apart": False, "region_rule": "by-priority", "priority": None},
+                        **{"tag_array": None, "non_participating_array": None, "merge_coplanar_pieces": False, "split_seams": False, "surface_only": False},
+                        **{"body_array": None, "parts_apart": False, "region_rule": "by-priority", "priority": None},
                         **{"refine": False, "edge_length": 0, "grading": 0.35, "maximum_volume": 0, "surface_treatment": "kept"},
-                        **{"surface_tolerance": 0, "feature_angle": 30, "quadratic": False},
+                        **{"surface_tolerance": 0, "feature_angle": 30, "quadratic_cells": False},
                     },
                 )
                 self.assertEqual(found["tetrahedralizer"], "exact flips and cuts")
@@ -191,7 +191,7 @@ class Success(CommandLine):
         surfaces.add_array(surface.GetCellData(), "Second", np.repeat([0, 1, 0], [12, 12, 1]))
         boundary = self.path("boundary.vtp")
         source = self.file("boxes.vtp", surface)
-        done = run(source, self.output, "--boundary", boundary, "--non-participating", "Second")
+        done = run(source, self.output, "--boundary", boundary, "--non-participating-array", "Second")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertAlmostEqual(float(sum(surfaces.exact_volumes(read_grid(self.output)))), 1, delta=1e-12)
         self.assertIn("12 facets that do not count, as asked", done.stdout)
@@ -200,13 +200,13 @@ class Success(CommandLine):
         self.assertGreater(pieces, 12)
 
         merged = run(
-            *(source, self.output, "--boundary", boundary, "--non-participating", "Second"),
+            *(source, self.output, "--boundary", boundary, "--non-participating-array", "Second"),
             *("--merge-coplanar-pieces", "--split-seams"),
         )
         self.assertEqual(merged.returncode, 0, merged.stderr)
         self.assertEqual(read_surface(boundary)[0].GetNumberOfCells(), 12)
         os.remove(self.output)
-        self.check_failure(run(source, self.output, "--non-participating", "Third"), "no cell array Third")
+        self.check_failure(run(source, self.output, "--non-participating-array", "Third"), "no cell array Third")
 
     def test_empty_outliers_are_written_in_every_format(self):
         source = self.file("box.ply", surfaces.box())

@@ -5,6 +5,7 @@ import inspect
 import math
 import re
 import runpy
+import sys
 import typing
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -17,11 +18,15 @@ import surfaces
 from insideout import arguments
 from insideout.help import screen_of
 from insideout.option_kinds import Choice, Count, Dimensions, Number, Option, Order, Scale, Switch, owner_of
-from insideout.options import OPTIONS, Options, flag_of
+from insideout.options import DEFAULTS, OPTIONS, Options, flag_of, help_of
+from insideout.usage import OTHER_FLAGS
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 ROOT = Path(__file__).resolve().parents[2]
 PLUGIN = ROOT / "Plugin"
+sys.path.insert(0, str(ROOT / "Filters/CMake"))
+import declared_options as DECLARED
+
 EXPANDED = runpy.run_path(str(PLUGIN / "make-xml.py"))["expanded"]
 
 NOT_IN_PARAVIEW = {
@@ -33,6 +38,11 @@ NOT_IN_PARAVIEW = {
 STAGES = ("WindingNumber", "Segmentation", "Refinement")
 """What a class hands out that goes by the options of stages."""
 
+STAGES_OF_CLASSES = ("vtkGeneralizedWindingNumber", "vtkGraphCutSegmentation", "vtkRefineTetrahedra")
+
+NOT_BY_MACROS = {"FileName", "Input", "WriteNumbers"}
+"""What classes let a user set by methods of their own."""
+
 UNUSED_OF_STAGES = {
     "ExtractInside": "output 0 has the cells inside, and output 3 the hull",
     "SizingArrayName": "the grid that it would be an array of is made within",
@@ -42,6 +52,9 @@ UNUSED_IN_A_PLANE = {"SurfaceTolerance", "FeatureAngle", "QuadraticCells"}
 """Boundaries are not remeshed there."""
 
 OF_BEFORE = {"ExtractInside": "tells states of before where the hull is"}
+
+NAMES_IN_STATES = {"Surface": "SurfaceTreatment"}
+"""What ParaView's states call a property that has another name now."""
 
 NO_OPTIONS = {"Controller": "the processes that work together: all that ParaView or mpirun began, and rarely others"}
 
@@ -106,9 +119,9 @@ def property_elements(proxy: ElementTree.Element) -> dict[str, ElementTree.Eleme
     if proxy.get("base_proxygroup") == "inside_out_stages":
         elements.update(property_elements(stages[proxy.get("base_proxyname")]))
     for name, stage in exposed(proxy):
-        elements[name] = property_elements(stages[stage])[name]
+        elements[name] = property_elements(stages[stage])[NAMES_IN_STATES.get(name, name)]
     hidden = {name for name, one in elements.items() if one.get("panel_visibility") == "never"}
-    return {name: one for name, one in elements.items() if name not in hidden & set(OF_BEFORE)}
+    return {NAMES_IN_STATES.get(name, name): one for name, one in elements.items() if name not in hidden & set(OF_BEFORE)}
 
 
 def exposed(proxy: ElementTree.Element) -> dict[tuple[str, str], ElementTree.Element]:
@@ -129,7 +142,7 @@ def example(option: Option) -> object:
     if isinstance(option, Choice):
         return option.choices[-1]
     if isinstance(option, Order):
-        return option.most
+        return int(option.most)
     if isinstance(option, Count):
         return 7
     return True if isinstance(option, Switch) else 7.0 if isinstance(option, (Number, Scale)) else "Some"
@@ -175,7 +188,7 @@ class ParaView(unittest.TestCase):
             for (name, stage), element in exposed(proxy).items():
                 with self.subTest(filter=class_name, property=name):
                     given = element.get("default_values")
-                    self.assertIn(given, (None, property_elements(stages[stage])[name].get("default_values")))
+                    self.assertIn(given, (None, property_elements(stages[stage])[NAMES_IN_STATES.get(name, name)].get("default_values")))
 
     def test_each_range_is_what_the_class_clamps_to(self):
         for class_name, name, element, default in plugin_properties():
@@ -222,77 +235,39 @@ class ParaView(unittest.TestCase):
                     self.assertEqual(element.find("Hints/Optional") is not None, optional)
 
 
-class Readme(unittest.TestCase):
-    """The tables of properties in README.md."""
+class Headers(unittest.TestCase):
+    """What is read of the headers, and the page that is made of it."""
 
-    def rows(self):
-        """Of each table's rows: the class that it is for, the property's name, its default and what it means."""
-        text = (ROOT / "README.md").read_text(encoding="utf-8")
-        tables = re.findall(r"^\| property of (.*?) \| default \| meaning \|\n\|[-|]+\n((?:\|.*\n)+)", text, re.MULTILINE)
-        self.assertEqual(len(tables), 4)
-        for heading, body in tables:
-            for line in body.splitlines():
-                name, default, meaning = (cell.strip() for cell in line.strip("|").split("|"))
-                yield heading.strip("`"), name.strip("`"), default, meaning
+    def test_each_property_is_read_with_its_kind_range_and_default(self):
+        kinds = {float: "double", int: "int", bool: "bool", str: "string"}
+        for class_name in CLASSES:
+            declared = DECLARED.options_of(ROOT / f"Filters/{class_name}.h")
+            forwarded = {name for name in properties(class_name) if name not in declared}
+            for name, option in declared.items():
+                made = getattr(insideout, class_name)()
+                default = getattr(made, "Get" + name)()
+                with self.subTest(filter=class_name, property=name):
+                    self.assertEqual(option.kind, kinds[type("" if default is None else default)])
+                    self.assertEqual(option.choices(), constants(class_name, name))
+                    self.assertEqual(type(default)(float(option.default)) if option.kind != "string" else option.default, "" if default is None else default)
+                    self.assertRegex(option.brief, r"\.$")
+                    for limit, far in ((option.least, -HUGE), (option.most, HUGE)):
+                        if limit is not None:
+                            self.assertEqual(read_back(class_name, name, far if option.kind == "double" else int(math.copysign(2**31 - 1, far))), float(limit))
+            stages = {name for stage in STAGES_OF_CLASSES for name in DECLARED.options_of(ROOT / f"Filters/{stage}.h")}
+            self.assertLessEqual(forwarded, stages | NOT_BY_MACROS, class_name)
 
-    def test_each_property_is_there_with_its_default(self):
-        told = {f"vtk{name}": set() for name in ("RobustTetrahedralize", "ProbeWindingNumber", "RefineTetrahedra", "WindingBoolean")}
-        for class_name, name, default, meaning in self.rows():
-            if name in ("Seeds", "Background"):
-                self.assertTrue(hasattr(getattr(insideout, class_name), f"Set{name}Data"))
-                continue
-            told[class_name].add(name)
-            with self.subTest(filter=class_name, property=name):
-                value = properties(class_name)[name]
-                plain = {"bool": {True: "on", False: "off"}, "str": {value: value or "none"}, "int": constants(class_name, name)}
-                self.assertEqual(default, plain.get(type(value).__name__, {}).get(value) or f"{value:.10g}")
-                least = re.search(r"at least ([-\d.e]+)", meaning)
-                if least:
-                    self.assertEqual(read_back(class_name, name, -HUGE), float(least[1]))
-        self.assertEqual(told, {class_name: set(properties(class_name)) for class_name in told})
+    def test_the_page_has_each_of_them_in_a_row(self):
+        text = (Path(insideout.__file__).parents[4] / "share/doc/InsideOut/Options.md").read_text(encoding="utf-8")
+        sections = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL))
+        for class_name in CLASSES:
+            declared = DECLARED.options_of(ROOT / f"Filters/{class_name}.h")
+            rows = re.findall(r"^\| `(\w+)` \| .* \|$", sections.get(class_name, ""), re.MULTILINE)
+            self.assertEqual(rows, list(declared), class_name)
 
-
-class ThreeWays(unittest.TestCase):
-    """README.md's table of what a property is on the command line and in Python."""
-
-    def rows(self) -> dict[str, tuple[str, str]]:
-        text = (ROOT / "README.md").read_text(encoding="utf-8")
-        (body,) = re.findall(r"^\| property \| option \| Python argument \|\n\|[-|]+\n((?:\|.*\n)+)", text, re.MULTILINE)
-        rows = [re.fullmatch(r"\| `(\w+)` \| (.+) \| (.+) \|", line).groups() for line in body.splitlines()]
-        self.assertEqual(len({name for name, _, _ in rows}), len(rows))
-        return {name: (option, argument) for name, option, argument in rows}
-
-    def test_it_has_every_property_once(self):
-        self.assertEqual(set(self.rows()), set(properties("vtkRobustTetrahedralize")) | {"Seeds"})
-
-    def test_each_option_and_argument_is_there_and_sets_the_property(self):
-        usage = " ".join(screen_of("mesh", everything=True).split())
-        others = dict(Python.NO_OPTIONS)
-        for name, (option, argument) in self.rows().items():
-            with self.subTest(name):
-                if others.pop(name, None) is not None or name == "GenerateHull":
-                    continue
-                key = argument.strip("`")
-                self.assertEqual(OPTIONS[key].vtk_property.removesuffix("Data"), name)
-                self.assertIn(key, inspect.signature(insideout.tetrahedralize).parameters)
-                self.assertEqual(option.strip("`").split()[0], flag_of(key))
-                self.assertIn(f" {option.strip('`')} {OPTIONS[key].help()}"[:60], usage)
-        self.assertEqual(others, {})
-
-    def test_those_of_files_are_told_too(self):
-        text = (ROOT / "README.md").read_text(encoding="utf-8")
-        usage = " ".join(screen_of("mesh", everything=True).split())
-        for option, argument, function in (("--scale FACTOR", "scale", insideout.tetrahedralize), ("--msh-version {4.1,2.2}", "msh_version", insideout.write)):
-            self.assertRegex(text, rf"(?m)^\| `{re.escape(option)}` \| `{argument}` of .* \|$")
-            self.assertIn(f" {option} ", usage)
-            self.assertIn(argument, inspect.signature(function).parameters)
-
-    def test_the_two_that_are_something_else(self):
-        rows = self.rows()
-        self.assertEqual(rows["GenerateHull"], ("`--hull FILE.vtu`", "on: `result.hull`"))
-        self.assertEqual(rows["ConstrainedFacetsArrayName"], ("`--constrained-array ARRAY`", '`constrain_facets="ARRAY"`'))
+    def test_the_readme_tells_of_those_that_are_something_else(self):
         parsed = arguments.parse(["broken.ply", "solid.vtu", "--hull", "hull.vtu", "--constrained-array", "Some"])[0]
-        self.assertEqual((parsed.hull, parsed.constrain_facets), ("hull.vtu", "Some"))
+        self.assertEqual((parsed.hull, parsed.constrained_facets_array), ("hull.vtu", "Some"))
         self.assertIn("hull", {field.name for field in fields(insideout.Tetrahedralization)})
 
 
@@ -301,7 +276,6 @@ class Python(unittest.TestCase):
 
     NO_OPTIONS = {
         "GenerateHull": "a result has both the solid and the hull",
-        "ConstrainedFacetsArrayName": "what constrain_facets is when it is a name",
         "BlocksAreBodies": "what a dict of surfaces is",
         "BlocksAtOnce": "the function takes no composite data set but one of bodies",
     }
@@ -316,7 +290,7 @@ class Python(unittest.TestCase):
 
     def test_the_function_has_the_options_with_their_types_and_defaults(self):
         hints = typing.get_type_hints(Options)
-        expected = [(option.name, hints[option.name], option.default) for option in fields(Options)]
+        expected = [(name, hints[name], DEFAULTS[name]) for name in OPTIONS]
         hints = typing.get_type_hints(insideout.tetrahedralize)
         surface, *found, progress = inspect.signature(insideout.tetrahedralize).parameters.values()
         self.assertEqual([(one.name, hints[one.name], one.default) for one in found], expected)
@@ -328,27 +302,27 @@ class Python(unittest.TestCase):
             self.assertIn("scale", inspect.signature(function).parameters)
             for parameter in inspect.signature(function).parameters.values():
                 if parameter.name in OPTIONS:
-                    self.assertEqual(parameter.default, OPTIONS[parameter.name].default, parameter.name)
+                    self.assertEqual(parameter.default, DEFAULTS[parameter.name], parameter.name)
 
     def test_the_help_tells_all_and_leaves_no_gap(self):
         for function in (insideout.check, insideout.resolve, insideout.tetrahedralize, insideout.winding_number, insideout.distance, insideout.voxels):
             self.assertNotIn("{", function.__doc__)
         words = " ".join(insideout.tetrahedralize.__doc__.split())
         for name, option in OPTIONS.items():
-            self.assertIn(f" {name} {option.help()}{option.more_words} ", words)
+            self.assertIn(f" {name} {help_of(name)}{option.more_words} ", words)
 
     def test_defaults_are_those_of_the_class(self):
         for name, option in OPTIONS.items():
             with self.subTest(name):
                 if isinstance(option, Switch):
-                    self.assertIs(self.defaults[option.vtk_property], option.default)
+                    self.assertIs(self.defaults[option.vtk_property], DEFAULTS[name])
                 elif isinstance(option, Choice) and option.vtk_property:
                     constant = constants("vtkRobustTetrahedralize", option.vtk_property)[self.defaults[option.vtk_property]]
-                    self.assertEqual(option.default, constant)
+                    self.assertEqual(DEFAULTS[name], constant)
                 elif not isinstance(option, Dimensions):
-                    self.assertIsNone(option.default)
-                if isinstance(option, Number):
-                    self.assertIn(f"default {self.defaults[option.vtk_property]:.10g}", option.help())
+                    self.assertIsNone(DEFAULTS[name])
+                if isinstance(option, (Number, Order, Count)):
+                    self.assertRegex(help_of(name), rf"Default {self.defaults[option.vtk_property]:.10g}[.:]")
 
     def test_what_vtk_would_clamp_is_an_error_and_what_it_would_not_is_none(self):
         for name, option in OPTIONS.items():
@@ -388,7 +362,6 @@ class Python(unittest.TestCase):
                 with self.subTest(name):
                     self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, -99), option.least)
                     self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, 99), option.most)
-                    self.assertIn(f"default {self.defaults[option.vtk_property]}", option.help())
                     for bad in (option.least - 1, option.most + 1, 1.5, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(insideout.vtkRobustTetrahedralize())
@@ -411,9 +384,14 @@ class Python(unittest.TestCase):
             if not isinstance(option, (Choice, Scale)) and name != "seeds":
                 with self.subTest(name):
                     made = Options(**{name: value}).set_on(insideout.vtkRobustTetrahedralize())
-                    self.assertEqual(values_of(made), {**self.defaults, option.vtk_property: value})
-        made = Options(constrain_facets="Some").set_on(insideout.vtkRobustTetrahedralize())
-        self.assertEqual((made.GetConstrainFacets(), made.GetConstrainedFacetsArrayName()), (True, "Some"))
+                    implied = {"ConstrainFacets": True} if name == "constrained_facets_array" else {}
+                    self.assertEqual(values_of(made), {**self.defaults, option.vtk_property: value, **implied})
+
+    def test_a_switch_is_no_text(self):
+        for name, option in OPTIONS.items():
+            if isinstance(option, Switch):
+                with self.assertRaisesRegex(insideout.Error, f"^{name} is 'Some'; it must be True or False"):
+                    Options(**{name: "Some"}).set_on(insideout.vtkRobustTetrahedralize())
 
     def test_a_dimension_chooses_the_filter(self):
         square, box = surfaces.polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]), surfaces.box()
@@ -434,7 +412,14 @@ class CommandLine(unittest.TestCase):
             given = [flag_of(name), *([] if value is True else [str(value)])]
             with self.subTest(name):
                 self.assertEqual(self.parse(*given), Options(**{name: value}))
-        self.assertEqual(self.parse("--constrained-array", "Some"), Options(constrain_facets="Some"))
+
+    def test_earlier_names_of_options_are_known_and_not_told(self):
+        for name, flags in OTHER_FLAGS.items():
+            for flag in flags:
+                self.assertNotIn(f" {flag} ", screen_of("mesh", everything=True) if flag.startswith("--") else "")
+                if name in OPTIONS:
+                    value = example(OPTIONS[name])
+                    self.assertEqual(self.parse(flag, *([] if value is True else [str(value)])), Options(**{name: value}))
 
     def test_names_of_choices_have_no_spaces(self):
         for name, option in OPTIONS.items():

@@ -247,11 +247,11 @@ class Command(CommandLine):
         surfaces.add_array(surface.GetCellData(), "Keep", (np.arange(surface.GetNumberOfCells()) == surface.GetNumberOfCells() - 1).astype(np.uint8))
         source = self.path("figure.vtp")
         insideout.write(surface, source)
-        done = run(source, self.output, "--constrained-array", "Keep", "--quadrature-order", "2")
+        done = run(source, self.output, "--constrained-facets-array", "Keep", "--quadrature-order", "2")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("0 outlier facets", done.stdout)
         os.remove(self.output)
-        self.check_failure(run(source, self.output, "--constrained-array", "Absent"), "Absent")
+        self.check_failure(run(source, self.output, "--constrained-facets-array", "Absent"), "Absent")
         self.check_failure(run(source, self.output, "--quadrature-order", "6"), "--quadrature-order")
 
 

@@ -120,7 +120,7 @@ class Function(unittest.TestCase):
         stages = []
         for options, words in (
             ({"separate_overlaps": True}, "separates tetrahedra"),
-            ({"quadratic": True}, "makes tetrahedra only"),
+            ({"quadratic_cells": True}, "makes tetrahedra only"),
             ({"edge_length": 0.5, "surface_treatment": "remeshed"}, "not remeshed"),
         ):
             with self.subTest(options), self.assertRaisesRegex(insideout.Error, words):

@@ -14,7 +14,7 @@ import insideout
 import numpy as np
 import surfaces
 from insideout.surfaces import make_surface
-from insideout.options import OPTIONS, REFINING_OPTIONS
+from insideout.options import DEFAULTS, REFINING_OPTIONS
 from insideout.stages import REFINE, TETRAHEDRALIZE, UNNAMED
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkImageData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -159,7 +159,7 @@ class Function(unittest.TestCase):
         program = (
             "import hashlib, sys, insideout, surfaces\n"
             "insideout.pipeline.set_threads(int(sys.argv[1]))\n"
-            "solid = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.1, quadratic=True).solid\n"
+            "solid = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.1, quadratic_cells=True).solid\n"
             "arrays = [solid.points, solid.cells, *solid.point_arrays.values(), *solid.cell_arrays.values()]\n"
             "print(len(solid.cells), hashlib.sha256(b''.join(one.tobytes() for one in arrays)).hexdigest())\n"
         )
@@ -173,7 +173,7 @@ class Function(unittest.TestCase):
 
     def test_quadratic_cells_have_ten_points(self):
         linear = insideout.refine(self.solid, edge_length=0.3).solid
-        quadratic = insideout.refine(self.solid, edge_length=0.3, quadratic=True).solid
+        quadratic = insideout.refine(self.solid, edge_length=0.3, quadratic_cells=True).solid
         self.assertEqual(quadratic.GetCellType(0), VTK_QUADRATIC_TETRA)
         self.assertEqual(quadratic.cells.shape, (len(linear.cells), 10))
         np.testing.assert_array_equal(quadratic.cells[:, :4], linear.cells)
@@ -185,7 +185,7 @@ class Function(unittest.TestCase):
             import meshio  # noqa: F401
         except ImportError:
             self.skipTest("meshio is not installed")
-        quadratic = insideout.refine(self.solid, quadratic=True).solid
+        quadratic = insideout.refine(self.solid, quadratic_cells=True).solid
         (block,) = quadratic.to_meshio().cells
         self.assertEqual((block.type, block.data.shape), ("tetra10", quadratic.cells.shape))
 
@@ -254,7 +254,7 @@ class Function(unittest.TestCase):
         parameters = inspect.signature(insideout.refine).parameters
         others = inspect.signature(insideout.tetrahedralize).parameters
         for name in REFINING_OPTIONS:
-            self.assertEqual(parameters[name].default, OPTIONS[name].default)
+            self.assertEqual(parameters[name].default, DEFAULTS[name])
             self.assertEqual(parameters[name].annotation, others[name].annotation)
         self.assertNotIn("{", insideout.refine.__doc__)
 
@@ -271,7 +271,7 @@ class Tetrahedralize(unittest.TestCase):
         self.assertEqual(refined.statistics["InsideCells"], len(plain.solid.cells))
 
     def test_each_option_implies_it(self):
-        for options in ({"edge_length": 0.3}, {"grading": 0.1}, {"maximum_volume": 0.01}, {"quadratic": True}):
+        for options in ({"edge_length": 0.3}, {"grading": 0.1}, {"maximum_volume": 0.01}, {"quadratic_cells": True}):
             with self.subTest(options):
                 made = insideout.tetrahedralize(surfaces.two_boxes(), **options)
                 expected = insideout.tetrahedralize(surfaces.two_boxes(), refine=True, **options)
@@ -300,7 +300,7 @@ class CommandLine(unittest.TestCase):
             surface, output, report = (os.path.join(folder, name) for name in ("boxes.vtp", "solid.vtu", "report.json"))
             insideout.write(surfaces.two_boxes(), surface)
             done = subprocess.run(
-                [sys.executable, "-m", "insideout", surface, output, "--edge-length", "0.3", "--quadratic", "--report", report],
+                [sys.executable, "-m", "insideout", surface, output, "--edge-length", "0.3", "--quadratic-cells", "--report", report],
                 capture_output=True,
                 text=True,
                 check=False,
@@ -311,11 +311,11 @@ class CommandLine(unittest.TestCase):
             reader.Update()
             with open(report, encoding="utf-8") as file:
                 told = json.load(file)
-        expected = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.3, quadratic=True).solid
+        expected = insideout.tetrahedralize(surfaces.two_boxes(), edge_length=0.3, quadratic_cells=True).solid
         written = insideout.data.as_type(insideout.Tetrahedra, reader.GetOutput())
         self.assertEqual(content(written)[:2], content(expected)[:2])
         self.assertEqual(told["statistics"]["RefinedCells"], len(expected.cells))
-        self.assertEqual([told["parameters"][name] for name in ("refine", "edge_length", "quadratic")], [True, 0.3, True])
+        self.assertEqual([told["parameters"][name] for name in ("refine", "edge_length", "quadratic_cells")], [True, 0.3, True])
 
 
 if __name__ == "__main__":

@@ -226,7 +226,7 @@ class Gmsh(InAFolder):
             obj += f"g {name}\n" + "".join("f {} {} {}\n".format(*(corner + 1 for corner in facet)) for facet in facets)
         with open(self.path("open.obj"), "w", encoding="utf-8") as file:
             file.write(obj)
-        result = insideout.tetrahedralize(self.path("open.obj"), edge_length=0.4, quadratic=True)
+        result = insideout.tetrahedralize(self.path("open.obj"), edge_length=0.4, quadratic_cells=True)
         insideout.write(result, self.path("open.msh"))
         gmsh.open(self.path("open.msh"))
         expected = {(2, name): len(triangles) for name, triangles in result.tags.items()}

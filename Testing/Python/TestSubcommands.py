@@ -14,7 +14,7 @@ from command import CommandLine, read_grid, run, run_here
 from insideout import arguments
 from insideout.files import read_surface
 from insideout.help import all_screens, screen, screen_of
-from insideout.usage import COMMANDS, TOPICS, argument_of
+from insideout.usage import COMMANDS, OTHER_FLAGS, TOPICS, argument_of
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
@@ -98,7 +98,7 @@ class Same(CommandLine):
         surfaces.add_array(solid.GetPointData(), "Size", [0.4] * solid.GetNumberOfPoints())
         insideout.write(solid, self.path("sized.vtu"))
         for words, options in (
-            ("cells.vtu --edge-length 0.4 --quadratic", {"edge_length": 0.4, "quadratic": True}),
+            ("cells.vtu --edge-length 0.4 --quadratic-cells", {"edge_length": 0.4, "quadratic_cells": True}),
             ("sized.vtu --sizes Size --surface-treatment split", {"sizes": "Size", "surface_treatment": "split"}),
         ):
             name, *others = words.split()
@@ -153,7 +153,7 @@ class Help(unittest.TestCase):
 
     def test_nothing_is_lost(self):
         """A screen names all options, and the second one says of each what it means."""
-        hidden = ["--surface", "-o"]  # which stands beside --output
+        hidden = [flag for flags in OTHER_FLAGS.values() for flag in flags]  # -o stands beside --output
         for name in COMMANDS:
             with self.subTest(name):
                 known = {option for option in arguments._parser_of(name)._option_string_actions if option not in (*hidden, "-h", "--help", "--help-all")}

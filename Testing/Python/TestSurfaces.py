@@ -366,7 +366,7 @@ class NothingInside(unittest.TestCase):
         low, high = (surfaces.box_points((place,) * 3, 0.1) for place in (-5, 5))
         box = joined((surfaces.box_points(), surfaces.BOX_FACETS[:10]), *((p, surfaces.BOX_FACETS) for p in (low, high)))
         surfaces.add_array(box.GetCellData(), "Frame", np.repeat([0, 1], [10, 24]))
-        open_box = {"non_participating": "Frame", "sigma": 1}
+        open_box = {"non_participating_array": "Frame", "sigma": 1}
         self.assertGreater(insideout.tetrahedralize(box, gamma=0, **open_box).solid.GetNumberOfCells(), 0)
         self.assertIn("set gamma lower", self.warning(box, gamma=1e3, **open_box))
 
@@ -377,7 +377,7 @@ class NonParticipating(unittest.TestCase):
         cls.scene = ski_mask.scene()
         cls.alone = insideout.tetrahedralize(ski_mask.snake())
         cls.counting = insideout.tetrahedralize(cls.scene)
-        cls.tagged = insideout.tetrahedralize(cls.scene, non_participating=ski_mask.ARRAY)
+        cls.tagged = insideout.tetrahedralize(cls.scene, non_participating_array=ski_mask.ARRAY)
 
     def test_the_mask_does_not_change_the_snake(self):
         volume = enclosed_volume(self.alone.boundary)
@@ -442,7 +442,7 @@ class NonParticipating(unittest.TestCase):
             surface = surfaces.box()
             surfaces.add_array(surface.GetCellData(), "Three", np.zeros((12, 3)))
             with self.subTest(name), self.assertRaisesRegex(insideout.Error, f"no cell array {name} of one number"):
-                insideout.tetrahedralize(surface, non_participating=name)
+                insideout.tetrahedralize(surface, non_participating_array=name)
 
 
 if __name__ == "__main__":

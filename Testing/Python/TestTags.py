@@ -453,7 +453,7 @@ class Regions(unittest.TestCase):
         plain = joined(self.ellipsoid(), surfaces.box((20, 0, 0)))
         within = surfaces.box((9.9, -7.1, 2.95), 0.1)
         cut = tagged(joined(plain, within), [0] * plain.GetNumberOfCells() + [1] * 12, "Extra")
-        one, other = insideout.tetrahedralize(plain), insideout.tetrahedralize(cut, non_participating="Extra")
+        one, other = insideout.tetrahedralize(plain), insideout.tetrahedralize(cut, non_participating_array="Extra")
         self.assertNotEqual(one.solid.GetNumberOfCells(), other.solid.GetNumberOfCells())
         by_place = [sorted(result.regions, key=lambda region: region.center_of_mass[0]) for result in (one, other)]
         for a, b in zip(*by_place):

@@ -134,13 +134,13 @@ class Laws(unittest.TestCase):
         surface = surfaces.two_boxes_and_a_stray_facet()
         chosen = np.ones(surface.GetNumberOfCells(), np.uint8)
         surfaces.add_array(surface.GetCellData(), "Keep", chosen)
-        self.assertEqual(insideout.tetrahedralize(surface, constrain_facets="Keep").outliers.GetNumberOfCells(), 0)
+        self.assertEqual(insideout.tetrahedralize(surface, constrained_facets_array="Keep").outliers.GetNumberOfCells(), 0)
         chosen[-1] = 0
         surfaces.add_array(surface.GetCellData(), "Keep", chosen)
-        some = insideout.tetrahedralize(surface, constrain_facets="Keep")
+        some = insideout.tetrahedralize(surface, constrained_facets_array="Keep")
         self.assertEqual(set(cell_array(some.outliers, "vtkOriginalCellIds")), {len(chosen) - 1})
         with self.assertRaisesRegex(insideout.Error, "no cell array Kept"):
-            insideout.tetrahedralize(surface, constrain_facets="Kept")
+            insideout.tetrahedralize(surface, constrained_facets_array="Kept")
 
     def test_seeds_have_their_way(self):
         surface = surfaces.two_boxes()

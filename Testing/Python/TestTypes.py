@@ -36,11 +36,11 @@ meshed = insideout.tetrahedralize(Mesh(), engine="exact", data_term="volume-weig
 insideout.draw_quality(insideout.check_solid(meshed.solid), "angles.png")
 insideout.check_solid("solid.vtu", progress=print).statistics["Cells"] + 1
 insideout.check_solid((np.zeros((4, 3)), [(0, 1, 2, 3)])).histogram[35]
-insideout.tetrahedralize(meshed.boundary, seeds=[((0, 0, 0), True)], constrain_facets="Chosen")
+insideout.tetrahedralize(meshed.boundary, seeds=[((0, 0, 0), True)], constrained_facets_array="Chosen")
 insideout.tetrahedralize(meshed.boundary, seeds="seeds.csv", progress=lambda stage, fraction: print(stage, fraction))
 insideout.tetrahedralize(meshed.boundary.to_meshio())
 insideout.winding_number(meshed.boundary, vtkImageData()).max()
-refined = insideout.refine(meshed.solid, edge_length=0.1, sizes=np.ones(9), quadratic=True)
+refined = insideout.refine(meshed.solid, edge_length=0.1, sizes=np.ones(9), quadratic_cells=True)
 insideout.refine(([(0, 0, 0)], [(0, 0, 0, 0)]), sizes="Size", background=vtkImageData()).solid.to_meshio()
 insideout.tetrahedralize("broken.ply", refine=True, maximum_volume=0.1, grading=0.3).solid.cells[0, 9]
 insideout.write(insideout.resolve(meshed.boundary, merge_tolerance=1e-6).surface, pathlib.Path("resolved.vtp"))

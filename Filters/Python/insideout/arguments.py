@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, NoReturn, Optional, Sequence
 from .files import GZIP, READABLE_SOLIDS, STANDARD_INPUT, ending, identity
 from .help import all_screens, screen, screen_of
 from .options import OPTIONS, flag_of
-from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, MESH_OPTIONS, SHORT_FLAGS, WINDING_OPTIONS, argument_of
+from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, MESH_OPTIONS, OTHER_FLAGS, WINDING_OPTIONS, argument_of
 from .version import __version__
 from .writing import WRITABLE_GRIDS
 
@@ -102,8 +102,8 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         parser.error("- is named twice: standard input can be read once")
     if options.format is not None and "-" not in surfaces:
         parser.error("--format is for standard input: it goes with - as SURFACE")
-    if options.together and getattr(options, "bodies", None) is not None:
-        parser.error("--together makes a body of each surface: it goes without --bodies")
+    if options.together and getattr(options, "body_array", None) is not None:
+        parser.error("--together makes a body of each surface: it goes without --body-array")
     if options.msh_version is not None and ".msh" not in (ending(options.output), ending(options.hull or "")):
         parser.error("--msh-version is for .msh files, and none is to be written")
     if options.threads is not None and options.threads < 1:
@@ -204,9 +204,7 @@ def _parser(hint: str, options: Iterable[str], some: Callable[[], str], everythi
     parser.add_argument("-h", "--help", nargs=0, action=_Show, const=some)
     parser.add_argument("--help-all", nargs=0, action=_Show, const=everything)
     for name in options:
-        aliases = [OPTIONS[name].alias] if name in OPTIONS and OPTIONS[name].alias else []
-        aliases += [SHORT_FLAGS[name]] if name in SHORT_FLAGS else []
-        parser.add_argument(flag_of(name), *aliases, default=argparse.SUPPRESS, **argument_of(name))
+        parser.add_argument(flag_of(name), *OTHER_FLAGS.get(name, []), default=argparse.SUPPRESS, **argument_of(name))
     return parser
 
 

@@ -89,7 +89,7 @@ def as_bodies(surface: AnyBodies, scale: Optional[float], array: Optional[str]) 
     if not isinstance(surface, Mapping):
         return (*as_surface(surface, scale), array)
     if array is not None:
-        raise Error("bodies names an array of one surface; several surfaces by their names are bodies already")
+        raise Error("body_array names an array of one surface; several surfaces by their names are bodies already")
     return (*join(surface, scale), BODY_IDS)
 
 

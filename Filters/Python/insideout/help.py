@@ -7,7 +7,7 @@ import re
 import shutil
 import textwrap
 from .options import flag_of
-from .usage import COMMANDS, SHORT_FLAGS, argument_of
+from .usage import COMMANDS, OTHER_FLAGS, argument_of
 
 INDENT = 27  # columns before what an option means
 FEWEST_COLUMNS, MOST_COLUMNS = 2 * INDENT, 100  # narrower terminals break lines themselves
@@ -88,14 +88,15 @@ def _spelled(name: str) -> str:
     argument = argument_of(name)
     choices = "{" + ",".join(map(str, argument.get("choices", ()))) + "}"
     taken = argument.get("metavar") or ("" if argument.get("action") else choices)
-    short = f"{SHORT_FLAGS[name]}, " if name in SHORT_FLAGS else ""
-    return f"{short}{flag_of(name)} {taken}".rstrip()
+    short = [flag for flag in OTHER_FLAGS.get(name, []) if not flag.startswith("--")]
+    return f"{', '.join([*short, flag_of(name)])} {taken}".rstrip()
 
 
 def _gist(words: str) -> str:
-    """The first of several clauses, and the default."""
-    default = re.search(r"default \S+$", words)
-    return re.split("[;:,]", words)[0] + (f"; {default[0]}" if default else "")
+    """The first of several clauses, and a default that is no switch's."""
+    default = re.search(r"\bDefault (?!off|on|empty)[^\s:;,]+?(?=[.:;,]?(?:\s|$))", words)
+    gist = re.split(r"[;:,]|\.(?= |$)", words)[0]
+    return (gist if gist[1:2].isupper() or gist.startswith("MiB") else gist[:1].lower() + gist[1:]) + (f"; {default[0].lower()}" if default else "")
 
 
 def _beside(head: str, words: str, indent: int = INDENT) -> list[str]:

@@ -10,10 +10,10 @@ from typing import Any, Iterable, Optional, Tuple, Union
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
+from .declared import Declared
 from .inputs import DataSetOfPoints
 from .pipeline import Error, at_least, one_of
 from .places import read_seeds
-from .vtkFiltersInsideOut import vtkRobustTetrahedralize
 
 Seed = Union[Tuple[Tuple[float, float, float], bool], Tuple[Tuple[float, float, float], bool, str]]
 Seeds = Union[DataSetOfPoints, str, Iterable[Seed]]
@@ -24,18 +24,18 @@ class Option:
     """What stands behind a field of `Options`. As it is, the field is the name of an array."""
 
     vtk_property: str
-    words: str  # what it means, on the command line too
+    words: str  # what it means, with the names of properties and constants
     more_words: str = ""  # what else it can be in Python
-    default: Any = None  # what leaves a filter its own default
-    alias: str = ""  # an earlier name on the command line, which no help tells
+    least: float = 0
+    most: Optional[float] = None
+    choices: tuple[str, ...] = ()  # by the values of VTK's constants, from 0
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> Any:
+    def checked(self, name: str, value: Any) -> Any:
         """What a filter's property gets. Raises `Error` for what VTK would clamp without a word."""
         return value
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
-        owner = owner_of(algorithm, self.vtk_property)
-        getattr(owner, "Set" + self.vtk_property)(self.checked(owner, name, value))
+        getattr(owner_of(algorithm, self.vtk_property), "Set" + self.vtk_property)(self.checked(name, value))
 
     def used_by(self, algorithm: Any, value: Any) -> Any:
         """What a filter goes by on which this value was set."""
@@ -44,20 +44,13 @@ class Option:
     def used_number(self, algorithm: Any) -> Any:
         return getattr(owner_of(algorithm, self.vtk_property), "Get" + self.vtk_property)()
 
-    def help(self) -> str:
-        return self.words
-
     def argument(self) -> dict[str, Any]:
         """What argparse is to know of it besides."""
         return {"metavar": "ARRAY"}
 
 
-@dataclass(frozen=True)
 class Number(Option):
-    least: float = 0
-    most: Optional[float] = None
-
-    def checked(self, algorithm: Any, name: str, value: Any) -> float:
+    def checked(self, name: str, value: Any) -> float:
         number = at_least(self.least, name, value)
         if self.most is not None and number > self.most:
             raise Error(f"{name} is {number:g}; it must be at most {self.most:g}")
@@ -66,24 +59,13 @@ class Number(Option):
     def used_by(self, algorithm: Any, value: Any) -> float:
         return self.used_number(algorithm)
 
-    def help(self) -> str:
-        limits = f"at least {self.least:g}" if self.most is None else f"{self.least:g} to {self.most:g}"
-        return f"{self.words}; {limits}, default {self.used_by(vtkRobustTetrahedralize(), None):g}"
-
     def argument(self) -> dict[str, Any]:
         return {"metavar": "NUMBER", "type": float}
 
 
-@dataclass(frozen=True)
 class Choice(Option):
-    choices: tuple[str, ...] = ()
-    prefix: str = ""  # of VTK's constants, which are named like the choices
-
-    def checked(self, algorithm: Any, name: str, value: Any) -> int:
-        return getattr(algorithm, self.prefix + one_of(self.choices, name, value).upper().replace("-", "_"))
-
-    def help(self) -> str:
-        return f"{self.words}; default {self.default}"
+    def checked(self, name: str, value: Any) -> int:
+        return self.choices.index(one_of(self.choices, name, value))
 
     def argument(self) -> dict[str, Any]:
         return {"choices": self.choices}
@@ -96,35 +78,30 @@ class Dimensions(Choice):
         one_of(self.choices, name, str(value))
 
 
-@dataclass(frozen=True)
 class Switch(Option):
-    default: bool = False
-
-    def checked(self, algorithm: Any, name: str, value: Any) -> bool:
+    def checked(self, name: str, value: Any) -> bool:
+        if value not in (True, False):
+            raise Error(f"{name} is {value!r}; it must be True or False")
         return bool(value)
 
     def argument(self) -> dict[str, Any]:
         return {"action": "store_true"}
 
 
-@dataclass(frozen=True)
 class Order(Option):
     """A whole number within a range."""
 
-    least: int = 1
-    most: int = 1
+    def range(self) -> range:
+        return range(int(self.least), int(self.most or 0) + 1)
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> int:
-        return int(one_of(tuple(range(self.least, self.most + 1)), name, value))
+    def checked(self, name: str, value: Any) -> int:
+        return int(one_of(tuple(self.range()), name, value))
 
     def used_by(self, algorithm: Any, value: Any) -> int:
         return self.used_number(algorithm)
 
-    def help(self) -> str:
-        return f"{self.words}; {self.least} to {self.most}, default {self.used_by(vtkRobustTetrahedralize(), None)}"
-
     def argument(self) -> dict[str, Any]:
-        return {"metavar": "ORDER", "type": int, "choices": range(self.least, self.most + 1)}
+        return {"metavar": "ORDER", "type": int, "choices": self.range()}
 
 
 class Count(Option):
@@ -132,8 +109,8 @@ class Count(Option):
 
     MOST = 2**31 - 1
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> int:
-        number = at_least(0, name, value)
+    def checked(self, name: str, value: Any) -> int:
+        number = at_least(self.least, name, value)
         if number != int(number) or number > self.MOST:
             raise Error(f"{name} is {value:g}; it must be a whole number of at most {self.MOST}")
         return int(number)
@@ -141,39 +118,31 @@ class Count(Option):
     def used_by(self, algorithm: Any, value: Any) -> int:
         return self.used_number(algorithm)
 
-    def help(self) -> str:
-        return f"{self.words}; default {self.used_by(vtkRobustTetrahedralize(), None)}"
-
     def argument(self) -> dict[str, Any]:
         return {"metavar": "COUNT", "type": int}
 
 
-class SwitchOrArray(Switch):
-    """On by the name of an array too, which chooses the facets."""
+class ChosenFacets(Option):
+    """The array that chooses the facets to keep: these are kept then."""
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
         super().set_on(algorithm, name, value)
-        if isinstance(value, str):
-            algorithm.SetConstrainedFacetsArrayName(value)
+        owner_of(algorithm, "ConstrainFacets").SetConstrainFacets(True)
 
 
-@dataclass(frozen=True)
 class Scale(Option):
     """What a surface's coordinates are multiplied by before any filter has it: there is no property."""
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> float:
+    def checked(self, name: str, value: Any) -> float:
         if not at_least(0, name, value) > 0:
             raise Error(f"{name} is {value:g}; it must be above 0")
         return float(value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
-        self.checked(algorithm, name, value)
+        self.checked(name, value)
 
     def used_by(self, algorithm: Any, value: Any) -> float:
         return 1.0 if value is None else float(value)
-
-    def help(self) -> str:
-        return f"{self.words}; default 1"
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "FACTOR", "type": float}
@@ -182,7 +151,7 @@ class Scale(Option):
 class Names(Option):
     """A list of names, or these as one text, parted by commas."""
 
-    def checked(self, algorithm: Any, name: str, value: Any) -> str:
+    def checked(self, name: str, value: Any) -> str:
         if isinstance(value, str):
             return value
         if not isinstance(value, (list, tuple)) or not all(isinstance(one, str) for one in value):
@@ -194,16 +163,24 @@ class Names(Option):
 
 
 class Places(Option):
-    def checked(self, algorithm: Any, name: str, value: Any) -> vtkPointSet:
+    def checked(self, name: str, value: Any) -> vtkPointSet:
         if isinstance(value, vtkPointSet):
             return value
         return _seed_points(read_seeds(value) if isinstance(value, str) else value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
-        algorithm.SetSeedsData(self.checked(algorithm, name, value))
+        algorithm.SetSeedsData(self.checked(name, value))
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "FILE.csv"}
+
+
+def kind_of(one: Declared) -> type[Option]:
+    """The kind of an option that a class declares."""
+    if one.choices:
+        return Choice
+    whole = Count if one.most is None else Order
+    return {"bool": Switch, "int": whole, "double": Number, "string": Option}[one.kind]
 
 
 def owner_of(algorithm: Any, vtk_property: str) -> Any:

@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be chosen about a solid: each option once, for VTK's filters, the functions and the command line."""
+"""What can be chosen about a solid: each option once, for the functions and the command line.
+
+An option is a field of one of these classes, by the topic that it stands under in the command's help. What it means, its range,
+default and choices are those that the header of its VTK class declares (declared.py, which the build writes); the few that are no
+properties are told here. The build puts the fields among the parameters of the functions that have them, too.
+"""
 
 from __future__ import annotations
 
 import inspect
 import re
 import textwrap
-from dataclasses import dataclass, field, fields
-from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Sequence, TypeVar, Union, get_args
+from dataclasses import dataclass, fields
+from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Sequence, TypeVar, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .option_kinds import Choice, Count, Dimensions, Names, Number, Option, Order, Places, Scale, Seeds, Switch, SwitchOrArray, owner_of
+from .declared import CONSTANTS, DECLARED
+from .option_kinds import ChosenFacets, Dimensions, Names, Option, Places, Scale, Seeds, kind_of, owner_of
 from .vtkFiltersInsideOut import vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
@@ -27,220 +33,77 @@ Filter = TypeVar("Filter")
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def _is(option: Option) -> Any:
-    return field(default=option.default, metadata={"option": option})
+@dataclass(frozen=True)
+class SurfaceOptions:
+    scale: Optional[float] = None
+    orientation: Orientation = "automatic"
+    merge_tolerance: Optional[float] = None
+    count_duplicates: bool = False
+    thicken: Optional[float] = None
+    thicken_all: bool = False
+    dimension: Dimension = "automatic"
+    non_participating_array: Optional[str] = None
+    tag_array: Optional[str] = None
+    merge_coplanar_pieces: bool = False
+    split_seams: bool = False
 
 
 @dataclass(frozen=True)
-class Options:
+class BodiesOptions:
+    body_array: Optional[str] = None
+    priority: Union[str, Sequence[str], None] = None
+    region_rule: RegionRule = "by-priority"
+
+
+@dataclass(frozen=True)
+class SegmentationOptions:
+    gamma: Optional[float] = None
+    sigma: Optional[float] = None
+    data_term: DataTerm = "uniform"
+    quadrature_order: Optional[QuadratureOrder] = None
+    constrain_facets: bool = False
+    constrained_facets_array: Optional[str] = None
+    seeds: Optional[Seeds] = None
+
+
+@dataclass(frozen=True)
+class TopologyOptions:
+    non_manifold: NonManifold = "keep"
+    separate_overlaps: bool = False
+    topology: Topology = "any"
+    fill_cavities: bool = False
+    largest_regions: Optional[int] = None
+    minimum_region_volume: Optional[float] = None
+    seeded_regions: bool = False
+
+
+@dataclass(frozen=True)
+class RefinementOptions:
+    edge_length: Optional[float] = None
+    grading: Optional[float] = None
+    maximum_volume: Optional[float] = None
+    surface_treatment: SurfaceTreatment = "kept"
+    surface_tolerance: Optional[float] = None
+    feature_angle: Optional[float] = None
+    quadratic_cells: bool = False
+
+
+@dataclass(frozen=True)
+class WorkOptions:
+    refine: bool = False
+    surface_only: bool = False
+    engine: Engine = "automatic"
+    parts_apart: bool = False
+    time_budget: Optional[float] = None
+    memory_budget: Optional[float] = None
+
+
+@dataclass(frozen=True)
+class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOptions, RefinementOptions, WorkOptions):
     """The options of `tetrahedralize`, some of which other functions have too.
 
     They are properties of vtkRobustTetrahedralize and of the stages that it hands out; in a plane of vtkRobustTriangulate.
-    Neither has a scale: that is for the surface, before any filter has it.
     """
-
-    scale: Optional[float] = _is(
-        Scale("", "multiply the surface's coordinates by this: 0.001 makes metres of millimetres; other lengths are in the new unit")
-    )
-    dimension: Dimension = _is(
-        Dimensions(
-            "",
-            'how many dimensions the input has: "2", lines or polygons in a plane, which become triangles; "3", a surface; '
-            '"automatic" is 2 for lines without polygons and for polygons in one plane, with a warning',
-            default="automatic",
-            choices=("automatic", "2", "3"),
-        )
-    )
-    gamma: Optional[float] = _is(
-        Number("Gamma", "weight of a smooth boundary against the winding number; 0 takes every cell with w above 1/2")
-    )
-    sigma: Optional[float] = _is(
-        Number("Sigma", "how large a step of w between neighbouring cells may be noise", least=1e-6)
-    )
-    orientation: Orientation = _is(
-        Choice(
-            "Orientation",
-            'which way facets are meant to face: "automatic" turns over what is inside out, with a warning, and leaves '
-            'cavities; "as-given" turns nothing, "reverse" everything, and "outward" all that encloses something outward',
-            default="automatic",
-            choices=get_args(Orientation),
-        )
-    )
-    thicken: Optional[float] = _is(
-        Number("Thicken", "give sheets, which enclose nothing, this thickness, in the surface's units; 0 leaves them")
-    )
-    thicken_all: bool = _is(Switch("ThickenAll", "thicken every facet, and not only sheets"))
-    merge_tolerance: Optional[float] = _is(
-        Number("MergeTolerance", "points of the surface at most this far apart become one, in its units; narrower gaps between bodies close")
-    )
-    count_duplicates: bool = _is(Switch("CountDuplicates", "count a facet as often as it is given"))
-    time_budget: Optional[float] = _is(
-        Number("TimeBudget", "seconds that tetrahedralizing may take, all tries together; 0 goes by work, not by time")
-    )
-    memory_budget: Optional[float] = _is(
-        Number("MemoryBudget", "MiB that TetGen's process may hold; 0 goes by the surface's size")
-    )
-    engine: Engine = _is(
-        Choice(
-            "Engine",
-            'what makes the tetrahedra: "exact" flips and cuts, "tetgen", or "automatic", which is the first, and the '
-            "second should it lose a facet",
-            default="automatic",
-            choices=get_args(Engine),
-            prefix="ENGINE_",
-        )
-    )
-    data_term: DataTerm = _is(
-        Choice(
-            "DataTerm",
-            'how much a cell\'s own w counts: "uniform", or "volume-weighted", so that slivers do not outvote large cells',
-            default="uniform",
-            choices=get_args(DataTerm),
-        )
-    )
-    constrain_facets: Union[bool, str] = _is(
-        SwitchOrArray(
-            "ConstrainFacets",
-            "keep every facet as faces of cells inside, thin sheets too",
-            "; or, by the name of a cell array, those where it is not 0",
-        )
-    )
-    non_manifold: NonManifold = _is(
-        Choice(
-            "NonManifold",
-            'what becomes of the solid\'s boundary where it is no 2-manifold: "keep" leaves it, "fill" adds cells, and "split" '
-            "copies points in their place, so that parts that touch share none",
-            default="keep",
-            choices=get_args(NonManifold),
-            prefix="NONMANIFOLD_",
-        )
-    )
-    separate_overlaps: bool = _is(
-        Switch(
-            "SeparateOverlaps",
-            "where two layers of the solid overlap give each cells of its own, so that a limb can be pulled out of another",
-        )
-    )
-    largest_regions: Optional[int] = _is(
-        Count("LargestRegions", "how many regions of the solid, parts that faces connect, stay at most: the largest; 0 is any number")
-    )
-    minimum_region_volume: Optional[float] = _is(
-        Number("MinimumRegionVolume", "drop regions of a smaller volume, in a plane area, in the surface's units")
-    )
-    seeded_regions: bool = _is(Switch("SeededRegions", "drop regions without a seed that is to be inside"))
-    fill_cavities: bool = _is(Switch("FillCavities", "fill the cavities that the solid encloses, in a plane its holes"))
-    topology: Topology = _is(
-        Choice(
-            "Topology",
-            'what the solid is to be: "any", as the cut has it; "one-component", regions joined or dropped, whichever adds less '
-            'energy; "simply-connected", without tunnels and cavities besides, which are cut open or filled',
-            default="any",
-            choices=get_args(Topology),
-            prefix="TOPOLOGY_",
-        )
-    )
-    non_participating: Optional[str] = _is(
-        Option(
-            "NonParticipatingArrayName",
-            "the name of a cell array of the surface: cells where it is not 0 do not count in w, but shape the mesh",
-        )
-    )
-    quadrature_order: Optional[QuadratureOrder] = _is(
-        Order("QuadratureOrder", "degree up to which w is integrated over a cell, which matters near holes only", most=max(get_args(QuadratureOrder)))
-    )
-    merge_coplanar_pieces: bool = _is(
-        Switch(
-            "MergeCoplanarPieces",
-            "put the pieces of an input triangle together again on the boundary where all of it lies there",
-        )
-    )
-    split_seams: bool = _is(
-        Switch(
-            "SplitSeams",
-            "give the boundary a point for each of the input's texture coordinates and normals in a place, instead of "
-            "the lowest point's alone",
-        )
-    )
-    surface_only: bool = _is(
-        Switch(
-            "SurfaceOnly",
-            "only the boundary is wanted: of a closed surface it is found without tetrahedra, at the speed of resolving "
-            "self-intersections, where nothing else is asked for that takes them",
-        )
-    )
-    tag_array: Optional[str] = _is(
-        Option(
-            "TagArrayName",
-            "the name of a cell array of the surface, of integers or strings, that tags the boundary; by default its groups, "
-            "materials or solids do",
-        )
-    )
-    bodies: Optional[str] = _is(
-        Option(
-            "BodyArrayName",
-            "the name of a cell array of the surface, of integers or strings, that says which body each facet is of: all become "
-            "one mesh, of a region for each",
-        )
-    )
-    parts_apart: bool = _is(
-        Switch(
-            "PartsApart",
-            "tetrahedralize parts of the surface whose boxes do not meet apart, by several threads at once, without cells "
-            "between them: the same solid where the surface is closed, in other tetrahedra; all open pieces are one part",
-        )
-    )
-    region_rule: RegionRule = _is(
-        Choice(
-            "RegionRule",
-            'what becomes a region where there are bodies: "by-priority", each body, of several in a place the one that comes '
-            'first; "all", each combination of bodies that occurs',
-            default="by-priority",
-            choices=get_args(RegionRule),
-        )
-    )
-    priority: Union[str, Sequence[str], None] = _is(
-        Names("Priority", "the names of bodies, parted by commas, from the one that comes first; the others follow in their own order", "; or a list of them")
-    )
-    refine: bool = _is(
-        Switch(
-            "Refine",
-            "better tetrahedra of the same solid, or in a plane better triangles; any other option of refinement implies it",
-        )
-    )
-    edge_length: Optional[float] = _is(
-        Number("EdgeLength", "how long edges are to be at most, in the surface's units; 0 goes by the surface's own")
-    )
-    grading: Optional[float] = _is(
-        Number("Grading", "by how much edges may grow per unit of distance from the boundary", least=1e-6)
-    )
-    maximum_volume: Optional[float] = _is(
-        Number("MaximumVolume", "the largest volume of tetrahedra, or in a plane area of triangles, in the surface's units; 0 is any size")
-    )
-    surface_treatment: SurfaceTreatment = _is(
-        Choice(
-            "Surface",
-            "what becomes of the triangles of the boundary of tetrahedra that are refined: kept bit by bit, split into pieces, "
-            "or remeshed within a tolerance",
-            default="kept",
-            alias="--surface",
-            choices=get_args(SurfaceTreatment),
-        )
-    )
-    surface_tolerance: Optional[float] = _is(
-        Number("SurfaceTolerance", "how far a remeshed boundary may be from the old one; 0 is a thousandth of the size")
-    )
-    feature_angle: Optional[float] = _is(
-        Number("FeatureAngle", "edges of a remeshed boundary stay where normals differ by more, in degrees", most=180)
-    )
-    quadratic: bool = _is(Switch("QuadraticCells", "tetrahedra of ten points, of which six are amid the straight edges"))
-    seeds: Optional[Seeds] = _is(
-        Places(
-            "SeedsData",
-            "what has to be inside or outside: a table of x, y, z, inside (1 or 0), and body where there are bodies",
-            "; or pairs of a point and a bool, and a body's name behind them, or a vtkPointSet with the point arrays Inside (1 or 0) "
-            "and Body (a name)",
-        )
-    )
 
     def factor(self) -> float:
         """What the surface's coordinates are multiplied by."""
@@ -276,7 +139,7 @@ class Options:
         ]
 
     def _is_given(self, name: str) -> bool:
-        value, default = getattr(self, name), OPTIONS[name].default
+        value, default = getattr(self, name), DEFAULTS[name]
         return value is not default and not (isinstance(value, str) and value == default)
 
     def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
@@ -289,23 +152,64 @@ class Options:
         return algorithm
 
 
-REFINING_OPTIONS = (
-    *("edge_length", "grading", "maximum_volume", "surface_treatment", "surface_tolerance", "feature_angle", "quadratic"),
-)
-"""What `refine` has too."""
+_OWN: dict[str, Option] = {
+    "scale": Scale("", "Factor on the surface's coordinates: 0.001 makes meters of millimeters. Other lengths are in the new unit. Default 1."),
+    "dimension": Dimensions(
+        "",
+        'Number of dimensions of the input: "2", lines or polygons in a plane, which become triangles; "3", a surface; '
+        '"automatic" is 2 for lines without polygons and for polygons in one plane, with a warning. Default "automatic".',
+        choices=("automatic", "2", "3"),
+    ),
+    "seeds": Places(
+        "SeedsData",
+        "What has to be inside or outside: a table of x, y, z, inside (1 or 0), and body where there are bodies.",
+        " Or pairs of a point and a bool, and a body's name behind them, or a vtkPointSet with the point arrays Inside (1 or 0) "
+        "and Body (a name).",
+    ),
+}
+"""Those that are no properties, or take more than these."""
 
-OPTIONS: dict[str, Option] = {one.name: one.metadata["option"] for one in fields(Options)}
+_KINDS: dict[str, type[Option]] = {"priority": Names, "constrained_facets_array": ChosenFacets}
+_MORE_WORDS = {"priority": " Or a list of them."}
+
+
+def _declared(name: str) -> Option:
+    one = DECLARED[name]
+    kind = _KINDS.get(name, kind_of(one))
+    return kind(one.vtk_property, one.words, _MORE_WORDS.get(name, ""), one.least or 0, one.most, one.choices)
+
+
+TOPICS: dict[str, list[str]] = {base.__name__.removesuffix("Options").lower(): [one.name for one in fields(base)] for base in Options.__bases__}
+"""The options by what they are about."""
+
+OPTIONS: dict[str, Option] = {name: _OWN.get(name) or _declared(name) for names in TOPICS.values() for name in names}
 """What stands behind each of them, by its name in Python."""
+
+DEFAULTS: dict[str, Any] = {one.name: one.default for one in fields(Options)}
+"""What leaves a filter its own default."""
+
+_PROPERTIES = {option.vtk_property: name for name, option in OPTIONS.items() if option.vtk_property}
+
+REFINING_OPTIONS = tuple(TOPICS["refinement"])
+"""What `refine` has too."""
 
 
 def in_words_of_python(texts: Iterable[str]) -> list[str]:
     """Texts that name VTK's properties, with the names that these have in Python."""
-    return _renamed(texts, {option.vtk_property: name for name, option in OPTIONS.items() if option.vtk_property})
+    return _renamed(texts, _PROPERTIES)
 
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
     """Texts that name Python's options, with those of the command line."""
-    return _renamed(texts, {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "bodies", "priority")})
+    return _renamed(texts, {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "priority")})
+
+
+def help_of(name: str, spelled: Callable[[str], str] = str, quote: str = '"') -> str:
+    """What an option means, in which options are spelled and choices quoted as the reader has them."""
+    words = re.sub(rf"\b(?:{'|'.join(CONSTANTS)})\b", lambda found: f"{quote}{CONSTANTS[found[0]]}{quote}", OPTIONS[name].words)
+    # A word of its own that begins a sentence is no name of an option.
+    names = "|".join(name if re.search("[a-z][A-Z]", name) else f"(?<=[a-z,;:] ){name}" for name in _PROPERTIES)
+    return re.sub(rf"(?:{names})\b", lambda found: spelled(_PROPERTIES[found[0]]), words)
 
 
 def flag_of(name: str) -> str:
@@ -317,7 +221,7 @@ def _renamed(texts: Iterable[str], names: Mapping[str, str]) -> list[str]:
     def new_name(found: re.Match[str]) -> str:
         return names[found.group()]
 
-    return [re.sub(rf"\b({'|'.join(names)})\b", new_name, text) for text in texts]
+    return [re.sub(rf"(?<![-\w])(?:{'|'.join(names)})\b", new_name, text) for text in texts]
 
 
 def describe_options(function: Function) -> Function:
@@ -326,7 +230,7 @@ def describe_options(function: Function) -> Function:
     names = [name for name in inspect.signature(function).parameters if name in OPTIONS and f" {name}  " not in page]
     width = max(map(len, names)) + 2
     lines = [
-        textwrap.fill(name.ljust(width) + OPTIONS[name].help() + OPTIONS[name].more_words, 106, subsequent_indent=" " * width)
+        textwrap.fill(name.ljust(width) + help_of(name) + OPTIONS[name].more_words, 106, subsequent_indent=" " * width)
         for name in names
     ]
     function.__doc__ = re.sub(

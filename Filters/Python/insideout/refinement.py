@@ -48,13 +48,7 @@ class Refinement(Result):
 def refine(
     solid: AnySolid,
     *,
-    edge_length: Optional[float] = None,
-    grading: Optional[float] = None,
-    maximum_volume: Optional[float] = None,
-    surface_treatment: SurfaceTreatment = "kept",
-    surface_tolerance: Optional[float] = None,
-    feature_angle: Optional[float] = None,
-    quadratic: bool = False,
+    # All fields of RefinementOptions.
     sizes: Optional[Sizes] = None,
     background: Optional[DataSetOfPoints] = None,
     progress: Optional[Progress] = None,

@@ -151,46 +151,7 @@ class Tetrahedralization(Result):
 def tetrahedralize(
     surface: AnyBodies,
     *,
-    scale: Optional[float] = None,
-    dimension: Dimension = "automatic",
-    gamma: Optional[float] = None,
-    sigma: Optional[float] = None,
-    orientation: Orientation = "automatic",
-    thicken: Optional[float] = None,
-    thicken_all: bool = False,
-    merge_tolerance: Optional[float] = None,
-    count_duplicates: bool = False,
-    time_budget: Optional[float] = None,
-    memory_budget: Optional[float] = None,
-    engine: Engine = "automatic",
-    data_term: DataTerm = "uniform",
-    constrain_facets: Union[bool, str] = False,
-    non_manifold: NonManifold = "keep",
-    separate_overlaps: bool = False,
-    largest_regions: Optional[int] = None,
-    minimum_region_volume: Optional[float] = None,
-    seeded_regions: bool = False,
-    fill_cavities: bool = False,
-    topology: Topology = "any",
-    non_participating: Optional[str] = None,
-    quadrature_order: Optional[QuadratureOrder] = None,
-    merge_coplanar_pieces: bool = False,
-    split_seams: bool = False,
-    surface_only: bool = False,
-    tag_array: Optional[str] = None,
-    bodies: Optional[str] = None,
-    parts_apart: bool = False,
-    region_rule: RegionRule = "by-priority",
-    priority: Union[str, Sequence[str], None] = None,
-    refine: bool = False,
-    edge_length: Optional[float] = None,
-    grading: Optional[float] = None,
-    maximum_volume: Optional[float] = None,
-    surface_treatment: SurfaceTreatment = "kept",
-    surface_tolerance: Optional[float] = None,
-    feature_angle: Optional[float] = None,
-    quadratic: bool = False,
-    seeds: Optional[Seeds] = None,
+    # All fields of Options.
     progress: Optional[Progress] = None,
 ) -> Tetrahedralization:
     """Tetrahedra of the solid that a surface most likely means; or, of lines or polygons in a plane, triangles.
@@ -207,7 +168,7 @@ def tetrahedralize(
     """
     options = Options.among(locals())
     algorithm: Any = options.set_on(vtkRobustTetrahedralize())
-    polygons, warnings, body_array = as_bodies(surface, options.scale, bodies)
+    polygons, warnings, body_array = as_bodies(surface, options.scale, options.body_array)
     algorithm.SetBodyArrayName(body_array or "")
     if options.is_planar(polygons):
         algorithm, more = _triangulator(options, polygons, body_array)
@@ -243,7 +204,7 @@ def _triangulator(options: Options, polygons: vtkPolyData, body_array: Optional[
     algorithm = vtkRobustTriangulate()
     left_out = options.left_out_by(algorithm)
     if body_array:
-        raise Error("the input lies in a plane, where bodies has no meaning: bodies are in space")
+        raise Error("the input lies in a plane, where body_array has no meaning: bodies are in space")
     if options.separate_overlaps:
         raise Error("the input lies in a plane, where separate_overlaps does nothing: it separates tetrahedra")
     warnings = [f"{name} does nothing in a plane" for name in left_out if name != "surface_only"]

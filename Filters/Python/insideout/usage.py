@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any, Sequence, get_args
 
 from .files import READABLE_SOLIDS, READABLE_SURFACES, WRITABLE_SURFACES
-from .options import OPTIONS, REFINING_OPTIONS
+from .options import OPTIONS, REFINING_OPTIONS, flag_of, help_of
+from .options import TOPICS as TOPICS_OF_OPTIONS
 from .places import QUERIES
 from .writing import WRITABLE_GRIDS, MshVersion
 
@@ -24,7 +25,7 @@ OF_THE_RUN = ("output", "force", "report", "format", "timeout", "threads", "quie
 _MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version")
 MESH_OPTIONS = (*_MESH_FILES, "together", *OPTIONS)
 
-_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic")
+_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic_cells")
 """What a repaired surface has no use for."""
 
 _SURFACE_ENDINGS, _GRID_ENDINGS = " ".join(WRITABLE_SURFACES), " ".join(WRITABLE_GRIDS)
@@ -53,7 +54,6 @@ _OTHERS: dict[str, dict[str, Any]] = {
         "action": "store_true",
         "help": "make one mesh of all surfaces, which conforms: each is a body, called like its file without folder and ending",
     },
-    "constrained_array": {"dest": "constrain_facets", "metavar": "ARRAY", "help": "the same for the facets where this cell array is not 0"},
     "sizes": {"metavar": "ARRAY", "help": "how long edges are to be at each point, by this point array of the solid"},
     "distance": {"action": "store_true", "help": "how far the surface is from each point, too, negative inside"},
     "timeout": {"metavar": "S", "type": float, "help": "give a surface up after this many seconds; none by default"},
@@ -62,23 +62,25 @@ _OTHERS: dict[str, dict[str, Any]] = {
 }
 """What argparse is to know of options that no filter has."""
 
-SHORT_FLAGS = {"output": "-o"}
+OTHER_FLAGS = {
+    "output": ["-o"],
+    "surface_treatment": ["--surface"],
+    "quadratic_cells": ["--quadratic"],
+    "body_array": ["--bodies"],
+    "constrained_facets_array": ["--constrained-array"],
+    "non_participating_array": ["--non-participating"],
+}
+"""Short ones, which help tells, and earlier names, which it does not."""
 
-TOPICS: dict[str, tuple[str, ...]] = {
+TOPICS: dict[str, Sequence[str]] = {
     "files": ("output", "force", "hull", "boundary", "outliers", "plot", "report", "msh_version", "format"),
-    "surface": (
-        *("scale", "orientation", "merge_tolerance", "count_duplicates", "thicken", "thicken_all", "dimension"),
-        *("non_participating", "tag_array", "merge_coplanar_pieces", "split_seams"),
-    ),
-    "bodies": ("together", "bodies", "priority", "region_rule"),
-    "segmentation": ("gamma", "sigma", "data_term", "quadrature_order", "constrain_facets", "constrained_array", "seeds"),
-    "topology": (
-        *("non_manifold", "separate_overlaps", "topology", "fill_cavities"),
-        *("largest_regions", "minimum_region_volume", "seeded_regions"),
-    ),
+    "surface": TOPICS_OF_OPTIONS["surface"],
+    "bodies": ("together", *TOPICS_OF_OPTIONS["bodies"]),
+    "segmentation": TOPICS_OF_OPTIONS["segmentation"],
+    "topology": TOPICS_OF_OPTIONS["topology"],
     "refinement": ("refine", *REFINING_OPTIONS, "sizes"),
     "points": ("distance",),
-    "work": ("surface_only", "engine", "parts_apart", "time_budget", "memory_budget", "timeout", "threads", "quiet"),
+    "work": (*(name for name in TOPICS_OF_OPTIONS["work"] if name != "refine"), "timeout", "threads", "quiet"),
 }
 """All options, in the order in which help tells them."""
 
@@ -120,7 +122,7 @@ COMMANDS: dict[str, Command] = {
         "tetrahedra of the solid inside",
         "Make tetrahedra of the solid that a surface means, or triangles in a plane.",
         (_SURFACE, _OUTPUT),
-        (*MESH_OPTIONS, "constrained_array", *OF_THE_RUN),
+        (*MESH_OPTIONS, *OF_THE_RUN),
         """\
 insideout mesh broken.ply solid.vtu
     the tetrahedra inside
@@ -130,11 +132,11 @@ insideout mesh broken.ply solid.vtu --boundary solid.stl --plot picture.png --re
     the watertight boundary, a picture and a report too
 insideout mesh *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
     several; {} is each one's name without ending, and a table comes at the end
-insideout mesh broken.ply solid.vtu --edge-length 0.05 --quadratic
+insideout mesh broken.ply solid.vtu --edge-length 0.05 --quadratic-cells
     refined, with cells of second order
 insideout mesh --together bone.stl fat.ply limb.msh --priority bone
     several bodies in one mesh that conforms: a region for each, where both are that of the bone
-insideout mesh parts.obj parts.inp --bodies GroupIds --region-rule all
+insideout mesh parts.obj parts.inp --body-array GroupIds --region-rule all
     the groups of one file as bodies, and a region for each combination
 zcat broken.obj.gz | insideout mesh - solid.vtu --format obj
     standard input; a .gz is read as it is, too
@@ -148,7 +150,7 @@ zcat broken.obj.gz | insideout mesh - solid.vtu --format obj
         "the solid's watertight boundary",
         "Make the watertight boundary of the solid that a surface means, without tetrahedra where it is closed.",
         (_SURFACE, ("OUTPUT", f"{_SURFACE_ENDINGS}; {{}} in the name stands for the surface's name without folder and ending")),
-        [name for name in (*MESH_OPTIONS, "constrained_array", *OF_THE_RUN) if name not in _OF_TETRAHEDRA],
+        [name for name in (*MESH_OPTIONS, *OF_THE_RUN) if name not in _OF_TETRAHEDRA],
         """\
 insideout repair broken.stl fixed.stl
     without self-intersections, inner walls and duplicates
@@ -181,7 +183,7 @@ insideout check solid.vtu --plot angles.png
         ),
         ("msh_version", *REFINING_OPTIONS, "sizes", *(name for name in OF_THE_RUN if name != "format")),
         """\
-insideout refine solid.vtu better.vtu --edge-length 0.05 --quadratic
+insideout refine solid.vtu better.vtu --edge-length 0.05 --quadratic-cells
     edges of at most this length, and cells of second order
 """,
     ),
@@ -222,7 +224,7 @@ insideout query grid.vti broken.ply w.vti --distance
         "defects, winding numbers, tetrahedra",
         "Draw a picture, without a window, of a surface and what becomes of it, or of how good tetrahedra are.",
         (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra; of a solid, a histogram of dihedral angles")),
-        [name for name in (*MESH_OPTIONS, "constrained_array", *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only")],
+        [name for name in (*MESH_OPTIONS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only")],
         """\
 insideout draw broken.ply picture.png
     the surface's defects, a slice of w, and the tetrahedra inside
@@ -240,4 +242,4 @@ def argument_of(name: str) -> dict[str, Any]:
     """What argparse is to know of an option."""
     if name in _OTHERS:
         return {"dest": name, **_OTHERS[name]}
-    return {"dest": name, "help": OPTIONS[name].help(), **OPTIONS[name].argument()}
+    return {"dest": name, "help": help_of(name, flag_of, ""), **OPTIONS[name].argument()}

@@ -298,11 +298,11 @@ TEST(vtkRobustTriangulate, RefusesWhatIsNotFlatAndWhatItCannotRefine)
 
   FilterRun second(TwoSquares());
   second.Filter->RefineOn();
-  second.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::REMESHED);
+  second.Filter->GetRefinement()->SetSurfaceTreatment(vtkRefineTetrahedra::REMESHED);
   second.Filter->Update();
   ASSERT_EQ(second.Errors.size(), 1u);
   EXPECT_NE(second.Errors[0].find("not remeshed"), std::string::npos);
-  second.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::SPLIT);
+  second.Filter->GetRefinement()->SetSurfaceTreatment(vtkRefineTetrahedra::SPLIT);
   second.Filter->GetRefinement()->QuadraticCellsOn();
   second.Filter->Update();
   ASSERT_EQ(second.Errors.size(), 2u);
@@ -313,7 +313,7 @@ TEST(vtkRobustTriangulate, RefinesTheTrianglesAndCarriesTheirData)
 {
   FilterRun run(TwoSquares());
   run.Filter->RefineOn();
-  run.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::SPLIT);
+  run.Filter->GetRefinement()->SetSurfaceTreatment(vtkRefineTetrahedra::SPLIT);
   run.Filter->SetEdgeLength(0.2);
   run.Filter->Update();
   vtkUnstructuredGrid* grid = run.Filter->GetOutput();
@@ -372,7 +372,7 @@ TEST(vtkRobustTriangulate, RefinesTheTrianglesAndCarriesTheirData)
   }
   EXPECT_NEAR(area, 7, 1e-12);
 
-  run.Filter->GetRefinement()->SetSurface(vtkRefineTetrahedra::KEPT);
+  run.Filter->GetRefinement()->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   run.Filter->Update();
   EXPECT_EQ(run.Filter->GetBoundary()->GetNumberOfPoints(), 8);
   EXPECT_GT(run.Filter->GetOutput()->GetNumberOfCells(), 100);

@@ -346,7 +346,7 @@ TEST(vtkRefineTetrahedra, MixesPointsOfASurfaceOfItsOwnPointsOnly)
   {
     Refine refine(grid);
     refine.Algorithm->SetEdgeLength(0.3);
-    refine.Algorithm->SetSurface(surface);
+    refine.Algorithm->SetSurfaceTreatment(surface);
     vtkUnstructuredGrid* output = refine.Run();
     vtkDataArray* mixed = output->GetPointData()->GetArray("Linear");
     int onSurface = 0;

@@ -39,7 +39,7 @@ class Job:
     def __init__(self, options: argparse.Namespace, files: Files):
         self.options = options
         self.files = files
-        self.settings = Options.among({**vars(options), **({"bodies": BODY_IDS} if options.together else {})})
+        self.settings = Options.among({**vars(options), **({"body_array": BODY_IDS} if options.together else {})})
         self.bars = StageBars(None if options.quiet else sys.stderr)
         self.report_is_writable = False
         self.parameters: dict[str, Any] = {}
