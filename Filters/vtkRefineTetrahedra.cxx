@@ -30,7 +30,6 @@ vtkRefineTetrahedra::vtkRefineTetrahedra()
   this->SurfaceTreatment = static_cast<int>(defaults.Surface);
   this->SurfaceTolerance = defaults.SurfaceTolerance;
   this->FeatureAngle = defaults.FeatureAngle;
-  this->AngleMargin = defaults.AngleMargin;
 }
 
 void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
@@ -43,7 +42,6 @@ void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceTreatment: " << this->SurfaceTreatment << "\n";
   os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "AngleMargin: " << this->AngleMargin << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
 }
 
@@ -59,7 +57,6 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
   parameters.Surface = static_cast<SurfaceTreatment>(filter->GetSurfaceTreatment());
   parameters.SurfaceTolerance = filter->GetSurfaceTolerance();
   parameters.FeatureAngle = filter->GetFeatureAngle();
-  parameters.AngleMargin = filter->GetAngleMargin();
   return parameters;
 }
 

@@ -124,12 +124,6 @@ public:
   ///@}
 
   ///@{
-  /** Margin that is added to FeatureAngle, in degrees. Default 0. Range 0 to 10. */
-  vtkSetClampMacro(AngleMargin, double, 0.0, 10.0);
-  vtkGetMacro(AngleMargin, double);
-  ///@}
-
-  ///@{
   /** Make cells of second order (vtkQuadraticTetra), with mid-edge nodes on the straight edges.
    * Default off. Neighbors share the mid-edge nodes, whose ids follow those of the corners. */
   vtkSetMacro(QuadraticCells, bool);
@@ -160,7 +154,6 @@ protected:
   int SurfaceTreatment;
   double SurfaceTolerance;
   double FeatureAngle;
-  double AngleMargin;
   bool QuadraticCells = false;
 
 private:

@@ -188,7 +188,7 @@ void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementPara
   const auto surfaceNow = [&]
   {
     return RefinableSurface(
-      refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle + parameters.AngleMargin);
+      refinable, run.Facets, run.Locked, parameters.Surface, parameters.FeatureAngle);
   };
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {

@@ -25,9 +25,6 @@ struct RefinementParameters
    * tolerance; in degrees. */
   double FeatureAngle = 30;
 
-  /** Added to the feature angle, in degrees. */
-  double AngleMargin = 0;
-
   /** Remeshed: per face of each cell, a number; edges between faces of different ones stay. Empty:
    * all faces have the same. */
   std::vector<std::array<Id, 4>> Labels;

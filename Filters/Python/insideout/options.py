@@ -85,7 +85,6 @@ class RefinementOptions:
     surface_treatment: SurfaceTreatment = "kept"
     surface_tolerance: Optional[float] = None
     feature_angle: Optional[float] = None
-    angle_margin: Optional[float] = None
     quadratic_cells: bool = False
 
 
