@@ -13,16 +13,16 @@
  * What comes back is checked with exact predicates. Where no way keeps every facet, for facets
  * cross or the budgets are used up, the mesh that loses fewest is taken, if need be the Delaunay
  * tetrahedra of the points alone. Warnings say which way gave the mesh and why the others did not;
- * GetRungName(Statistics_Rung) names the way.
+ * GetRungName of the statistic Rung names the way.
  *
- * Output: positively oriented vtkTetra with two cell arrays of four components, one for each
- * face in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none;
- * of several one whose normal leaves the cell, else the lowest) and FacetMultiplicity (short: by
- * how much the winding number rises when entering the cell there). Points carry
- * vtkOriginalPointIds (-1 for Steiner points) and the input's point data: interpolated on
- * facets, NaN (0 for integers) in the volume. Field data: Statistics_NAME, a double each (Rung,
- * HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and
- * LostCellIds (vtkIdType): the input cells of facets that are lost, empty where none is.
+ * Output: positively oriented vtkTetra with two cell arrays of four components, one for each face
+ * in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none; of
+ * several one whose normal leaves the cell, else the lowest) and FacetMultiplicity (short: by how
+ * much the winding number rises when entering the cell there). Points carry vtkOriginalPointIds (-1
+ * for Steiner points) and the input's point data: interpolated on facets, NaN (0 for integers) in
+ * the volume. Field data: Statistics with StatisticsNames (Rung, HullPoints, HullCells,
+ * SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and LostCellIds (vtkIdType): the
+ * input cells of facets that are lost, empty where none is.
  *
  * Errors, with an empty output: facets that cross, points not finite or ids out of range; lines,
  * and polygons in one plane, which are for vtkRobustTriangulate.

@@ -9,9 +9,9 @@
  * closed surface w is an exact integer in every cell; holes make it a fraction that fades
  * smoothly.
  *
- * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data:
- * Statistics_NAME, a double each, among them what was wrong with the surface and the seconds of
- * each stage, LeftOutCellIds (see vtkResolveSelfIntersections), LostCellIds (see
+ * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data: Statistics,
+ * named by StatisticsNames, among them what was wrong with the surface and the seconds of each
+ * stage, LeftOutCellIds (see vtkResolveSelfIntersections), LostCellIds (see
  * vtkConstrainedDelaunay3D) and TurnedCellIds: input cells that the orientation turned over.
  *
  * Statistics of the orientation: Shells (sets of facets that face one way together), of these

@@ -330,7 +330,8 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
       this->Association == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
     for (const auto& array : arrays)
     {
-      vtkInsideOut::Attributes::RenameArrays(data, { array->GetName() }, warnings);
+      vtkInsideOut::Attributes::RenameArrays(
+        data, vtkInsideOut::Attributes::AreMadeHere(input), { array->GetName() }, warnings);
       data->AddArray(array);
     }
     data->SetActiveScalars(arrays.front()->GetName()); // SetScalars would remove those of before

@@ -48,10 +48,10 @@
  * are gathered in the first process, which validates and turns it as a whole. One of up to
  * FacetsAtOnce polygons is then sent to all; a larger one is cut into pieces of at most as many
  * facets, which all processes have in turn, so that but the first none holds more than a piece and
- * its own places. Lines and clouds are sent to all. Field data: Statistics_SurfacePieces (double),
- * how many pieces there were, 1 where the surface was whole. ClosestCellId then counts the cells of
- * all pieces, one after the other. Where an input fails in one process there is no output in any,
- * and an error in each says in which. Where an input is composite each process asks for the whole
+ * its own places. Lines and clouds are sent to all. Field data: the statistic SurfacePieces, how
+ * many pieces there were, 1 where the surface was whole. ClosestCellId then counts the cells of all
+ * pieces, one after the other. Where an input fails in one process there is no output in any, and
+ * an error in each says in which. Where an input is composite each process asks for the whole
  * surface instead.
  *
  * @sa vtkImplicitWindingNumber vtkGeneralizedWindingNumber vtkSelectEnclosedPoints

@@ -10,17 +10,18 @@
  * of the hull, with its exact coordinates. Lines, and polygons in one plane, are errors: they are
  * for vtkRobustTriangulate.
  *
- * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity
- * (see vtkConstrainedDelaunay3D) and RegionId, and with field data Statistics_NAME, LeftOutCellIds
- * (see vtkResolveSelfIntersections), LostCellIds (see vtkConstrainedDelaunay3D), TurnedCellIds and
- * what each region weighs. Output 1, its boundary: triangles, oriented outward and watertight, with
- * vtkOriginalCellIds (the input cell each lies on, -1 where a hole was closed), Turned (1 where
- * that was turned over, see Orientation) and BoundaryTag. Output 2, the outliers: the pieces of
- * input facets that are no face of a cell inside, with the cell array OutlierReason (unsigned char,
- * see OutlierReasonType; their names are the field array OutlierReasonNames). All carry the input's
- * point data and vtkOriginalPointIds, the surfaces its cell data. Normals and texture coordinates
- * stay active. Output 3, made with GenerateHull: all cells of the convex hull, with the arrays of
- * output 0 as they were before NonManifold Split, SeparateOverlaps and Refine.
+ * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity (see
+ * vtkConstrainedDelaunay3D) and RegionId, and with field data Statistics (named by
+ * StatisticsNames), LeftOutCellIds (see vtkResolveSelfIntersections), LostCellIds (see
+ * vtkConstrainedDelaunay3D), TurnedCellIds and what each region weighs. Output 1, its boundary:
+ * triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell each lies on,
+ * -1 where a hole was closed), Turned (1 where that was turned over, see Orientation) and
+ * BoundaryTag. Output 2, the outliers: the pieces of input facets that are no face of a cell
+ * inside, with the cell array OutlierReason (unsigned char, see OutlierReasonType; their names are
+ * the field array OutlierReasonNames). All carry the input's point data and vtkOriginalPointIds,
+ * the surfaces its cell data. Normals and texture coordinates stay active. Output 3, made with
+ * GenerateHull: all cells of the convex hull, with the arrays of output 0 as they were before
+ * NonManifold Split, SeparateOverlaps and Refine.
  *
  * The options of the surface and its winding number belong to the filter that GetWindingNumber()
  * hands out, those of the cut to GetSegmentation(), those of the refinement to GetRefinement(). A
@@ -49,7 +50,7 @@
  * their own bodies touches are outliers. The seeds' point array Body (a string or a number) names
  * their body; seeds that are to be outside may name none, and are outside all. LargestRegions and
  * Topology hold for each body alone. MergeCoplanarPieces, SplitSeams, SeparateOverlaps and
- * NONMANIFOLD_SPLIT are errors. Statistics_Bodies counts the bodies.
+ * NONMANIFOLD_SPLIT are errors. The statistic Bodies counts the bodies.
  *
  * The filter keeps the hull of its input: a change of the segmentation, its seeds or the refinement
  * does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -139,10 +140,9 @@ public:
   /**
    * An option of GetWindingNumber(). It closes gaps between bodies, with a warning for each kind. A
    * facet all of whose corners are that near to the plane of a facet of an earlier body is moved
-   * into it: faces that touch but for rounding need that; a warning names the tolerance, and
-   * Statistics_NearTriangles counts these triangles. Cells between bodies that are nowhere farther
-   * from either become cells of the last of them in the order of Priority (Statistics_GapCells
-   * and Statistics_GapVolume).
+   * into it: faces that touch but for rounding need that; a warning names the tolerance, and the
+   * statistic NearTriangles counts these triangles. Cells between bodies that are nowhere farther
+   * from either become cells of the last in the order of Priority (statistics GapCells, GapVolume).
    */
   void SetMergeTolerance(double tolerance);
   double GetMergeTolerance();
@@ -225,7 +225,7 @@ public:
    * Give the boundary a point for each of the input's texture coordinates and normals at one
    * location. Default off: one point, with the data of the lowest id. Every triangle of the
    * boundary then has the data of the input triangle that it lies on; it is watertight by
-   * coordinates, not by ids. Statistics_SeamPoints counts such points of the input.
+   * coordinates, not by ids. The statistic SeamPoints counts such points of the input.
    */
   vtkSetMacro(SplitSeams, bool);
   vtkGetMacro(SplitSeams, bool);
@@ -239,7 +239,7 @@ public:
    * made all the same where the input is open, has facets that could not be resolved or nothing
    * inside; for bodies, GenerateHull, Refine, seeds, ConstrainFacets, NonManifold,
    * SeparateOverlaps, a choice of regions, FillCavities, Topology and DataTerm; and for a Gamma or
-   * Sigma above the default. Statistics_Tetrahedra says which way was taken (1 or 0). Without
+   * Sigma above the default. The statistic Tetrahedra says which way was taken (1 or 0). Without
    * tetrahedra the statistics are those of the input and of the boundary, and Volume.
    */
   vtkSetMacro(SurfaceOnly, bool);
@@ -298,13 +298,13 @@ public:
   /**
    * Tetrahedralize parts of the surface whose bounding boxes do not meet apart, by several threads
    * at once, without cells between them. The solid of a closed surface is the same, in other
-   * tetrahedra. Default off. All pieces that have open edges or lie in a plane are one part. 27
-   * parts took 0.6 of the time on two threads. Statistics_PartsApart counts the parts. The boundary
-   * of a closed surface has the same triangles, except where Statistics_SurfaceSteinerPoints counts
+   * tetrahedra. Default off. All pieces with open edges or in a plane are one part. 27 parts took
+   * 0.6 of the time on two threads. The statistic PartsApart counts the parts. The boundary of a
+   * closed surface has the same triangles, except where the statistic SurfaceSteinerPoints counts
    * points added on them; tetrahedra, the order of regions and points, and energies are different.
-   * Where the surface is open, nothing beyond the hulls of the parts is inside; a warning tells of
-   * seeds there. Output 3 has these hulls. TimeBudget is for all parts, MemoryBudget for each.
-   * Requires one body and TOPOLOGY_ANY.
+   * Where the surface is open, nothing beyond the hulls of the parts (output 3) is inside; a
+   * warning tells of seeds there. TimeBudget is for all parts, MemoryBudget for each. Requires one
+   * body and TOPOLOGY_ANY.
    */
   vtkSetMacro(PartsApart, bool);
   vtkGetMacro(PartsApart, bool);

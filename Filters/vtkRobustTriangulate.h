@@ -19,8 +19,8 @@
  * in shared points only, with FacetMultiplicity as Orientation has it. All carry the input's
  * point data and vtkOriginalPointIds, the lines its cell data.
  *
- * Field data of output 0: Statistics_NAME, LeftOutCellIds, TurnedCellIds, and RegionArea and
- * RegionCenterOfMass (3 components) of each region. Statistics are those of
+ * Field data of output 0: Statistics, named by StatisticsNames, LeftOutCellIds, TurnedCellIds, and
+ * RegionArea and RegionCenterOfMass (3 components) of each region. Statistics are those of
  * vtkRobustTetrahedralize, with Area instead of Volume. With Refine they are also AddedPoints,
  * SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the angles of the
  * triangles before, which begin with Before.

@@ -18,9 +18,9 @@
  * - Orientation (signed char): 1 where its volume is positive, 0 where it is flat, -1 where it is
  *   negative
  *
- * Field data Statistics_NAME, a double each:
- * - Cells; Regions, the parts that are joined through faces; NegativeCells, FlatCells
- * - BoundaryFaces, of one cell; CrowdedFaces, of more than two; OverlappingFaces, whose two cells
+ * Field data Statistics, named by StatisticsNames: - Cells; Regions, the parts that are joined
+ * through faces; NegativeCells, FlatCells - BoundaryFaces, of one cell; CrowdedFaces, of more than
+ * two; OverlappingFaces, whose two cells
  *   lie on the same side; ContactPairs, pairs of boundary faces that meet beyond the points and
  *   edges that they share, as where a point lies in the middle of another cell's face
  * - Conforms: 1 without crowded or overlapping faces and contacts; the boundary is watertight then

@@ -33,11 +33,11 @@
  * - DefectColor (3 unsigned char): open boundary dark red, non-manifold purple,
  *   inconsistent orange, intersection curves black
  *
- * Both carry field data Statistics_NAME, a double each: the counts of vtkResolveSelfIntersections,
- * and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on which the facets' signed sum
- * is not 0; without any the surface is closed), Planar (1: all facets lie in one plane), NearPoints
- * (points nearer than NearDistance, a millionth of the size, to another). Those of orientation are
- * explained at vtkGeneralizedWindingNumber.
+ * Both carry field data Statistics, named by StatisticsNames: the counts of
+ * vtkResolveSelfIntersections, and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on
+ * which the facets' signed sum is not 0; without any the surface is closed), Planar (1: all facets
+ * lie in one plane), NearPoints (points nearer than NearDistance, a millionth of the size, to
+ * another). Those of orientation are explained at vtkGeneralizedWindingNumber.
  *
  * Of lines without polygons, which have to lie in one plane, the same is shown in two dimensions:
  * ComponentId, SelfIntersections, Degenerate, Duplicate and Turned per line, and output 1 has

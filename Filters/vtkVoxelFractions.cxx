@@ -155,7 +155,8 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
         ReadInside(solid, tetrahedra), ReadSides(input), monitor, { Stages::Measuring, 0, 1 });
       output->ShallowCopy(input);
       std::vector<std::string> warnings;
-      vtkInsideOut::Attributes::RenameArrays(output->GetCellData(), { "VolumeFraction" }, warnings);
+      vtkInsideOut::Attributes::RenameArrays(
+        output->GetCellData(), false, { "VolumeFraction" }, warnings);
       output->GetCellData()->AddArray(
         vtkInsideOut::MakeArray<vtkDoubleArray>("VolumeFraction", fractions));
       // SetScalars would remove those of before.

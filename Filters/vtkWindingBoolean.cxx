@@ -255,7 +255,7 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
       }
 
       vtkInsideOut::Attributes::RenameArrays(
-        inputs.Surface.Input->GetPointData(), { "BodyId" }, inputs.Surface.Warnings);
+        inputs.Surface.Input->GetPointData(), false, { "BodyId" }, inputs.Surface.Warnings);
       vtkInsideOut::MakeOutputs outputs(inputs.Surface);
       const auto& boundary = surface ? surface->Boundary : cells->Boundary;
       const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;

@@ -12,9 +12,9 @@
  * Inputs are connected to port 0, one or several; of a composite data set each block is a body.
  * Bodies are called by the names of blocks or by AddBodyName; others by a letter, A the first.
  *
- * There are two ways to the result, and Statistics_Tetrahedra says which was taken (0 or 1). Where
- * all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes by
- * the winding numbers of all bodies on its two sides: no tetrahedra are made. Where one is open,
+ * There are two ways to the result, and the statistic Tetrahedra says which was taken (0 or 1).
+ * Where all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes
+ * by the winding numbers of all bodies on its two sides: no tetrahedra are made. Where one is open,
  * where bodies may be nearer to each other than MergeTolerance, or with Tetrahedra on, all become
  * one mesh of tetrahedra, in which each body has a cut of its own (vtkRobustTetrahedralize says
  * how), and the cells where the expression holds are the result.
@@ -25,8 +25,8 @@
  * that body's input; -1 likewise) and Turned (unsigned char, 1 where the orientation turned the
  * input's cell over; what a difference cuts out is not counted). Points carry BodyId and
  * vtkOriginalPointIds (-1 for a new one). Point and cell data of all inputs are passed on: an array
- * that a body has not is NaN there, 0 in arrays of integers. Field data: Statistics_NAME, a double
- * each; BodyNames, by BodyId.
+ * that a body has not is NaN there, 0 in arrays of integers. Field data: Statistics, named by
+ * StatisticsNames; BodyNames, by BodyId.
  *
  * Output 1 is the tetrahedra of the result where they were made, else it is empty: with the cell
  * array RegionId (int), which numbers the parts that faces connect, the point arrays as above, NaN
@@ -114,9 +114,9 @@ public:
    * merges points of different bodies and closes gaps between these, with a warning for each kind.
    * A facet all of whose corners are that near to the plane of a facet of an earlier body is moved
    * into it: faces that were turned, and touch but for rounding, need that; a warning names the
-   * tolerance, and Statistics_NearTriangles counts these triangles. Gaps of uneven width, as
-   * between round faces, are closed by tetrahedra that belong to the last body beside them; see
-   * Statistics_GapCells and Statistics_GapVolume.
+   * tolerance, and the statistic NearTriangles counts these triangles. Gaps of uneven width, as
+   * between round faces, are closed by tetrahedra that belong to the last body beside them; see the
+   * statistics GapCells and GapVolume.
    */
   vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
     vtkInsideOutCountDuplicatesMacro()

@@ -6,10 +6,13 @@
 #include <pqDataRepresentation.h>
 #include <pqObjectBuilder.h>
 #include <pqOutputPort.h>
+#include <pqPipelineFilter.h>
 #include <pqPipelineSource.h>
 #include <pqRenderView.h>
 #include <vtkCamera.h>
+#include <vtkDataObject.h>
 #include <vtkNew.h>
+#include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMPVRepresentationProxy.h>
@@ -35,6 +38,7 @@ namespace
 constexpr char LookHint[] = "FirstLook";
 constexpr char ColorsHint[] = "WindingNumberColors";
 constexpr char CameraHint[] = "FacesCamera";
+constexpr char HullHint[] = "TakesHull";
 constexpr char WindingNumber[] = "w";
 
 /** Blue outside, white where w is 1/2, red inside, as in the pictures of the Python package. */
@@ -125,6 +129,23 @@ void Paint(vtkSMProxy* representation, vtkSMProxy* view, const std::vector<doubl
   representation->UpdateVTKObjects();
 }
 
+/** The cell or point array of this name; of both that of cells. */
+int AssociationOf(pqOutputPort* port, const std::string& array)
+{
+  const auto isOf = [&](int association)
+  { return port->getDataInformation()->GetArrayInformation(array.c_str(), association); };
+  return isOf(vtkDataObject::CELL) ? vtkDataObject::CELL : vtkDataObject::POINT;
+}
+
+/** By an array of its own, with the legend. */
+void ColorBy(pqOutputPort* port, vtkSMProxy* representation, vtkSMProxy* view, const char* array)
+{
+  using Representation = vtkSMPVRepresentationProxy;
+  Representation::SetScalarColoring(representation, array, AssociationOf(port, array));
+  Representation::RescaleTransferFunctionToDataRange(representation);
+  Representation::SetScalarBarVisibility(representation, view, true);
+}
+
 void LookAt(pqOutputPort* port, vtkPVXMLElement* hint)
 {
   const std::string shown = hint->GetAttributeOrDefault("shown", "always");
@@ -138,12 +159,101 @@ void LookAt(pqOutputPort* port, vtkPVXMLElement* hint)
     {
       Paint(representation->getProxy(), view->getProxy(), color);
     }
+    if (view && hint->GetAttribute("representation"))
+    {
+      SM_SCOPED_TRACE(PropertiesModified).arg("proxy", representation->getProxy());
+      vtkSMRepresentationProxy::SetRepresentationType(
+        representation->getProxy(), hint->GetAttribute("representation"));
+    }
+    if (view && hint->GetAttribute("by"))
+    {
+      ColorBy(port, representation->getProxy(), view->getProxy(), hint->GetAttribute("by"));
+    }
     if (view && isHidden)
     {
       vtkNew<vtkSMParaViewPipelineControllerWithRendering>()->Hide(
         port->getSourceProxy(), port->getPortNumber(), view->getViewProxy());
     }
   }
+}
+
+bool HasHint(pqPipelineSource* source, const char* hint)
+{
+  vtkPVXMLElement* hints = source->getProxy()->GetHints();
+  return hints && hints->FindNestedElementByName(hint);
+}
+
+/** Show or hide what a port gives, in the active view, where it has been shown there. */
+void SetVisible(pqOutputPort* port, bool visible)
+{
+  auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+  if (view && port->getRepresentation(view))
+  {
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering>()->SetVisibility(
+      port->getSourceProxy(), port->getPortNumber(), view->getViewProxy(), visible);
+  }
+}
+
+std::vector<pqOutputPort*> InputsOf(pqPipelineSource* source)
+{
+  auto* filter = qobject_cast<pqPipelineFilter*>(source);
+  const QList<pqOutputPort*> inputs = filter ? filter->getInputs() : QList<pqOutputPort*>();
+  return { inputs.begin(), inputs.end() };
+}
+
+/** Hide what the plugin's other filters made of the same inputs: it lies in the same place. */
+void HideSiblings(pqPipelineSource* filter)
+{
+  for (pqOutputPort* input : InputsOf(filter))
+  {
+    for (pqPipelineSource* other : input->getConsumers())
+    {
+      const auto ports = other->getOutputPorts();
+      for (pqOutputPort* port : ports)
+      {
+        if (other != filter && HasHint(other, LookHint))
+        {
+          SetVisible(port, false);
+        }
+      }
+    }
+  }
+}
+
+/** Show or hide the inputs of a filter. Its outputs stay visible, or Apply would not run it. */
+void ShowInputs(pqPipelineSource* filter, bool visible)
+{
+  for (pqOutputPort* input : InputsOf(filter))
+  {
+    SetVisible(input, visible);
+  }
+  filter->renderAllViews();
+}
+
+/** Let a filter take the hull of a solid, which is made for it, instead of the solid. */
+void TakeHull(pqPipelineSource* source)
+{
+  auto* filter = qobject_cast<pqPipelineFilter*>(source);
+  pqOutputPort* input = filter && filter->getInputCount() == 1 ? filter->getInputs()[0] : nullptr;
+  pqPipelineSource* maker = input ? input->getSource() : nullptr;
+  pqOutputPort* hull = maker ? maker->getOutputPort(QString("Hull")) : nullptr;
+  if (!hull || input->getPortNumber() != 0)
+  {
+    return;
+  }
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", maker->getProxy());
+    vtkSMPropertyHelper(maker->getProxy(), "GenerateHull").Set(1);
+    maker->getProxy()->UpdateVTKObjects();
+  }
+  // ParaView's own trace of a changed input names a property that a slice has not.
+  const QString number = QString::number(hull->getPortNumber());
+  const QString line = "FindSource('" + filter->getSMName() + "').Input = OutputPort(FindSource('" +
+    maker->getSMName() + "'), " + number + ")";
+  SM_SCOPED_TRACE(TraceText).arg(line.toUtf8().data());
+  vtkSMPropertyHelper(filter->getProxy(), "Input")
+    .Set(maker->getProxy(), static_cast<unsigned>(hull->getPortNumber()));
+  filter->getProxy()->UpdateVTKObjects();
 }
 
 void Look(pqPipelineSource* filter)
@@ -158,6 +268,7 @@ void Look(pqPipelineSource* filter)
       LookAt(filter->getOutputPort(port), hint);
     }
   }
+  HideSiblings(filter);
   filter->renderAllViews();
 }
 
@@ -185,7 +296,7 @@ void InsideOutFirstLook::shutdown() {}
 void InsideOutFirstLook::prepare(pqPipelineSource* filter)
 {
   vtkPVXMLElement* hints = filter->getProxy()->GetHints();
-  if (hints && hints->FindNestedElementByName(ColorsHint))
+  if (HasHint(filter, ColorsHint))
   {
     ColorWindingNumbers(filter->proxyManager());
   }
@@ -194,14 +305,28 @@ void InsideOutFirstLook::prepare(pqPipelineSource* filter)
     FaceCamera(
       vtkSMPropertyHelper(filter->getProxy(), hint->GetAttributeOrEmpty("property")).GetAsProxy());
   }
-  if (hints && hints->FindNestedElementByName(LookHint))
+  if (HasHint(filter, HullHint))
+  {
+    TakeHull(filter);
+  }
+  if (HasHint(filter, LookHint))
   {
     const auto isSeen = std::make_shared<bool>(false);
-    const auto look = [filter, isSeen]
+    const auto areInputsShown = std::make_shared<bool>(false); // again
+    const auto look = [filter, isSeen, areInputsShown]
     {
-      if (!*isSeen && filter->modifiedState() != pqProxy::UNINITIALIZED && HasResult(filter))
+      if (*isSeen || filter->modifiedState() == pqProxy::UNINITIALIZED)
       {
-        *isSeen = true;
+        return;
+      }
+      *isSeen = HasResult(filter);
+      if (*isSeen == *areInputsShown)
+      {
+        *areInputsShown = !*isSeen;
+        ShowInputs(filter, *areInputsShown);
+      }
+      if (*isSeen)
+      {
         Look(filter);
       }
     };

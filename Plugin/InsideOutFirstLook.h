@@ -10,9 +10,12 @@
  *
  * - `FirstLook` of a `port`: `shown` is always (the default), never, or if_any, which is where it
  *   has cells; with a `color` (red, green, blue) it has that color, whatever its arrays are; an
- *   empty one is the color that ParaView gives.
+ *   empty one is the color that ParaView gives; `by` is the array that colors it, with a legend;
+ *   `representation` is ParaView's name of one. What the plugin's other filters made of the same
+ *   inputs is hidden. The inputs of a filter that failed or was stopped are shown again.
  * - `WindingNumberColors`: the colors of the array w go from -1 to 2, if it has none yet, and
  *   the user keeps none for it.
+ * - `TakesHull`: made on a solid, the filter takes the hull of it, which is made for it.
  * - `FacesCamera` names a `property` whose plane faces the camera at first. ParaView's own has the
  *   normal x, and is seen from its edge.
  *

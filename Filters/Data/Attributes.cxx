@@ -38,11 +38,11 @@ void WarnOnce(const std::string& warning, Warnings& warnings)
 
 /**
  * A shallow copy of the input's data in which every array has `size` tuples and none has one of the
- * names that the output adds.
+ * names that the output adds: see RenameArrays.
  */
 template <typename Data>
-vtkSmartPointer<Data> UsableArrays(
-  Data* input, vtkIdType size, std::initializer_list<const char*> added, Warnings& warnings)
+vtkSmartPointer<Data> UsableArrays(Data* input, vtkIdType size, bool areMadeHere,
+  std::initializer_list<const char*> added, Warnings& warnings)
 {
   auto copy = vtkSmartPointer<Data>::New();
   copy->ShallowCopy(input);
@@ -59,7 +59,7 @@ vtkSmartPointer<Data> UsableArrays(
       copy->RemoveArray(i);
     }
   }
-  Attributes::RenameArrays(copy, added, warnings);
+  Attributes::RenameArrays(copy, areMadeHere, added, warnings);
   return copy;
 }
 
@@ -133,11 +133,21 @@ void RequireTuples(vtkDataSetAttributes* data, vtkIdType size)
 }
 } // namespace
 
-void Attributes::RenameArrays(
-  vtkFieldData* data, std::initializer_list<const char*> names, Warnings& warnings)
+bool Attributes::AreMadeHere(vtkDataSet* data)
+{
+  return data->GetFieldData()->HasArray("StatisticsNames") != 0;
+}
+
+void Attributes::RenameArrays(vtkFieldData* data, bool areMadeHere,
+  std::initializer_list<const char*> names, Warnings& warnings)
 {
   for (const char* name : names)
   {
+    const bool areIds = std::string(name).rfind("vtkOriginal", 0) == 0;
+    if (areMadeHere && !areIds)
+    {
+      data->RemoveArray(name);
+    }
     if (vtkAbstractArray* array = data->GetAbstractArray(name))
     {
       std::string renamed = std::string("Input_") + name;
@@ -152,9 +162,12 @@ void Attributes::RenameArrays(
       clone->SetName(renamed.c_str());
       data->RemoveArray(name);
       data->AddArray(clone);
-      WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
-          ", for the output has its own",
-        warnings);
+      if (!areMadeHere)
+      {
+        WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
+            ", for the output has its own",
+          warnings);
+      }
     }
   }
 }
@@ -163,8 +176,8 @@ void Attributes::PassPointData(vtkDataSet* input,
   const std::vector<insideout::PointOrigin>& origins, vtkPointData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(origins.size());
-  const vtkSmartPointer<vtkPointData> source = UsableArrays(
-    input->GetPointData(), input->GetNumberOfPoints(), { "vtkOriginalPointIds" }, warnings);
+  const vtkSmartPointer<vtkPointData> source = UsableArrays(input->GetPointData(),
+    input->GetNumberOfPoints(), AreMadeHere(input), { "vtkOriginalPointIds" }, warnings);
   RequireTuples(source, size);
   output->InterpolateAllocate(source, size);
   SetNumberOfTuples(output, size);
@@ -201,9 +214,10 @@ void Attributes::PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& c
   std::initializer_list<const char*> added, vtkCellData* output, Warnings& warnings)
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
-  const vtkSmartPointer<vtkCellData> source = UsableArrays(input->GetCellData(),
-    input->GetNumberOfCells(), { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
-  RenameArrays(source, added, warnings);
+  const vtkSmartPointer<vtkCellData> source =
+    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), AreMadeHere(input),
+      { "vtkOriginalCellIds", "FacetMultiplicity" }, warnings);
+  RenameArrays(source, AreMadeHere(input), added, warnings);
   RequireTuples(source, size);
   output->CopyAllocate(source, size);
   SetNumberOfTuples(output, size);
@@ -226,7 +240,7 @@ void Attributes::CopyCellData(vtkDataSet* input, const std::vector<insideout::Id
 {
   const vtkIdType size = static_cast<vtkIdType>(cells.size());
   const vtkSmartPointer<vtkCellData> source =
-    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), {}, warnings);
+    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), false, {}, warnings);
   RequireTuples(source, size);
   output->CopyAllocate(source, size);
   SetNumberOfTuples(output, size);
@@ -242,7 +256,7 @@ void Attributes::MixPointData(vtkDataSet* input, const std::vector<Mixture>& mix
   const vtkIdType corners = static_cast<vtkIdType>(mixtures.size());
   const vtkIdType size = corners + static_cast<vtkIdType>(edges.size());
   const vtkSmartPointer<vtkPointData> source =
-    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), {}, warnings);
+    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), false, {}, warnings);
   vtkDataArray* given = source->GetArray("vtkOriginalPointIds");
   const vtkSmartPointer<vtkDataArray> earlierPoints =
     given && given->GetNumberOfComponents() == 1 ? given : nullptr;
@@ -291,9 +305,9 @@ void Attributes::PassAll(vtkDataSet* input, std::initializer_list<const char*> a
   vtkDataSet* output, Warnings& warnings)
 {
   output->GetPointData()->ShallowCopy(
-    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), {}, warnings));
-  output->GetCellData()->ShallowCopy(
-    UsableArrays(input->GetCellData(), input->GetNumberOfCells(), added, warnings));
+    UsableArrays(input->GetPointData(), input->GetNumberOfPoints(), false, {}, warnings));
+  output->GetCellData()->ShallowCopy(UsableArrays(
+    input->GetCellData(), input->GetNumberOfCells(), AreMadeHere(input), added, warnings));
 }
 
 std::vector<insideout::Id> Attributes::AlikePoints(
@@ -411,7 +425,7 @@ void Attributes::Append(const std::vector<vtkDataSetAttributes*>& inputs,
   std::vector<std::string> names;
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
-    usable.push_back(UsableArrays(inputs[i], first[i + 1] - first[i], {}, warnings));
+    usable.push_back(UsableArrays(inputs[i], first[i + 1] - first[i], false, {}, warnings));
     for (int k = 0; k < usable[i]->GetNumberOfArrays(); ++k)
     {
       const char* name = usable[i]->GetAbstractArray(k)->GetName();

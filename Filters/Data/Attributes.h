@@ -24,13 +24,18 @@ namespace vtkInsideOut
 {
 namespace Attributes
 {
+/** Whether a data set is an output of this module's filters, by its field data: its arrays with
+ * names that such an output adds are then theirs, and not a user's. */
+bool AreMadeHere(vtkDataSet* data);
+
 /**
- * Give arrays another name, Input_NAME, that have one of the names that an output adds.
+ * Make way for arrays that an output adds: those of their names are removed where they were made
+ * here, and else get another name, Input_NAME.
  *
- * @param[in,out] warnings gains a line per array
+ * @param[in,out] warnings gains a line per array that gets another name
  */
-void RenameArrays(
-  vtkFieldData* data, std::initializer_list<const char*> names, std::vector<std::string>& warnings);
+void RenameArrays(vtkFieldData* data, bool areMadeHere, std::initializer_list<const char*> names,
+  std::vector<std::string>& warnings);
 
 /**
  * Point data by origin: copied from an input point, interpolated on a facet, and for a point in the

@@ -115,7 +115,8 @@ vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::
       {
         ofBody.emplace_back("the surface has no polygons: the body is empty");
       }
-      Attributes::RenameArrays(copy->GetCellData(), { BodyIds }, ofBody);
+      Attributes::RenameArrays(
+        copy->GetCellData(), Attributes::AreMadeHere(surface), { BodyIds }, ofBody);
       for (const std::string& warning : ofBody)
       {
         warnings.push_back(WordsOf(name, warning));

@@ -407,15 +407,49 @@ vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects)
   return output;
 }
 
+namespace
+{
+constexpr char StatisticsName[] = "Statistics";
+constexpr char NamesOfStatistics[] = "StatisticsNames";
+
+/** The statistics that field data has. */
+insideout::Statistics StatisticsOf(vtkFieldData* fields)
+{
+  insideout::Statistics found;
+  const auto* values = vtkDoubleArray::SafeDownCast(fields->GetArray(StatisticsName));
+  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(NamesOfStatistics));
+  for (vtkIdType i = 0;
+       values && names && i < std::min(values->GetNumberOfTuples(), names->GetNumberOfValues());
+       ++i)
+  {
+    found.emplace_back(names->GetValue(i), values->GetValue(i));
+  }
+  return found;
+}
+} // namespace
+
 void AddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)
 {
-  vtkNew<vtkFieldData> fields;
-  for (const auto& [name, value] : statistics)
-  {
-    fields->AddArray(
-      MakeArray<vtkDoubleArray>(("Statistics_" + name).c_str(), std::vector<double>{ value }));
-  }
+  insideout::Statistics all = statistics;
   vtkFieldData* others = output->GetFieldData();
+  for (const auto& other : StatisticsOf(others))
+  {
+    const auto isNew = [&](const auto& one) { return one.first != other.first; };
+    if (std::all_of(statistics.begin(), statistics.end(), isNew))
+    {
+      all.push_back(other);
+    }
+  }
+  std::vector<std::string> names;
+  std::vector<double> values;
+  for (const auto& [name, value] : all)
+  {
+    names.push_back(name);
+    values.push_back(value);
+  }
+  vtkNew<vtkFieldData> fields;
+  fields->AddArray(MakeArray<vtkDoubleArray>(StatisticsName, values));
+  fields->AddArray(MakeStrings(NamesOfStatistics, names));
   for (int i = 0; i < others->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* other = others->GetAbstractArray(i);

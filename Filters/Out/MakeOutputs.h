@@ -123,8 +123,9 @@ vtkSmartPointer<vtkPolyData> MakePolygons(const insideout::PolygonSurface& surfa
 vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects);
 
 /**
- * Put each figure into the data set's field data, as a one-value array Statistics_NAME. They come
- * first: ParaView's Information panel shows no field data whose first array is empty.
+ * Put figures into the data set's field data, beside those of other names that are there: the array
+ * Statistics with their names in StatisticsNames. They come first: ParaView's Information panel
+ * shows no field data whose first array is empty.
  */
 void AddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);
 

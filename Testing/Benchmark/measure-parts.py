@@ -14,6 +14,7 @@ import statistics
 import time
 
 import insideout
+from insideout.pipeline import statistics_of
 
 REPETITIONS = 5
 LIMIT = 1.0  # how much longer it takes at most, on one thread, to tetrahedralize apart
@@ -53,9 +54,9 @@ def run(surface, apart, threads):
     began, busy = time.perf_counter(), time.process_time()
     filter_.Update()
     found = time.perf_counter() - began, time.process_time() - busy
-    fields = filter_.GetOutput().GetFieldData()
-    value = {name: fields.GetArray(f"Statistics_{name}").GetTuple1(0) for name in ("Volume", "HullCells", "SecondsCDT", "SurfaceSteinerPoints")}
-    value["PartsApart"] = fields.GetArray("Statistics_PartsApart").GetTuple1(0) if apart else 1
+    figures = statistics_of(filter_.GetOutput())
+    value = {name: figures[name] for name in ("Volume", "HullCells", "SecondsCDT", "SurfaceSteinerPoints")}
+    value["PartsApart"] = figures["PartsApart"] if apart else 1
     return found, value
 
 

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-LEFT_OUT = re.compile(r"Statistics_(Before)?(Seconds\w+|PeakMemory)$")
-"""Arrays that differ from run to run."""
+LEFT_OUT = re.compile(r"(Before)?(Seconds\w+|PeakMemory)$")
+"""Statistics that differ from run to run."""
 
 
 def lines_of(data) -> Iterator[tuple[str, str]]:
@@ -40,10 +40,15 @@ def lines_of(data) -> Iterator[tuple[str, str]]:
 
 def lines_of_arrays(kind: str, attributes) -> Iterator[tuple[str, str]]:
     arrays = [attributes.GetAbstractArray(k) for k in range(attributes.GetNumberOfArrays())]
-    kept = [(array.GetName() or "", array) for array in arrays if not LEFT_OUT.match(array.GetName() or "")]
+    kept = [(array.GetName() or "", array) for array in arrays]
     yield kind + " arrays", f"{len(kept)} in the order {hash_of(' '.join(name for name, _ in kept).encode())}"
     for name, array in kept:
-        yield f"{kind}:{name}", text_of(array)
+        if name == "Statistics":
+            names = attributes.GetAbstractArray("StatisticsNames")
+            named = [(names.GetValue(k), array.GetValue(k)) for k in range(names.GetNumberOfValues())]
+            yield from ((f"{kind}:{one}", repr(value)) for one, value in named if not LEFT_OUT.match(one))
+        else:
+            yield f"{kind}:{name}", text_of(array)
     if kind != "field":
         active = ((attributes.GetAttributeTypeAsString(k), attributes.GetAbstractAttribute(k)) for k in range(attributes.NUM_ATTRIBUTES))
         yield kind + " attributes", ", ".join(f"{use}={array.GetName()}" for use, array in active if array) or "none"

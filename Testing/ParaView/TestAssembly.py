@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkCompositeDataSet, vt
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from insideout import vtkDistributeParts, vtkResolveSelfIntersections, vtkRobustTetrahedralize, vtkWindingBoolean
+from insideout.pipeline import statistics_of
 
 controller = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
@@ -95,8 +96,7 @@ def solids(data):
 
 
 def statistic(solid, which):
-    array = solid.GetFieldData().GetArray("Statistics_" + which)
-    return array.GetValue(0) if array else 0
+    return statistics_of(solid).get(which, 0)
 
 
 def total(values):

@@ -12,6 +12,8 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLMultiBlockDataWriter
 
+from insideout.pipeline import statistics_of
+
 folder, command = Path(sys.argv[1]), sys.argv[2:]
 script = Path(__file__).resolve().parents[2] / "Examples/Cluster/assembly.py"
 folder.mkdir(parents=True, exist_ok=True)
@@ -47,8 +49,7 @@ def volume(block):
     """Of a solid, whichever rank wrote it."""
     if isinstance(block, vtkMultiBlockDataSet):
         return sum(volume(block.GetBlock(piece)) for piece in range(block.GetNumberOfBlocks()))
-    array = block.GetFieldData().GetArray("Statistics_Volume") if block else None
-    return array.GetValue(0) if array else 0
+    return statistics_of(block).get("Volume", 0) if block else 0
 
 
 volumes = [volume(solids.GetBlock(part)) for part in range(PARTS)]

@@ -107,6 +107,8 @@ USUAL_PATH = [
     APPLY,
 ]
 
+WITH_EDGES = "Surface With Edges"
+
 NUMBERS = r"^(\S+): (\d+ points, .*)$"  # as pipeline_numbers.py prints them
 
 STAGES = [
@@ -295,11 +297,13 @@ class TestGui(unittest.TestCase):
             events=[
                 *open_file(surface),
                 add("RobustTetrahedralize"),
-                *[APPLY] * (len(STAGES) + 1),
+                *[APPLY, *save_state(FOLDER / "stopped.pvsm")],
+                *[APPLY] * len(STAGES),
+                *save_state(FOLDER / "at-last.pvsm"),
                 choose("/0/0"),
                 add("RobustTetrahedralize"),
                 APPLY,
-                *save_state(FOLDER / "aborted.pvsm"),
+                *save_state(FOLDER / "never-stopped.pvsm"),
             ],
         )
         self.assertEqual(window.status, 0, window.messages)
@@ -312,9 +316,10 @@ class TestGui(unittest.TestCase):
         wholes = re.findall(r"^RobustTetrahedralize(\d): (\d+) cells$", window.messages, re.M)
         self.assertEqual([name for name, _ in wholes], ["1", "2"], "each whole once")
         self.assertEqual(wholes[0][1], wholes[1][1], "as if it had never been stopped")
-        looks = State(FOLDER / "aborted.pvsm").looks()
-        first, second = (looks[f"RobustTetrahedralize{k}", 0] for k in (1, 2))
-        self.assertEqual((first, len(looks)), (second, 2), "shown as if it had never been stopped")
+        self.assertIn((surface.name, 0), State(FOLDER / "stopped.pvsm").looks(), "the input again")
+        (first,), (second,) = (State(FOLDER / f"{name}.pvsm").looks().items() for name in ("at-last", "never-stopped"))
+        self.assertEqual((first[0], second[0]), (("RobustTetrahedralize1", 0), ("RobustTetrahedralize2", 0)))
+        self.assertEqual(first[1], second[1], "shown as if it had never been stopped")
 
     def test_6_the_information_panel_tells_the_statistics(self):
         arrays = INFORMATION + "dataArraysTable"
@@ -323,8 +328,8 @@ class TestGui(unittest.TestCase):
             add("RobustTetrahedralize"),
             APPLY,
             do("pqClientMainWindow/1QTabBar1", "set_tab_with_text", "Information"),
-            check(arrays, "modelItemData", "13.0,Statistics_BoundaryFaces"),
-            check(arrays, "modelItemData", "13.2,[40, 40]"),
+            check(arrays, "modelItemData", "10.0,Statistics"),
+            check(arrays, "modelItemData", "11.0,StatisticsNames"),
         ]
         window = Window("information", events=events)
         self.assertEqual((window.status, window.complaints()), (0, []), window.messages)
@@ -375,8 +380,8 @@ class TestGui(unittest.TestCase):
             *[*open_file(SURFACE), add("RobustTetrahedralize"), APPLY, *save_state(first)],
             *[color_by("w"), SMOOTH_LESS, APPLY, *save_state(later)],
         )
-        self.assertEqual(State(first).looks(), {solid: ("Surface", "", "1 1 1")})
-        self.assertEqual(State(later).looks(), {solid: ("Surface", "w", "1 1 1")})
+        self.assertEqual(State(first).looks(), {solid: (WITH_EDGES, "", "1 1 1")})
+        self.assertEqual(State(later).looks(), {solid: (WITH_EDGES, "w", "1 1 1")})
         self.assertEqual(State(later).colors_of_w(), COLORS_OF_W)
         self.play("solid-loaded", *save_state(loaded), options=[f"--state={later}"])
         self.assertEqual(State(loaded).looks(), State(later).looks())
@@ -388,7 +393,7 @@ class TestGui(unittest.TestCase):
         solid, outliers = ("RobustTetrahedralize1", 0), ("RobustTetrahedralize1", 2)
         red = "0.9 0.2 0.15"
         self.assertEqual(
-            State(state).looks(), {solid: ("Surface", "", "1 1 1"), outliers: ("Surface", "", red)}
+            State(state).looks(), {solid: (WITH_EDGES, "", "1 1 1"), outliers: ("Surface", "", red)}
         )
 
     def test_11_slices_face_the_camera_in_colors_with_a_meaning(self):
@@ -396,6 +401,25 @@ class TestGui(unittest.TestCase):
         self.assertEqual(state.looks()["SliceWindingNumber1", 0][:2], ("Surface", "w"))
         self.assertEqual(state.normal_of("SliceWindingNumber1"), ["0", "0", "1"])
         self.assertEqual(state.colors_of_w(), COLORS_OF_W)
+
+    def test_12_first_pictures_show_what_a_filter_adds_and_nothing_that_covers_it(self):
+        solid, quality = FOLDER / "covered.pvsm", FOLDER / "quality.pvsm"
+        self.play(
+            "pictures",
+            *[*open_file(SURFACE), add("SurfaceDefects"), APPLY, choose("/0/0"), add("RobustTetrahedralize"), APPLY],
+            *[*save_state(solid), add("SolidQuality"), APPLY, *save_state(quality)],
+        )
+        self.assertEqual(State(solid).looks(), {("RobustTetrahedralize1", 0): (WITH_EDGES, "", "1 1 1")})
+        looks = State(quality).looks()
+        self.assertEqual(looks["SolidQuality1", 0][:2], (WITH_EDGES, "MinDihedralAngle"))
+
+    def test_13_a_slice_of_a_solid_takes_its_hull(self):
+        state = FOLDER / "slice.pvsm"
+        self.play("slice", *open_file(SURFACE), add("RobustTetrahedralize"), APPLY, add("SliceWindingNumber"), APPLY, *save_state(state))
+        saved = State(state)
+        self.assertEqual(saved.values(saved.named("filters", "RobustTetrahedralize1"), "GenerateHull"), ["1"])
+        taken = saved.named("filters", "SliceWindingNumber1").find("Property[@name='Input']/Proxy")
+        self.assertEqual(taken.get("output_port"), "3")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from insideout import vtkProbeWindingNumber
+from insideout.pipeline import statistics_of
 
 controller = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
@@ -63,8 +64,7 @@ def probed(surface, places, pieces, **properties):
     output = probe.GetOutput()
     data = output.GetPointData()
     arrays = {data.GetArrayName(k): vtk_to_numpy(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
-    turns = output.GetFieldData().GetArray("Statistics_SurfacePieces")
-    return arrays, int(turns.GetValue(0)) if turns else 1
+    return arrays, int(statistics_of(output).get("SurfacePieces", 1))
 
 
 def winding_numbers(surface, places, pieces):

@@ -263,9 +263,11 @@ class Data(unittest.TestCase):
 
     def test_the_solid_has_its_statistics_as_field_data(self):
         for grid in (self.result.hull, self.result.solid):
-            array = grid.GetFieldData().GetArray("Statistics_HullCells")
-            self.assertEqual(array.GetDataType(), VTK_DOUBLE)
-            self.assertEqual(array.GetValue(0), self.result.hull.GetNumberOfCells())
+            fields = grid.GetFieldData()
+            array, names = fields.GetArray("Statistics"), fields.GetAbstractArray("StatisticsNames")
+            self.assertEqual((array.GetDataType(), array.GetNumberOfTuples()), (VTK_DOUBLE, names.GetNumberOfValues()))
+            self.assertEqual(array.GetValue(names.LookupValue("HullCells")), self.result.hull.GetNumberOfCells())
+            self.assertLess(fields.GetNumberOfArrays(), 12, "menus and panels list each of them")
         self.assertIsInstance(self.result.statistics["HullCells"], int)
         self.assertIsInstance(self.result.statistics["SecondsCDT"], float)
 

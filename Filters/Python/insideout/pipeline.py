@@ -19,7 +19,7 @@ from typing import Any, Callable, Collection, Optional
 import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkIOCore import vtkWriter
@@ -32,7 +32,9 @@ from .stages import UNNAMED
 Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
 
-STATISTICS_PREFIX = "Statistics_"
+STATISTICS, STATISTICS_NAMES = "Statistics", "StatisticsNames"
+"""The field arrays of figures and of their names."""
+
 MEASURED = (
     *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
     *("OverlapVolume", "GapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
@@ -146,21 +148,30 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
     """The figures that a filter put into the field data, by name; counts are ints."""
     field_data = data.GetFieldData()
     statistics: dict[str, float] = {}
-    for index in range(field_data.GetNumberOfArrays()):
-        name = field_data.GetArrayName(index) or ""
-        array = field_data.GetArray(index)
-        if name.startswith(STATISTICS_PREFIX) and array is not None and array.GetNumberOfValues() == 1:
-            name, value = name[len(STATISTICS_PREFIX) :], array.GetTuple1(0)
-            statistics[name] = value if name.removeprefix("Before").startswith(MEASURED) else int(value)
+    values, names = field_data.GetArray(STATISTICS), field_data.GetAbstractArray(STATISTICS_NAMES)
+    if values is None or names is None:
+        return statistics
+    for index in range(min(names.GetNumberOfValues(), values.GetNumberOfTuples())):
+        name, value = names.GetValue(index), values.GetTuple1(index)
+        statistics[name] = value if name.removeprefix("Before").startswith(MEASURED) else int(value)
     return statistics
 
 
 def add_statistic(name: str, value: float, data: vtkDataObject) -> None:
     """Put one more figure into the field data."""
-    array = vtkDoubleArray()
-    array.SetName(STATISTICS_PREFIX + name)
-    array.InsertNextValue(value)
-    data.GetFieldData().AddArray(array)
+    fields = data.GetFieldData()
+    values, names = vtkDoubleArray(), vtkStringArray()
+    for array, kept in ((values, STATISTICS), (names, STATISTICS_NAMES)):
+        if fields.GetAbstractArray(kept) is not None:
+            array.DeepCopy(fields.GetAbstractArray(kept))
+        array.SetName(kept)
+        fields.AddArray(array)
+    index = names.LookupValue(name)
+    if index >= 0:
+        values.SetValue(index, value)
+    else:
+        values.InsertNextValue(value)
+        names.InsertNextValue(name)
 
 
 def cells_of(data: vtkDataObject, name: str) -> list[int]:

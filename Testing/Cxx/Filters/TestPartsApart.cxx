@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Statistics.h"
 #include "Support/AllowedThreads.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkRobustTetrahedralize.h"
@@ -92,12 +93,6 @@ void ExpectRefused(vtkRobustTetrahedralize* filter, const std::string& words)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-double StatisticOf(vtkDataObject* data, const char* name)
-{
-  vtkDataArray* value = data->GetFieldData()->GetArray(name);
-  return value ? value->GetTuple1(0) : -1;
-}
-
 using Corner = std::pair<std::array<double, 3>, vtkIdType>;
 
 /** Each triangle by its corners, from the lowest on: place and input point; and its input cell. */
@@ -152,26 +147,23 @@ TEST(PartsApart, GiveTheSameSolid)
   apart->SetInputData(Assembly());
   apart->PartsApartOn();
   apart->Update();
-  EXPECT_EQ(StatisticOf(whole->GetOutput(), "Statistics_PartsApart"), -1);
-  EXPECT_EQ(StatisticOf(apart->GetOutput(), "Statistics_PartsApart"), 27);
-  EXPECT_EQ(StatisticOf(apart->GetOutput(), "Statistics_SurfaceSteinerPoints"), 0);
+  EXPECT_EQ(StatisticOf(whole->GetOutput(), "PartsApart"), -1);
+  EXPECT_EQ(StatisticOf(apart->GetOutput(), "PartsApart"), 27);
+  EXPECT_EQ(StatisticOf(apart->GetOutput(), "SurfaceSteinerPoints"), 0);
   EXPECT_GT(apart->GetBoundary()->GetNumberOfCells(), 27 * 12);
   EXPECT_EQ(TrianglesOf(apart->GetBoundary()), TrianglesOf(whole->GetBoundary()));
   EXPECT_EQ(apart->GetOutliers()->GetNumberOfCells(), whole->GetOutliers()->GetNumberOfCells());
   for (const char* same : { "Regions", "Components", "IntersectingPairs", "SolidComponents",
          "Genus", "OutlierFacets", "Closed", "MaximumW" })
   {
-    const std::string name = std::string("Statistics_") + same;
-    EXPECT_EQ(
-      StatisticOf(apart->GetOutput(), name.c_str()), StatisticOf(whole->GetOutput(), name.c_str()))
-      << name;
+    const std::string name = std::string(same);
+    EXPECT_EQ(StatisticOf(apart->GetOutput(), name), StatisticOf(whole->GetOutput(), name)) << name;
   }
   for (const char* near : { "Volume", "CenterOfMassX", "InertiaXX", "InertiaYZ" })
   {
-    const std::string name = std::string("Statistics_") + near;
-    const double expected = StatisticOf(whole->GetOutput(), name.c_str());
-    EXPECT_NEAR(StatisticOf(apart->GetOutput(), name.c_str()), expected, 1e-9 * std::abs(expected))
-      << name;
+    const std::string name = std::string(near);
+    const double expected = StatisticOf(whole->GetOutput(), name);
+    EXPECT_NEAR(StatisticOf(apart->GetOutput(), name), expected, 1e-9 * std::abs(expected)) << name;
   }
   const auto weigh = [](vtkRobustTetrahedralize* filter)
   {
@@ -203,17 +195,17 @@ TEST(PartsApart, AreTheSameOnAnyNumberOfThreadsAndWhenTheCutChanges)
     apart->SetInputData(Assembly());
     apart->PartsApartOn();
     apart->Update();
-    const double seconds = StatisticOf(apart->GetOutput(), "Statistics_SecondsCDT");
+    const double seconds = StatisticOf(apart->GetOutput(), "SecondsCDT");
     expected = expected.empty() ? BitsOf(apart->GetOutput()) : expected;
     EXPECT_EQ(BitsOf(apart->GetOutput()), expected) << number;
     apart->SetGamma(1.5);
     apart->Update();
     EXPECT_EQ(BitsOf(apart->GetOutput()), expected) << number;
-    EXPECT_EQ(StatisticOf(apart->GetOutput(), "Statistics_SecondsCDT"), seconds)
+    EXPECT_EQ(StatisticOf(apart->GetOutput(), "SecondsCDT"), seconds)
       << "it was tetrahedralized anew";
     apart->PartsApartOff();
     apart->Update();
-    EXPECT_EQ(StatisticOf(apart->GetOutput(), "Statistics_PartsApart"), -1);
+    EXPECT_EQ(StatisticOf(apart->GetOutput(), "PartsApart"), -1);
   }
 }
 
@@ -227,8 +219,7 @@ TEST(PartsApart, HullsAreThoseOfTheParts)
   filter->PartsApartOn();
   filter->Update();
   EXPECT_LT(filter->GetHull()->GetNumberOfCells(), whole);
-  EXPECT_EQ(filter->GetHull()->GetNumberOfCells(),
-    StatisticOf(filter->GetOutput(), "Statistics_HullCells"));
+  EXPECT_EQ(filter->GetHull()->GetNumberOfCells(), StatisticOf(filter->GetOutput(), "HullCells"));
 }
 
 TEST(PartsApart, RefuseWhatTakesOneHull)
@@ -271,7 +262,7 @@ TEST(PartsApart, ASeedBetweenThemThatIsToBeInsideDoesNotCountAndAWarningSaysSo)
     {
       return warning.find("seed 0 is to be inside, but lies beyond all cells") != std::string::npos;
     }));
-  EXPECT_EQ(StatisticOf(filter->GetOutput(), "Statistics_SeedConflicts"), 1);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "SeedConflicts"), 1);
 }
 
 TEST(PartsApart, StopAndThenGiveTheSolid)
@@ -298,6 +289,6 @@ TEST(PartsApart, StopAndThenGiveTheSolid)
   filter->SetAbortExecute(0);
   filter->Modified();
   filter->Update();
-  EXPECT_EQ(StatisticOf(filter->GetOutput(), "Statistics_PartsApart"), 27);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "PartsApart"), 27);
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // vtkRobustTriangulate, and what the other classes do in a plane. The laws stand in
 // Cxx/Core/Planar.
+#include "Statistics.h"
 #include "vtkConstrainedDelaunay3D.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
@@ -110,12 +111,7 @@ struct FilterRun
     this->Filter->AddObserver(event, command);
   }
 
-  double Statistic(const std::string& name)
-  {
-    vtkDataArray* array =
-      this->Filter->GetOutput()->GetFieldData()->GetArray(("Statistics_" + name).c_str());
-    return array ? array->GetTuple1(0) : std::nan("");
-  }
+  double Statistic(const std::string& name) { return StatisticOf(this->Filter->GetOutput(), name); }
 };
 
 /** The signed area of a grid's triangles, seen from above. */

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Statistics.h"
 #include "vtkRefineTetrahedra.h"
 #include "vtkRobustTetrahedralize.h"
 
@@ -185,9 +186,7 @@ struct Told
 
   double Statistic(const std::string& name) const
   {
-    vtkDataArray* array =
-      this->Algorithm->GetOutput()->GetFieldData()->GetArray(("Statistics_" + name).c_str());
-    return array ? array->GetTuple1(0) : -1;
+    return StatisticOf(this->Algorithm->GetOutput(), name);
   }
 
   bool Says(const std::string& words) const { return this->Said.find(words) != std::string::npos; }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boxes.h"
 #include "Listener.h"
+#include "Statistics.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkRobustTetrahedralize.h"
+#include "vtkSurfaceDefects.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -55,6 +57,21 @@ void ExpectError(vtkPolyData* surface, const std::string& words)
 }
 } // namespace
 
+TEST(vtkRobustTetrahedralize, ReplacesWhatAnotherFilterMarkedWithoutAWord)
+{
+  vtkNew<vtkSurfaceDefects> defects;
+  defects->SetInputData(TwoBoxes());
+  vtkNew<vtkRobustTetrahedralize> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputConnection(defects->GetOutputPort());
+  filter->Update();
+  vtkCellData* data = filter->GetBoundary()->GetCellData();
+  EXPECT_TRUE(data->HasArray("Turned"));
+  EXPECT_FALSE(data->HasArray("Input_Turned"));
+  EXPECT_TRUE(data->HasArray("ComponentId")) << "what it does not make itself is passed on";
+  EXPECT_FALSE(warnings.Heard("Turned"));
+}
+
 TEST(vtkRobustTetrahedralize, MeshesTheUnionOfOverlappingBoxes)
 {
   vtkNew<vtkRobustTetrahedralize> filter;
@@ -62,10 +79,9 @@ TEST(vtkRobustTetrahedralize, MeshesTheUnionOfOverlappingBoxes)
   filter->Update();
   EXPECT_NEAR(Volume(filter->GetOutput()), 2 - 0.125, 1e-12);
   EXPECT_EQ(filter->GetOutliers()->GetNumberOfCells(), 0);
-  vtkFieldData* statistics = filter->GetOutput()->GetFieldData();
-  EXPECT_EQ(statistics->GetArray("Statistics_Components")->GetTuple1(0), 2);
-  EXPECT_EQ(statistics->GetArray("Statistics_MaximumW")->GetTuple1(0), 2);
-  EXPECT_EQ(statistics->GetArray("Statistics_Closed")->GetTuple1(0), 1);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "Components"), 2);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "MaximumW"), 2);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "Closed"), 1);
 }
 
 TEST(vtkRobustTetrahedralize, GivesTheWholeHullWhereThatIsAskedFor)
@@ -389,10 +405,9 @@ TEST(vtkRobustTetrahedralize, KnowsAPolygonAgainWhereverItBeginsAndWhicheverWayI
     Listener warnings(filter, vtkCommand::WarningEvent);
     filter->SetInputData(surface);
     filter->Update();
-    vtkFieldData* statistics = filter->GetOutput()->GetFieldData();
     EXPECT_NEAR(Volume(filter->GetOutput()), 1, 1e-15);
-    EXPECT_EQ(statistics->GetArray("Statistics_DuplicateFacets")->GetTuple1(0), 12);
-    EXPECT_EQ(statistics->GetArray("Statistics_MaximumW")->GetTuple1(0), 1);
+    EXPECT_EQ(StatisticOf(filter->GetOutput(), "DuplicateFacets"), 12);
+    EXPECT_EQ(StatisticOf(filter->GetOutput(), "MaximumW"), 1);
     EXPECT_EQ(warnings.Heard("two-sided"), reversed);
   }
 }
@@ -435,14 +450,14 @@ TEST(vtkRobustTetrahedralize, TakesMultiplicitiesOfAnyIntegerTypeAndPassesOtherA
   Listener warnings(filter, vtkCommand::WarningEvent);
   filter->SetInputData(surface);
   filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Statistics_MaximumW")->GetTuple1(0), 4);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "MaximumW"), 4);
 
   surface->GetCellData()->RemoveArray("FacetMultiplicity");
   real->SetName("FacetMultiplicity"); // a user's own
   surface->GetCellData()->AddArray(real);
   filter->Modified();
   filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Statistics_MaximumW")->GetTuple1(0), 2);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "MaximumW"), 2);
   EXPECT_TRUE(filter->GetBoundary()->GetCellData()->HasArray("Input_FacetMultiplicity"));
   EXPECT_TRUE(warnings.Heard("Input_FacetMultiplicity"));
 }

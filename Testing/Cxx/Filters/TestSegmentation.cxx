@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boxes.h"
 #include "Listener.h"
+#include "Statistics.h"
 #include "vtkGeneralizedWindingNumber.h"
 #include "vtkGraphCutSegmentation.h"
 
@@ -158,10 +159,7 @@ struct Cut
 
   double Statistic(const std::string& name) const
   {
-    return this->Filter->GetOutput()
-      ->GetFieldData()
-      ->GetArray(("Statistics_" + name).c_str())
-      ->GetTuple1(0);
+    return StatisticOf(this->Filter->GetOutput(), name);
   }
 
   bool Says(const std::string& words) const { return this->Said.find(words) != std::string::npos; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boxes.h"
 #include "Listener.h"
+#include "Statistics.h"
 #include "vtkSurfaceDefects.h"
 
 #include <vtkCellArray.h>
@@ -26,10 +27,6 @@ double CellValue(vtkPolyData* data, const char* name, vtkIdType cell)
   return data->GetCellData()->GetArray(name)->GetTuple1(cell);
 }
 
-double Statistic(vtkDataObject* data, const std::string& name)
-{
-  return data->GetFieldData()->GetArray(("Statistics_" + name).c_str())->GetTuple1(0);
-}
 } // namespace
 
 TEST(vtkSurfaceDefects, MarksTheCellsOfPolygonsByAllTheirTriangles)
@@ -57,9 +54,9 @@ TEST(vtkSurfaceDefects, MarksTheCellsOfPolygonsByAllTheirTriangles)
   }
   for (vtkPolyData* output : { surface, filter->GetLines() })
   {
-    EXPECT_EQ(2 * Statistic(output, "IntersectingPairs"), crossings);
-    EXPECT_EQ(Statistic(output, "Components"), 2);
-    EXPECT_EQ(Statistic(output, "OpenEdges"), 0);
+    EXPECT_EQ(2 * StatisticOf(output, "IntersectingPairs"), crossings);
+    EXPECT_EQ(StatisticOf(output, "Components"), 2);
+    EXPECT_EQ(StatisticOf(output, "OpenEdges"), 0);
   }
 }
 
@@ -171,13 +168,13 @@ TEST(vtkSurfaceDefects, AdvisesAMergeTolerance)
   Listener warnings(filter, vtkCommand::WarningEvent);
   filter->SetInputData(surface);
   filter->Update();
-  EXPECT_EQ(Statistic(filter->GetOutput(), "NearPoints"), 2);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "NearPoints"), 2);
   EXPECT_TRUE(warnings.Heard("set MergeTolerance to"));
-  filter->SetMergeTolerance(Statistic(filter->GetOutput(), "NearDistance"));
+  filter->SetMergeTolerance(StatisticOf(filter->GetOutput(), "NearDistance"));
   warnings.Texts.clear();
   filter->Update();
-  EXPECT_EQ(Statistic(filter->GetOutput(), "NearPoints"), 0);
-  EXPECT_EQ(Statistic(filter->GetOutput(), "Points"), 15);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "NearPoints"), 0);
+  EXPECT_EQ(StatisticOf(filter->GetOutput(), "Points"), 15);
   EXPECT_TRUE(warnings.Texts.empty());
 }
 
