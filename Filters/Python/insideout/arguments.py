@@ -86,6 +86,8 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
     options = parser.parse_args(given, argparse.Namespace(**_NOT_GIVEN, command=name, called=name))
     if name is None:
         _name_command(parser, options)
+    if options.command == "demo":
+        return options, []
     surfaces = list(options.files)
     if options.command != "check":
         options.is_output_told = options.output is not None
@@ -215,7 +217,10 @@ def _parser_of(name: str) -> argparse.ArgumentParser:
     for operand in BEFORE_FILES:
         if operand in dict(command.operands):
             parser.add_argument(operand.lower(), metavar=operand)
-    parser.add_argument("files", metavar=command.names(BEFORE_FILES), nargs="+")
+    if name == "demo":
+        parser.add_argument("files", metavar="FOLDER", nargs="?", default=".")
+    else:
+        parser.add_argument("files", metavar=command.names(BEFORE_FILES), nargs="+")
     return parser
 
 

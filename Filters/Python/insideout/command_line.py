@@ -20,6 +20,7 @@ from .commands.mesh import MeshJob
 from .commands.query import QueryJob
 from .commands.refine import RefineJob
 from .commands.repair import RepairJob
+from .demo import demo
 from .files import identity
 from .pipeline import Error, set_threads
 from .summary import table
@@ -39,6 +40,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Do what the arguments say. Returns the exit status: 0 when that was done for every surface."""
     options, all_files = parse(arguments)
     try:
+        if options.command == "demo":
+            demo(options.files, options.quiet)
+            return SUCCESS
         check_names(options, all_files)
     except Error as error:
         print_error(str(error))

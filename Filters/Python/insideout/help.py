@@ -51,7 +51,7 @@ def screen() -> str:
         *(f"  {name:{width}} {command.names():{operands}}  {command.gist}" for name, command in COMMANDS.items()),
         "",
         "examples:",
-        *("  " + command.examples.splitlines()[0] for command in list(COMMANDS.values())[:3]),
+        *("  " + command.examples.splitlines()[0] for name, command in list(COMMANDS.items())[:4] if name != "demo"),
         "",
     ]
     return "\n".join([*lines, SHORT_FORM, MORE, ENDING])

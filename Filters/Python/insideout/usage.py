@@ -118,6 +118,16 @@ class Command:
 
 
 COMMANDS: dict[str, Command] = {
+    "demo": Command(
+        "broken surfaces to try all this on",
+        "Write small broken surfaces, and say which commands to try on them.",
+        (("FOLDER", "where to, by default the current folder; files that another program wrote stay"),),
+        ("quiet",),
+        """\
+insideout demo tryout
+    into the folder tryout
+""",
+    ),
     "mesh": Command(
         "tetrahedra of the solid inside",
         "Make tetrahedra of the solid that a surface means, or triangles in a plane.",

@@ -7,9 +7,17 @@ from typing import Mapping, Sequence
 
 
 def verdict(statistics: Mapping[str, float]) -> str:
-    """In one sentence, by the statistics of vtkSurfaceDefects or of a filter that finds winding numbers."""
+    """In one sentence, by the statistics of vtkSurfaceDefects or of a filter that finds winding numbers. Of a solid that
+    was made it tells the volume."""
     if statistics.get("Dimension", 3) == 2:
         return verdict_in_a_plane(statistics)
+    sentence, made = _verdict_by_shells(statistics), statistics.get("Volume", 0)
+    if made > 0 and sentence.startswith("bounds no solid"):
+        return f"means a solid of volume {made:.6g}, by its winding number; its shells alone bound none"
+    return sentence
+
+
+def _verdict_by_shells(statistics: Mapping[str, float]) -> str:
     solids = statistics["ClosedShells"] + statistics["HoledShells"]
     sheets = counted(statistics["SheetShells"], "sheet")
     if statistics.get("Planar", 0):
@@ -24,7 +32,12 @@ def verdict(statistics: Mapping[str, float]) -> str:
     if statistics["DisagreeingFacets"] > 0 and statistics["TurnedFacets"] in (0, statistics["Facets"]):
         facets = counted(statistics["DisagreeingFacets"], "facet")
         return f"bounds no solid as it is oriented: {facets} against those around"
-    sentence = f"bounds a solid of volume {statistics['EnclosedVolume']:.6g}"
+    # Where shells are closed and meet nothing the volume is theirs; else it is found by sample lines.
+    is_sampled = statistics["HoledShells"] + statistics["OverlapVolume"] + statistics.get("IntersectingPairs", 0) > 0
+    volume = f"about {statistics['EnclosedVolume']:.3g}" if is_sampled else f"{statistics['EnclosedVolume']:.6g}"
+    if statistics.get("Volume", 0) > 0:
+        volume = f"{statistics['Volume']:.6g}"
+    sentence = f"bounds a solid of volume {volume}"
     if statistics["TurnedShells"] >= solids:
         sentence += " after it is turned over as a whole"
     elif statistics["TurnedShells"] > 0:
@@ -55,9 +68,11 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
     """More about the solid and what is none, one line each."""
     shells = [
         f"{int(statistics[name]):,} {words}"
-        for name, words in (("ClosedShells", "closed"), ("HoledShells", "with holes"), ("SheetShells", "sheets"))
+        for name, words in (("ClosedShells", "closed"), ("HoledShells", "with holes"), ("SheetShells", "sheets" if statistics["SheetShells"] != 1 else "sheet"))
         if statistics[name] > 0
     ]
+    if len(shells) == 1:
+        shells = [shells[0].split(" ", 1)[1]]
     lines = [f"{counted(statistics['Shells'], 'shell')}: {', '.join(shells)}"] if shells else []
     if statistics["Cavities"] > 0:
         lines.append(f"{int(statistics['Cavities']):,} of them inward within others: cavities")
@@ -67,7 +82,8 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
         across = statistics["OpenLength"] / statistics["Diagonal"]
         lines.append(f"{counted(statistics['OpenEdges'], 'open edge')}, together {across:.2g} times as long as the surface is across")
     if statistics["SheetShare"] > 0:
-        lines.append(f"{statistics['SheetShare']:.2g} of the area encloses nothing")
+        share = f"about {100 * statistics['SheetShare']:.2g} %" if statistics["SheetShare"] < 0.995 else "all"
+        lines.append(f"{share} of the area encloses nothing")
     return lines
 
 
