@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Turn the README into a page of ParaView's help.
+"""Turn the first page and others into a page of ParaView's help.
 
-    make-manual.py README.md PAGE.html
+    make-manual.py README.md... PAGE.html
 
-Knows what the README uses of Markdown: headings, paragraphs, code blocks, tables, lists, images, links,
+Knows what they use of Markdown: headings, paragraphs, code blocks, tables, lists, images, links,
 bold and italic words, and code among words. Pictures and links within the tree become their words.
 """
 
@@ -61,8 +61,8 @@ def block(text: str) -> str:
     return f"<p>{inline(text)}</p>"
 
 
-def main(source: str, target: str) -> None:
-    text = Path(source).read_text(encoding="utf-8").strip()
+def main(*sources: str, target: str) -> None:
+    text = "\n\n".join(Path(source).read_text(encoding="utf-8").strip() for source in sources)
     blocks = re.findall(r"```.*?\n```|[^\n].*?(?=\n\n|\n```|\Z)", text, re.DOTALL)
     title = re.match(r"# (.*)", text)
     body = "\n".join(block(one.strip("\n")) for one in blocks)
@@ -72,6 +72,6 @@ def main(source: str, target: str) -> None:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    main(*sys.argv[1:-1], target=sys.argv[-1])

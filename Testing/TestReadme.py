@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every block of code in README.md runs as it stands there, in a folder with two broken surfaces.
+"""Every block of code on the first page and on the pages beside the code runs as it stands there.
 
     python3 TestReadme.py BUILD_FOLDER
 
-Blocks of sh run in one shell after the other, those of Python one after the other in one program, the last in
-pvbatch; the C++ is built with the CMake lines beside it, against the package as installed.
+The first page runs in an empty folder, with the surfaces of the demo that it writes, and each line of its blocks of output is
+printed. The other pages run in a folder with broken surfaces. Blocks of sh run one after the other, those of Python one after the
+other in one program, those of ParaView in pvbatch; the C++ is built with the CMake lines beside it, against the package as installed.
 """
 
 import re
@@ -19,7 +20,9 @@ BUILD = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
 
 # What a test cannot do: these install packages or open a window. Other tests do what they do.
-LEFT_OUT = ("Examples/quickstart.sh", "apt-get install", "paraview\n")
+LEFT_OUT = ("Examples/quickstart.sh", "Testing/run.sh", "apt-get install", "paraview\n", ". build/env.sh\n")
+PAGES = ("Filters/Python/README.md", "Plugin/README.md", "Filters/README.md", "Filters/CMake/README.md")
+MOST_BYTES = 8192  # of the first page
 ENVIRONMENT = f". '{BUILD}/env.sh'\n"
 
 CPP = """#include <vtkNew.h>
@@ -34,9 +37,13 @@ return tetrahedra->GetNumberOfCells() > 0 ? 0 : 1;
 """
 
 
-def blocks(language: str) -> list[str]:
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+def blocks(language: str, pages: tuple[str, ...] = PAGES) -> list[str]:
+    text = "\n".join((ROOT / page).read_text(encoding="utf-8") for page in pages)
     return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+def is_run(block: str) -> bool:
+    return not any(words in block for words in LEFT_OUT)
 
 
 class TestReadme(unittest.TestCase):
@@ -66,7 +73,7 @@ class TestReadme(unittest.TestCase):
         (self.folder / "Examples").symlink_to(ROOT / "Examples")
         (self.folder / "build").symlink_to(BUILD)
         for block in blocks("sh"):
-            if any(words in block for words in LEFT_OUT) or block.strip() == ". build/env.sh":
+            if not is_run(block):
                 continue
             with self.subTest(block):
                 self.run_shell(ENVIRONMENT + block.replace("/where/you/like", str(self.folder / "prefix")))
@@ -74,6 +81,21 @@ class TestReadme(unittest.TestCase):
         self.assertGreaterEqual(ran, 5)
         for name in ("solid.vtu", "boundary.ply", "solids/mine.png", "w.csv", "results/solid.pvtu", "finer.msh", "rings.dat"):
             self.assertTrue((self.folder / name).exists(), name)
+
+    def test_the_first_page_is_short_and_its_blocks_print_what_it_says(self):
+        page = ROOT / "README.md"
+        self.assertLessEqual(page.stat().st_size, MOST_BYTES)
+        empty = self.folder / "empty"
+        empty.mkdir()
+        commands = "".join(block for block in blocks("sh", ("README.md",)) if is_run(block))
+        program = "\n".join(blocks("python", ("README.md",)))
+        printed = self.run_shell(f"{ENVIRONMENT}cd empty\n{commands}python3 - <<'END'\n{program}\nEND\n").splitlines()
+        told = [line for block in blocks("output", ("README.md",)) for line in block.splitlines()]
+        self.assertGreaterEqual(len(told), 10)
+        for line in told:
+            self.assertIn(line, printed)
+        for command in re.findall(r"`(insideout (?:mesh|repair|boolean) [^`]+)`", page.read_text(encoding="utf-8")):
+            self.run_shell(f"{ENVIRONMENT}cd empty/tryout\n{command}\n{command}\n")
 
     def test_the_python_blocks(self):
         program, batch = [], []
@@ -113,7 +135,7 @@ class TestReadme(unittest.TestCase):
         )
 
     def test_every_link_leads_somewhere(self):
-        pages = [ROOT / name / "README.md" for name in (".", "Testing", "Testing/Benchmark")]
+        pages = [ROOT / name / "README.md" for name in (".", "Testing", "Testing/Benchmark", "Plugin", "Filters", "Filters/Python", "Filters/CMake")]
         for page in (*pages, *(ROOT / "Examples").rglob("README.md")):
             for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
                 self.assertTrue((page.parent / link).exists(), f"{page}: {link}")
