@@ -3,10 +3,9 @@
  * @class   vtkSurfaceWriter
  * @brief   writes a surface as a PLY, OBJ, OFF or STL file, in full precision where that has it
  *
- * Writes the polygons and strips of its input. The file name's ending says how: .ply (binary,
- * coordinates as doubles), .obj or .off (text with 17 digits) or .stl (binary; the format has
- * only floats). What vtkSurfaceReader reads back from the first three has the same coordinates to
- * the last bit.
+ * Writes the polygons and strips of its input. The file name's ending says how: .ply, .obj or .off
+ * (text with as many digits as keep every bit) or .stl (binary; the format has only floats). What
+ * vtkSurfaceReader reads back from the first three has the same coordinates to the last bit.
  *
  * Normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are written to PLY
  * and OBJ, every other numeric array to PLY, none to OFF. OBJ gets the groups that the cell array

@@ -2,6 +2,7 @@
 #include "ForPython/WriteFile.h"
 
 #include "Files/OutputFile.h"
+#include "ForPython/DataForXml.h"
 #include "ForPython/Spool.h"
 
 #include <vtkImageData.h>
@@ -83,7 +84,7 @@ void WriteTo(const std::string& path, vtkInsideOutListener listener, const Write
 }
 
 template <typename Writer>
-void WriteData(vtkDataObject* data, const std::string& path, vtkInsideOutListener listener)
+void WriteData(vtkDataSet* data, const std::string& path, vtkInsideOutListener listener)
 {
   // Of zlib, which every reader of VTK's XML files knows. VTK's default takes 2.5 times as long to
   // write a solid of 123,000 tetrahedra, for 7 % fewer bytes.
@@ -93,7 +94,7 @@ void WriteData(vtkDataObject* data, const std::string& path, vtkInsideOutListene
     std::ostream stream(&spool);
     vtkNew<StreamWriter<Writer>> writer;
     writer->SetStream(&stream);
-    writer->SetInputData(data);
+    writer->SetInputData(vtkInsideOut::DataForXml(data));
     writer->SetDataModeToBinary();
     writer->SetCompressionLevel(fastestCompression);
     if (!vtkInsideOutUpdate(static_cast<vtkObjectBase*>(writer.Get()), 1, listener))
@@ -112,7 +113,7 @@ void WriteData(vtkDataObject* data, const std::string& path, vtkInsideOutListene
 
 extern "C" void vtkInsideOutWriteData(void* object, const char* path, vtkInsideOutListener listener)
 {
-  auto* data = static_cast<vtkDataObject*>(static_cast<vtkObjectBase*>(object));
+  auto* data = vtkDataSet::SafeDownCast(static_cast<vtkObjectBase*>(object));
   if (vtkUnstructuredGrid::SafeDownCast(data))
   {
     WriteData<vtkXMLUnstructuredGridWriter>(data, path, listener);
@@ -127,8 +128,8 @@ extern "C" void vtkInsideOutWriteData(void* object, const char* path, vtkInsideO
   }
   else
   {
-    const std::string why =
-      std::string(path) + ": a " + data->GetClassName() + " cannot be written";
+    const std::string why = std::string(path) + ": a " +
+      static_cast<vtkObjectBase*>(object)->GetClassName() + " cannot be written";
     listener(VTK_INSIDEOUT_ERROR, why.c_str(), 0);
   }
 }

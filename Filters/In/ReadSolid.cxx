@@ -183,21 +183,42 @@ std::vector<Triangle> ReadTriangles(vtkPolyData* boundary)
   return corners;
 }
 
+/** Names by number: strings, or the names of an array's components, as .vtu files have them. */
+std::vector<std::string> ReadNames(vtkFieldData* data, const char* name)
+{
+  std::vector<std::string> names;
+  vtkAbstractArray* array = data->GetAbstractArray(name);
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    {
+      names.push_back(strings->GetValue(i));
+    }
+  }
+  else if (array && array->HasAComponentName())
+  {
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    {
+      const char* component = array->GetComponentName(k);
+      names.emplace_back(component ? component : "");
+    }
+  }
+  return names;
+}
+
 void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)
 {
   const std::vector<Point> points = ReadPoints(boundary, "the boundary");
   solid.Faces = FacesOfTriangles(solid, points, ReadTriangles(boundary));
   solid.TagOfFace = ReadNumbers(boundary, "BoundaryTag", 0);
-  auto* names =
-    vtkStringArray::SafeDownCast(boundary->GetFieldData()->GetAbstractArray("BoundaryTagNames"));
+  const std::vector<std::string> names = ReadNames(boundary->GetFieldData(), "BoundaryTagNames");
   solid.Tags = MakeGroups(solid.TagOfFace,
-    [names](Id tag, bool isAlone)
+    [&names](Id tag, bool isAlone)
     {
-      if (names && tag < names->GetNumberOfValues() && !names->GetValue(tag).empty())
-      {
-        return std::string(names->GetValue(tag));
-      }
-      return isAlone ? "surface" : "tag_" + std::to_string(tag);
+      const auto number = static_cast<std::size_t>(tag);
+      return number < names.size() && !names[number].empty() ? names[number]
+        : isAlone                                            ? std::string("surface")
+                                                             : "tag_" + std::to_string(tag);
     });
 }
 } // namespace
@@ -220,16 +241,15 @@ SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary)
   solid.Points = ReadPoints(parts.Solid, "the solid");
   ReadCells(parts.Solid, solid);
   solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId", None);
-  auto* names =
-    vtkStringArray::SafeDownCast(parts.Solid->GetFieldData()->GetAbstractArray("RegionNames"));
+  const std::vector<std::string> names = ReadNames(parts.Solid->GetFieldData(), "RegionNames");
   solid.Regions = MakeGroups(solid.RegionOfCell,
-    [names](Id region, bool isAlone)
+    [&names](Id region, bool isAlone)
     {
-      const bool isNamed = names && region >= 0 && region < names->GetNumberOfValues();
-      return region == None ? std::string("outside")
-        : isNamed           ? std::string(names->GetValue(region))
-        : isAlone           ? std::string("solid")
-                            : "region_" + std::to_string(region);
+      const auto number = static_cast<std::size_t>(region);
+      return region == None     ? std::string("outside")
+        : number < names.size() ? names[number]
+        : isAlone               ? std::string("solid")
+                                : "region_" + std::to_string(region);
     });
   if (parts.Boundary)
   {

@@ -82,8 +82,8 @@ struct PolygonSurface
 PolygonSurface ReadSurface(const std::string& path, Monitor& monitor);
 
 /**
- * Write a surface as PLY (binary, doubles), OBJ or OFF (as many digits as keep every bit) or STL
- * (binary, floats: the format has no doubles), by the name's ending. Attributes that the format
+ * Write a surface as PLY, OBJ or OFF (text, with as many digits as keep every bit) or STL (binary,
+ * floats: the format has no doubles), by the name's ending. Attributes that the format
  * knows are written: `Colors`, `Normals` and `TCoords` of points in PLY and OBJ, and any other
  * attribute in PLY, one property per component: NAME_0, NAME_1, ... OBJ gets groups by the names of
  * `BoundaryTag` or else `GroupIds`, and materials by those of `MaterialIds`, where Names has them;

@@ -2,7 +2,6 @@
 #include "Files/SurfaceWriters.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 // The format: Turk, The PLY Polygon File Format (1994).
@@ -69,6 +68,7 @@ void WritePlyProperties(
   }
 }
 
+/** A blank before each. */
 void WritePlyValues(OutputFile& file, const std::vector<Attribute>& attributes, std::size_t index)
 {
   for (const Attribute& attribute : attributes)
@@ -79,56 +79,68 @@ void WritePlyValues(OutputFile& file, const std::vector<Attribute>& attributes, 
       {
         for (std::size_t i = index * components; i < (index + 1) * components; ++i)
         {
-          file.Binary(values[i]);
+          file.Text(" ");
+          file.Decimal(values[i]);
         }
       },
       attribute.Values);
   }
 }
 
-bool HasLargePolygon(const PolygonSurface& surface)
+/** The type of a list's length: a byte is what every reader knows. */
+const char* PlyCountType(const PolygonSurface& surface)
 {
+  constexpr Id mostInAByte = 255;
   for (std::size_t p = 0; p + 1 < surface.Offsets.size(); ++p)
   {
-    if (CornersOf(surface, p) > std::numeric_limits<unsigned char>::max())
+    if (CornersOf(surface, p) > mostInAByte)
     {
-      return true;
+      return "int";
     }
   }
-  return false;
+  return "uchar";
 }
 } // namespace
 
+// As text, with the list of points before all else that a face has: gmsh reads binary files of
+// floats alone, and meshio none whose faces have more than that list, or have something before it.
 void WritePly(OutputFile& file, const PolygonSurface& surface)
 {
   const std::size_t polygons = surface.Offsets.size() - 1;
-  const bool wideCounts = HasLargePolygon(surface); // a byte is what every reader knows
-  file.Text("ply\nformat binary_little_endian 1.0\ncomment Written by InsideOut\n");
+  // Without points both are the same but for the header, and meshio reads no such text.
+  const bool isEmpty = surface.Points.empty();
+  file.Text(std::string("ply\nformat ") + (isEmpty ? "binary_little_endian" : "ascii") + " 1.0\n");
+  file.Text("comment Written by InsideOut\n");
   file.Text("element vertex " + std::to_string(surface.Points.size()) + "\n");
   file.Text("property double x\nproperty double y\nproperty double z\n");
   WritePlyProperties(file, surface.PointAttributes, { "x", "y", "z" });
   file.Text("element face " + std::to_string(polygons) + "\n");
-  file.Text(
-    std::string("property list ") + (wideCounts ? "int" : "uchar") + " int vertex_indices\n");
-  WritePlyProperties(file, surface.PolygonAttributes, { "vertex_indices", "vertex_index" });
+  file.Text(std::string("property list ") + PlyCountType(surface) + " int vertex_indices\n");
+  if (polygons > 0)
+  {
+    WritePlyProperties(file, surface.PolygonAttributes, { "vertex_indices", "vertex_index" });
+  }
   file.Text("end_header\n");
   for (std::size_t p = 0; p < surface.Points.size(); ++p)
   {
-    for (const double x : surface.Points[p])
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      file.Binary(x);
+      file.Text(k > 0 ? " " : "");
+      file.Decimal(surface.Points[p][k]);
     }
     WritePlyValues(file, surface.PointAttributes, p);
+    file.Text("\n");
   }
   for (std::size_t p = 0; p < polygons; ++p)
   {
-    const Id count = CornersOf(surface, p);
-    wideCounts ? file.Binary(count) : file.Binary(static_cast<unsigned char>(count));
+    file.Decimal(CornersOf(surface, p));
     for (Id c = surface.Offsets[p]; c < surface.Offsets[p + 1]; ++c)
     {
-      file.Binary(surface.Corners[static_cast<std::size_t>(c)]);
+      file.Text(" ");
+      file.Decimal(surface.Corners[static_cast<std::size_t>(c)]);
     }
     WritePlyValues(file, surface.PolygonAttributes, p);
+    file.Text("\n");
   }
 }
 } // namespace insideout

@@ -42,7 +42,8 @@ def write(
                  the faces of one cell are a group. A result brings its own
     msh_version  of .msh files: "4.1", or "2.2" for programs that know no other
 
-    .vtu               VTK's own: tetrahedra with all arrays
+    .vtu               VTK's own: tetrahedra with all arrays. Names in field data become names of components, for
+                       meshio reads no strings there
     .msh, .inp, .mesh  for gmsh, for CalculiX and Abaqus, and for Medit: tetrahedra by regions and the boundary's
                        triangles by tags, with their names (the VTK class vtkSolidWriter says how)
     .xdmf              tetrahedra with all arrays, by meshio; FacetIds and the like as FacetIds_0 to _3
