@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Data/FileAttributes.h"
 
-#include <vtkAOSDataArrayTemplate.h>
+#include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkTypeTraits.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,15 +15,17 @@ namespace vtkInsideOut
 {
 namespace
 {
+/** An array of one of VTK's named classes, such as vtkIntArray. */
 template <typename Value>
 vtkSmartPointer<vtkDataArray> MakeArray(
   const insideout::Attribute& attribute, const std::vector<Value>& values)
 {
-  auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<Value>>::New();
+  const auto array = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(vtkTypeTraits<Value>::VTK_TYPE_ID));
   array->SetName(attribute.Name.c_str());
   array->SetNumberOfComponents(attribute.Components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / attribute.Components));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  std::copy(values.begin(), values.end(), static_cast<Value*>(array->GetVoidPointer(0)));
   return array;
 }
 

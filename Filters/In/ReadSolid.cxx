@@ -184,7 +184,7 @@ std::vector<Triangle> ReadTriangles(vtkPolyData* boundary)
 }
 
 /** Names by number: strings, or the names of an array's components, as .vtu files have them. */
-std::vector<std::string> ReadNames(vtkFieldData* data, const char* name)
+std::vector<std::string> NamesByNumber(vtkFieldData* data, const char* name)
 {
   std::vector<std::string> names;
   vtkAbstractArray* array = data->GetAbstractArray(name);
@@ -211,7 +211,8 @@ void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)
   const std::vector<Point> points = ReadPoints(boundary, "the boundary");
   solid.Faces = FacesOfTriangles(solid, points, ReadTriangles(boundary));
   solid.TagOfFace = ReadNumbers(boundary, "BoundaryTag", 0);
-  const std::vector<std::string> names = ReadNames(boundary->GetFieldData(), "BoundaryTagNames");
+  const std::vector<std::string> names =
+    NamesByNumber(boundary->GetFieldData(), "BoundaryTagNames");
   solid.Tags = MakeGroups(solid.TagOfFace,
     [&names](Id tag, bool isAlone)
     {
@@ -241,7 +242,7 @@ SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary)
   solid.Points = ReadPoints(parts.Solid, "the solid");
   ReadCells(parts.Solid, solid);
   solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId", None);
-  const std::vector<std::string> names = ReadNames(parts.Solid->GetFieldData(), "RegionNames");
+  const std::vector<std::string> names = NamesByNumber(parts.Solid->GetFieldData(), "RegionNames");
   solid.Regions = MakeGroups(solid.RegionOfCell,
     [&names](Id region, bool isAlone)
     {
