@@ -117,9 +117,5 @@ if (INSIDEOUT_USE_TETGEN)
   install(FILES ${PROJECT_SOURCE_DIR}/Filters/Tetgen/LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.insideout-tetgen)
 endif ()
-install(EXPORT InsideOut
-  NAMESPACE   VTK::
-  FILE        InsideOutTargets.cmake
-  DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/env.sh.in ${CMAKE_BINARY_DIR}/env.sh @ONLY)
 include(${CMAKE_CURRENT_LIST_DIR}/Packages.cmake)
