@@ -110,13 +110,18 @@ struct Format
 constexpr Format Formats[] = {
   { "PLY", ".ply", [](const FileContent& file, Monitor&) { return IsPly(file); }, ReadPly },
   { "OFF", ".off", IsOff, ReadOff },
-  { "STL", ".stl", [](const FileContent& file, Monitor&) { return IsStl(file); }, ReadStl },
+  { "STL", ".stl", IsStl, ReadStl },
   { "OBJ", ".obj", IsObj, ReadObj },
 };
 
 /** By its mark, and else by the name's ending. */
 const Format& FormatOf(const FileContent& file, const std::string& ending, Monitor& monitor)
 {
+  const std::string_view begin(file.Begin(), std::min<std::size_t>(file.Size, 2));
+  if (begin == "\xFF\xFE" || begin == "\xFE\xFF")
+  {
+    throw Malformed(file, "is text in UTF-16; save it in UTF-8");
+  }
   for (const Format& format : Formats)
   {
     if (format.HasMark(file, monitor))

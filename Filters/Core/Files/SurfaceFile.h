@@ -65,7 +65,8 @@ struct PolygonSurface
  *   that refers to texture coordinates or normals that do not exist costs them all, with a warning.
  *   The normals of STL facets follow from the corners and are not kept.
  * - `Colors` (3 or 4 unsigned char) of points and polygons, where all (in OBJ: all points in use)
- *   have one. Numbers that are not bytes count from 0 to 1 if none is larger, else from 0 to 255.
+ *   have one; in binary STL the two spare bytes may hold it. Numbers that are not bytes count from
+ * 0 to 1 if none is larger, else from 0 to 255.
  * - `GroupIds` (int) of polygons: pairs of `o` and `g` in OBJ, solids in STL where there are
  *   several. `MaterialIds` (int): `usemtl` in OBJ. Both number what polygons use, in the order of
  *   first use, and solids even where they have one name. Names has `GroupNames` and

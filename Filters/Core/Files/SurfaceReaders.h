@@ -36,7 +36,7 @@ bool IsPly(const FileContent& file);
 bool IsOff(const FileContent& file, Monitor& monitor);
 
 /** Whether it begins as an ascii STL file does, or is as long as a binary one has to be. */
-bool IsStl(const FileContent& file);
+bool IsStl(const FileContent& file, Monitor& monitor);
 
 /** Whether a vertex of three numbers comes first, but for what may stand before it in OBJ. */
 bool IsObj(const FileContent& file, Monitor& monitor);

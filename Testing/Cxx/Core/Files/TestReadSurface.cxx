@@ -736,16 +736,17 @@ TEST(ReadSurface, ReadsAsciiStlOfSeveralSolids)
 TEST(ReadSurface, NamesTheLineWhereAsciiStlGoesWrong)
 {
   const std::string text = AsciiStl;
-  ExpectMalformed("a.stl", text.substr(0, text.find("ENDSOLID")),
-    ", line 18: the file ends within a solid: it is truncated");
+  ExpectMalformed("a.stl", text.substr(0, text.find("ENDFACET")),
+    ", line 17: the file ends within a facet: it is truncated");
+  ExpectMalformed("a.stl", text.substr(0, text.find("VERTEX 0 1")),
+    ", line 15: the file ends within a facet: it is truncated");
   ExpectMalformed("a.stl", text.substr(0, text.find("vertex 1E0")) + "endloop",
     ", line 5: expected 'vertex', found 'endloop'");
   ExpectMalformed(
     "a.stl", "solid\nsurface\n", ", line 2: expected 'facet' or 'endsolid', found 'surface'");
   ExpectMalformed(
     "a.stl", "solid\nfacet normal 1 2 3 4 outer\n", ", line 2: expected 'outer', found '4'");
-  ExpectMalformed("a.stl", text + "x", ", line 19: expected 'solid', found 'x'");
-  ExpectMalformed("a.stl", "sol",
+  ExpectMalformed("a.stl", std::string("sol\0", 4),
     ": is neither ascii STL, which begins with 'solid', nor has the 84 "
     "bytes that binary STL begins with");
 }
