@@ -109,6 +109,13 @@ def read_solid(path: Path, progress: Optional[Progress] = None) -> tuple[vtkUnst
 
 
 def _read(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
+    surface, warnings = _read_by_content(path, progress)
+    if surface.GetNumberOfPoints() == 0:
+        raise Error(f"{path}: the surface is empty: it has no points")
+    return surface, warnings
+
+
+def _read_by_content(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
     if _holds_xml(path):
         return _read_xml(path, progress)
     if input_ending(path) == CURVE:
