@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "In/ReadSurface.h"
+#include "Rounding/RoundToFloats.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/RunFilter.h"
 
@@ -63,8 +64,16 @@ void vtkSurfaceWriter::WriteData()
           std::string("the input is a ") + this->Superclass::GetInput(0)->GetClassName() +
             ", and a file holds one surface: extract one of the blocks, or append them");
       }
-      vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
-      WriteSurface(this->FileName, vtkInsideOut::ReadPolygons(this->GetInput()), monitor);
+      vtkInsideOut::AlgorithmMonitor monitor(
+        this, { Stages::FindingIntersections, Stages::Writing });
+      PolygonSurface surface = vtkInsideOut::ReadPolygons(this->GetInput());
+      const std::string left =
+        HasFloats(this->FileName) ? WordsOf(RoundToFloats(surface, monitor)) : std::string();
+      WriteSurface(this->FileName, surface, monitor);
+      if (!left.empty())
+      {
+        vtkInsideOut::Warn(this, { std::string(this->FileName) + ": " + left });
+      }
     });
   if (!written)
   {

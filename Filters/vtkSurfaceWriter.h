@@ -13,6 +13,11 @@
  * BoundaryTagNames, GroupNames or MaterialNames has their names. Lines and vertices are not
  * written. A composite data set is an error: a file holds one surface.
  *
+ * The floats of a .stl file are no two points in one place, and no triangle without area: what
+ * rounding brings together becomes one, edges shorter than a millionth of the surface's size are
+ * contracted, and points take another float near by, where no more triangles meet then. A warning
+ * counts the triangles that meet all the same, and did not before, and the points that nearly do.
+ *
  * The file is there whole or not at all: an earlier one stays as it was until the new one is on the
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
  * permissions of an earlier file are kept. Devices and pipes are written at once.

@@ -28,6 +28,9 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 
 
+CORPUS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Corpus")
+
+
 class InAFolder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -70,6 +73,22 @@ class RoundTrips(InAFolder):
         expected = surfaces.points_of(surface)[surfaces.triangles_of(surface)].astype(np.float32)
         found = surfaces.points_of(again)[surfaces.triangles_of(again)]
         self.assertEqual(found.tolist(), expected.astype(float).tolist())
+
+    def test_a_repaired_stl_passes_its_own_check(self):
+        for name in ("box-turned-a-little", "boxes-on-walls", "cylinders-tessellated-twice", "segments-beside-edges"):
+            with self.subTest(name):
+                result = insideout.tetrahedralize(os.path.join(CORPUS, name + ".off"))
+                self.assertEqual(write_surface(result.boundary, self.path("fixed.stl")), [])
+                found = insideout.check(self.path("fixed.stl")).statistics
+                for count in ("OpenEdges", "DegenerateFacets", "DuplicateFacets", "IntersectingPairs", "NearPoints"):
+                    self.assertEqual(found[count], 0, count)
+
+    def test_what_floats_make_of_a_surface_is_told(self):
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1e-7, 0, 0), (-1, 0, 0), (0, -1, 0)]
+        surface = surfaces.polydata(corners, [(0, 1, 2), (3, 4, 5)])
+        with self.assertWarnsRegex(UserWarning, "near.stl: rounded to the floats that the format has: 2 points are nearer"):
+            insideout.write(surface, self.path("near.stl"))
+        self.assertEqual(insideout.check(self.path("near.stl")).statistics["NearPoints"], 2)
 
     def test_ply_keeps_every_array(self):
         surface = awkward_box()

@@ -99,4 +99,7 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor);
  * written); Stopped. In error the file is as it was.
  */
 void WriteSurface(const std::string& path, const PolygonSurface& surface, Monitor& monitor);
+
+/** Whether a file of this name has coordinates in floats. */
+bool HasFloats(const std::string& path);
 } // namespace insideout

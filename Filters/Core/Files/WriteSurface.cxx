@@ -79,6 +79,11 @@ bool IsTCoord(const Attribute& attribute)
   return attribute.Name == "TCoords" && HasFractions(attribute) && attribute.Components == 2;
 }
 
+bool HasFloats(const std::string& path)
+{
+  return EqualsIgnoringCase(std::filesystem::path(path).extension().string(), ".stl");
+}
+
 void WriteSurface(const std::string& path, const PolygonSurface& surface, Monitor& monitor)
 {
   using Writer = void (*)(OutputFile&, const PolygonSurface&);

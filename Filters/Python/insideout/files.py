@@ -217,25 +217,28 @@ def check_holds_lines(path: str) -> None:
         raise Error(f"{path}: the boundary is lines, which only .vtp files hold here")
 
 
-def write_surface(surface: vtkPolyData, path: Path) -> None:
-    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats), lines as .vtp. Raises `Error` that names the file."""
+def write_surface(surface: vtkPolyData, path: Path) -> list[str]:
+    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats), lines as .vtp. Raises `Error` that names the file.
+
+    Returns what the format could not keep, one line each.
+    """
     path = os.fspath(path)
     check_output(path, WRITABLE_SURFACES)
     if are_lines(surface):
         check_holds_lines(path)
     if ending(path) == ".vtp":
         write_data(surface, path)
-        return
+        return []
     writer = vtkSurfaceWriter()
     writer.SetInputData(surface)
-    run_writer(writer, path)
+    return run_writer(writer, path)
 
 
-def run_writer(writer: Any, path: str) -> None:
-    """Let a writer write a file. Raises `Error` that names the file."""
+def run_writer(writer: Any, path: str) -> list[str]:
+    """Let a writer write a file. Returns its warnings. Raises `Error` that names the file."""
     writer.SetFileName(path)
     try:
-        run(writer)
+        return run(writer)
     except Error as error:
         raise _naming(path, error) from None
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import Literal, Mapping, Optional, Union, get_args
 
 import numpy as np
@@ -52,19 +53,23 @@ def write(
 
     Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
 
-    An earlier file stays as it was until the new one is on the disk. Raises `Error` that names the file.
+    An earlier file stays as it was until the new one is on the disk. Warns where the floats of a .stl file make triangles
+    meet that did not, or points nearly meet. Raises `Error` that names the file.
     """
+    told: list[str] = []
     if isinstance(data, Tetrahedralization):
         if ending(path) in WRITABLE_SURFACES:
-            write_surface(outer_boundary(data.boundary), path)
+            told = write_surface(outer_boundary(data.boundary), path)
         else:
             write_solid(data.solid, path, boundary or data.boundary, msh_version)
     elif isinstance(data, vtkUnstructuredGrid):
         write_solid(data, path, boundary, msh_version)
     elif isinstance(data, vtkPolyData):
-        write_surface(data, path)
+        told = write_surface(data, path)
     else:
         raise Error(f"what is to be written is of type {type(data).__name__}; it can be a result, a vtkPolyData or a vtkUnstructuredGrid")
+    for warning in told:
+        warnings.warn(warning, stacklevel=2)
 
 
 def check_holds_triangles(path: str) -> None:

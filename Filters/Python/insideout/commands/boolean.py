@@ -62,11 +62,11 @@ class BooleanJob(Job):
         if takes_cells:
             write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1")
         else:
-            write_surface(result.surface, output)
+            self.warnings = self.warnings + write_surface(result.surface, output)
         self.outputs["solid" if takes_cells else "surface"] = output
         if boundary is not None:
             work_on(boundary)
-            write_surface(result.surface, boundary)
+            self.warnings = self.warnings + write_surface(result.surface, boundary)
             self.outputs["boundary"] = boundary
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began

@@ -104,7 +104,7 @@ class MeshJob(Job):
         self.bars.show(WRITING, 0)
         for kind, data, path, write in self.files_to_write(result):
             work_on(path)
-            write(data, path)
+            self.warnings = self.warnings + (write(data, path) or [])
             self.outputs[kind] = path
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
