@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 #include "Common/SortUniquely.h"
 #include "Data/Arrays.h"
+#include "Data/FieldNames.h"
 #include "Files/SolidFaces.h"
 
 #include <vtkCellArray.h>
@@ -14,7 +15,6 @@
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
@@ -181,29 +181,6 @@ std::vector<Triangle> ReadTriangles(vtkPolyData* boundary)
     CopyIds(ids->begin(), t, boundary->GetNumberOfPoints(), corners[t]);
   }
   return corners;
-}
-
-/** Names by number: strings, or the names of an array's components, as .vtu files have them. */
-std::vector<std::string> NamesByNumber(vtkFieldData* data, const char* name)
-{
-  std::vector<std::string> names;
-  vtkAbstractArray* array = data->GetAbstractArray(name);
-  if (auto* strings = vtkStringArray::SafeDownCast(array))
-  {
-    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
-    {
-      names.push_back(strings->GetValue(i));
-    }
-  }
-  else if (array && array->HasAComponentName())
-  {
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-    {
-      const char* component = array->GetComponentName(k);
-      names.emplace_back(component ? component : "");
-    }
-  }
-  return names;
 }
 
 void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)

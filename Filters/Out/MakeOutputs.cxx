@@ -3,6 +3,7 @@
 
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "Data/FieldNames.h"
 #include "Data/FileAttributes.h"
 #include "Output/SplitSeams.h"
 
@@ -417,12 +418,11 @@ insideout::Statistics StatisticsOf(vtkFieldData* fields)
 {
   insideout::Statistics found;
   const auto* values = vtkDoubleArray::SafeDownCast(fields->GetArray(StatisticsName));
-  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(NamesOfStatistics));
-  for (vtkIdType i = 0;
-       values && names && i < std::min(values->GetNumberOfTuples(), names->GetNumberOfValues());
-       ++i)
+  const std::vector<std::string> names = NamesByNumber(fields, NamesOfStatistics);
+  const auto count = static_cast<vtkIdType>(names.size());
+  for (vtkIdType i = 0; values && i < std::min(values->GetNumberOfTuples(), count); ++i)
   {
-    found.emplace_back(names->GetValue(i), values->GetValue(i));
+    found.emplace_back(names[i], values->GetValue(i));
   }
   return found;
 }

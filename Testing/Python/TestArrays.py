@@ -106,7 +106,7 @@ class Arrays(CommandLine):
         """An algorithm of each public class with outputs, set so that it makes all arrays it knows."""
         boxes = surfaces.two_boxes_and_a_stray_facet()
         surfaces.add_array(boxes.GetCellData(), "Part", np.arange(25) // 12)
-        solid = insideout.tetrahedralize(boxes, bodies="Part").solid
+        solid = insideout.tetrahedralize(boxes, body_array="Part").solid
         for name in sorted(vars(insideout)):
             kind = getattr(insideout, name)
             if not (name.startswith("vtk") and isinstance(kind, type) and issubclass(kind, vtkAlgorithm)) or name in WITHOUT_OUTPUT:

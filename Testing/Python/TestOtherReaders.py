@@ -41,7 +41,7 @@ def runs():
     yield "tags", insideout.tetrahedralize(named(surfaces.two_boxes()))
     yield "arrays", insideout.tetrahedralize(with_arrays(surfaces.two_boxes()))
     yield "bodies", insideout.tetrahedralize({AWKWARD: surfaces.box(), "b": surfaces.box((0.5, 0.5, 0.5))})
-    yield "quadratic", insideout.tetrahedralize(boxes, refine=True, edge_length=0.5, quadratic=True)
+    yield "quadratic", insideout.tetrahedralize(boxes, refine=True, edge_length=0.5, quadratic_cells=True)
     yield "turned", insideout.tetrahedralize(surfaces.reversed_box())
     yield "open", insideout.tetrahedralize(surfaces.open_box())
     yield "stray", insideout.tetrahedralize(surfaces.two_boxes_and_a_stray_facet())
@@ -62,6 +62,7 @@ class Grids(InAFolder):
         insideout.write(grid, path)
         mesh, again = meshio.read(path), read_grid(path)
         np.testing.assert_array_equal(mesh.points, surfaces.points_of(grid))
+        self.assertEqual(insideout.pipeline.statistics_of(again), insideout.pipeline.statistics_of(grid))
         found = [block.data for block in mesh.cells]
         expected = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
         self.assertEqual(np.concatenate([np.zeros(0, int), *map(np.ravel, found)]).tolist(), expected.tolist())

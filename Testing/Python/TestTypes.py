@@ -93,8 +93,8 @@ insideout.tetrahedralize("broken.ply", scale="mm")
 
 
 def documented() -> str:
-    """The Python of README.md and of the package's help, in a row."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    """The Python of the pages and of the package's help, in a row."""
+    text = "\n".join((ROOT / page).read_text(encoding="utf-8") for page in ("README.md", "Filters/Python/README.md"))
     blocks = [block for block in re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL) if "paraview" not in block]
     help_blocks = re.findall(r"::\n\n((?:(?: {4}.*)?\n)+)", insideout.__doc__)
     assert len(blocks) >= 5 and len(help_blocks) >= 4

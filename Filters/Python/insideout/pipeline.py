@@ -148,11 +148,11 @@ def statistics_of(data: vtkDataObject) -> dict[str, float]:
     """The figures that a filter put into the field data, by name; counts are ints."""
     field_data = data.GetFieldData()
     statistics: dict[str, float] = {}
-    values, names = field_data.GetArray(STATISTICS), field_data.GetAbstractArray(STATISTICS_NAMES)
-    if values is None or names is None:
+    values, names = field_data.GetArray(STATISTICS), strings_of(field_data.GetAbstractArray(STATISTICS_NAMES))
+    if values is None:
         return statistics
-    for index in range(min(names.GetNumberOfValues(), values.GetNumberOfTuples())):
-        name, value = names.GetValue(index), values.GetTuple1(index)
+    for index, name in enumerate(names[: values.GetNumberOfTuples()]):
+        value = values.GetTuple1(index)
         statistics[name] = value if name.removeprefix("Before").startswith(MEASURED) else int(value)
     return statistics
 
@@ -172,6 +172,13 @@ def add_statistic(name: str, value: float, data: vtkDataObject) -> None:
     else:
         values.InsertNextValue(value)
         names.InsertNextValue(name)
+
+
+def strings_of(array: Any) -> list[str]:
+    """What a vtkStringArray holds; of an array as .vtu files have it the names of its components; nothing of None."""
+    if isinstance(array, vtkStringArray):
+        return [array.GetValue(index) for index in range(array.GetNumberOfValues())]
+    return [] if array is None else [array.GetComponentName(index) or "" for index in range(array.GetNumberOfComponents())]
 
 
 def cells_of(data: vtkDataObject, name: str) -> list[int]:

@@ -17,7 +17,7 @@ from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import is_boundary_alone, mesh_of_solid
 from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
-from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of
+from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import Result, counted
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
@@ -227,11 +227,6 @@ def _without_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
     told = vtkUnstructuredGrid()
     told.GetFieldData().ShallowCopy(grid.GetFieldData())
     return told
-
-
-def strings_of(array: Any) -> list[str]:
-    """What a vtkStringArray holds."""
-    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
 def inside_cells(hull: vtkUnstructuredGrid) -> vtkUnstructuredGrid:

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+
+namespace vtkInsideOut
+{
+/** Names by number, as an array of field data has them: strings, or the names of its components, as
+ * in .vtu files (ForPython/DataForXml.h). */
+std::vector<std::string> NamesByNumber(vtkFieldData* data, const char* array);
+} // namespace vtkInsideOut
