@@ -9,6 +9,7 @@
 #include <vtkRectilinearGrid.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace vtkInsideOut
@@ -19,6 +20,8 @@ namespace
 {
 // Few enough for the processor's cache, and for memory to matter little; enough for many threads.
 constexpr vtkIdType PlacesAtOnce = 1 << 16;
+// As many of a grid, in a box.
+constexpr Id BoxOfPlaces[3] = { 64, 32, 32 };
 
 void GetPoints(vtkDataSet* input, vtkIdType first, std::vector<Point>& points)
 {
@@ -138,10 +141,80 @@ void VisitPlaces(vtkDataSet* input, bool atPoints, const InputWindingNumber& win
     { visit(first, windingNumber.At(places, monitor, part)); });
 }
 
+namespace
+{
+using Index = std::array<Id, 3>;
+
+/** The places in a box of the grid, and their numbers. */
+void ReadBox(const GridPlaces& grid, const Index& low, std::vector<vtkIdType>& numbers,
+  std::vector<Point>& places)
+{
+  Index high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    high[axis] = std::min(grid.Size(axis), low[axis] + BoxOfPlaces[axis]);
+  }
+  const vtkIdType slice = static_cast<vtkIdType>(grid.SizeOfSlice());
+  numbers.clear();
+  places.clear();
+  for (Id k = low[2]; k < high[2]; ++k)
+  {
+    for (Id j = low[1]; j < high[1]; ++j)
+    {
+      for (Id i = low[0]; i < high[0]; ++i)
+      {
+        numbers.push_back(k * slice + j * static_cast<vtkIdType>(grid.Size(0)) + i);
+        places.push_back({ grid.Axes[0][i], grid.Axes[1][j], grid.Axes[2][k] });
+      }
+    }
+  }
+}
+
+/** Call work(numbers, places, progress) for one box of a grid after the other, for neighbors share
+ * what is searched for. */
+template <typename Work>
+void ForEachBox(const GridPlaces& grid, const ProgressRange& progress, const Work& work)
+{
+  const double all = static_cast<double>(grid.SizeOfSlice()) * grid.Size(2);
+  double done = 0;
+  std::vector<vtkIdType> numbers;
+  std::vector<Point> places;
+  Index low;
+  for (low[2] = 0; low[2] < grid.Size(2); low[2] += BoxOfPlaces[2])
+  {
+    for (low[1] = 0; low[1] < grid.Size(1); low[1] += BoxOfPlaces[1])
+    {
+      for (low[0] = 0; low[0] < grid.Size(0); low[0] += BoxOfPlaces[0])
+      {
+        ReadBox(grid, low, numbers, places);
+        const double begin = progress.At(done / all);
+        done += static_cast<double>(places.size());
+        work(numbers, places, { progress.Stage, begin, progress.At(done / all) });
+      }
+    }
+  }
+}
+} // namespace
+
 void VisitNearest(vtkDataSet* input, bool atPoints, const InputWindingNumber& windingNumber,
   Monitor& monitor, const ProgressRange& progress,
   const std::function<void(vtkIdType place, const NearestPoint& nearest)>& visit)
 {
+  GridPlaces grid;
+  if (ReadAxes(input, atPoints, grid))
+  {
+    ForEachBox(grid, progress,
+      [&](const std::vector<vtkIdType>& numbers, const std::vector<Point>& places,
+        const ProgressRange& part)
+      {
+        const std::vector<NearestPoint> nearest = windingNumber.NearestTo(places, monitor, part);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+        {
+          visit(numbers[i], nearest[i]);
+        }
+      });
+    return;
+  }
   ForEachPart(input, atPoints, progress,
     [&](vtkIdType first, const std::vector<Point>& places, const ProgressRange& part)
     {

@@ -35,7 +35,7 @@ void VisitPlaces(vtkDataSet* input, bool atPoints, const InputWindingNumber& win
   const std::function<void(vtkIdType first, const std::vector<double>& values)>& visit);
 
 /** Call visit(place, nearest) with what of the surface is nearest to each place, one after the
- * other.
+ * other: those of images and rectilinear grids box by box.
  *
  * @throws insideout::Error (Stopped)
  */

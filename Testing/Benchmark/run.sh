@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$root/build-benchmark
 
-programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy BenchmarkPlanar BenchmarkBoolean"
+programs="BenchmarkResolve BenchmarkConstrainedDelaunay BenchmarkDelaunayLimit BenchmarkWhole BenchmarkGraphCut BenchmarkBusy BenchmarkDistance BenchmarkPlanar BenchmarkBoolean"
 if [ -r /usr/include/embree3/rtcore.h ]; then
   programs="$programs BenchmarkWindingNumber"
 else
@@ -87,6 +87,7 @@ done
 "$bin/BenchmarkPlanar"
 "$bin/BenchmarkBoolean"
 "$bin/BenchmarkBusy" "$figures/surfaces/pig.off"
+"$bin/BenchmarkDistance" "$@" "$surfaces"/*
 "$bin/BenchmarkGraphCut" "$@" "$surfaces"/* "$open_surfaces"/*
 set -- "$@" "$surfaces"/*
 "$bin/BenchmarkResolve" "$@"

@@ -4,6 +4,7 @@
 #include "Common/Box.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace insideout
@@ -51,40 +52,65 @@ public:
   template <class DistanceOf, class Bound, class Visitor>
   void VisitNearestFirst(const DistanceOf& distance, const Bound& bound, const Visitor& visit) const
   {
+    this->VisitNearFirst<double>([&](const Box& box, double& found) { found = distance(box); },
+      [&](double found) { return found <= bound(); }, [](double a, double b) { return a <= b; },
+      [&](Id i, double) { visit(i); });
+  }
+
+  /**
+   * The same for distances of any type, such as those of several points at once.
+   *
+   * Calls visit(i, distance) for boxes i whose distance, which measure(box, distance) sets, isNear;
+   * of two parts first that which isNearer.
+   */
+  template <class Distance, class Measure, class IsNear, class IsNearer, class Visitor>
+  void VisitNearFirst(const Measure& measure, const IsNear& isNear, const IsNearer& isNearer,
+    const Visitor& visit) const
+  {
     struct Waiting
     {
       std::size_t Node;
-      double Distance;
+      Distance From;
     };
     std::array<Waiting, 64> stack; // of fewer than 2^32 boxes each level halves
     std::size_t size = 0;
     if (!this->Nodes.empty())
     {
-      stack[size++] = { 0, distance(this->Nodes[0].Bounds) };
+      stack[0].Node = 0;
+      measure(this->Nodes[0].Bounds, stack[0].From);
+      size = 1;
     }
     while (size > 0)
     {
-      const Waiting next = stack[--size];
-      const Node& here = this->Nodes[next.Node];
-      if (!(next.Distance <= bound()))
+      --size;
+      if (!isNear(stack[size].From))
       {
         continue;
       }
+      const std::size_t node = stack[size].Node;
+      const Node& here = this->Nodes[node];
       for (Id k = here.Begin; k < here.End; ++k)
       {
-        if (distance(this->Boxes[k]) <= bound())
+        Distance from;
+        measure(this->Boxes[k], from);
+        if (isNear(from))
         {
-          visit(this->Order[k]);
+          visit(this->Order[k], from);
         }
       }
       if (here.Begin == here.End)
       {
-        const std::size_t second = this->Nodes[next.Node + 1].Next;
-        const Waiting a = { next.Node + 1, distance(this->Nodes[next.Node + 1].Bounds) };
-        const Waiting b = { second, distance(this->Nodes[second].Bounds) };
-        const bool aIsNearer = a.Distance <= b.Distance;
-        stack[size++] = aIsNearer ? b : a;
-        stack[size++] = aIsNearer ? a : b;
+        Waiting& second = stack[size];
+        Waiting& first = stack[size + 1];
+        second.Node = this->Nodes[node + 1].Next;
+        first.Node = node + 1;
+        measure(this->Nodes[second.Node].Bounds, second.From);
+        measure(this->Nodes[first.Node].Bounds, first.From);
+        if (!isNearer(first.From, second.From))
+        {
+          std::swap(first, second);
+        }
+        size += 2;
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "Common/NearestPoint.h"
 #include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
+#include "Distance/NearFacets.h"
 #include "WindingNumber/SpatialOrder.h"
 
 #include <algorithm>
@@ -18,6 +19,13 @@ namespace
 // Boxes are passed over that are farther than the nearest facet so far by more than rounding, so
 // that no facet is passed over which another order would find.
 constexpr double RoundedUp = 1 + 0x1p-40;
+
+// Neighbors on a curve through space share a search where there are more places: scattered ones
+// share too little. Of 2,000 in the box of a model sharing takes 0.8 of the time, of 100 1.6 times.
+constexpr Id FewPlaces = 1024;
+constexpr Id PlacesPerCall = 256;
+
+const SurfaceDistance::Nearest Nothing = { 0, {}, None, std::numeric_limits<double>::infinity() };
 
 std::vector<std::array<Point, 3>> ScaledCorners(
   const std::vector<Point>& points, const std::vector<Triangle>& facets, int exponent)
@@ -65,43 +73,58 @@ SurfaceDistance::SurfaceDistance(
 {
 }
 
-/** @param[in] hint a facet that is likely near, which saves time */
-SurfaceDistance::Nearest SurfaceDistance::NearestTo(const Point& place, Id hint) const
+bool SurfaceDistance::Scale(const Point& place, Point& scaled) const
+{
+  const PowerOfTwo down(-this->Exponent);
+  scaled = { down.Times(place[0]), down.Times(place[1]), down.Times(place[2]) };
+  return IsFinite(place) && IsNear(scaled);
+}
+
+SurfaceDistance::Nearest SurfaceDistance::Unscaled(const Nearest& found, const Point& scaled) const
+{
+  const PowerOfTwo up(this->Exponent);
+  const Point& there = found.Place;
+  return { up.Times(Distance(there, scaled)),
+    { up.Times(there[0]), up.Times(there[1]), up.Times(there[2]) }, found.Facet, found.Squared };
+}
+
+/** Of a place that is not finite, or so far away that all facets are as near. */
+SurfaceDistance::Nearest SurfaceDistance::FromAfar(const Point& place) const
 {
   if (!IsFinite(place))
   {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return { nan, { nan, nan, nan }, None, nan };
   }
-  const PowerOfTwo down(-this->Exponent);
-  const PowerOfTwo up(this->Exponent);
-  const auto unscaled = [&](const Point& p) {
-    return Point{ up.Times(p[0]), up.Times(p[1]), up.Times(p[2]) };
-  };
-  const Point scaled = { down.Times(place[0]), down.Times(place[1]), down.Times(place[2]) };
-  if (!IsNear(scaled))
+  const Point there = this->Unscaled({ 0, this->Facets[0][0], 0, 0 }, {}).Place;
+  return { Distance(place, there), there, 0, 0 };
+}
+
+/** Look whether a facet is nearer to a scaled place than what is nearest so far. */
+void SurfaceDistance::Look(Id facet, const Point& scaled, Nearest& best) const
+{
+  const Point there = NearestPointOf(this->Facets[facet], scaled);
+  const Point d = Difference(there, scaled);
+  const Nearest found = { 0, there, facet, Dot(d, d) };
+  if (found.IsNearerThan(best))
   {
-    const Point there = unscaled(this->Facets[0][0]);
-    return { Distance(place, there), there, 0, 0 }; // all parts are as near
+    best = found;
   }
-  const double infinity = std::numeric_limits<double>::infinity();
-  Nearest best = { infinity, {}, None, infinity };
-  const auto look = [&](Id facet)
+}
+
+/** @param[in] hint a facet that is likely near, which saves time */
+SurfaceDistance::Nearest SurfaceDistance::NearestTo(const Point& place, Id hint) const
+{
+  Point scaled;
+  if (!this->Scale(place, scaled))
   {
-    const Point there = NearestPointOf(this->Facets[facet], scaled);
-    const Point d = Difference(there, scaled);
-    const Nearest found = { 0, there, facet, Dot(d, d) };
-    if (found.IsNearerThan(best))
-    {
-      best = found;
-    }
-  };
-  look(hint);
+    return this->FromAfar(place);
+  }
+  Nearest best = Nothing;
+  this->Look(hint, scaled, best);
   this->Tree.VisitNearestFirst([&](const Box& box) { return SquaredDistance(box, scaled); },
-    [&] { return best.Squared * RoundedUp; }, look);
-  best.Distance = up.Times(Distance(best.Place, scaled));
-  best.Place = unscaled(best.Place);
-  return best;
+    [&] { return best.Squared * RoundedUp; }, [&](Id facet) { this->Look(facet, scaled, best); });
+  return this->Unscaled(best, scaled);
 }
 
 SurfaceDistance::Nearest SurfaceDistance::At(const Point& place) const
@@ -109,24 +132,88 @@ SurfaceDistance::Nearest SurfaceDistance::At(const Point& place) const
   return this->NearestTo(place, 0);
 }
 
+void SurfaceDistance::AtSome(const std::vector<Point>& places, const Id* first, const Id* last,
+  std::vector<Nearest>& nearest) const
+{
+  Id hint = 0;
+  for (; first != last; ++first)
+  {
+    const Nearest& found = nearest[*first] = this->NearestTo(places[*first], hint);
+    hint = found.Facet != None ? found.Facet : hint;
+  }
+}
+
+/** The same, several places at a time. */
+void SurfaceDistance::AtMany(const std::vector<Point>& places, const Id* first, const Id* last,
+  std::vector<Nearest>& nearest) const
+{
+  constexpr int lanes = PointBlock::Lanes;
+  PointBlock block;
+  Point scaled[lanes];
+  Id ids[lanes];
+  Nearest best[lanes];
+  std::vector<NearFacet> facets;
+  Id hint = this->NearestTo(places[*first], 0).Facet;
+  hint = hint == None ? 0 : hint;
+  while (first != last)
+  {
+    int used = 0;
+    for (; first != last && used < lanes; ++first)
+    {
+      ids[used] = *first;
+      if (this->Scale(places[*first], scaled[used]))
+      {
+        ++used;
+      }
+      else
+      {
+        nearest[*first] = this->FromAfar(places[*first]);
+      }
+    }
+    for (int lane = 0; used > 0 && lane < lanes; ++lane)
+    {
+      scaled[lane] = scaled[std::min(lane, used - 1)]; // some more of the last, for all are asked
+      best[lane] = Nothing;
+      this->Look(hint, scaled[lane], best[lane]);
+      block.Bound[lane] = best[lane].Squared * RoundedUp;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        block.Of[axis][lane] = scaled[lane][axis];
+      }
+    }
+    if (used > 0)
+    {
+      FindNearFacets(this->Tree, this->Facets, block, facets);
+    }
+    for (int lane = 0; lane < used; ++lane)
+    {
+      for (const NearFacet& facet : facets)
+      {
+        if (facet.Least[lane] <= std::min(block.Bound[lane], best[lane].Squared * RoundedUp))
+        {
+          this->Look(facet.Facet, scaled[lane], best[lane]);
+        }
+      }
+      hint = best[lane].Facet;
+      nearest[ids[lane]] = this->Unscaled(best[lane], scaled[lane]);
+    }
+  }
+}
+
 std::vector<SurfaceDistance::Nearest> SurfaceDistance::At(
   const std::vector<Point>& places, Monitor& monitor, const ProgressRange& progress) const
 {
   const std::vector<Id> order = SpatialOrderOfAny(places);
   std::vector<Nearest> nearest(places.size());
-  const Id placesPerCall = 256;
   const Id size = static_cast<Id>(places.size());
+  const auto work = size < FewPlaces ? &SurfaceDistance::AtSome : &SurfaceDistance::AtMany;
   const double nanosecondsPerPlace = 1000;
-  ChunkedLoop((size + placesPerCall - 1) / placesPerCall, nanosecondsPerPlace * placesPerCall,
+  ChunkedLoop((size + PlacesPerCall - 1) / PlacesPerCall, nanosecondsPerPlace * PlacesPerCall,
     monitor, progress,
     [&](Id call)
     {
-      Id hint = 0;
-      for (Id i = call * placesPerCall; i < std::min(size, (call + 1) * placesPerCall); ++i)
-      {
-        const Nearest& found = nearest[order[i]] = this->NearestTo(places[order[i]], hint);
-        hint = found.Facet != None ? found.Facet : hint;
-      }
+      const Id* const first = order.data() + static_cast<std::ptrdiff_t>(call) * PlacesPerCall;
+      (this->*work)(places, first, std::min(first + PlacesPerCall, order.data() + size), nearest);
     });
   return nearest;
 }

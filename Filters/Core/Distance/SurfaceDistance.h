@@ -47,7 +47,15 @@ public:
     const std::vector<Point>& places, Monitor& monitor, const ProgressRange& progress) const;
 
 private:
+  bool Scale(const Point& place, Point& scaled) const;
+  Nearest Unscaled(const Nearest& found, const Point& scaled) const;
+  Nearest FromAfar(const Point& place) const;
+  void Look(Id facet, const Point& scaled, Nearest& best) const;
   Nearest NearestTo(const Point& place, Id hint) const;
+  void AtSome(const std::vector<Point>& places, const Id* first, const Id* last,
+    std::vector<Nearest>& nearest) const;
+  void AtMany(const std::vector<Point>& places, const Id* first, const Id* last,
+    std::vector<Nearest>& nearest) const;
 
   int Exponent;
   std::vector<std::array<Point, 3>> Facets; ///< scaled to below 1

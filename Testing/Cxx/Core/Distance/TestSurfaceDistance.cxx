@@ -172,6 +172,38 @@ TEST(SurfaceDistance, IsTheSameForOnePlaceAndForMany)
   }
 }
 
+/** So many that several are looked for at a time: in rows, scattered, on facets, afar and nowhere.
+ */
+TEST(SurfaceDistance, IsTheSameForOnePlaceAndForVeryMany)
+{
+  Monitor monitor;
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const FacetComplex& surface : Surfaces())
+  {
+    const SurfaceDistance distance(surface.Points, surface.Facets);
+    std::vector<Point> places = Places(surface);
+    for (int i = 0; i < 5000; ++i)
+    {
+      places.push_back({ i % 20 + 0.5, i / 20 % 20 - 1.0, i / 400 * 2.0 });
+    }
+    for (std::size_t i = 0; i < places.size(); i += 111)
+    {
+      places[i] = { i % 2 ? infinity : 1e300, 0, 0 };
+    }
+    const auto many = distance.At(places, monitor, { "", 0, 1 });
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const SurfaceDistance::Nearest one = distance.At(places[i]);
+      ASSERT_EQ(many[i].Facet, one.Facet);
+      if (one.Facet != None)
+      {
+        ASSERT_EQ(many[i].Distance, one.Distance);
+        ASSERT_EQ(many[i].Place, one.Place);
+      }
+    }
+  }
+}
+
 TEST(SurfaceDistance, IsThatOfAnySize)
 {
   const FacetComplex unit = Surfaces().front();
