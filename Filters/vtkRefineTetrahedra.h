@@ -82,7 +82,7 @@ public:
   ///@{
   /** Point array of edge lengths: of the input, of the background, or of both. Default empty: none.
    * Lengths are positive; NaN asks for nothing. The least of all lengths counts. */
-  vtkSetMacro(SizingArrayName, std::string);
+  vtkSetStdStringFromCharMacro(SizingArrayName);
   virtual const char* GetSizingArrayName() const { return this->SizingArrayName.c_str(); }
   ///@}
 

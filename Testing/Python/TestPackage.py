@@ -154,7 +154,7 @@ class Inputs(unittest.TestCase):
                     self.assertNotIn("\n", str(caught.exception))
 
     def test_bad_queries_and_parameters(self):
-        for points in ([1, 2, 3], [(1, 2)], "here", None, [(1j, 0, 0)], masked(np.zeros((4, 3)), 2), blocks(self.surface)):
+        for points in ([1, 2], 3, [(1, 2)], "here", None, [(1j, 0, 0)], masked(np.zeros((4, 3)), 2), blocks(self.surface)):
             with self.subTest(points), self.assertRaisesRegex(insideout.Error, "points"):
                 insideout.winding_number(self.surface, points)
         for parameters in ({"orientation": "sideways"}, {"merge_tolerance": -1}, {"threshold": float("nan")}):

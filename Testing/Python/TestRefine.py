@@ -230,7 +230,7 @@ class Function(unittest.TestCase):
             ("edge_length is -1; it must be finite and at least 0", self.solid, {"edge_length": -1}),
             ("grading is 0; it must be finite and at least 1e-06", self.solid, {"grading": 0}),
             (r"sizes has the shape \(2,\); it must have one value", self.solid, {"sizes": [1, 2]}),
-            ("sizes is no array of numbers", self.solid, {"sizes": object()}),
+            ("sizes is no table of numbers", self.solid, {"sizes": object()}),
             ("the grid has no point array Size", self.solid, {"sizes": "Size"}),
             ("the background has no cells, between", self.solid, {"sizes": "Size", "background": points_with_sizes()}),
             ("background is of type int; it must be a vtkDataSet", self.solid, {"sizes": "Size", "background": 3}),

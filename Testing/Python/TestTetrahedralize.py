@@ -420,7 +420,7 @@ class BadInput(unittest.TestCase):
         lines = surfaces.polydata([], [(0, 1)]).GetPolys()
         surface.SetLines(lines)
         printed = []
-        with what_is_printed(printed):
+        with what_is_printed(printed), self.assertWarnsRegex(insideout.Warning, "lines are ignored"):
             result = insideout.tetrahedralize(surface)
         self.assertEqual(printed, [""])
         self.assertEqual(len(result.warnings), 1)

@@ -39,6 +39,17 @@ How far the surface is, negative inside; and the voxels inside, as an array, and
     insideout.distance("broken.ply", points)
     inside, origin = insideout.voxels("broken.ply", spacing=0.01)
 
+For machine learning distances to the solid, in whose overlapping parts are no walls, on a grid of 128^3 points::
+
+    grid = insideout.sdf_grid("broken.ply", shape=128)
+    grid.distance, grid.inside, grid.origin, grid.spacing
+    insideout.write(grid, "distances.npz")
+
+What surfaces and solids measure, and their parts::
+
+    solid = insideout.tetrahedralize("broken.ply").solid
+    solid.volume, solid.components, [part.volume for part in solid.split()]
+
 Of a scan without triangles, points with normals, the same but for distances::
 
     insideout.inside(insideout.point_cloud(points, normals=points), points)
@@ -50,7 +61,8 @@ SURFACES
     trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
     What comes back does not depend on that. Faces should run counterclockwise seen from outside.
     `scale` multiplies its coordinates first, for files have no unit. Solids are taken likewise: a
-    vtkUnstructuredGrid of tetrahedra, the name of a .vtu file, a pair (points, cells), and so on.
+    vtkUnstructuredGrid of tetrahedra, the name of a .vtu file, a pair (points, cells), and so on. Points are one
+    (3,), or an array of them (..., 3), and the answer has the shape (...); or those of a VTK data set.
 
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
@@ -63,15 +75,21 @@ RESULTS
     inside          an array of bool, one value per point
     distance        an array of float64, one value per point
     voxels          an array of bool with three indices, and a point
+    sdf_grid        DistanceGrid: distance and inside with three indices, origin, spacing
     point_cloud     a vtkPolyData
 
     They can be pickled, and so sent to other processes, and copied. A notebook shows them as a table, with a
-    picture where one can be drawn. `write` puts them into files, for VTK, gmsh, CalculiX and others, and
-    `to_meshio()` of a Tetrahedralization, or of any surface and tetrahedra in a result, makes a meshio.Mesh.
+    picture where one can be drawn, and `plot()` shows this alone, in a window where there is no notebook. They, and
+    the surfaces and tetrahedra in them, have `volume`, `is_watertight`, `components` and `split()`. `statistics` is a
+    dict that is printed by groups, and `statistics.to_pandas()` a column of a table.
+    `write` puts them into files, for VTK, gmsh, CalculiX and others; `to_meshio()`, `to_pyvista()` and
+    `to_trimesh()` make what these packages have.
 
 ERRORS
-    What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy.
-    What is worth knowing comes back as `warnings`; nothing is printed.
+    What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy; an argument
+    that a function does not have, too. What is worth knowing and may change an answer is a Python warning of the
+    category `Warning`, which points at the line that called, and comes back as `warnings`. To have none:
+    warnings.simplefilter("ignore", insideout.Warning).
 
 STOPPING
     Ctrl-C stops the work within a second and raises KeyboardInterrupt. `progress`, a function that is called
@@ -90,10 +108,10 @@ COMMAND
     `python3 -m insideout` is the same. There is a subcommand for each job: mesh, repair, check, refine, boolean, query, draw.
 
 MODULES
-    `booleans`, `checking`, `quality`, `resolving`, `queries`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
+    `booleans`, `checking`, `quality`, `resolving`, `queries`, `grids`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
     what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `surfaces`,
     `solids` and `inputs` make them of what they are given, `files` reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
-    exceptions, `results` and `serializing` are how results are shown and pickled, `command_line` is the command, whose
+    exceptions, `calling` and `errors` warnings and errors, `results`, `statistics`, `plotting` and `serializing` are how results are shown and pickled, `measures` and `parts` how they hang together, `command_line` is the command, whose
     `arguments`, `usage` and `help` stand beside it, with a module of `commands` for each subcommand.
 """
 
@@ -110,11 +128,13 @@ from .checking import Check, Finding, check
 from .clouds import point_cloud
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
 from .drawing import draw, draw_quality
-from .pipeline import Error
+from .errors import Error, Warning
+from .grids import DistanceGrid, sdf_grid
 from .quality import SolidCheck, check_solid
 from .queries import distance, inside, voxels, winding_number
 from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
+from .statistics import Statistics
 from .tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from .version import __version__
 from .vtkFiltersInsideOut import *  # noqa: F403
@@ -126,6 +146,7 @@ __all__ = [
     *_class_names,
     "Boolean",
     "Check",
+    "DistanceGrid",
     "Error",
     "Finding",
     "Polylines",
@@ -133,10 +154,12 @@ __all__ = [
     "Region",
     "Resolution",
     "SolidCheck",
+    "Statistics",
     "Tetrahedra",
     "Tetrahedralization",
     "TriangleSurface",
     "Triangles",
+    "Warning",
     "__version__",
     "boolean",
     "check",
@@ -148,6 +171,7 @@ __all__ = [
     "point_cloud",
     "refine",
     "resolve",
+    "sdf_grid",
     "tetrahedralize",
     "voxels",
     "winding_number",

@@ -16,8 +16,7 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkTextActor
 
 from .data import corners_of
-from .inputs import make_cells
-from .serializing import vtk_array
+from .serializing import make_cells, vtk_array
 from .tetrahedralization import inside_cells
 
 Colour = Tuple[float, float, float]

@@ -13,7 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData
 
 from .data import TriangleSurface, as_type
-from .pipeline import Error, run
+from .errors import Error, text_of
+from .pipeline import run
 from .surfaces import AnySurface, as_surface
 
 AnyBodies = Union[AnySurface, Mapping[str, AnySurface]]
@@ -42,8 +43,8 @@ def join(surfaces: Mapping[str, AnySurface], scale: Optional[float] = None) -> t
     names.SetName(BODY_NAMES)
     all_warnings = []
     for number, (name, surface) in enumerate(surfaces.items()):
-        if not isinstance(name, str) or not name:
-            raise Error(f"{name!r} is no name of a body")
+        if not text_of("a body's name", name):
+            raise Error("a body's name is empty")
         polygons, warnings = as_body(name, surface, scale)
         copy = vtkPolyData()
         copy.ShallowCopy(polygons)

@@ -13,11 +13,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .bodies import as_body
+from .calling import for_users
 from .checking import check
 from .data import Tetrahedra, TriangleSurface, as_type
+from .errors import Error, brief, one_of, switch, text_of
 from .options import Options, Orientation, describe_options, in_words_of_python
-from .pipeline import Error, Progress, add_statistic, one_of, run, statistics_of
-from .results import Result, counted
+from .pipeline import Progress, add_statistic, run, statistics_of
+from .results import MeshResult, counted
+from .statistics import Statistics
 from .surfaces import AnySurface
 from .vtkFiltersInsideOut import vtkWindingBoolean
 
@@ -25,7 +28,7 @@ Operation = Literal["union", "intersection", "difference", "symmetric-difference
 
 
 @dataclass(frozen=True, repr=False)
-class Boolean(Result):
+class Boolean(MeshResult):
     """What `boolean` made. The VTK class vtkWindingBoolean describes the arrays."""
 
     surface: TriangleSurface
@@ -34,7 +37,7 @@ class Boolean(Result):
     """The result in tetrahedra where these were made, for a body was open, a gap closed or `tetrahedra` asked for them; else empty."""
     names: list[str]
     """What the bodies are called, by their `BodyId`."""
-    statistics: dict[str, float]
+    statistics: Statistics
     """Counts, the volume and seconds, by name."""
     warnings: list[str]
     """What is worth knowing about the bodies, one line each."""
@@ -62,6 +65,7 @@ def letter(number: int) -> str:
     return chr(ord("A") + number) if number < 26 else str(number + 1)
 
 
+@for_users
 @describe_options
 def boolean(
     surfaces: Union[Mapping[str, AnySurface], Iterable[AnySurface]],
@@ -96,18 +100,22 @@ def boolean(
     options = Options.among(locals())
     algorithm = options.set_on(vtkWindingBoolean())
     algorithm.SetOperation(get_args(Operation).index(one_of(get_args(Operation), "operation", operation)))
-    algorithm.SetExpression(expression or "")
-    algorithm.SetTetrahedra(bool(tetrahedra))
+    algorithm.SetExpression("" if expression is None else text_of("expression", expression))
+    algorithm.SetTetrahedra(switch("tetrahedra", tetrahedra))
     warnings: list[str] = []
     if isinstance(surfaces, (str, os.PathLike, vtkPolyData)) or not hasattr(surfaces, "__iter__"):
         raise Error(f"surfaces is of type {type(surfaces).__name__}; a boolean takes several surfaces: a list, or a dict by names")
-    named = list(surfaces.items()) if isinstance(surfaces, Mapping) else [("", surface) for surface in surfaces]
+    try:
+        named = list(surfaces.items()) if isinstance(surfaces, Mapping) else [("", surface) for surface in surfaces]
+    except TypeError:  # an array without a dimension
+        raise Error(f"surfaces is {brief(surfaces)}; a boolean takes several surfaces") from None
     if not named:
         raise Error("there are no surfaces: a boolean takes one at least")
     for number, (name, surface) in enumerate(named):
-        polygons, more = as_body(str(name) or letter(number), surface, options.scale)
+        name = text_of("a body's name", name)
+        polygons, more = as_body(name or letter(number), surface, options.scale)
         algorithm.AddInputDataObject(0, polygons)
-        algorithm.AddBodyName(str(name))
+        algorithm.AddBodyName(name)
         warnings += more
     warnings += in_words_of_python(run(algorithm, progress))
     output = algorithm.GetOutput()

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence, Union
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-
+from .calling import for_users
+from .data import Polylines, TriangleSurface, as_type
 from .defects import DEFECTS, PLANAR_DEFECTS, Defect
+from .files import are_lines
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, run, statistics_of
-from .results import Result
+from .results import MeshResult
+from .statistics import Statistics
 from .surfaces import AnySurface, as_surface
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkSurfaceDefects
@@ -30,15 +32,15 @@ class Finding:
 
 
 @dataclass(frozen=True, repr=False)
-class Check(Result):
+class Check(MeshResult):
     """What `check` found. The VTK class vtkSurfaceDefects describes the arrays."""
 
-    surface: vtkPolyData
-    """The surface with what is wrong marked per cell."""
-    lines: vtkPolyData
+    surface: Union[TriangleSurface, Polylines]
+    """The surface with what is wrong marked per cell; lines where lines were given."""
+    lines: Polylines
     """Open, non-manifold and inconsistent edges and intersection curves, told apart by DefectType; of lines their open ends,
     crossings and T-junctions, as vertices."""
-    statistics: dict[str, float]
+    statistics: Statistics
     """Counts by name."""
     findings: list[Finding]
     """What is wrong, with what matters first; empty when nothing is."""
@@ -61,6 +63,7 @@ class Check(Result):
         return {"surface": self.surface, "lines": self.lines}
 
 
+@for_users
 @describe_options
 def check(
     surface: AnySurface,
@@ -90,8 +93,8 @@ def check(
     volumes = marker.GetOutput().GetFieldData().GetArray("ShellVolumes")
     findings = find(statistics)
     return Check(
-        surface=marker.GetOutput(),
-        lines=marker.GetLines(),
+        surface=as_type(Polylines if are_lines(polygons) else TriangleSurface, marker.GetOutput()),
+        lines=as_type(Polylines, marker.GetLines()),
         statistics=statistics,
         findings=findings,
         shell_volumes=[volumes.GetValue(shell) for shell in range(volumes.GetNumberOfValues())] if volumes else [],

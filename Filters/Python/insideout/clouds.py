@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .inputs import ARRAYS, make_points
+from .calling import for_users
+from .inputs import ARRAYS, make_points, numbers
 from .pipeline import Error
 from .serializing import vtk_array
 
 
+@for_users
 def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike] = None) -> vtkPolyData:
     """Points on a surface, as scanners give them, for `winding_number`, `inside` and `voxels`.
 
@@ -31,7 +33,7 @@ def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike
     for name, (values, shape) in given.items():
         if values is None and name == "areas":
             continue
-        array = np.asarray(values, float)
+        array = numbers(name, values)
         if array.shape != shape:
             raise Error(f"{name} has the shape {array.shape}; with {size} points it must be {shape}")
         made = vtk_array(np.ascontiguousarray(array), VTK_DOUBLE)

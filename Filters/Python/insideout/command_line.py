@@ -12,6 +12,7 @@ import argparse
 from typing import Optional, Sequence
 
 from .arguments import Files, parse
+from .calling import quietly
 from .commands.boolean import BooleanJob
 from .commands.check import CheckJob, SolidCheckJob
 from .commands.draw import DrawJob
@@ -38,6 +39,11 @@ JOBS: dict[str, type[Job]] = {
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Do what the arguments say. Returns the exit status: 0 when that was done for every surface."""
+    with quietly():  # each job tells its warnings
+        return _main(arguments)
+
+
+def _main(arguments: Optional[Sequence[str]]) -> int:
     options, all_files = parse(arguments)
     try:
         if options.command == "demo":

@@ -18,9 +18,11 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 
-from .exporting import mesh_of
+from .exporting import mesh_of, pyvista_of, trimesh_of
+from .measures import area, enclosed_volume, faces_of_one_cell, is_closed, joined_where_equal, labels_of_parts, volume_of_cells
+from .parts import part_of, points_as
 from .pipeline import Error
-from .serializing import packed, unpacked
+from .serializing import make_cells, packed, unpacked
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPointSet as _PointSet
@@ -57,6 +59,10 @@ class _Views(_PointSet):
         """The numeric arrays with a value per triangle or tetrahedron, by name."""
         return _arrays_of(self.GetCellData())
 
+    def to_pyvista(self) -> Any:
+        """The same as PyVista has it, with all arrays, which are shared."""
+        return pyvista_of(self)
+
 
 class TriangleSurface(_Views, vtkPolyData):
     """A vtkPolyData of triangles. Its arrays are views: they show VTK's memory and cost nothing."""
@@ -64,11 +70,39 @@ class TriangleSurface(_Views, vtkPolyData):
     @property
     def triangles(self) -> NDArray[np.int64]:
         """The three points of each triangle, counterclockwise seen from outside."""
+        if self.GetNumberOfStrips() > 0:
+            raise Error("the surface has strips: go through vtkTriangleFilter first")
         return corners_of(self.GetPolys(), 3)
+
+    @property
+    def volume(self) -> float:
+        """What the triangles enclose, in cubed units; below 0 where they face inward. It has a meaning where they are closed."""
+        return enclosed_volume(self.points, self.triangles)
+
+    @property
+    def is_watertight(self) -> bool:
+        """Whether the triangles have no open edge: each is run along as often one way as the other. Points at one place are one."""
+        return is_closed(self._joined())
+
+    @property
+    def components(self) -> int:
+        """How many parts there are that edges connect. Points at one place are one."""
+        return _number_of(labels_of_parts(self._joined()))
+
+    def split(self) -> list[TriangleSurface]:
+        """These parts, as surfaces of their own with all arrays."""
+        return _split(self, self.triangles, labels_of_parts(self._joined()))
+
+    def _joined(self) -> NDArray[np.int64]:
+        return joined_where_equal(self.points, self.triangles)
 
     def to_meshio(self) -> Any:
         """The same as a meshio.Mesh, with all arrays."""
         return mesh_of(self, "triangle", self.triangles)
+
+    def to_trimesh(self) -> Any:
+        """The same as a trimesh.Trimesh, without arrays."""
+        return trimesh_of(self.points, self.triangles)
 
     @property
     def tag_names(self) -> list[str]:
@@ -84,6 +118,34 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
     def cells(self) -> NDArray[np.int64]:
         """The four points of each tetrahedron, positively oriented; all ten of those that are quadratic."""
         return corners_of(self.GetCells(), 10 if self._is_quadratic() else 4)
+
+    @property
+    def volume(self) -> float:
+        """Of all tetrahedra, in cubed units."""
+        return volume_of_cells(self.points, self.cells)
+
+    @property
+    def boundary(self) -> TriangleSurface:
+        """The faces that one tetrahedron has, outward, without data. That of a result has more: the input's attributes."""
+        used, corners = np.unique(faces_of_one_cell(self.cells), return_inverse=True)
+        surface = TriangleSurface()
+        surface.SetPoints(points_as(self, self.points[used]))
+        surface.SetPolys(make_cells(corners.reshape(-1, 3)))
+        return surface
+
+    @property
+    def is_watertight(self) -> bool:
+        """Whether its boundary is, as it is where no face has more than two tetrahedra."""
+        return self.boundary.is_watertight
+
+    @property
+    def components(self) -> int:
+        """How many parts there are that faces connect."""
+        return _number_of(labels_of_parts(self.cells[:, :4]))
+
+    def split(self) -> list[Tetrahedra]:
+        """These parts, as solids of their own with all arrays."""
+        return _split(self, self.cells, labels_of_parts(self.cells[:, :4]))
 
     @property
     def w(self) -> NDArray[np.float64]:
@@ -116,6 +178,20 @@ class Triangles(_Views, vtkUnstructuredGrid):
         return corners_of(self.GetCells(), 3)
 
     @property
+    def volume(self) -> float:
+        """In two dimensions the area."""
+        return area(self.points, self.cells)
+
+    @property
+    def components(self) -> int:
+        """How many parts there are that edges connect."""
+        return _number_of(labels_of_parts(self.cells))
+
+    def split(self) -> list[Triangles]:
+        """These parts, as data sets of their own with all arrays."""
+        return _split(self, self.cells, labels_of_parts(self.cells))
+
+    @property
     def w(self) -> NDArray[np.float64]:
         """The winding number of each triangle."""
         return self.cell_arrays["w"]
@@ -145,6 +221,16 @@ class Polylines(_Views, vtkPolyData):
             return []
         offsets = vtk_to_numpy(lines.GetOffsetsArray())
         return np.split(vtk_to_numpy(lines.GetConnectivityArray()), offsets[1:-1])
+
+
+def _number_of(labels: NDArray[np.int64]) -> int:
+    return int(labels.max(initial=-1)) + 1
+
+
+def _split(data: Any, cells: NDArray[np.int64], labels: NDArray[np.int64]) -> list[Any]:
+    order = np.argsort(labels, kind="stable")
+    begins = np.flatnonzero(np.diff(labels[order])) + 1
+    return [part_of(data, cells, chosen) for chosen in np.split(order, begins) if len(chosen)]
 
 
 def is_flat(grid: vtkUnstructuredGrid) -> bool:

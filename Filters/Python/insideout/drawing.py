@@ -8,17 +8,21 @@ from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
+from .calling import for_users
 from .checking import check
 from .data import is_flat
+from .errors import Error, brief, one_of, switch
 from .files import Path, check_output, input_ending
+from .inputs import path_of
 from .options import Orientation, describe_options
 from .panels import PICTURES, draw_panels
-from .pipeline import Error, one_of, write_bytes
+from .pipeline import write_bytes
 from .quality import SolidCheck, check_solid
 from .solids import AnySolid
 from .surfaces import AnySurface, as_surface
 
 
+@for_users
 @describe_options
 def draw(
     surface: AnySurface,
@@ -53,8 +57,14 @@ def draw(
     Draws in a process of its own, without a window; where there is no display it takes xvfb-run's.
     Raises `Error` with one line that names what is wrong.
     """
-    picture = os.fspath(picture)
+    picture = path_of("picture", picture)
     check_output(picture, PICTURES)
+    for name, grid in (("hull", hull), ("solid", solid)):
+        if not isinstance(grid, vtkUnstructuredGrid) and (grid is not None or name == "hull"):
+            raise Error(f"{name} is {brief(grid)}; it must be a vtkUnstructuredGrid")
+    if hull.GetNumberOfCells() == 0 or not hull.GetCellData().HasArray("w"):
+        raise Error("hull has no cells with an array w: it must be that of `tetrahedralize`, without surface_only")
+    row = switch("row", row)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
     if is_flat(hull):
         curve = as_surface(surface, scale)[0]
@@ -66,6 +76,7 @@ def draw(
     _write_panels(picture, surface=checked.surface, lines=checked.lines, hull=hull, solid=solid, up=up, row=row)
 
 
+@for_users
 def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:
     """Draw the histogram of a solid's dihedral angles, as a .png file.
 
@@ -74,7 +85,7 @@ def draw_quality(solid: Union[SolidCheck, AnySolid], picture: Path) -> None:
 
     The figures stand in the file's description, too. Raises `Error` with one line that names what is wrong.
     """
-    picture = os.fspath(picture)
+    picture = path_of("picture", picture)
     check_output(picture, PICTURES)
     checked = solid if isinstance(solid, SolidCheck) else check_solid(solid)
     _write_panels(picture, quality=checked.solid)
@@ -90,5 +101,5 @@ def _write_panels(picture: str, **seen: Any) -> None:
 
 def up_of(surface: AnySurface) -> Optional[str]:
     """Which axis is up by the kind of file: STL's are of machines, where it is z; others may be either way."""
-    is_stl = isinstance(surface, (str, os.PathLike)) and input_ending(surface) == ".stl"
+    is_stl = isinstance(surface, (str, os.PathLike)) and input_ending(path_of("the surface", surface)) == ".stl"
     return "z" if is_stl else None

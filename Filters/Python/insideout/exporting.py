@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces and solids as a meshio.Mesh."""
+"""Surfaces and solids as objects of other packages: meshio, trimesh and PyVista."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
+from .measures import FACES
+from .packages import import_package
 from .pipeline import Error
 
 if TYPE_CHECKING:
@@ -20,23 +22,23 @@ PHYSICAL, GEOMETRICAL, ENTITIES = "gmsh:physical", "gmsh:geometrical", "gmsh:dim
 EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
 """Of a tetrahedron, in the order in which its midpoints stand."""
 
-FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
-"""Of a tetrahedron, as VTK numbers them."""
-
-
-def import_meshio() -> Any:
-    """The module. Raises `Error` that says what to do where it is not installed."""
-    try:
-        import meshio
-    except ImportError:
-        raise Error("meshio is not installed: apt-get install python3-meshio, or pip install meshio") from None
-    return meshio
-
 
 def mesh_of(data: Any, kind: str, corners: NDArray[np.int64]) -> Any:
     """A surface or tetrahedra as a meshio.Mesh, with all arrays."""
     cell_data = {name: [values] for name, values in data.cell_arrays.items()}
-    return import_meshio().Mesh(data.points, [(kind, corners)], point_data=data.point_arrays, cell_data=cell_data)
+    return import_package("meshio").Mesh(data.points, [(kind, corners)], point_data=data.point_arrays, cell_data=cell_data)
+
+
+def pyvista_of(data: Any) -> Any:
+    """The same as PyVista has it, a pyvista.PolyData or pyvista.UnstructuredGrid, which shares the arrays."""
+    plain = vtkPolyData() if isinstance(data, vtkPolyData) else vtkUnstructuredGrid()
+    plain.ShallowCopy(data)
+    return import_package("pyvista").wrap(plain)
+
+
+def trimesh_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
+    """A trimesh.Trimesh with the points as they are: none is merged."""
+    return import_package("trimesh").Trimesh(vertices=points, faces=triangles, process=False)
 
 
 def is_boundary_alone(solid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> bool:
@@ -57,7 +59,7 @@ def scalars_and_vectors(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
 
 def mesh_of_solid(solid: Tetrahedra, boundary: TriangleSurface) -> Any:
     """Tetrahedra and the triangles of their boundary as one meshio.Mesh: see Tetrahedralization.to_meshio."""
-    meshio = import_meshio()
+    meshio = import_package("meshio")
     kind, nodes = solid.kind(), solid.cells
     triangles = _triangles_there(solid, boundary)
     if kind == "tetra10":

@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, Tuple, Union
+import os
+from typing import Any, Callable, Protocol, Tuple, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from .data import DataSet
-from .pipeline import Error, run_with_upstream
+from .errors import Error, brief
+from .pipeline import run_with_upstream
 from .serializing import vtk_array
 
 # What type checkers know of classes that are not there to them: VTK brings no types, and the others need not be installed.
@@ -59,7 +61,9 @@ class MeshioMesh(Protocol):
 
 
 AnyPoints = Union[DataSetOfPoints, ArrayLike]
-"""What every function takes for points: an array with three columns, or the points of a VTK data set."""
+"""What every function takes for points: an array whose last axis has x, y and z, or the points of a VTK data set."""
+
+Made = TypeVar("Made")
 
 ARRAYS: Tuple[str, str] = ("points", "triangles")
 
@@ -78,6 +82,37 @@ def output_of(source: Union[vtkAlgorithm, vtkAlgorithmOutput], what: str, kind: 
     return output, warnings
 
 
+def has(thing: Any, *names: str) -> bool:
+    """Whether an object has attributes, whatever the others of its class do."""
+    try:
+        return all(hasattr(thing, name) for name in names)
+    except Exception:  # noqa: BLE001 - whatever its properties raise
+        return False
+
+
+def of_foreign(make: Callable[[Any], Made], mesh: Any, kind: str) -> Made:
+    """What is made of an object of another package's class. Raises `Error` where it only looks like one."""
+    try:
+        return make(mesh)
+    except (Error, MemoryError):
+        raise
+    except Exception as error:  # noqa: BLE001 - whatever an object's attributes raise, or are
+        raise Error(f"the {type(mesh).__name__} is no {kind}, which it looks like: {brief(str(error))}") from None
+
+
+def path_of(name: str, path: Any) -> str:
+    """A file's name as text. Raises `Error` for what is none."""
+    try:
+        text = os.fspath(path)
+    except Exception:  # noqa: BLE001 - whatever an object's __fspath__ raises
+        text = None
+    if not isinstance(text, str):
+        raise Error(f"{name} is {brief(path)}; it must be a file's name")
+    if not text or "\0" in text:
+        raise Error(f"{name} is {brief(text)}, which is no file's name")
+    return text
+
+
 def refuse_composite(what: str, data: Any) -> None:
     """Raise `Error` for what has blocks."""
     if isinstance(data, vtkCompositeDataSet):
@@ -88,17 +123,28 @@ def refuse_composite(what: str, data: Any) -> None:
 
 
 def as_points(points: AnyPoints) -> vtkDataSet:
-    """A VTK data set with these points. Raises `Error` for what is no table of them."""
+    """A VTK data set with these points. Raises `Error` for what is no array of them."""
+    return points_and_shape(points)[0]
+
+
+def points_and_shape(points: AnyPoints) -> tuple[vtkDataSet, tuple[int, ...]]:
+    """The same, and the shape of an array with a value for each."""
     if isinstance(points, vtkDataSet):
-        return points
+        return points, (points.GetNumberOfPoints(),)
     if isinstance(points, vtkDataObject):
-        raise Error(f"points is a {points.GetClassName()}; it can be a vtkDataSet, or an array with three columns")
+        raise Error(f"points is a {points.GetClassName()}; it can be a vtkDataSet, or an array of points")
     data = vtkPolyData()
     try:
-        data.SetPoints(make_points(points, ARRAYS[0]))
+        values = numbers(ARRAYS[0], points)
+        if values.shape == (0,):
+            values = values.reshape(0, 3)
+        if values.ndim == 0 or values.shape[-1] != 3:
+            shape = " x ".join(map(str, values.shape)) or "one number"
+            raise Error(f"points is {shape}; its last axis must have 3: x, y and z")
+        data.SetPoints(_points_of(values.reshape(-1, 3)))
     except MemoryError:
         raise Error("not enough memory for these points") from None
-    return data
+    return data, values.shape[:-1]
 
 
 def make_points(values: Any, name: str) -> vtkPoints:
@@ -106,35 +152,43 @@ def make_points(values: Any, name: str) -> vtkPoints:
     rows = table_of(name, values, float)
     if rows.shape[1] != 3:
         raise Error(f"{name} has {rows.shape[1]} columns; it must have 3: x, y and z")
+    return _points_of(rows)
+
+
+def _points_of(rows: NDArray[np.float64]) -> vtkPoints:
     points = vtkPoints()
     points.SetDataTypeToDouble()
     points.SetData(vtk_array(rows))
     return points
 
 
-def table_of(name: str, values: ArrayLike, kind: type) -> NDArray:
-    """A table as one array of a type, whatever holds it."""
+def numbers(name: str, values: Any, kind: type = float) -> NDArray:
+    """One array of a type, whatever holds the numbers. Raises `Error` for what holds none, and for whole numbers that are none."""
     if np.ma.is_masked(values):
         row = np.argwhere(np.ma.getmaskarray(values))[0][0]
         raise Error(f"{name} is masked in row {row}: a surface has no gaps, fill them or leave the rows out")
     try:
-        table = np.asarray(values)
-        if table.dtype.kind == "c":
+        given = np.asarray(values)
+        if given.dtype.kind == "c":
             raise Error(f"{name} holds complex numbers; it must hold real ones")
-        rows: NDArray = np.ascontiguousarray(table, dtype=kind)
-    except (TypeError, ValueError):
+        if given.dtype.kind in "mM":
+            raise Error(f"{name} holds times; it must hold numbers")
+        with np.errstate(invalid="ignore", over="ignore"):
+            array: NDArray = np.require(given, kind, "C")
+        if kind is np.int64 and not np.array_equal(array, given):
+            raise Error(f"{name} holds what is no whole number below 2^63")
+    except (Error, MemoryError):
+        raise
+    except Exception:  # noqa: BLE001 - whatever an object's __array__ raises
         raise Error(f"{name} is no table of numbers") from None
+    return array
+
+
+def table_of(name: str, values: ArrayLike, kind: type) -> NDArray:
+    """A table as one array of a type, whatever holds it."""
+    rows = numbers(name, values, kind)
     if rows.size == 0:
         return rows.reshape(0, 3)
     if rows.ndim != 2:
         raise Error(f"{name} has {rows.ndim} dimensions; it must have 2, a row for each")
-    if kind is np.int64 and not np.array_equal(rows, table):
-        raise Error(f"{name} holds what is no whole number")
     return rows
-
-
-def make_cells(corners: NDArray[np.int64]) -> vtkCellArray:
-    """VTK's cells of a table with the points of each."""
-    cells = vtkCellArray()
-    cells.SetData(corners.shape[1], vtk_array(corners.ravel(), VTK_ID_TYPE))
-    return cells

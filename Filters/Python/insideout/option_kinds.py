@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import dataclass
 from typing import Any, Iterable, Optional, Tuple, Union
@@ -11,8 +12,8 @@ from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkStringArray, vtkU
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
 from .declared import Declared
-from .inputs import DataSetOfPoints
-from .pipeline import Error, at_least, one_of
+from .errors import Error, at_least, brief, one_of, switch, text_of
+from .inputs import DataSetOfPoints, path_of
 from .places import read_seeds
 
 Seed = Union[Tuple[Tuple[float, float, float], bool], Tuple[Tuple[float, float, float], bool, str]]
@@ -32,7 +33,7 @@ class Option:
 
     def checked(self, name: str, value: Any) -> Any:
         """What a filter's property gets. Raises `Error` for what VTK would clamp without a word."""
-        return value
+        return text_of(name, value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
         getattr(owner_of(algorithm, self.vtk_property), "Set" + self.vtk_property)(self.checked(name, value))
@@ -75,14 +76,12 @@ class Dimensions(Choice):
     """A number, too; it chooses the filter."""
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
-        one_of(self.choices, name, str(value))
+        one_of(self.choices, name, str(value) if isinstance(value, int) else value)
 
 
 class Switch(Option):
     def checked(self, name: str, value: Any) -> bool:
-        if value not in (True, False):
-            raise Error(f"{name} is {value!r}; it must be True or False")
-        return bool(value)
+        return switch(name, value)
 
     def argument(self) -> dict[str, Any]:
         return {"action": "store_true"}
@@ -112,7 +111,7 @@ class Count(Option):
     def checked(self, name: str, value: Any) -> int:
         number = at_least(self.least, name, value)
         if number != int(number) or number > self.MOST:
-            raise Error(f"{name} is {value:g}; it must be a whole number of at most {self.MOST}")
+            raise Error(f"{name} is {brief(value)}; it must be a whole number of at most {self.MOST}")
         return int(number)
 
     def used_by(self, algorithm: Any, value: Any) -> int:
@@ -153,10 +152,10 @@ class Names(Option):
 
     def checked(self, name: str, value: Any) -> str:
         if isinstance(value, str):
-            return value
+            return text_of(name, value)
         if not isinstance(value, (list, tuple)) or not all(isinstance(one, str) for one in value):
-            raise Error(f"{name} is {value!r}; it must be a list of names")
-        return ",".join(re.sub(r"([\\\\,])", r"\\\1", one) for one in value)
+            raise Error(f"{name} is {brief(value)}; it must be a list of names")
+        return ",".join(re.sub(r"([\\\\,])", r"\\\1", text_of(name, one)) for one in value)
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "NAME,NAME..."}
@@ -166,7 +165,7 @@ class Places(Option):
     def checked(self, name: str, value: Any) -> vtkPointSet:
         if isinstance(value, vtkPointSet):
             return value
-        return _seed_points(read_seeds(value) if isinstance(value, str) else value)
+        return _seed_points(read_seeds(path_of(name, value)) if isinstance(value, (str, os.PathLike)) else value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
         algorithm.SetSeedsData(self.checked(name, value))
@@ -197,11 +196,11 @@ def _seed_points(seeds: Iterable[Seed]) -> vtkPolyData:
     try:
         for place, is_inside, *body in seeds:
             x, y, z = map(float, place)
-            name = "".join(body)
+            name = text_of("a seed's body", "".join(body))
             points.InsertNextPoint(x, y, z)
             inside.InsertNextValue(bool(is_inside))
             bodies.InsertNextValue(name)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise Error(f"seed {inside.GetNumberOfValues()} is no pair of a point and a bool") from None
     data = vtkPolyData()
     data.SetPoints(points)

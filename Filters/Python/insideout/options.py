@@ -107,7 +107,7 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
 
     def factor(self) -> float:
         """What the surface's coordinates are multiplied by."""
-        return 1.0 if self.scale is None else float(self.scale)
+        return 1.0 if self.scale is None else OPTIONS["scale"].checked("scale", self.scale)
 
     @classmethod
     def among(cls, values: Mapping[str, Any]) -> Options:

@@ -263,7 +263,7 @@ def main(options: argparse.Namespace) -> None:
         marked = triangles_of(checked)
         view = View(marked, up)
         # The hull's are those of the run that made it, which may have had options that the check has not.
-        statistics = {**statistics_of(checked), **(statistics_of(hull) if hull else {})}
+        statistics = {**statistics_of(checked), **(dict(statistics_of(hull)) if hull else {})}
         panels.append(surface_panel(marked, edges, statistics))
         description = "; ".join(text for text, _ in counts(statistics))
     if hull:

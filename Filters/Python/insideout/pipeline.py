@@ -9,12 +9,11 @@ threads of Python run meanwhile, and Ctrl-C stops the algorithm.
 from __future__ import annotations
 
 import ctypes
-import math
 import re
 import signal
 import threading
 from types import FrameType
-from typing import Any, Callable, Collection, Optional
+from typing import Any, Callable, Optional
 
 import numpy as np
 from vtkmodules.util.misc import calldata_type
@@ -26,8 +25,10 @@ from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOXML import vtkXMLWriter
 
 from . import vtkFiltersInsideOut as _classes
+from .errors import Error
 from .interruption import before_end_at_once
 from .stages import UNNAMED
+from .statistics import Statistics
 
 Progress = Callable[[str, float], object]
 """Called with the name of what is being done and the fraction (0 to 1) of the whole that is done."""
@@ -43,10 +44,6 @@ MEASURED = (
     *("DroppedVolume", "FilledVolume", "Genus"),
 )
 """What the names of statistics begin with that do not count; those of tetrahedra before they are refined have a Before."""
-
-
-class Error(RuntimeError):
-    """What a filter could not do, in one line that names the culprit."""
 
 
 class Messages:
@@ -144,10 +141,10 @@ def _memory_suffices_for(*inputs: Optional[vtkDataObject]) -> bool:
     return True
 
 
-def statistics_of(data: vtkDataObject) -> dict[str, float]:
+def statistics_of(data: vtkDataObject) -> Statistics:
     """The figures that a filter put into the field data, by name; counts are ints."""
     field_data = data.GetFieldData()
-    statistics: dict[str, float] = {}
+    statistics = Statistics()
     values, names = field_data.GetArray(STATISTICS), strings_of(field_data.GetAbstractArray(STATISTICS_NAMES))
     if values is None:
         return statistics
@@ -185,24 +182,6 @@ def cells_of(data: vtkDataObject, name: str) -> list[int]:
     """The input cells that a filter listed in a field array: LeftOutCellIds, LostCellIds or TurnedCellIds."""
     array = data.GetFieldData().GetArray(name)
     return [] if array is None else [int(array.GetTuple1(index)) for index in range(array.GetNumberOfValues())]
-
-
-def at_least(least: float, name: str, value: float) -> float:
-    """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
-    try:
-        value = float(value)
-    except (TypeError, ValueError):
-        raise Error(f"{name} is {value!r}; it must be a number") from None
-    if not math.isfinite(value) or value < least:
-        raise Error(f"{name} is {value:g}; it must be finite and at least {least:g}")
-    return value
-
-
-def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
-    """A choice of a function's caller. Raises `Error` for what is none."""
-    if value not in choices:
-        raise Error(f"{name} is {value!r}; it can be {', '.join(map(repr, choices))}")
-    return value
 
 
 def plain_message(decorated: str) -> str:

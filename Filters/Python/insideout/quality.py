@@ -9,11 +9,14 @@ from typing import Any, Mapping, Optional
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkUnstructuredGrid
 
+from .calling import for_users
 from .checking import Finding, find_among
+from .data import Tetrahedra, as_type
 from .defects import Defect
 from .pipeline import Progress, run, statistics_of
-from .results import Result
+from .results import MeshResult
 from .solids import AnySolid, as_solid
+from .statistics import Statistics
 from .vtkFiltersInsideOut import vtkSolidQuality
 
 # What matters comes first.
@@ -35,12 +38,12 @@ SOLID_DEFECTS = (
 
 
 @dataclass(frozen=True, repr=False)
-class SolidCheck(Result):
+class SolidCheck(MeshResult):
     """What `check_solid` found. The VTK class vtkSolidQuality describes the arrays and statistics."""
 
-    solid: vtkUnstructuredGrid
+    solid: Tetrahedra
     """The solid with the quality of each cell. Its field data are what was measured, and not what it had."""
-    statistics: dict[str, float]
+    statistics: Statistics
     """Counts, angles and ratios by name."""
     histogram: list[int]
     """How many dihedral angles are in each 5 degrees, from 0 to 180."""
@@ -64,6 +67,7 @@ class SolidCheck(Result):
         return {"quality": self.solid}
 
 
+@for_users
 def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> SolidCheck:
     """What is wrong with a solid of tetrahedra, and how good they are. Nothing is changed.
 
@@ -83,7 +87,7 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
     warnings = warnings + run(measure, progress)
     statistics = statistics_of(measure.GetOutput())
     return SolidCheck(
-        solid=measure.GetOutput(),
+        solid=as_type(Tetrahedra, measure.GetOutput()),
         statistics=statistics,
         histogram=vtk_to_numpy(measure.GetOutput().GetFieldData().GetArray("DihedralAngleHistogram")).tolist(),
         findings=find_among(SOLID_DEFECTS, statistics),

@@ -9,18 +9,18 @@ from typing import Any, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataSet
 
-from .inputs import AnyPoints, as_points
+from .calling import for_users, tell
+from .errors import brief, finite
+from .images import bounds_of, image_of, in_space, sizes_of, spacing_of, steps_between
+from .inputs import AnyPoints, points_and_shape
 from .options import Options, Orientation, describe_options, in_words_of_python
-from .pipeline import Error, Progress, at_least, run
+from .pipeline import Progress, run
 from .surfaces import AnySurface, as_surface
 from .vtkFiltersInsideOut import vtkProbeWindingNumber
 
-MOST_VOXELS = 2**34
-"""16 GiB of them, and fewer than VTK counts."""
-
-
+@for_users
 @describe_options
 def winding_number(
     surface: AnySurface,
@@ -35,16 +35,27 @@ def winding_number(
     """How often a surface winds around each of some points.
 
     surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
-    points    an array with three columns, or a VTK data set whose points are meant
+    points    one point (3,) or an array of them (..., 3); or a VTK data set whose points are meant
     progress  called with the stage and the fraction that is done; what it raises stops the work
 
     {options}
 
-    Returns an array of float64, one value per point: 1 inside a closed surface and 0 outside it, a
-    fraction between near holes. It is right to rounding; the surface may be open and cross itself.
+    Returns an array of float64 with the shape (...), one value per point: 1 inside a closed surface and 0
+    outside it, a fraction between near holes. It is right to rounding; the surface may be open and cross itself.
     Raises `Error` with one line that names what is wrong.
     """
-    return ask(surface, as_points(points), Options.among(locals()), progress).array("w")
+    return _ask_at(points, "w", surface, Options.among(locals()), progress)
+
+
+def _ask_at(
+    points: AnyPoints, name: str, surface: AnySurface, options: Options, progress: Optional[Progress], **properties: Any
+) -> NDArray[Any]:
+    """One of the arrays of an answer, in the shape of the points."""
+    places, shape = points_and_shape(points)
+    answer = ask(surface, places, options, progress, **properties)
+    tell(answer.warnings)
+    values: NDArray[Any] = answer.array(name).reshape(shape)[()]  # of one point a number
+    return values
 
 
 @dataclass(frozen=True)
@@ -71,6 +82,7 @@ def ask(
     return Answer(probe, warnings + in_words_of_python(run(probe, progress)))
 
 
+@for_users
 @describe_options
 def distance(
     surface: AnySurface,
@@ -85,18 +97,21 @@ def distance(
     """How far each of some points is from a surface; negative inside, where the winding number is above 1/2.
 
     surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
-    points    an array with three columns, or a VTK data set whose points are meant
+    points    one point (3,) or an array of them (..., 3); or a VTK data set whose points are meant
     progress  called with the stage and the fraction that is done; what it raises stops the work
 
     {options}
 
-    Returns an array of float64, one value per point, in the surface's units: NaN where a point is not finite.
+    Returns an array of float64 with the shape (...), one value per point, in the surface's units: NaN where a
+    point is not finite. It is the distance from the surface, inner walls included, which overlapping parts have:
+    `sdf_grid` has that from the solid, too.
     The sign is right where the surface is open and crosses itself, too. Raises `Error` with one line that
     names what is wrong.
     """
-    return ask(surface, as_points(points), Options.among(locals()), progress, Distance=True).array("Distance")
+    return _ask_at(points, "Distance", surface, Options.among(locals()), progress, Distance=True)
 
 
+@for_users
 @describe_options
 def voxels(
     surface: AnySurface,
@@ -120,32 +135,18 @@ def voxels(
     that of inside[i, j, k] is origin + spacing * (i, j, k). The voxels cover the box around the surface, with
     nothing of it beyond them. Raises `Error` with one line that names what is wrong.
     """
-    steps = np.array([at_least(0, "spacing", step) for step in np.ravel(np.asarray(spacing, object))])
-    if len(steps) not in (1, 3):
-        raise Error(f"spacing has {len(steps)} numbers; it must have one, or three")
-    steps = np.broadcast_to(steps, 3)
-    if not steps.min() > 0:
-        raise Error(f"spacing is {spacing}; it must be above 0")
+    steps = spacing_of(spacing)
     options = Options.among(locals())
-    polygons, _ = as_surface(surface, options.scale)
-    if polygons.GetNumberOfPoints() == 0:
-        raise Error("the surface has no points")
-    low, high = np.array(polygons.GetPoints().GetBounds()).reshape(3, 2).T
-    if not np.isfinite([low, high]).all():
-        raise Error("the surface has a point that is not finite")
-    sizes = np.maximum(np.ceil((high - low) / steps), 1)
-    if not sizes.prod() < MOST_VOXELS:
-        raise Error(f"spacing is {spacing}, which makes {sizes.prod():.3g} voxels; at most {MOST_VOXELS:.3g} are made")
+    polygons, warnings = as_surface(surface, options.factor())
+    low, high = bounds_of(polygons)
+    sizes = sizes_of(np.maximum(np.ceil(steps_between(low, high, steps)), 1), f"spacing is {brief(spacing)}")
     origin = low / 2 + high / 2 - steps * (sizes - 1) / 2
-    image = vtkImageData()
-    image.SetDimensions(*(int(size) for size in sizes))
-    image.SetOrigin(origin)
-    image.SetSpacing(steps)
-    answer = ask(polygons, image, replace(options, scale=None), progress, OutputWindingNumber=False)
-    found = answer.array("Inside").view(np.bool_).reshape([int(size) for size in sizes[::-1]])
-    return found.transpose(), origin
+    answer = ask(polygons, image_of(sizes, origin, steps), replace(options, scale=None), progress, OutputWindingNumber=False)
+    tell(warnings + answer.warnings)
+    return in_space(answer.array("Inside").view(np.bool_), sizes), origin
 
 
+@for_users
 def inside(
     surface: AnySurface,
     points: AnyPoints,
@@ -161,10 +162,9 @@ def inside(
 
     threshold  of the winding number, which is 1 inside and 0 outside a closed surface
 
-    All else is as with `winding_number`. Returns an array of bool, one value per point.
+    All else is as with `winding_number`. Returns an array of bool with the shape (...), one value per point.
     """
-    if not np.isfinite(threshold):
-        raise Error(f"threshold is {threshold}; it must be finite")
+    least = finite("threshold", threshold)
     w = winding_number(
         surface,
         points,
@@ -174,4 +174,5 @@ def inside(
         count_duplicates=count_duplicates,
         progress=progress,
     )
-    return w > threshold
+    inside: NDArray[np.bool_] = w > least
+    return inside

@@ -6,17 +6,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
-import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkUnstructuredGrid
 
+from .calling import for_users
 from .data import Tetrahedra, as_type
-from .inputs import DataSetOfPoints
+from .errors import Error, text_of
+from .inputs import DataSetOfPoints, numbers
 from .options import REFINING_OPTIONS, Options, SurfaceTreatment, describe_options, in_words_of_python
-from .pipeline import Error, Progress, run, statistics_of
-from .results import Result, counted
+from .pipeline import Progress, run, statistics_of
+from .results import MeshResult, counted
 from .serializing import vtk_array
 from .solids import AnySolid, as_solid
+from .statistics import Statistics
 from .vtkFiltersInsideOut import vtkRefineTetrahedra
 
 Sizes = Union[str, ArrayLike]
@@ -26,12 +28,12 @@ SIZES = "insideout.sizes"
 
 
 @dataclass(frozen=True, repr=False)
-class Refinement(Result):
+class Refinement(MeshResult):
     """What `refine` made. The VTK class vtkRefineTetrahedra describes the arrays."""
 
     solid: Tetrahedra
     """Other tetrahedra of the same solid, with the data of the ones they come from."""
-    statistics: dict[str, float]
+    statistics: Statistics
     """Counts and seconds, by name, and what the solid came with."""
     warnings: list[str]
     """What is worth knowing, one line each."""
@@ -44,6 +46,7 @@ class Refinement(Result):
         ]
 
 
+@for_users
 @describe_options
 def refine(
     solid: AnySolid,
@@ -82,7 +85,7 @@ def refined(
     """The refined grid, and warnings."""
     refiner = options.set_on(vtkRefineTetrahedra(), REFINING_OPTIONS)
     if isinstance(sizes, str):
-        refiner.SetSizingArrayName(sizes)
+        refiner.SetSizingArrayName(text_of("sizes", sizes))
     elif sizes is not None:
         grid = _with_sizes(grid, sizes)
         refiner.SetSizingArrayName(SIZES)
@@ -102,10 +105,7 @@ def refined(
 
 def _with_sizes(grid: vtkUnstructuredGrid, sizes: Any) -> vtkUnstructuredGrid:
     """The grid with the array of lengths that a caller gives."""
-    try:
-        lengths = np.asarray(sizes, float)
-    except (TypeError, ValueError):
-        raise Error("sizes is no array of numbers") from None
+    lengths = numbers("sizes", sizes)
     if lengths.shape != (grid.GetNumberOfPoints(),):
         raise Error(f"sizes has the shape {lengths.shape}; it must have one value for each of {grid.GetNumberOfPoints()} points")
     array = vtk_array(lengths)

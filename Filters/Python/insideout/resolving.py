@@ -6,22 +6,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional, Union
 
+from .calling import for_users
 from .checking import check
 from .data import Polylines, TriangleSurface, as_type
 from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, cells_of, run, statistics_of
-from .results import Result, counted
+from .results import MeshResult, counted
+from .statistics import Statistics
 from .surfaces import AnySurface, as_surface
 from .vtkFiltersInsideOut import vtkResolveSelfIntersections, vtkRobustTriangulate
 
 
 @dataclass(frozen=True, repr=False)
-class Resolution(Result):
+class Resolution(MeshResult):
     """What `resolve` made. The VTK class vtkResolveSelfIntersections describes the arrays."""
 
     surface: Union[TriangleSurface, Polylines]
     """The same surface in triangles of which no two meet except in shared points and edges; of lines, the same in lines."""
-    statistics: dict[str, float]
+    statistics: Statistics
     """Counts and seconds, by name."""
     left_out_cells: list[int]
     """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
@@ -40,6 +42,7 @@ class Resolution(Result):
         return check(self.surface).seen()
 
 
+@for_users
 @describe_options
 def resolve(
     surface: AnySurface,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the results of all functions have in common: they can be pickled and copied, and show themselves in a line or a table."""
+"""What the results of all functions have in common: they can be pickled, copied, measured and drawn, and show themselves in a line or a table."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from typing import Any, Optional, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
-from .data import Tetrahedra, TriangleSurface
+from .calling import quietly
+from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
 from .panels import draw_panels
+from .pipeline import Error
+from .plotting import plot
 from .serializing import Plain
 
 Self = TypeVar("Self", bound="Result")
@@ -19,15 +22,22 @@ SECONDS_TO_DRAW = 60.0
 
 
 class Result:
-    """The base of a dataclass that has data sets of VTK's among its fields."""
+    """The base of the dataclasses that functions return."""
 
     def figures(self) -> list[tuple[str, str]]:
         """What is worth knowing about it: words, and how much or what of it."""
         raise NotImplementedError
 
-    def seen(self) -> dict[str, Any]:
-        """What a picture of it shows, as `draw_panels` takes it."""
-        return {}
+    def png(self) -> bytes:
+        """The content of a .png file that shows it. Raises `Error` where it cannot be drawn."""
+        raise NotImplementedError
+
+    def plot(self) -> None:
+        """Show a picture of it: in a notebook below the cell, otherwise in a window until that is closed.
+
+        Raises `Error` where there is neither, or nothing to be seen: `png` is the picture itself.
+        """
+        plot(self.png(), type(self).__name__)
 
     def __reduce__(self) -> tuple:
         content = {field.name: getattr(self, field.name) for field in fields(self)}
@@ -52,10 +62,59 @@ class Result:
     def _picture(self) -> Optional[str]:
         """In base64; none where it cannot be drawn, whatever the reason: a table will do."""
         try:
-            seen = self.seen()
-            return base64.b64encode(draw_panels(timeout=SECONDS_TO_DRAW, **seen)).decode("ascii") if seen else None
+            return base64.b64encode(self.png()).decode("ascii")
         except Exception:  # noqa: BLE001
             return None
+
+
+class MeshResult(Result):
+    """The base of those that have data sets of VTK's among their fields: a solid, its boundary, or a surface."""
+
+    def seen(self) -> dict[str, Any]:
+        """What a picture of it shows, as `draw_panels` takes it."""
+        return {}
+
+    def png(self) -> bytes:
+        with quietly():
+            seen = self.seen()
+        if not seen:
+            raise Error(f"the {type(self).__name__} has nothing to be drawn")
+        return draw_panels(timeout=SECONDS_TO_DRAW, **seen)
+
+    @property
+    def volume(self) -> float:
+        """Of the solid; where there is none what the surface encloses. In two dimensions the area."""
+        return float(self._first_of("solid", "boundary", "surface").volume)
+
+    @property
+    def is_watertight(self) -> bool:
+        """Whether the boundary, or the surface, has no open edge: each is run along as often one way as the other."""
+        return bool(self._first_of("boundary", "surface", "solid").is_watertight)
+
+    @property
+    def components(self) -> int:
+        """How many parts the solid has that faces connect; where there is none how many the surface has that edges connect."""
+        return int(self._first_of("solid", "boundary", "surface").components)
+
+    def split(self) -> list[Any]:
+        """These parts, as data sets of their own with all arrays."""
+        return list(self._first_of("solid", "boundary", "surface").split())
+
+    def to_pyvista(self) -> Any:
+        """The solid, or where there is none the surface, as PyVista has it, with all arrays, which are shared."""
+        return self._first_of("solid", "boundary", "surface").to_pyvista()
+
+    def to_trimesh(self) -> Any:
+        """The boundary or the surface as a trimesh.Trimesh, without arrays."""
+        found = self._first_of("boundary", "surface")
+        if isinstance(found, Polylines):
+            raise Error("the result lies in a plane: a trimesh.Trimesh has triangles in space")
+        return found.to_trimesh()
+
+    def _first_of(self, *names: str) -> Any:
+        """The first of some fields that it has and that is not empty; else the last that it has."""
+        there = [getattr(self, name) for name in names if hasattr(self, name)]
+        return next((data for data in there if data.GetNumberOfCells() > 0), there[-1])
 
 
 def counted(count: int) -> str:
@@ -63,7 +122,7 @@ def counted(count: int) -> str:
 
 
 def _picklable(value: Any) -> Any:
-    ours = isinstance(value, (TriangleSurface, Tetrahedra))
+    ours = isinstance(value, (TriangleSurface, Tetrahedra, Triangles, Polylines))
     return Plain(value) if isinstance(value, (vtkPolyData, vtkUnstructuredGrid)) and not ours else value
 
 

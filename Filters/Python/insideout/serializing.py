@@ -71,6 +71,13 @@ LEAST_SPARE = 1 << 20
 """Bytes beyond an array's own that there have to be, for what VTK takes beside."""
 
 
+def make_cells(corners: NDArray[np.int64]) -> vtkCellArray:
+    """VTK's cells of a table with the points of each."""
+    cells = vtkCellArray()
+    cells.SetData(corners.shape[1], vtk_array(corners.ravel(), VTK_ID_TYPE))
+    return cells
+
+
 def _packed_cells(cells: vtkCellArray) -> tuple[NDArray, NDArray]:
     return vtk_to_numpy(cells.GetOffsetsArray()).copy(), vtk_to_numpy(cells.GetConnectivityArray()).copy()
 

@@ -8,13 +8,27 @@ from typing import Any, Protocol, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from .data import Tetrahedra
 from .files import Path, read_solid
-from .inputs import ARRAYS, Algorithm, AlgorithmOutput, MeshioMesh, make_cells, make_points, output_of, refuse_composite, table_of
+from .inputs import (
+    ARRAYS,
+    Algorithm,
+    AlgorithmOutput,
+    MeshioMesh,
+    has,
+    make_points,
+    of_foreign,
+    output_of,
+    path_of,
+    refuse_composite,
+    table_of,
+)
 from .pipeline import Error
+from .serializing import make_cells
 
 
 class UnstructuredGrid(Protocol):
@@ -43,16 +57,21 @@ def _as_solid(solid: Any) -> tuple[vtkUnstructuredGrid, list[str]]:
     if isinstance(solid, vtkUnstructuredGrid):
         return solid, []
     if isinstance(solid, (str, os.PathLike)):
-        return read_solid(solid)
+        return read_solid(path_of("the solid", solid))
     if isinstance(solid, (vtkAlgorithm, vtkAlgorithmOutput)):
         return output_of(solid, "solid", vtkUnstructuredGrid)
     refuse_composite("solid", solid)
-    if hasattr(solid, "points") and hasattr(solid, "cells"):
-        return _solid_of_meshio(solid)
     if isinstance(solid, (tuple, list)) and len(solid) == 2:
         return make_solid(*solid), []
+    if not isinstance(solid, vtkObject) and has(solid, "points", "cells"):
+        return of_foreign(_solid_of_meshio, solid, "meshio.Mesh")
+    kind = type(solid).__name__
+    if isinstance(solid, vtkPolyData) or has(solid, "vertices", "faces"):
+        raise Error(f"the solid is of type {kind}, a surface; it can be a vtkUnstructuredGrid, such as tetrahedralize makes of it")
+    if has(solid, "solid"):
+        raise Error(f"the solid is of type {kind}; it can be a vtkUnstructuredGrid such as its solid")
     raise Error(
-        f"the solid is of type {type(solid).__name__}; it can be a vtkUnstructuredGrid, a file's name, "
+        f"the solid is of type {kind}; it can be a vtkUnstructuredGrid, a file's name, "
         "a pair (points, cells) of arrays, a meshio.Mesh, or a VTK algorithm"
     )
 

@@ -9,13 +9,25 @@ from typing import Any, Mapping, Optional, Protocol, Tuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_ID_TYPE
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkObject
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
-from .data import TriangleSurface
+from .data import Tetrahedra, TriangleSurface
 from .files import Path, read_surface
-from .inputs import ARRAYS, Algorithm, AlgorithmOutput, MeshioMesh, make_points, output_of, refuse_composite, table_of
+from .inputs import (
+    ARRAYS,
+    Algorithm,
+    AlgorithmOutput,
+    MeshioMesh,
+    has,
+    make_points,
+    of_foreign,
+    output_of,
+    path_of,
+    refuse_composite,
+    table_of,
+)
 from .pipeline import Error
 from .serializing import vtk_array
 
@@ -63,7 +75,7 @@ def _scaled(surface: vtkPolyData, scale: float) -> vtkPolyData:
     copy = vtkPolyData()
     copy.ShallowCopy(surface)
     if surface.GetNumberOfPoints() > 0:
-        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * scale, ARRAYS[0]))
+        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * float(scale), ARRAYS[0]))
     return copy
 
 
@@ -71,20 +83,28 @@ def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
     if isinstance(surface, vtkPolyData):
         return surface, []
     if isinstance(surface, (str, os.PathLike)):
-        return read_surface(surface)
+        return read_surface(path_of("the surface", surface))
     if isinstance(surface, (vtkAlgorithm, vtkAlgorithmOutput)):
         return output_of(surface, "surface", vtkPolyData)
     refuse_composite("surface", surface)
-    if hasattr(surface, "points") and hasattr(surface, "cells"):
-        return _surface_of_meshio(surface)
-    if hasattr(surface, "vertices") and hasattr(surface, "faces"):
-        return make_surface(surface.vertices, surface.faces, names=("vertices", "faces")), []
     if isinstance(surface, (tuple, list)) and len(surface) == 2:
         return make_surface(*surface), []
+    if not isinstance(surface, vtkObject):
+        if has(surface, "points", "cells"):
+            return of_foreign(_surface_of_meshio, surface, "meshio.Mesh")
+        if has(surface, "vertices", "faces"):
+            return of_foreign(_surface_of_trimesh, surface, "trimesh.Trimesh")
+    kind = type(surface).__name__
+    if isinstance(surface, Tetrahedra) or has(surface, "boundary", "solid"):
+        raise Error(f"the surface is of type {kind}, which has tetrahedra; it can be a vtkPolyData such as its boundary")
     raise Error(
-        f"the surface is of type {type(surface).__name__}; it can be a vtkPolyData, a file's name, "
+        f"the surface is of type {kind}; it can be a vtkPolyData, a file's name, "
         "a pair (points, triangles) of arrays, a meshio.Mesh, an object with vertices and faces, or a VTK algorithm"
     )
+
+
+def _surface_of_trimesh(mesh: Any) -> tuple[TriangleSurface, list[str]]:
+    return make_surface(mesh.vertices, mesh.faces, names=("vertices", "faces")), []
 
 
 def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str] = ARRAYS) -> TriangleSurface:

@@ -13,12 +13,14 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkUnstruc
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 from .bodies import AnyBodies, as_bodies
+from .calling import for_users
 from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import is_boundary_alone, mesh_of_solid
 from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
-from .results import Result, counted
+from .results import MeshResult, counted
+from .statistics import Statistics
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
 
@@ -36,7 +38,7 @@ class Region:
 
 
 @dataclass(frozen=True, repr=False)
-class Tetrahedralization(Result):
+class Tetrahedralization(MeshResult):
     """What `tetrahedralize` found. The VTK class vtkRobustTetrahedralize describes the arrays.
 
     In two dimensions solid and hull are `Triangles`, boundary and outliers `Polylines`.
@@ -52,7 +54,7 @@ class Tetrahedralization(Result):
     """The pieces of input facets that are no face of a cell inside, with the reason in `OutlierReason`."""
     hull: Union[Tetrahedra, Triangles]
     """All tetrahedra of the convex hull, with `w` and `Inside` per cell."""
-    statistics: dict[str, float]
+    statistics: Statistics
     """Counts, the range of w, seconds per stage and peak memory in MiB, by name."""
     left_out_cells: list[int]
     """The cells of the surface whose facets could not be resolved, all or in part; hardly ever any."""
@@ -147,6 +149,7 @@ class Tetrahedralization(Result):
         return self.solid.to_meshio() if isinstance(self.solid, Triangles) else mesh_of_solid(self.solid, self.boundary)
 
 
+@for_users
 @describe_options
 def tetrahedralize(
     surface: AnyBodies,

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from typing import Literal, Mapping, Optional, Union, get_args
 
 import numpy as np
@@ -12,10 +11,16 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .bodies import outer_boundary
+from .calling import for_users, tell
 from .data import Tetrahedra, Triangles, as_type, is_flat
-from .exporting import import_meshio, is_boundary_alone, scalars_and_vectors
+from .errors import Error, one_of
+from .exporting import is_boundary_alone, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
-from .pipeline import Error, one_of, write_bytes
+from .grid_files import write_distances
+from .grids import DistanceGrid
+from .inputs import path_of
+from .packages import import_package
+from .pipeline import write_bytes
 from .tetrahedralization import Tetrahedralization
 from .vtkFiltersInsideOut import vtkSolidWriter
 
@@ -28,16 +33,17 @@ WRITABLE_SOLIDS = (".msh", ".inp", ".mesh")
 WRITABLE_GRIDS = (GRID, *WRITABLE_SOLIDS, XDMF)
 
 
+@for_users
 def write(
-    data: Union[Tetrahedralization, vtkPolyData, vtkUnstructuredGrid],
+    data: Union[Tetrahedralization, vtkPolyData, vtkUnstructuredGrid, DistanceGrid],
     path: Path,
     *,
     boundary: Optional[vtkPolyData] = None,
     msh_version: MshVersion = "4.1",
 ) -> None:
-    """Write a result, a surface or tetrahedra, whole or not at all; the ending of the file's name says how.
+    """Write a result, a surface, tetrahedra or a grid of distances, whole or not at all; the ending of the file's name says how.
 
-    data         what `tetrahedralize` gave, or a surface or tetrahedra of VTK's
+    data         what `tetrahedralize` or `sdf_grid` gave, or a surface or tetrahedra of VTK's
     path         the file's name
     boundary     of tetrahedra alone, for solvers: the triangles of their boundary, with tags; without them
                  the faces of one cell are a group. A result brings its own
@@ -51,25 +57,35 @@ def write(
     .vtp, .ply, .stl, .obj, .off
                        a surface; of a result the solid's watertight boundary, without interfaces between bodies
 
+    .npz               of `sdf_grid`, for numpy: distance, inside, origin, spacing and to, by these names
+    .nrrd              the same distances with their place in space, as medical images have it
+    .vti               VTK's own: an image with the arrays Distance and Inside
+
     Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
 
     An earlier file stays as it was until the new one is on the disk. Warns where the floats of a .stl file make triangles
     meet that did not, or points nearly meet. Raises `Error` that names the file.
     """
-    told: list[str] = []
-    if isinstance(data, Tetrahedralization):
+    path = path_of("path", path)
+    if boundary is not None and not isinstance(boundary, vtkPolyData):
+        raise Error(f"boundary is of type {type(boundary).__name__}; it must be a vtkPolyData")
+    one_of(get_args(MshVersion), "msh_version", msh_version)
+    if isinstance(data, DistanceGrid):
+        write_distances(data, path)
+    elif isinstance(data, Tetrahedralization):
         if ending(path) in WRITABLE_SURFACES:
-            told = write_surface(outer_boundary(data.boundary), path)
+            tell(write_surface(outer_boundary(data.boundary), path))
         else:
             write_solid(data.solid, path, boundary or data.boundary, msh_version)
     elif isinstance(data, vtkUnstructuredGrid):
         write_solid(data, path, boundary, msh_version)
     elif isinstance(data, vtkPolyData):
-        told = write_surface(data, path)
+        tell(write_surface(data, path))
     else:
-        raise Error(f"what is to be written is of type {type(data).__name__}; it can be a result, a vtkPolyData or a vtkUnstructuredGrid")
-    for warning in told:
-        warnings.warn(warning, stacklevel=2)
+        raise Error(
+            f"what is to be written is of type {type(data).__name__}; it can be a result of tetrahedralize or sdf_grid, "
+            "a vtkPolyData or a vtkUnstructuredGrid"
+        )
 
 
 def check_holds_triangles(path: str) -> None:
@@ -105,11 +121,8 @@ def write_solid(
 def check_format(path: Path) -> None:
     """Raise `Error` where what writes this format is not installed."""
     if ending(path) == XDMF:
-        import_meshio()
-        try:
-            import h5py  # noqa: F401
-        except ImportError:
-            raise Error("h5py, which meshio takes for .xdmf, is not installed: apt-get install python3-h5py, or pip install h5py") from None
+        import_package("meshio")
+        import_package("h5py", why=", which meshio takes for .xdmf,")
 
 
 def _wide(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
@@ -122,11 +135,11 @@ def _write_xdmf(grid: Union[Tetrahedra, Triangles], path: str) -> None:
     """All in one file, as text: meshio puts numbers into a second one otherwise."""
     kind, nodes = grid.kind(), grid.cells
     cell_data = {name: [values] for name, values in _wide(grid.cell_arrays).items()}
-    mesh = import_meshio().Mesh(grid.points, [(kind, nodes)], point_data=_wide(grid.point_arrays), cell_data=cell_data)
+    mesh = import_package("meshio").Mesh(grid.points, [(kind, nodes)], point_data=_wide(grid.point_arrays), cell_data=cell_data)
     with temporary_folder() as folder:
         whole = os.path.join(folder, "whole.xdmf")
         try:
-            import_meshio().write(whole, mesh, data_format="XML")
+            import_package("meshio").write(whole, mesh, data_format="XML")
             with open(whole, "rb") as file:
                 content = file.read()
         except OSError as error:

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What all functions have in common: arguments that they do not have are an `Error`, and warnings are Python's."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+import warnings
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence, TypeVar, cast
+
+from .errors import Error, Warning, brief
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+_heard: ContextVar[Optional[list[str]]] = ContextVar("heard", default=None)
+"""The warnings of the function that a user has called, so far."""
+
+
+def for_users(function: Function) -> Function:
+    """A function that a user calls.
+
+    What it tells, or what the `warnings` of its result say, becomes Python warnings of the category `Warning` that point at
+    the caller, each once. Functions that it calls in turn leave theirs to it.
+    """
+    signature = inspect.signature(function)
+
+    @functools.wraps(function)
+    def called(*given: Any, **named: Any) -> Any:
+        _check_arguments(function.__name__, signature, given, named)
+        outer = _heard.get()
+        if outer is not None:
+            result = function(*given, **named)
+            outer.extend(getattr(result, "warnings", ()))
+            return result
+        with _listening() as heard:
+            result = function(*given, **named)
+        for text in dict.fromkeys([*heard, *getattr(result, "warnings", ())]):
+            warnings.warn(text, Warning, stacklevel=2)
+        return result
+
+    return cast(Function, called)
+
+
+def tell(texts: Iterable[str]) -> None:
+    """Say what is worth knowing about an answer that cannot hold it: an array."""
+    heard = _heard.get()
+    if heard is not None:
+        heard.extend(texts)
+
+
+@contextmanager
+def _listening() -> Iterator[list[str]]:
+    heard: list[str] = []
+    token = _heard.set(heard)
+    try:
+        yield heard
+    finally:
+        _heard.reset(token)
+
+
+@contextmanager
+def quietly() -> Iterator[None]:
+    """Functions that are called meanwhile warn of nothing: who calls them tells it."""
+    with _listening():
+        yield
+
+
+def _check_arguments(name: str, signature: inspect.Signature, given: Sequence[Any], named: Mapping[str, Any]) -> None:
+    """Raise `Error` for what the function does not have, with the nearest that it has."""
+    names = list(signature.parameters)
+    for one in named:
+        if one not in names:
+            near = difflib.get_close_matches(one, names, 1)
+            raise Error(f"{name} has no argument {one}" + (f"; the nearest is {near[0]}" if near else f"; it has {', '.join(names)}"))
+    try:
+        arguments = signature.bind(*given, **named).arguments
+    except TypeError as error:
+        raise Error(f"{name}: {error}") from None
+    progress = arguments.get("progress")
+    if progress is not None and not callable(progress):
+        raise Error(f"progress is {brief(progress)}; it must be a function of a stage's name and a fraction")

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is raised and warned of, and the checks of arguments that raise it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Collection
+
+MOST_OF_VALUE = 60  # letters that a message repeats of a value
+
+
+class Error(RuntimeError):
+    """What a function could not do, in one line that names the culprit."""
+
+    def __init__(self, words: str):
+        super().__init__("\\n".join(words.splitlines()))  # names of files may have several
+
+
+class Warning(UserWarning):  # noqa: A001
+    """What is worth knowing and may change an answer, in one line: the category of all warnings here."""
+
+
+def finite(name: str, value: Any) -> float:
+    """A number of a function's caller. Raises `Error` for what is none."""
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    except Exception:  # noqa: BLE001 - whatever an object's __float__ raises
+        raise Error(f"{name} is {brief(value)}; it must be a number") from None
+    if not math.isfinite(number):
+        raise Error(f"{name} is {brief(value)}; it must be finite")
+    return number
+
+
+def at_least(least: float, name: str, value: Any) -> float:
+    """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
+    number = finite(name, value)
+    if number < least:
+        raise Error(f"{name} is {number:g}; it must be finite and at least {least:g}")
+    return number
+
+
+def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
+    """A choice of a function's caller. Raises `Error` for what is none."""
+    try:
+        known = value in set(choices)
+    except TypeError:  # what has no hash is none of them
+        known = False
+    if not known:
+        raise Error(f"{name} is {brief(value)}; it can be {', '.join(map(repr, choices))}")
+    return value
+
+
+def switch(name: str, value: Any) -> bool:
+    """True or False, by a function's caller."""
+    try:
+        return bool({True: True, False: False}[value])
+    except (KeyError, TypeError):
+        raise Error(f"{name} is {brief(value)}; it must be True or False") from None
+
+
+def text_of(name: str, value: Any) -> str:
+    """A name or other text of a function's caller that VTK can hold."""
+    if not isinstance(value, str) or "\0" in value or any("\ud800" <= letter <= "\udfff" for letter in value):
+        raise Error(f"{name} is {brief(value)}; it must be text")
+    return value
+
+
+def brief(value: Any) -> str:
+    """What a message says of a value: one line, not too long."""
+    try:
+        words = " ".join(repr(value).split())
+    except Exception:  # noqa: BLE001 - whatever an object's __repr__ raises
+        words = f"a {type(value).__name__}"
+    return words if len(words) <= MOST_OF_VALUE else words[:MOST_OF_VALUE] + " ..."

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`sdf_grid`: signed distances on a regular grid, as machine learning takes them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal, Optional, Sequence, Union, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .calling import for_users
+from .errors import Error, at_least, brief, one_of
+from .images import Vector, bounds_of, image_of, in_space, sizes_of, spacing_of, steps_between, three_of
+from .options import Options, Orientation, describe_options
+from .pipeline import Progress
+from .pixels import picture_of_slice
+from .queries import ask
+from .results import Result, counted
+from .surfaces import AnySurface, as_surface
+from .tetrahedralization import tetrahedralize
+
+DistanceTo = Literal["solid", "surface"]
+
+PADDING = 0.1
+"""Around the surface, of its longest side."""
+
+ROUNDING = 1e-12
+"""A box that is this little longer than a whole number of steps needs no further point."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DistanceGrid(Result):
+    """What `sdf_grid` found: values at the points origin + spacing * (i, j, k)."""
+
+    distance: NDArray[np.float64]
+    """How far each point is, negative inside, in the surface's units; with an index for x, y and z each."""
+    inside: NDArray[np.bool_]
+    """Which points are inside, likewise."""
+    origin: Vector
+    """The point of distance[0, 0, 0]."""
+    spacing: Vector
+    """From one point to the next, by axis."""
+    to: DistanceTo
+    """What the distance is measured from."""
+    warnings: list[str]
+    """What is worth knowing about the input, one line each."""
+
+    def figures(self) -> list[tuple[str, str]]:
+        return [
+            ("points", " x ".join(map(counted, self.distance.shape))),
+            ("spacing", ", ".join(f"{step:.6g}" for step in dict.fromkeys(self.spacing.tolist()))),
+            ("origin", ", ".join(f"{x:.6g}" for x in self.origin)),
+            (f"distance to the {self.to}", f"{self.distance.min():.6g} to {self.distance.max():.6g}"),
+            ("inside", counted(int(self.inside.sum()))),
+            *(("", warning) for warning in self.warnings),
+        ]
+
+    def png(self) -> bytes:
+        """A picture of the middle slice across z: blue inside, red outside."""
+        return picture_of_slice(self.distance[:, :, self.distance.shape[2] // 2])
+
+
+@for_users
+@describe_options
+def sdf_grid(
+    surface: AnySurface,
+    *,
+    shape: Union[int, Sequence[int], None] = None,
+    spacing: Union[float, Sequence[float], None] = None,
+    padding: Optional[float] = None,
+    to: DistanceTo = "solid",
+    scale: Optional[float] = None,
+    orientation: Orientation = "automatic",
+    merge_tolerance: Optional[float] = None,
+    count_duplicates: bool = False,
+    progress: Optional[Progress] = None,
+) -> DistanceGrid:
+    """Signed distances, negative inside, and which points are inside, on a regular grid around a surface.
+
+    surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
+    shape     how many points there are along each axis: one number, or three. The spacing is the same along all, and
+              as small as the padded box of the surface allows, in whose middle the grid lies
+    spacing   instead of it, from one point to the next, above 0, in the surface's units: one number, or three
+    padding   around the surface's box, in the surface's units; a tenth of its longest side by default
+    to        "solid": the distance to the boundary of the solid that `tetrahedralize` makes of the surface. Walls within
+              it, as overlapping parts have, are no part of that, and holes are closed. Of neighboring points it never
+              differs by more than the points are apart. "surface": the distance to the nearest triangle of the surface
+              as it is, such a wall, too; the sign is the winding number's, and may change in an open hole
+    progress  called with the stage and the fraction that is done; what it raises stops the work
+
+    {options}
+
+    Returns a `DistanceGrid`, which `write` puts into .npz, .nrrd and .vti files. Raises `Error` with one line that
+    names what is wrong. For further options of the solid give the boundary that `tetrahedralize` made with them.
+    """
+    one_of(get_args(DistanceTo), "to", to)
+    if (shape is None) == (spacing is None):
+        raise Error("sdf_grid takes either shape or spacing")
+    options = Options.among(locals())
+    polygons, warnings = as_surface(surface, options.factor())
+    options = replace(options, scale=None)
+    if to == "solid":
+        polygons, more = _boundary_of(polygons, options, _share(progress, 0))
+        warnings, options = warnings + more, Options(orientation="as-given")
+    low, high = _padded(polygons, padding)
+    sizes, steps = _fitted(low, high, shape, spacing)
+    origin = low / 2 + high / 2 - steps * (sizes - 1) / 2
+    asked = _share(progress, 0.5) if to == "solid" else progress
+    answer = ask(polygons, image_of(sizes, origin, steps), options, asked, OutputWindingNumber=False, Distance=True)
+    return DistanceGrid(
+        distance=in_space(answer.array("Distance"), sizes),
+        inside=in_space(answer.array("Inside").view(np.bool_), sizes),
+        origin=origin,
+        spacing=np.array(steps),
+        to=to,
+        warnings=warnings + answer.warnings,
+    )
+
+
+def _boundary_of(polygons: vtkPolyData, options: Options, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
+    """What encloses the solid, and warnings."""
+    made = tetrahedralize(
+        polygons,
+        orientation=options.orientation,
+        merge_tolerance=options.merge_tolerance,
+        count_duplicates=options.count_duplicates,
+        surface_only=True,
+        progress=progress,
+    )
+    if made.is_planar():
+        raise Error("the surface lies in a plane, where it bounds no solid to be distant from")
+    if made.boundary.GetNumberOfCells() == 0:
+        raise Error("nothing is inside: there is no solid to be distant from")
+    return made.boundary, made.warnings
+
+
+def _share(progress: Optional[Progress], begin: float) -> Optional[Progress]:
+    """The progress of half of the work."""
+    if progress is None:
+        return None
+    whole = progress
+    return lambda stage, fraction: whole(stage, begin + fraction / 2)
+
+
+def _padded(polygons: vtkPolyData, padding: Optional[float]) -> tuple[Vector, Vector]:
+    low, high = bounds_of(polygons)
+    with np.errstate(over="ignore"):
+        around = PADDING * (high - low).max() if padding is None else at_least(0, "padding", padding)
+        if not np.isfinite(high - low + 2 * around).all():
+            raise Error("the box around the surface, and the padding, is larger than doubles can say")
+    return low - around, high + around
+
+
+def _fitted(low: Vector, high: Vector, shape: object, spacing: object) -> tuple[NDArray[np.int64], Vector]:
+    """How many points cover a box, and how far they are apart."""
+    if spacing is not None:
+        steps = spacing_of(spacing)
+        return sizes_of(np.ceil(steps_between(low, high, steps) * (1 - ROUNDING)) + 1, f"spacing is {brief(spacing)}"), steps
+    counts = np.array([at_least(2, "shape", count) for count in three_of("shape", shape)])
+    if (counts != np.floor(counts)).any():
+        raise Error(f"shape is {brief(shape)}; it must be whole numbers")
+    step = steps_between(low, high, counts - 1).max()
+    if not step > 0:
+        raise Error("the surface's box is one point: there is nothing to make a grid around")
+    return sizes_of(counts, f"shape is {brief(shape)}"), np.full(3, step)

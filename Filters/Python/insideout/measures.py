@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What triangles and tetrahedra measure, and how they hang together, from arrays alone."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.float64]
+Ids = NDArray[np.int64]
+
+FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
+"""Of a tetrahedron, as VTK numbers them."""
+
+
+def enclosed_volume(points: Points, triangles: Ids) -> float:
+    """What triangles enclose, which are counted by the sides that they face; the place of the origin does not matter if they are closed."""
+    if len(triangles) == 0:
+        return 0.0
+    a, b, c = (points[corner] for corner in triangles.T)
+    middle = points[triangles[0, 0]]
+    return float(np.einsum("ij,ij->", a - middle, np.cross(b - middle, c - middle)) / 6)
+
+
+def volume_of_cells(points: Points, cells: Ids) -> float:
+    a, b, c, d = (points[corner] for corner in cells[:, :4].T)
+    return float(np.einsum("ij,ij->", d - a, np.cross(b - a, c - a)) / 6)
+
+
+def area(points: Points, triangles: Ids) -> float:
+    a, b, c = (points[corner] for corner in triangles.T)
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+
+def joined_where_equal(points: Points, cells: Ids) -> Ids:
+    """The cells with one id for all points that have the same coordinates."""
+    first = np.unique(points + 0.0, axis=0, return_inverse=True)[1].ravel()  # -0 is 0
+    joined: Ids = first[cells]
+    return joined
+
+
+def is_closed(triangles: Ids) -> bool:
+    """Whether each edge is run along as often one way as the other, and there is one."""
+    start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
+    differ = start != end
+    start, end = start[differ], end[differ]
+    _, edge = np.unique(np.sort(np.column_stack([start, end]), axis=1), axis=0, return_inverse=True)
+    balance = np.bincount(edge.ravel(), np.where(start < end, 1, -1))
+    return len(balance) > 0 and not balance.any()
+
+
+def labels_of_parts(cells: Ids) -> Ids:
+    """For each cell the number of the part that it is of: those that share a side hang together. Parts are numbered by their first cells."""
+    corners = cells.shape[1]
+    sides = np.array([[k for k in range(corners) if k != left_out] for left_out in range(corners)])
+    rows = np.sort(cells[:, sides].reshape(-1, corners - 1), axis=1)
+    _, side = np.unique(rows, axis=0, return_inverse=True)
+    order = np.argsort(side.ravel(), kind="stable")
+    alike = np.flatnonzero(np.diff(side.ravel()[order]) == 0)
+    labels = _joined(len(cells), order[alike] // corners, order[alike + 1] // corners)
+    return np.unique(labels, return_inverse=True)[1].ravel()
+
+
+def _joined(count: int, one: Ids, other: Ids) -> Ids:
+    """The least of the numbers below `count` that each hangs together with, through pairs."""
+    labels = np.arange(count)
+    while True:
+        least = np.minimum(labels[one], labels[other])
+        if (least == labels[one]).all() and (least == labels[other]).all():
+            return labels
+        for side in (labels[one], labels[other]):
+            np.minimum.at(labels, side, least)
+        while (labels[labels] != labels).any():
+            labels = labels[labels]
+
+
+def faces_of_one_cell(cells: Ids) -> Ids:
+    """The faces of tetrahedra that no second one has, turned outward."""
+    faces = cells[:, np.array(FACES)].reshape(-1, 3)
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    outer: Ids = faces[np.sort(first[count == 1])]
+    return outer

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Packages of others, which need not be installed."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from .errors import Error
+
+OF_DEBIAN = {"meshio": "python3-meshio", "h5py": "python3-h5py", "pandas": "python3-pandas"}
+
+
+def import_package(name: str, why: str = "") -> Any:
+    """The module. Raises `Error` that says what to do where it is not installed."""
+    try:
+        return import_module(name)
+    except ImportError:
+        debian = f"apt-get install {OF_DEBIAN[name]}, or " if name in OF_DEBIAN else ""
+        raise Error(f"{name}{why} is not installed: {debian}pip install {name}") from None
