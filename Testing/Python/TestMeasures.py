@@ -5,9 +5,12 @@ import copy
 import json
 import os
 import pickle
+import shutil
+import subprocess
 import sys
 import types
 import unittest
+from pathlib import Path
 from unittest import mock
 
 import insideout
@@ -233,6 +236,33 @@ class Statistics(unittest.TestCase):
         self.assertEqual(table.loc["shells"].loc["Shells", "two"], 2)
 
 
+# Shows a picture on a display of its own, until the key is pressed that closes VTK's windows.
+WINDOW = """
+import ctypes, subprocess, threading, time
+import insideout, surfaces
+
+def colors():
+    return len(set(subprocess.run(["import", "-window", "root", "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout))
+
+grid = insideout.sdf_grid(surfaces.box(), shape=9)
+showing = threading.Thread(target=grid.plot)
+before = colors()
+showing.start()
+while showing.is_alive() and colors() < before + 20:
+    time.sleep(0.2)
+print("shown", flush=True)
+x, keys = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+x.XOpenDisplay.restype = ctypes.c_void_p
+display = ctypes.c_void_p(x.XOpenDisplay(None))
+keys.XTestFakeMotionEvent(display, 0, 200, 200, 0)
+for down in (1, 0):
+    keys.XTestFakeKeyEvent(display, x.XKeysymToKeycode(display, ord("q")), down, 0)
+x.XFlush(display)
+showing.join()
+print("closed")
+"""
+
+
 class Pictures(unittest.TestCase):
     def setUp(self):
         self.result = insideout.sdf_grid(surfaces.box(), shape=4)
@@ -249,6 +279,14 @@ class Pictures(unittest.TestCase):
         (picture,) = shown
         self.assertIsInstance(picture, Picture)
         self.assertEqual(picture._repr_png_(), self.result.png())
+
+    @unittest.skipUnless(shutil.which("xvfb-run") and shutil.which("import"), "nothing to see a window with")
+    def test_a_window_shows_the_picture_until_it_is_closed(self):
+        done = subprocess.run(
+            ["xvfb-run", "-a", "-s", "-noreset -screen 0 1280x1024x24", sys.executable, "-c", WINDOW],
+            capture_output=True, text=True, check=False, timeout=300, cwd=Path(__file__).parent,
+        )  # fmt: skip
+        self.assertEqual(done.stdout.split(), ["shown", "closed"], done.stderr)
 
     def test_without_notebook_and_window_it_is_an_error(self):
         with mock.patch.dict(os.environ, {"DISPLAY": ""}), self.assertRaisesRegex(insideout.Error, "no notebook and no window"):
