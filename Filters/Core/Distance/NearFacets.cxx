@@ -145,7 +145,7 @@ INSIDEOUT_ALWAYS_INLINE void MeasureFacet(
     const double squared = side > 0 ? outline : height;
     const double error = SquaredError * (seen + lengths);
     low[lane] = squared * (1 - RelativeError) - error;
-    high[lane] = squared * (1 + RelativeError) + error;
+    high[lane] = squared * (1 + RelativeError) + error + block.Room[lane];
   }
 #pragma omp simd
   for (int lane = 0; lane < Lanes; ++lane)
@@ -155,15 +155,6 @@ INSIDEOUT_ALWAYS_INLINE void MeasureFacet(
   }
 }
 } // namespace
-
-INSIDEOUT_VECTOR_CLONES
-void LowerBounds(const std::array<Point, 3>& facet, PointBlock& block)
-{
-  PointBlock local = block;
-  double least[Lanes] = {};
-  MeasureFacet(facet, local, least);
-  block = local;
-}
 
 // What it calls becomes part of it, to be compiled for the same processor.
 INSIDEOUT_VECTOR_CLONES __attribute__((flatten)) void FindNearFacets(const BoxTree& tree,

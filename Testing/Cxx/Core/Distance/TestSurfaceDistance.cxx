@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Distance/SurfaceDistance.h"
 
+#include "Common/NearestPoint.h"
 #include "Common/Vectors.h"
+#include "Support/ReadTriangles.h"
 #include "Support/TestMeshes.h"
 #include "Validate/CountedChain.h"
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 
 namespace
 {
@@ -200,6 +203,38 @@ TEST(SurfaceDistance, IsTheSameForOnePlaceAndForVeryMany)
         ASSERT_EQ(many[i].Distance, one.Distance);
         ASSERT_EQ(many[i].Place, one.Place);
       }
+    }
+  }
+}
+
+/** Rounding makes a place lie on facets whose boxes it is not in. */
+TEST(SurfaceDistance, TellsTheLowestOfFacetsThatAreAsNear)
+{
+  Monitor monitor;
+  for (const char* name : { "corners-nearly-one-0", "corners-nearly-one-7", "nearly-in-one-plane" })
+  {
+    const TriangleSoup soup =
+      testmeshes::ReadTriangles(INSIDEOUT_CORPUS "/" + std::string(name) + ".off");
+    const FacetComplex surface = CountFacets(soup, {}, monitor).Surface;
+    const SurfaceDistance distance(surface.Points, surface.Facets);
+    std::vector<Point> places;
+    while (places.size() < 2000)
+    {
+      places.insert(places.end(), surface.Points.begin(), surface.Points.end());
+    }
+    const auto many = distance.At(places, monitor, { "", 0, 1 });
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      SurfaceDistance::Nearest best = { 0, {}, None, std::numeric_limits<double>::infinity() };
+      for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+      {
+        const Point there = NearestPointOf(CornersOf(surface.Points, surface.Facets[f]), places[i]);
+        const Point d = Difference(there, places[i]);
+        const SurfaceDistance::Nearest found = { 0, there, f, Dot(d, d) };
+        best = found.IsNearerThan(best) ? found : best;
+      }
+      ASSERT_EQ(distance.At(places[i]).Facet, best.Facet) << name << " " << i;
+      ASSERT_EQ(many[i].Facet, best.Facet) << name << " " << i;
     }
   }
 }
