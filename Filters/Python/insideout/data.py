@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonDataModel import (
 from .exporting import mesh_of, pyvista_of, trimesh_of
 from .measures import area, enclosed_volume, faces_of_one_cell, is_closed, joined_where_equal, labels_of_parts, volume_of_cells
 from .parts import part_of, points_as
-from .pipeline import Error
+from .pipeline import Error, strings_of
 from .serializing import make_cells, packed, unpacked
 
 if TYPE_CHECKING:
@@ -107,8 +107,7 @@ class TriangleSurface(_Views, vtkPolyData):
     @property
     def tag_names(self) -> list[str]:
         """The names of the tags in the cell array BoundaryTag, if it has any."""
-        names = self.GetFieldData().GetAbstractArray("BoundaryTagNames")
-        return [] if names is None else [names.GetValue(tag) for tag in range(names.GetNumberOfValues())]
+        return strings_of(self.GetFieldData().GetAbstractArray("BoundaryTagNames"))
 
 
 class Tetrahedra(_Views, vtkUnstructuredGrid):

@@ -7,11 +7,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
 
 from .pipeline import STATISTICS_NAMES
 from .serializing import make_cells, vtk_array
+
+NAMES = "Names"
+"""What arrays of field data end with that numbers of cells refer to."""
 
 
 def part_of(data: Any, cells: NDArray[np.int64], chosen: NDArray[np.int64]) -> Any:
@@ -28,7 +31,7 @@ def part_of(data: Any, cells: NDArray[np.int64], chosen: NDArray[np.int64]) -> A
     _copy_some(data.GetCellData(), chosen, part.GetCellData())
     fields = data.GetFieldData()
     for array in (fields.GetAbstractArray(index) for index in range(fields.GetNumberOfArrays())):
-        if isinstance(array, vtkStringArray) and array.GetName() != STATISTICS_NAMES:
+        if (array.GetName() or "").endswith(NAMES) and array.GetName() != STATISTICS_NAMES:
             part.GetFieldData().AddArray(array)
     return part
 
