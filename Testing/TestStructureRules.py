@@ -143,6 +143,18 @@ class TestStructureRules(unittest.TestCase):
     def test_every_link_of_a_page_leads_somewhere(self):
         name = "Filters/Core/Upper/README.md"
         self.expect_one(name, "link ../Roof.hxx", **{name: "`Tower` [below](../Roof.hxx) [above](../Roof.h)\n"})
+        for page in ("README.md", "Plugin/README.md", "Examples/One/README.md"):
+            self.expect_one(page, "link roof.png", **{page: "![a roof](roof.png)\n"})
+            self.assertEqual(self.complaints(**{page: "[elsewhere](https://example.org/roof.png)\n"}), [])
+
+    def test_a_link_to_a_heading_finds_it(self):
+        kept = "# The house: its `Tower`\n[above](#the-house-its-tower) [there](Filters/Core/Upper/README.md#stairs)\n"
+        upper = {"Filters/Core/Upper/README.md": "`Tower`\n\n## Stairs\n"}
+        self.assertEqual(self.complaints(**{"README.md": kept}, **upper), [])
+        self.expect_one("README.md", "link #tower", **{"README.md": "# The house\n[above](#tower)\n"})
+        self.expect_one("README.md", "link Filters/Core/Upper/README.md#stairs", **{"README.md": kept})
+        fenced = "```sh\n# The house\n```\n[above](#the-house)\n"
+        self.expect_one("README.md", "link #the-house", **{"README.md": fenced})
 
     def test_functions_are_no_longer_than_a_hundred_lines(self):
         heads = ("void Long()", "template <class T>\nT House<T>::Long(\n  int n) const", "TEST(House, Stands)")

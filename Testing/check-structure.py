@@ -110,8 +110,25 @@ def check_pages(root: Path) -> Iterator[str]:
     for page in files_in(root / "Filters", (".md",)):
         if re.match(r"#+[^#\s]", read(page)):
             yield f"{page.relative_to(root)}: its title is none: a page that was formatted as code"
-        for link in re.findall(r"\]\(([^)#:]+)\)", read(page)):
-            if not (page.parent / link).exists():
+
+
+# Links
+
+
+def anchors_of(page: Path) -> set[str]:
+    """What GitHub calls the headings of a page."""
+    headings = re.findall(r"^#+ (.+)$", re.sub(r"^```.*?^```$", "", read(page), flags=re.MULTILINE | re.DOTALL), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def check_links(root: Path) -> Iterator[str]:
+    """Links and pictures of all pages lead to files that are there, and to headings that they have."""
+    pages = [root / "README.md", *(page for folder in SOURCE_FOLDERS for page in files_in(root / folder, (".md",)))]
+    for page in (page for page in pages if page.exists()):
+        for link in re.findall(r"\]\(([^):]+)\)", read(page)):
+            name, _, anchor = link.partition("#")
+            target = page.parent / name if name else page
+            if not target.exists() or anchor and (target.suffix != ".md" or anchor not in anchors_of(target)):
                 yield f"{page.relative_to(root)}: the link {link} leads nowhere"
 
 
@@ -222,7 +239,7 @@ def check_names(root: Path) -> Iterator[str]:
 
 def check(root: Path) -> list[str]:
     """What breaks a rule, one line each."""
-    rules = (check_rooms, check_pages, check_functions, check_classes, check_names)
+    rules = (check_rooms, check_pages, check_links, check_functions, check_classes, check_names)
     return [complaint for rule in rules for complaint in rule(root)]
 
 

@@ -5,12 +5,8 @@ import json
 import os
 import re
 import shlex
-import subprocess
-import sys
-import tempfile
 import unittest
 import unittest.mock
-from pathlib import Path
 
 import insideout
 import surfaces
@@ -171,32 +167,6 @@ class Help(unittest.TestCase):
         self.assertEqual(set(of_topics), {option for command in COMMANDS.values() for option in command.options})
         short = set(arguments._parser_of_short_form()._option_string_actions)
         self.assertEqual(short - set(arguments._parser_of("mesh")._option_string_actions), {"--check", "--winding", "--boolean", "--distance", "--version"})
-
-    def test_a_demo_is_written_twice_and_over_nothing_of_others(self):
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name, "tryout")
-            for _ in range(2):
-                said = run("demo", str(folder)).stdout
-            commands = said.partition("Try:\n")[2]
-            self.assertTrue(commands.startswith(f"cd {folder}\n"), commands)
-            surface = folder / "organ.ply"
-            surface.write_bytes(b"mine")
-            done = run("demo", str(folder))
-            self.assertEqual((done.returncode, surface.read_bytes()), (1, b"mine"))
-            self.assertIn("organ.ply is a file of another program", done.stderr)
-
-    def test_the_commands_of_the_demo_work_twice(self):
-        with tempfile.TemporaryDirectory() as name:
-            commands = run("demo", name).stdout.partition("Try:\n")[2]
-            self.assertEqual(len(commands.splitlines()), 9)
-            script = 'insideout() { "$PYTHON" -m insideout "$@"; }\nset -e\n' + 2 * commands
-            done = subprocess.run(
-                ["sh", "-c", script], env={**os.environ, "PYTHON": sys.executable}, capture_output=True, text=True, check=False
-            )
-            self.assertEqual(done.returncode, 0, done.stderr)
-            for made in ("fixed.stl", "inverted.vtu", "bracket.inp", "organs.msh", "rest.ply", "area.vtu", "broken.png"):
-                self.assertTrue(Path(name, made).exists(), made)
-            self.assertIn("2 regions, of volume 844.073 (tumor), 36253.4 (organ)", done.stdout)
 
     def test_all_of_it(self):
         text = self.text("--help-all")

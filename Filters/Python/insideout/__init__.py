@@ -105,7 +105,7 @@ COMMAND
     insideout mesh broken.ply solid.vtu
     insideout --help
 
-    `python3 -m insideout` is the same. There is a subcommand for each job: mesh, repair, check, refine, boolean, query, draw.
+    `python3 -m insideout` is the same. There is a subcommand for each job: mesh, repair, check, refine, boolean, query, draw, demo.
 
 MODULES
     `booleans`, `checking`, `quality`, `resolving`, `queries`, `grids`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`

@@ -8,12 +8,13 @@ from typing import Optional, Tuple
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPlane, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkThreshold, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkTextActor
+from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkProperty
 
 from .data import corners_of
 from .serializing import make_cells, vtk_array
@@ -23,12 +24,23 @@ Colour = Tuple[float, float, float]
 BACKGROUND: Colour = (1.0, 1.0, 1.0)
 INK: Colour = (0.15, 0.15, 0.18)
 SOUND: Colour = (0.86, 0.86, 0.83)
-CROSSING: Colour = (0.90, 0.20, 0.15)
-TURNED: Colour = (0.10, 0.30, 0.85)
-OPEN: Colour = (0.50, 0.05, 0.05)
-NON_MANIFOLD: Colour = (0.50, 0.15, 0.65)
+FACET_EDGES: Colour = (0.68, 0.68, 0.66)
+
+# Colors that color-blind readers tell apart, by M. Okabe and K. Ito (2008).
+CROSSING: Colour = (0.835, 0.369, 0.000)  # vermilion
+TURNED: Colour = (0.337, 0.706, 0.914)  # sky blue
+OPEN: Colour = (0.000, 0.447, 0.698)  # blue
+NON_MANIFOLD: Colour = (0.800, 0.475, 0.655)  # reddish purple
+INCONSISTENT: Colour = (0.000, 0.620, 0.451)  # bluish green
+DUPLICATE: Colour = (0.902, 0.624, 0.000)  # orange
+
+CROSSING_FACETS: Colour = (0.98, 0.93, 0.72)
+"""A light shade: the curves stand out of it where the facets are large."""
+
 SOLID: Colour = (0.45, 0.66, 0.80)
 EDGES: Colour = (0.12, 0.25, 0.36)
+NEARER = (-4, -40)  # factor and units of the offset of lines, as of glPolygonOffset
+WITHIN = 0.72  # how dark the inner side of facets is, beside the outer one
 SLICES = 6  # of a solid, with gaps as wide between them
 
 
@@ -139,10 +151,41 @@ def actor(
     return drawn
 
 
-def line_actor(data: vtkPolyData, colour: Colour, width: float) -> vtkActor:
+def darken_inside(drawn: vtkActor) -> None:
+    """Tell the inner side of facets from the outer one, as it is seen through holes."""
+    inside = vtkProperty()
+    inside.DeepCopy(drawn.GetProperty())
+    inside.SetColor(*(WITHIN * part for part in drawn.GetProperty().GetColor()))
+    drawn.SetBackfaceProperty(inside)
+
+
+def nearer(drawn: vtkActor) -> None:
+    """Let it win against facets in the same place."""
+    drawn.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -1)
+
+
+def dot(point: NDArray[np.float64], colour: Colour = INK) -> vtkActor:
+    """A point."""
+    points = vtkPoints()
+    points.InsertNextPoint(*point)
+    vertex = vtkCellArray()
+    vertex.InsertNextCell(1, (0,))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetVerts(vertex)
+    return line_actor(data, colour, 5)
+
+
+def line_actor(data: vtkPolyData, colour: Colour, width: float, opacity: float = 1.0) -> vtkActor:
+    """Lines, and vertices as dots, which win against the faces that they lie on."""
     drawn = actor(data, colour, width=width)
-    drawn.GetProperty().LightingOff()
-    drawn.GetProperty().RenderLinesAsTubesOn()
+    drawn.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(*NEARER)
+    drawn.GetMapper().SetRelativeCoincidentTopologyPointOffsetParameter(NEARER[1])
+    look = drawn.GetProperty()
+    look.LightingOff()
+    look.SetOpacity(opacity)
+    look.SetPointSize(2 * width)
+    look.RenderPointsAsSpheresOn()
     return drawn
 
 
@@ -190,18 +233,3 @@ def colour_bar() -> vtkScalarBarActor:
     bar.SetWidth(0.6)
     bar.SetHeight(0.07)
     return bar
-
-
-def words(text: str, height: float, colour: Colour = INK, size: int = 24, bold: bool = False) -> vtkTextActor:
-    """A line in the middle of a panel, at this height of it (0 to 1)."""
-    line = vtkTextActor()
-    line.SetInput(text)
-    look = line.GetTextProperty()
-    look.SetColor(*colour)
-    look.SetFontSize(size)
-    look.SetBold(bold)
-    look.SetJustificationToCentered()
-    look.SetVerticalJustificationToCentered()
-    line.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    line.SetPosition(0.5, height)
-    return line

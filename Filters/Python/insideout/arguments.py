@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, NoReturn, Optional, Sequence
 from .files import GZIP, READABLE_SOLIDS, STANDARD_INPUT, ending, identity
 from .help import all_screens, screen, screen_of
 from .options import OPTIONS, flag_of
-from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, MESH_OPTIONS, OTHER_FLAGS, WINDING_OPTIONS, argument_of
+from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, DEMO_FOLDER, MESH_OPTIONS, OTHER_FLAGS, WINDING_OPTIONS, argument_of
 from .version import __version__
 from .writing import WRITABLE_GRIDS
 
@@ -21,8 +21,8 @@ USAGE_ERROR = 1
 
 _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
     (
-        *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "report"),
-        *("msh_version", "format", "together", "timeout", "threads", "quiet", "check", "force", "is_output_told"),
+        *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "marked", "report"),
+        *("msh_version", "format", "together", "timeout", "threads", "quiet", "check", "defects", "force", "is_output_told"),
     )
 )
 """What jobs ask for, whether the command has such an option or not."""
@@ -42,6 +42,7 @@ class Files:
     boundary: Optional[str] = None
     outliers: Optional[str] = None
     plot: Optional[str] = None
+    marked: Optional[str] = None
     report: Optional[str] = None
 
     def name(self) -> str:
@@ -79,15 +80,15 @@ FILE_OPTIONS = [field.name for field in fields(Files) if field.name not in ("sur
 
 
 def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace, list[Files]]:
-    """The options, and the files of each surface. Ends the program with one line where they make no sense."""
+    """The options, and the files of each surface; of `demo` none. Ends the program with one line where they make no sense."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     name = given.pop(0) if given and given[0] in COMMANDS else None
     parser = _parser_of_short_form() if name is None else _parser_of(name)
     options = parser.parse_args(given, argparse.Namespace(**_NOT_GIVEN, command=name, called=name))
+    if name == "demo":
+        return options, []
     if name is None:
         _name_command(parser, options)
-    if options.command == "demo":
-        return options, []
     surfaces = list(options.files)
     if options.command != "check":
         options.is_output_told = options.output is not None
@@ -140,6 +141,13 @@ def _refuse_what_does_not_go_together(parser: argparse.ArgumentParser, options: 
         for name in CHECK_OPTIONS if options.command == "check" else ("together", *OPTIONS):
             if _is_given(options, name):
                 parser.error(f"{flag_of(name)} is about surfaces: it goes without {solids[0]}")
+        for name in ("defects", "marked"):
+            if _is_given(options, name):
+                parser.error(f"{flag_of(name)} is about surfaces: it goes without {solids[0]}")
+    if options.defects:
+        for name in MESH_OPTIONS:
+            if name not in (*CHECK_OPTIONS, "plot") and _is_given(options, name):
+                parser.error(f"--defects meshes nothing: it goes without {flag_of(name)}")
     if options.command == "check":
         others = (*CHECK_OPTIONS, "plot") if len(solids) == len(surfaces) else CHECK_OPTIONS
     elif options.command in ("query", "boolean"):
@@ -218,7 +226,7 @@ def _parser_of(name: str) -> argparse.ArgumentParser:
         if operand in dict(command.operands):
             parser.add_argument(operand.lower(), metavar=operand)
     if name == "demo":
-        parser.add_argument("files", metavar="FOLDER", nargs="?", default=".")
+        parser.add_argument("folder", metavar="FOLDER", nargs="?", default=DEMO_FOLDER)
     else:
         parser.add_argument("files", metavar=command.names(BEFORE_FILES), nargs="+")
     return parser

@@ -15,13 +15,13 @@ from .arguments import Files, parse
 from .calling import quietly
 from .commands.boolean import BooleanJob
 from .commands.check import CheckJob, SolidCheckJob
-from .commands.draw import DrawJob
+from .commands.demo import run_demo
+from .commands.draw import DefectsJob, DrawJob
 from .commands.job import FAILURE, SUCCESS, Job, print_error, print_lines
 from .commands.mesh import MeshJob
 from .commands.query import QueryJob
 from .commands.refine import RefineJob
 from .commands.repair import RepairJob
-from .demo import demo
 from .files import identity
 from .pipeline import Error, set_threads
 from .summary import table
@@ -45,10 +45,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 def _main(arguments: Optional[Sequence[str]]) -> int:
     options, all_files = parse(arguments)
+    if options.command == "demo":
+        return run_demo(options.folder, options.quiet)
     try:
-        if options.command == "demo":
-            demo(options.files, options.quiet)
-            return SUCCESS
         check_names(options, all_files)
     except Error as error:
         print_error(str(error))
@@ -70,6 +69,8 @@ def job_of(options: argparse.Namespace, files: Files) -> Job:
     """What to do with the files of one surface, or of one solid."""
     if options.command in ("check", "draw") and files.is_solid():
         return SolidCheckJob(options, files)
+    if options.defects:
+        return DefectsJob(options, files)
     return JOBS[options.command](options, files)
 
 

@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 from .calling import for_users
-from .checking import check
+from .checking import Check, check
 from .data import is_flat
 from .errors import Error, brief, one_of, switch
 from .files import Path, check_output, input_ending
@@ -25,8 +25,8 @@ from .surfaces import AnySurface, as_surface
 @for_users
 @describe_options
 def draw(
-    surface: AnySurface,
-    hull: vtkUnstructuredGrid,
+    surface: Union[Check, AnySurface],
+    hull: Optional[vtkUnstructuredGrid],
     picture: Path,
     *,
     solid: Optional[vtkUnstructuredGrid] = None,
@@ -36,10 +36,12 @@ def draw(
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[float] = None,
 ) -> None:
-    """Draw a surface's defects, a slice of w through its hull, and the tetrahedra inside, as a .png file.
+    """Draw a surface's defects, a slice of w through its hull, and the tetrahedra inside, as a .png file; or the defects alone.
 
-    surface  what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
-    hull     all tetrahedra of its hull: `tetrahedralize(surface).hull`
+    surface  what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...; or what
+             `check` found of it, where only that is drawn
+    hull     all tetrahedra of its hull, `tetrahedralize(surface).hull`; or None for what is wrong alone, from
+             two sides, with the worst places and all counts
     picture  the file's name
     solid    what is inside, where that is not cells of the hull but made of them: a refined `result.solid`
     up       which axis is up, "x", "y" or "z"; if it is not given z for a .stl file, otherwise y, or z where
@@ -51,7 +53,8 @@ def draw(
     It is seen from the side that shows most: of the four sides, or from above if it is very flat, the one
     whose outline is largest, and of two opposite ones that with more points before the middle. The counts
     are those of the run that made the hull, and stand in the file's description, too; give the options it
-    had for the marks to agree with them. In two dimensions it is the curve with its defects as
+    had for the marks to agree with them. Colors are those of Okabe and Ito, which color-blind readers tell
+    apart. In two dimensions it is the curve with its defects as
     points, w in all triangles, and those inside, seen straight from above.
 
     Draws in a process of its own, without a window; where there is no display it takes xvfb-run's.
@@ -60,13 +63,18 @@ def draw(
     picture = path_of("picture", picture)
     check_output(picture, PICTURES)
     for name, grid in (("hull", hull), ("solid", solid)):
-        if not isinstance(grid, vtkUnstructuredGrid) and (grid is not None or name == "hull"):
+        if grid is not None and not isinstance(grid, vtkUnstructuredGrid):
             raise Error(f"{name} is {brief(grid)}; it must be a vtkUnstructuredGrid")
-    if hull.GetNumberOfCells() == 0 or not hull.GetCellData().HasArray("w"):
+    if hull is not None and (hull.GetNumberOfCells() == 0 or not hull.GetCellData().HasArray("w")):
         raise Error("hull has no cells with an array w: it must be that of `tetrahedralize`, without surface_only")
     row = switch("row", row)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
-    if is_flat(hull):
+    if isinstance(surface, Check):
+        if hull is not None:
+            raise Error("the surface is a Check, which is drawn alone: give the surface itself beside a hull")
+        _write_panels(picture, surface=surface.surface, lines=surface.lines, up=up)
+        return
+    if hull is not None and is_flat(hull):
         curve = as_surface(surface, scale)[0]
         # What is wrong with polygons is told of surfaces in space: that their edges are open.
         marks = check(curve, orientation=orientation, merge_tolerance=merge_tolerance).lines if curve.GetNumberOfPolys() == 0 else None
@@ -99,7 +107,7 @@ def _write_panels(picture: str, **seen: Any) -> None:
     write_bytes(drawn, picture)
 
 
-def up_of(surface: AnySurface) -> Optional[str]:
+def up_of(surface: Union[Check, AnySurface]) -> Optional[str]:
     """Which axis is up by the kind of file: STL's are of machines, where it is z; others may be either way."""
     is_stl = isinstance(surface, (str, os.PathLike)) and input_ending(path_of("the surface", surface)) == ".stl"
     return "z" if is_stl else None

@@ -33,8 +33,8 @@ def draw_panels(
     row: bool = False,
     timeout: Optional[float] = None,
 ) -> bytes:
-    """The content of a .png file that shows what there is of these: a surface with its defects; a slice and the solid of a hull;
-    the dihedral angles of a solid.
+    """The content of a .png file that shows what there is of these: a surface with its defects, without a hull from two sides
+    and with a legend; a slice and the solid of a hull; the dihedral angles of a solid.
 
     surface, lines  as `check` marks and draws them: both or none
     solid           what is inside a hull, where it is not cells of that

@@ -12,6 +12,8 @@ from .options import TOPICS as TOPICS_OF_OPTIONS
 from .places import QUERIES
 from .writing import WRITABLE_GRIDS, MshVersion
 
+DEMO_FOLDER = "demo"
+
 CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
 WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 """Those that make sense without a mesh: of `check`, and of `winding_number`."""
@@ -43,6 +45,11 @@ _OTHERS: dict[str, dict[str, Any]] = {
         "help": "OUTPUT, which is not the last operand then, and replaces whatever is there, but for what is read",
     },
     "force": {"action": "store_true", "help": "replace a surface at OUTPUT, even where another program wrote it"},
+    "defects": {"action": "store_true", "help": "only what is wrong, from two sides, with the worst places and all counts; nothing is meshed"},
+    "marked": {
+        "metavar": "FILE.vtp",
+        "help": "the surface with what is wrong marked per cell, and with its open, non-manifold and inconsistent edges and intersection curves as lines",
+    },
     "report": {"metavar": "FILE.json", "help": "what was found and done, also when it fails"},
     "msh_version": {"choices": get_args(MshVersion), "help": "the version of .msh files; 4.1 by default, 2.2 for programs that know no other"},
     "format": {
@@ -73,7 +80,7 @@ OTHER_FLAGS = {
 """Short ones, which help tells, and earlier names, which it does not."""
 
 TOPICS: dict[str, Sequence[str]] = {
-    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "report", "msh_version", "format"),
+    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "defects", "marked", "report", "msh_version", "format"),
     "surface": TOPICS_OF_OPTIONS["surface"],
     "bodies": ("together", *TOPICS_OF_OPTIONS["bodies"]),
     "segmentation": TOPICS_OF_OPTIONS["segmentation"],
@@ -121,11 +128,11 @@ COMMANDS: dict[str, Command] = {
     "demo": Command(
         "broken surfaces to try all this on",
         "Write small broken surfaces, and say which commands to try on them.",
-        (("FOLDER", "where to, by default the current folder; files that another program wrote stay"),),
+        (("[FOLDER]", f"where to, a new folder {DEMO_FOLDER} by default; files that another program wrote stay"),),
         ("quiet",),
-        """\
-insideout demo tryout
-    into the folder tryout
+        f"""\
+insideout demo
+    into the folder {DEMO_FOLDER}
 """,
     ),
     "mesh": Command(
@@ -234,16 +241,18 @@ insideout query grid.vti broken.ply w.vti --distance
         "defects, winding numbers, tetrahedra",
         "Draw a picture, without a window, of a surface and what becomes of it, or of how good tetrahedra are.",
         (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra; of a solid, a histogram of dihedral angles")),
-        [name for name in (*MESH_OPTIONS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only")],
+        ["defects", "marked", *(name for name in (*MESH_OPTIONS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only"))],
         """\
 insideout draw broken.ply picture.png
     the surface's defects, a slice of w, and the tetrahedra inside
+insideout draw broken.ply wrong.png --defects --marked wrong.vtp
+    only what is wrong, without meshing; and the same to look at in ParaView
 insideout draw solid.vtu angles.png
     the dihedral angles of tetrahedra
 """,
         first=(
-            *("report", "scale", "orientation", "merge_tolerance", "together", "gamma", "constrain_facets"),
-            *("non_manifold", "refine", "edge_length", "timeout", "quiet"),
+            *("defects", "marked", "report", "scale", "orientation", "merge_tolerance", "gamma"),
+            *("constrain_facets", "non_manifold", "refine", "edge_length", "timeout", "quiet"),
         ),
     ),
 }

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Optional
 
 import numpy as np
@@ -71,11 +72,21 @@ class View:
         self.slice_normal = axes[nearest] * (-1 if from_behind else 1)
         self.up = axes[upward] if nearest != upward else axes[min(sides, key=lambda axis: size[axis])]
         self.right = np.cross(self.up, self.slice_normal)
-        # A little from the side and from above, so that depth is seen.
-        eye = self.slice_normal + 0.35 * self.right + 0.25 * self.up
-        self.eye = eye / np.linalg.norm(eye)
         self.distance = 4 * float(np.linalg.norm(size))
-        self.size = self._size_on_screen(bounds)
+        self._bounds = bounds
+        self._look_from(1)
+
+    def from_behind(self) -> View:
+        """The same from the opposite side, from above, too."""
+        other = copy.copy(self)
+        other._look_from(-1)
+        return other
+
+    def _look_from(self, side: int) -> None:
+        # A little from the side and from above, so that depth is seen.
+        eye = side * (self.slice_normal + 0.35 * self.right) + 0.25 * self.up
+        self.eye = eye / np.linalg.norm(eye)
+        self.size = self._size_on_screen(self._bounds)
 
     def _size_on_screen(self, bounds: NDArray[np.float64]) -> tuple[float, float]:
         across = np.cross(self.up, self.eye)
@@ -102,16 +113,14 @@ class View:
 
 
 class ViewFromAbove:
-    """Where triangles in a plane are seen from: straight, so that they run counter-clockwise.
+    """Where what lies in a plane is seen from: straight, so that triangles run counter-clockwise.
 
     Up is what it is told, or else y, or z in a plane without y; in any case as near as the plane allows.
     """
 
-    def __init__(self, triangles: vtkPolyData, up: Optional[str] = None):
-        points = vtk_to_numpy(triangles.GetPoints().GetData()).astype(float)
-        a, b, c = (points[corner] for corner in corners_of(triangles.GetPolys(), 3).T)
-        normal = np.cross(b - a, c - a).sum(axis=0)
-        self.eye = normal / np.linalg.norm(normal)
+    def __init__(self, flat: vtkPolyData, up: Optional[str] = None):
+        points = vtk_to_numpy(flat.GetPoints().GetData()).astype(float)
+        self.eye = _normal(points, corners_of(flat.GetPolys(), 3))
         upward = "xyz".index(up) if up else 1
         upward = upward if abs(self.eye[upward]) < STEEP else 2 if upward != 2 else 1
         self.up = np.eye(3)[upward] - self.eye[upward] * self.eye
@@ -130,3 +139,13 @@ class ViewFromAbove:
         width, height = self.size[:2]
         camera.SetParallelScale(0.5 * max(width * HEIGHT / PANEL_WIDTH / WIDTH_USED, height / FLAT_HEIGHT_USED))
         renderer.ResetCameraClippingRange()
+
+
+def _normal(points: NDArray[np.float64], corners: NDArray[np.int64]) -> NDArray[np.float64]:
+    """That of triangles, or of the plane of points, along the axis that it is nearest to."""
+    if len(corners):
+        a, b, c = (points[corner] for corner in corners.T)
+        normal = np.cross(b - a, c - a).sum(axis=0)
+        return normal / np.linalg.norm(normal)
+    normal = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][-1]
+    return normal * np.sign(normal[np.argmax(np.abs(normal))])

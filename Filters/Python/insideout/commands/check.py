@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 from typing import Any, Optional
 
-from ..checking import Finding, check
+from ..checking import Check, Finding, check
 from ..drawing import draw_quality
 from ..files import READABLE_SOLIDS
 from ..interruption import work_on
@@ -23,6 +23,7 @@ class CheckJob(Job):
     """One run that looks at a surface."""
 
     stages = CHECK
+    checked: Check
     findings: list[Finding] = []
     shell_volumes: list[float] = []
     verdict: Optional[str] = None
@@ -35,7 +36,7 @@ class CheckJob(Job):
         result = check(self.read(), progress=self.show_progress, **options)
         self.bars.finish()
         self.warnings = self.warnings + result.warnings
-        self.findings, self.verdict = result.findings, result.verdict
+        self.checked, self.findings, self.verdict = result, result.findings, result.verdict
         self.shell_volumes = result.shell_volumes
         self.statistics = dict(result.statistics)
         self.measure()
