@@ -60,9 +60,10 @@ namespace
 {
 using Color = std::array<unsigned char, 3>;
 
-// Red, dark red and purple are those of the thesis's figure 8.22.
-constexpr Color CrossingColor = { { 230, 0, 0 } };
-constexpr Color TurnedColor = { { 0, 70, 230 } };
+// Colors that color-blind readers tell apart, by M. Okabe and K. Ito (2008). Facets that meet
+// others have a light shade of their curves' color, which stand out of it where facets are large.
+constexpr Color CrossingColor = { { 250, 204, 168 } };
+constexpr Color TurnedColor = { { 86, 180, 233 } };
 
 struct TypeOfLine
 {
@@ -72,10 +73,10 @@ struct TypeOfLine
 
 /** By DefectType. */
 constexpr std::array<TypeOfLine, 4> TypesOfLines = { {
-  { "open boundary", { { 110, 0, 0 } } },
-  { "non-manifold edge", { { 150, 0, 200 } } },
-  { "inconsistent edge", { { 255, 140, 0 } } },
-  { "intersection curve", { { 0, 0, 0 } } },
+  { "open boundary", { { 0, 114, 178 } } },
+  { "non-manifold edge", { { 204, 121, 167 } } },
+  { "inconsistent edge", { { 0, 158, 115 } } },
+  { "intersection curve", { { 213, 94, 0 } } },
 } };
 
 /** Light colors, every next one far from those before it, and none that is taken for a defect's. */
@@ -85,8 +86,8 @@ Color ColorOfComponent(Id component)
   {
     return { { 128, 128, 128 } };
   }
-  // Hues from yellow over green to blue, by steps of the golden ratio, in three shades.
-  constexpr double FirstHue = 50.0 / 360, HueRange = 200.0 / 360, GoldenRatio = 0.6180339887498949;
+  // Hues from yellow to green, by steps of the golden ratio, in three shades.
+  constexpr double FirstHue = 60.0 / 360, HueRange = 100.0 / 360, GoldenRatio = 0.6180339887498949;
   const double hue = FirstHue + HueRange * std::fmod(0.8 + GoldenRatio * component, 1.0);
   const double value = 0.95 - 0.12 * (component % 3);
   constexpr double Saturation = 0.4;

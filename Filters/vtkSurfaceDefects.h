@@ -23,15 +23,15 @@
  * - TwoSided (unsigned char): 1 where the whole component is given in both orientations
  * - Turned (unsigned char): 1 where the orientation asks to turn a triangle over
  * - Sheet (unsigned char): 1 where a triangle is of a shell that encloses nothing, or counts 0
- * - DefectColor (3 unsigned char): red where SelfIntersections is above 0, else blue where Turned
- * is 1, else a light color per component
+ * - DefectColor (3 unsigned char): light vermilion where SelfIntersections is above 0, else sky
+ * blue where Turned is 1, else a light color per component, from yellow to green
  *
  * Output 1, the lines: polylines, and vertices where facets only touch, with the point array
  * vtkOriginalPointIds (-1 on intersection curves) and the cell arrays
  * - DefectType (int): a DefectTypes
  * - DefectName (string): the same in words
- * - DefectColor (3 unsigned char): open boundary dark red, non-manifold purple,
- *   inconsistent orange, intersection curves black
+ * - DefectColor (3 unsigned char): open boundary blue, non-manifold reddish purple,
+ *   inconsistent bluish green, intersection curves vermilion
  *
  * Both carry field data Statistics, named by StatisticsNames: the counts of
  * vtkResolveSelfIntersections, and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on

@@ -9,11 +9,12 @@ install(PROGRAMS ${INSIDEOUT_COMMAND} DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # The page is what --help-all says.
 set(manual_page ${CMAKE_BINARY_DIR}/insideout.1)
+file(GLOB sources_of_help CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/Filters/Python/insideout/*.py) # a target is no reason to make it again
 add_custom_command(
   OUTPUT  ${manual_page}
   COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${INSIDEOUT_PYTHON_PATH}
     ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/write-man-page.py ${manual_page}
-  DEPENDS InsideOutPythonFiles ${CMAKE_CURRENT_LIST_DIR}/write-man-page.py)
+  DEPENDS InsideOutPythonFiles ${CMAKE_CURRENT_LIST_DIR}/write-man-page.py ${sources_of_help})
 add_custom_target(InsideOutManualPage ALL DEPENDS ${manual_page})
 install(FILES ${manual_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 

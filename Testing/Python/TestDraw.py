@@ -17,7 +17,7 @@ from insideout import actors, demo, legend
 from insideout.actors import triangles_of
 from insideout.files import read_surface
 from insideout.marked import with_lines
-from insideout.scenes import curve_panel, defect_panels, surface_panel
+from insideout.scenes import LINES, curve_panel, defect_panels, surface_panel
 from insideout.stages import TETRAHEDRALIZE
 from insideout.view import View
 from insideout.worst import worst_places
@@ -116,6 +116,21 @@ class Panels(unittest.TestCase):
         inconsistent = surfaces.box(facets=[surfaces.BOX_FACETS[0][::-1], *surfaces.BOX_FACETS[1:]])
         found = drawn(panels_of(inconsistent)[1][0].props)
         self.assertGreater(found[actors.INCONSISTENT].GetNumberOfLines(), 0)
+
+    def test_they_are_those_of_the_marked_surface(self):
+        def as_bytes(colour):
+            return tuple(round(255 * part) for part in colour)
+
+        for surface in (demo.figure(), demo.inverted(), box_with_a_stray_fin(), surfaces.box(facets=[surfaces.BOX_FACETS[0][::-1], *surfaces.BOX_FACETS[1:]])):
+            checked = insideout.check(surface)
+            kinds = vtk_to_numpy(checked.lines.GetCellData().GetArray("DefectType"))
+            found = vtk_to_numpy(checked.lines.GetCellData().GetArray("DefectColor"))
+            for kind, colour in LINES:
+                self.assertLessEqual(set(map(tuple, found[kinds == kind].tolist())), {as_bytes(colour)})
+            for name, colour in (("SelfIntersections", actors.CROSSING_FACETS), ("Turned", actors.TURNED)):
+                marked = vtk_to_numpy(checked.surface.GetCellData().GetArray(name)) > 0
+                found = vtk_to_numpy(checked.surface.GetCellData().GetArray("DefectColor"))[marked]
+                self.assertLessEqual(set(map(tuple, found.tolist())), {as_bytes(colour)})
 
     def test_color_blind_readers_tell_the_colors_apart(self):
         colours = [*set(legend.DRAWN.values()), actors.SOUND]

@@ -5,6 +5,7 @@ What is wrong with a surface, and whether it matters::
 
     import insideout
     print(insideout.check("broken.ply").verdict)
+    insideout.draw("broken.ply", None, "wrong.png")
 
 The solid, its boundary and the whole hull, as VTK data sets with numpy views::
 

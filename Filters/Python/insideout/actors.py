@@ -34,8 +34,8 @@ NON_MANIFOLD: Colour = (0.800, 0.475, 0.655)  # reddish purple
 INCONSISTENT: Colour = (0.000, 0.620, 0.451)  # bluish green
 DUPLICATE: Colour = (0.902, 0.624, 0.000)  # orange
 
-CROSSING_FACETS: Colour = (0.98, 0.93, 0.72)
-"""A light shade: the curves stand out of it where the facets are large."""
+CROSSING_FACETS: Colour = (0.980, 0.800, 0.659)
+"""A light shade: the curves stand out of it where the facets are large. All of these are the DefectColor of vtkSurfaceDefects, too."""
 
 SOLID: Colour = (0.45, 0.66, 0.80)
 EDGES: Colour = (0.12, 0.25, 0.36)

@@ -88,9 +88,9 @@ def marked_facets(marked: vtkPolyData) -> list[vtkProp]:
     for chosen, colour in ((twice, DUPLICATE), (turned, TURNED), (crossing, CROSSING_FACETS), (rest, SOUND)):
         if (rest & chosen).any():
             facets = actor(some_triangles(marked, rest & chosen), colour, edge_colour=edges)
-            if chosen is not turned:
+            if colour in (SOUND, CROSSING_FACETS):
                 darken_inside(facets)
-            if chosen is twice:
+            if colour == DUPLICATE:
                 nearer(facets)  # than the facets that they repeat
             drawn.append(facets)
         rest = rest & ~chosen
