@@ -28,5 +28,5 @@ cmake -S "$source" -B "$folder/build" -G Ninja -DINSIDEOUT_USE_PARAVIEW=OFF -DBU
   -DINSIDEOUT_CORE_LIBRARY="$core" -DVTK_DIR="$libraries/cmake/vtk-9.1" -DCMAKE_BUILD_TYPE=None \
   -DINSIDEOUT_WARNINGS_AS_ERRORS=ON -DPython3_EXECUTABLE=/usr/bin/python3 >"$folder/configure.log" 2>&1 ||
   { cat "$folder/configure.log"; exit 1; }
-cmake --build "$folder/build" --target InsideOutFilterTests InsideOutPythonFiles InsideOutFaults insideout-tetgen
+cmake --build "$folder/build" --target InsideOutFilterTests InsideOutPythonFiles InsideOutFaults InsideOutReference insideout-tetgen
 exec ctest --test-dir "$folder/build" --output-on-failure --no-tests=error --parallel "$(nproc)" --tests-regex "$tests"
