@@ -303,13 +303,13 @@ class TestCommand(unittest.TestCase):
         self.assertEqual(insideout.check(self.folder / "both.ply").verdict, "bounds a solid of volume 16")
 
     def test_what_makes_no_sense_is_said(self):
-        for arguments, words in (
-            (("--together", "left.ply", "right.ply", "both.vtu", "--body-array", "Part"), "it goes without --body-array"),
-            (("--together", "--check", "left.ply", "right.ply"), "--check meshes nothing: it goes without --together"),
-            (("--together", "left.ply", "missing.ply", "both.vtu"), "missing.ply"),
+        for arguments, words, status in (
+            (("--together", "left.ply", "right.ply", "both.vtu", "--body-array", "Part"), "--body-array cannot matter here: --together", 2),
+            (("--together", "--check", "left.ply", "right.ply"), "--check meshes nothing: it goes without --together", 2),
+            (("--together", "left.ply", "missing.ply", "both.vtu"), "missing.ply", 1),
         ):
             done = self.run_command(*arguments)
-            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.returncode, status)
             self.assertIn(words, done.stderr)
 
 

@@ -113,7 +113,7 @@ class Success(CommandLine):
             for name in ("solid.msh", "hull.msh"):
                 with open(self.path(name), encoding="utf-8") as file:
                     self.assertEqual(file.readlines()[1], f"{expected} 0 8\n")
-        self.check_failure(run(source, self.output, "--msh-version", "2.2"), "--msh-version is for .msh")
+        self.check_failure(run(source, self.output, "--msh-version", "2.2"), "--msh-version cannot matter here: it is for .msh")
 
     def test_a_scale_is_that_of_checks_pictures_and_places_too(self):
         source, report = self.file("box.ply", surfaces.box()), self.path("report.json")
@@ -487,7 +487,7 @@ class Failure(CommandLine):
             with self.subTest(arguments):
                 before = {name: os.stat(self.path(name)).st_mtime_ns for name in os.listdir(self.folder)}
                 done = run(*arguments)
-                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.returncode, 2)
                 self.assertEqual(len(done.stderr.splitlines()), 1, "work was begun")
                 self.assertIn("is read", done.stderr)
                 self.assertEqual({name: os.stat(self.path(name)).st_mtime_ns for name in os.listdir(self.folder)}, before)

@@ -273,7 +273,7 @@ class Marked(CommandLine):
         ):
             with self.subTest(arguments):
                 done = run_here("draw", *arguments)
-                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.returncode, 2)
                 self.assertIn(words, done.stderr)
                 self.assertFalse(os.path.exists(picture))
 

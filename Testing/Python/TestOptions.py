@@ -402,6 +402,14 @@ class Python(unittest.TestCase):
             Options(dimension=4).is_planar(box)
 
 
+BODIES = {"body_array": "Part"}
+TAKEN_BY = {
+    **{"thicken_all": {"thicken": 0.5}, "priority": BODIES, "region_rule": BODIES, "seeded_regions": {"seeds": "seeds.csv"}},
+    **dict.fromkeys(("surface_tolerance", "feature_angle"), {"surface_treatment": "remeshed"}),
+}
+"""The options without which others cannot matter."""
+
+
 class CommandLine(unittest.TestCase):
     def parse(self, *given):
         return Options.among(vars(arguments.parse(["broken.ply", "solid.vtu", *given])[0]))
@@ -411,7 +419,9 @@ class CommandLine(unittest.TestCase):
             value = example(option)
             given = [flag_of(name), *([] if value is True else [str(value)])]
             with self.subTest(name):
-                self.assertEqual(self.parse(*given), Options(**{name: value}))
+                others = TAKEN_BY.get(name, {})
+                more = [word for other, text in others.items() for word in (flag_of(other), str(text))]
+                self.assertEqual(self.parse(*given, *more), Options(**{name: value}, **others))
 
     def test_earlier_names_of_options_are_known_and_not_told(self):
         for name, flags in OTHER_FLAGS.items():

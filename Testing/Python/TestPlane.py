@@ -201,7 +201,7 @@ class Command(unittest.TestCase):
             command = [sys.executable, "-m", "insideout", *arguments]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             with self.subTest(arguments):
-                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertIn(words, done.stderr)
                 self.assertNotIn("validating", done.stderr)
         self.assertEqual(sorted(os.listdir(os.path.dirname(curve))), ["curve.csv", "mesh.obj"])

@@ -307,20 +307,20 @@ class Command(CommandLine):
 
     def test_what_it_refuses(self):
         solid, box = self.solid("a.vtu", *ONE), self.file("box.ply", surfaces.box())
-        for arguments, words in (
-            (("--check", solid, "--orientation", "as-given"), "--orientation is about surfaces"),
-            (("--check", solid, "--merge-tolerance", "1"), "--merge-tolerance is about surfaces"),
-            (("--check", solid, "--hull", self.path("hull.vtu")), "it goes without --hull"),
-            (("--check", solid, box, "--plot", self.path("a.png")), "it goes without --plot"),
-            (("--check", box, self.output), "it goes without OUTPUT.vtu"),
-            (("--check", self.path("missing.vtu")), "no such file"),
-            (("--check", solid, "--plot", solid), "named twice"),
-            (("--check", solid, "--plot", self.path("angles.jpg")), "it must be .png"),
-            (("--check", self.file("text.vtu", "hello")), "cannot read"),
+        for arguments, words, status in (
+            (("--check", solid, "--orientation", "as-given"), "--orientation is about surfaces", 2),
+            (("--check", solid, "--merge-tolerance", "1"), "--merge-tolerance is about surfaces", 2),
+            (("--check", solid, "--hull", self.path("hull.vtu")), "it goes without --hull", 2),
+            (("--check", solid, box, "--plot", self.path("a.png")), "it goes without --plot", 2),
+            (("--check", box, self.output), "it goes without OUTPUT.vtu", 2),
+            (("--check", self.path("missing.vtu")), "no such file", 1),
+            (("--check", solid, "--plot", solid), "named twice", 2),
+            (("--check", solid, "--plot", self.path("angles.jpg")), "it must be .png", 2),
+            (("--check", self.file("text.vtu", "hello")), "cannot read", 1),
         ):
             with self.subTest(arguments):
                 done = run_here(*arguments)
-                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.returncode, status)
                 self.assertIn(words, done.stderr.splitlines()[-1])
 
     def test_a_surface_in_a_file_of_solids_is_told(self):

@@ -94,7 +94,7 @@ insideout.sdf_grid("broken.ply", shape=32, to="walls")
 insideout.sdf_grid("broken.ply", shape="large")
 insideout.sdf_grid("broken.ply", spacing=1).distances
 insideout.refine(3)
-insideout.refine(insideout.tetrahedralize("broken.ply").solid, edge_length="short")
+insideout.refine(insideout.tetrahedralize("broken.ply").solid, grading="short")
 insideout.refine(insideout.tetrahedralize("broken.ply").solid, 0.1)
 insideout.draw(3, None, "picture.png")
 insideout.write(3, 4)

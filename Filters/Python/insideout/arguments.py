@@ -12,23 +12,24 @@ from typing import Any, Callable, Iterable, NoReturn, Optional, Sequence
 
 from .files import GZIP, READABLE_SOLIDS, STANDARD_INPUT, ending, identity
 from .help import all_screens, screen, screen_of
-from .options import OPTIONS, flag_of
-from .usage import BEFORE_FILES, BOOLEAN_OPTIONS, CHECK_OPTIONS, COMMANDS, DEMO_FOLDER, MESH_OPTIONS, OTHER_FLAGS, WINDING_OPTIONS, argument_of
+from .lengths import scale_between
+from .matters import WHY_NOT, refusal
+from .options import flag_of
+from .usage import BEFORE_FILES, COMMANDS, DEMO_FOLDER, OTHER_FLAGS, argument_of
 from .version import __version__
 from .writing import WRITABLE_GRIDS
 
-USAGE_ERROR = 1
+USAGE_ERROR = 2
+"""The exit status where the arguments make no sense."""
 
 _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
     (
         *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "marked", "report"),
-        *("msh_version", "format", "together", "timeout", "threads", "quiet", "check", "defects", "force", "is_output_told"),
+        *("msh_version", "format", "together", "timeout", "threads", "quiet", "json", "check", "defects", "force", "is_output_told"),
+        *("dry_run", "from", "to"),
     )
 )
 """What jobs ask for, whether the command has such an option or not."""
-
-_WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
-"""Why commands have no use for options of `mesh`."""
 
 
 @dataclass(frozen=True)
@@ -99,20 +100,18 @@ def parse(arguments: Optional[Sequence[str]] = None) -> tuple[argparse.Namespace
         options.output = None
         setattr(options, "plot" if options.command == "draw" else "output", last)
     elif len(surfaces) > 1 and ending(surfaces[-1]) in WRITABLE_GRIDS and not os.path.exists(surfaces[-1]):
-        parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without OUTPUT{ending(surfaces[-1])}")
-    _refuse_what_does_not_go_together(parser, options, surfaces)
+        parser.error(f"{options.called} {WHY_NOT[options.command]}: it goes without OUTPUT{ending(surfaces[-1])}")
+    refused = refusal(options, surfaces)
+    if refused:
+        parser.error(refused)
     if surfaces.count("-") > 1:
         parser.error("- is named twice: standard input can be read once")
-    if options.format is not None and "-" not in surfaces:
-        parser.error("--format is for standard input: it goes with - as SURFACE")
-    if options.together and getattr(options, "body_array", None) is not None:
-        parser.error("--together makes a body of each surface: it goes without --body-array")
-    if options.msh_version is not None and ".msh" not in (ending(options.output), ending(options.hull or "")):
-        parser.error("--msh-version is for .msh files, and none is to be written")
     if options.threads is not None and options.threads < 1:
         parser.error(f"--threads is {options.threads}; it must be at least 1")
     if options.timeout is not None and not options.timeout > 0:
         parser.error(f"--timeout is {options.timeout:g}; it must be above 0")
+    if options.to is not None:
+        options.scale = scale_between(getattr(options, "from"), options.to)
     all_files = _files(parser, options, surfaces)
     options.several = len(all_files) > 1
     return options, all_files
@@ -129,36 +128,9 @@ def _name_command(parser: argparse.ArgumentParser, options: argparse.Namespace) 
     options.called = chosen[0] if chosen else "mesh"
     options.command = standing[options.called][0] if chosen else "mesh"
     if len(chosen) > 1:
-        parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without {chosen[1]}")
+        parser.error(f"{options.called} {WHY_NOT[options.command]}: it goes without {chosen[1]}")
     if options.distance and options.command != "query":
         parser.error("--distance is of places: it goes with --winding")
-
-
-def _refuse_what_does_not_go_together(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: Sequence[str]) -> None:
-    solids = [surface for surface in surfaces if ending(surface) in READABLE_SOLIDS]
-    others: Sequence[str] = MESH_OPTIONS
-    if solids and options.command in ("check", "draw"):
-        for name in CHECK_OPTIONS if options.command == "check" else ("together", *OPTIONS):
-            if _is_given(options, name):
-                parser.error(f"{flag_of(name)} is about surfaces: it goes without {solids[0]}")
-        for name in ("defects", "marked"):
-            if _is_given(options, name):
-                parser.error(f"{flag_of(name)} is about surfaces: it goes without {solids[0]}")
-    if options.defects:
-        for name in MESH_OPTIONS:
-            if name not in (*CHECK_OPTIONS, "plot") and _is_given(options, name):
-                parser.error(f"--defects meshes nothing: it goes without {flag_of(name)}")
-    if options.command == "check":
-        others = (*CHECK_OPTIONS, "plot") if len(solids) == len(surfaces) else CHECK_OPTIONS
-    elif options.command in ("query", "boolean"):
-        others = WINDING_OPTIONS if options.command == "query" else BOOLEAN_OPTIONS
-    for name in (*MESH_OPTIONS, *(("output", "force") if options.command == "check" else ())):
-        if name not in others and _is_given(options, name):
-            parser.error(f"{options.called} {_WHY_NOT[options.command]}: it goes without {flag_of(name)}")
-
-
-def _is_given(options: argparse.Namespace, name: str) -> bool:
-    return getattr(options, name, None) is not None
 
 
 def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surfaces: list[str]) -> list[Files]:
@@ -214,7 +186,8 @@ def _parser(hint: str, options: Iterable[str], some: Callable[[], str], everythi
     parser.add_argument("-h", "--help", nargs=0, action=_Show, const=some)
     parser.add_argument("--help-all", nargs=0, action=_Show, const=everything)
     for name in options:
-        parser.add_argument(flag_of(name), *OTHER_FLAGS.get(name, []), default=argparse.SUPPRESS, **argument_of(name))
+        argument: dict[str, Any] = {**argument_of(name), "help": argparse.SUPPRESS}  # help.py tells it
+        parser.add_argument(flag_of(name), *OTHER_FLAGS.get(name, []), default=argparse.SUPPRESS, **argument)
     return parser
 
 

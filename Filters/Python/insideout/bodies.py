@@ -24,7 +24,7 @@ BODY_IDS, BODY_NAMES = "BodyIds", "BodyNames"
 """The cell array that numbers joined surfaces, and the field array of their names."""
 
 
-def as_body(name: str, surface: AnySurface, scale: Optional[float]) -> tuple[vtkPolyData, list[str]]:
+def as_body(name: str, surface: AnySurface, scale: float) -> tuple[vtkPolyData, list[str]]:
     """As `as_surface`; warnings and what it raises name the body."""
     try:
         polygons, warnings = as_surface(surface, scale)
@@ -33,7 +33,7 @@ def as_body(name: str, surface: AnySurface, scale: Optional[float]) -> tuple[vtk
     return polygons, [f"body {name}: {warning}" for warning in warnings]
 
 
-def join(surfaces: Mapping[str, AnySurface], scale: Optional[float] = None) -> tuple[vtkPolyData, list[str]]:
+def join(surfaces: Mapping[str, AnySurface], scale: float = 1) -> tuple[vtkPolyData, list[str]]:
     """Surfaces as one, whose cell array BodyIds tells them apart, with the data that all of them have; and warnings."""
     if not surfaces:
         raise Error("there are no bodies: the mapping is empty")
@@ -85,7 +85,7 @@ def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
     return [f"the input's array {name} is passed on as {renamed}, for the output has its own"]
 
 
-def as_bodies(surface: AnyBodies, scale: Optional[float], array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:
+def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:
     """A surface as VTK holds it, warnings, and the array that says what are bodies: a mapping brings its own."""
     if not isinstance(surface, Mapping):
         return (*as_surface(surface, scale), array)

@@ -17,6 +17,7 @@ from .calling import for_users
 from .checking import check
 from .data import Tetrahedra, TriangleSurface, as_type
 from .errors import Error, brief, one_of, switch, text_of
+from .lengths import Length
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, run, statistics_of
 from .results import MeshResult, counted
@@ -75,7 +76,7 @@ def boolean(
     tetrahedra: bool = False,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> Boolean:
@@ -98,11 +99,12 @@ def boolean(
     Returns a `Boolean`. Raises `Error` with one line that names what is wrong: of an expression, its column.
     """
     options = Options.among(locals())
-    algorithm = options.set_on(vtkWindingBoolean())
+    algorithm = vtkWindingBoolean()
     algorithm.SetOperation(get_args(Operation).index(one_of(get_args(Operation), "operation", operation)))
     algorithm.SetExpression("" if expression is None else text_of("expression", expression))
     algorithm.SetTetrahedra(switch("tetrahedra", tetrahedra))
     warnings: list[str] = []
+    bodies: list[vtkPolyData] = []
     if isinstance(surfaces, (str, os.PathLike, vtkPolyData)) or not hasattr(surfaces, "__iter__"):
         raise Error(f"surfaces is of type {type(surfaces).__name__}; a boolean takes several surfaces: a list, or a dict by names")
     try:
@@ -113,10 +115,12 @@ def boolean(
         raise Error("there are no surfaces: a boolean takes one at least")
     for number, (name, surface) in enumerate(named):
         name = text_of("a body's name", name)
-        polygons, more = as_body(name or letter(number), surface, options.scale)
+        polygons, more = as_body(name or letter(number), surface, options.factor())
         algorithm.AddInputDataObject(0, polygons)
         algorithm.AddBodyName(name)
+        bodies.append(polygons)
         warnings += more
+    options.measured_on(*bodies).set_on(algorithm)
     warnings += in_words_of_python(run(algorithm, progress))
     output = algorithm.GetOutput()
     add_statistic("Scale", options.factor(), output)

@@ -10,6 +10,7 @@ from .calling import for_users
 from .data import Polylines, TriangleSurface, as_type
 from .defects import DEFECTS, PLANAR_DEFECTS, Defect
 from .files import are_lines
+from .lengths import Length
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, run, statistics_of
 from .results import MeshResult
@@ -70,7 +71,7 @@ def check(
     *,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     progress: Optional[Progress] = None,
 ) -> Check:
     """What is wrong with a surface, or with lines in a plane. Nothing is changed or cut; what would be turned over is marked.
@@ -84,8 +85,8 @@ def check(
     surface at all.
     """
     options = Options.among(locals())
-    marker = options.set_on(vtkSurfaceDefects())
-    polygons, warnings = as_surface(surface, options.scale)
+    polygons, warnings = as_surface(surface, options.factor())
+    marker = options.measured_on(polygons).set_on(vtkSurfaceDefects())
     marker.SetInputData(polygons)
     warnings = warnings + in_words_of_python(run(marker, progress))
     add_statistic("Scale", options.factor(), marker.GetOutput())

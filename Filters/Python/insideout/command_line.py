@@ -11,13 +11,14 @@ from __future__ import annotations
 import argparse
 from typing import Optional, Sequence
 
-from .arguments import Files, parse
+from .arguments import USAGE_ERROR, Files, parse
 from .calling import quietly
 from .commands.boolean import BooleanJob
 from .commands.check import CheckJob, SolidCheckJob
 from .commands.demo import run_demo
 from .commands.draw import DefectsJob, DrawJob
-from .commands.job import FAILURE, SUCCESS, Job, print_error, print_lines
+from .commands.dry_run import DryRun
+from .commands.job import SUCCESS, Job, print_error, print_lines
 from .commands.mesh import MeshJob
 from .commands.query import QueryJob
 from .commands.refine import RefineJob
@@ -38,7 +39,8 @@ JOBS: dict[str, type[Job]] = {
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Do what the arguments say. Returns the exit status: 0 when that was done for every surface."""
+    """Do what the arguments say. Returns the exit status: 0 when that was done for every surface, 1 when it was not, 2 when the
+    arguments make no sense."""
     with quietly():  # each job tells its warnings
         return _main(arguments)
 
@@ -51,15 +53,15 @@ def _main(arguments: Optional[Sequence[str]]) -> int:
         check_names(options, all_files)
     except Error as error:
         print_error(str(error))
-        return FAILURE
+        return USAGE_ERROR
     if options.threads is not None:
         set_threads(options.threads)
     jobs = []
     for files in all_files:
         jobs.append(job_of(options, files))
-        if jobs[-1].run() > FAILURE:
+        if jobs[-1].run() > USAGE_ERROR:
             break  # interrupted
-    if len(all_files) > 1 and not options.quiet:
+    if len(all_files) > 1 and not (options.quiet or options.json):
         rows = [(job.files.name(), {"SecondsTotal": job.seconds, **job.statistics}, job.result()) for job in jobs]
         print_lines(table(rows, sum(job.status == SUCCESS for job in jobs), len(all_files)))
     return max(job.status for job in jobs)
@@ -67,11 +69,12 @@ def _main(arguments: Optional[Sequence[str]]) -> int:
 
 def job_of(options: argparse.Namespace, files: Files) -> Job:
     """What to do with the files of one surface, or of one solid."""
+    job = JOBS[options.command]
     if options.command in ("check", "draw") and files.is_solid():
-        return SolidCheckJob(options, files)
-    if options.defects:
-        return DefectsJob(options, files)
-    return JOBS[options.command](options, files)
+        job = SolidCheckJob
+    elif options.defects:
+        job = DefectsJob
+    return DryRun(job(options, files)) if options.dry_run else job(options, files)
 
 
 def check_names(options: argparse.Namespace, all_files: Sequence[Files]) -> None:

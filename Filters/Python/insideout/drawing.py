@@ -14,7 +14,8 @@ from .data import is_flat
 from .errors import Error, brief, one_of, switch
 from .files import Path, check_output, input_ending
 from .inputs import path_of
-from .options import Orientation, describe_options
+from .lengths import Length
+from .options import Options, Orientation, describe_options
 from .panels import PICTURES, draw_panels
 from .pipeline import write_bytes
 from .quality import SolidCheck, check_solid
@@ -34,7 +35,7 @@ def draw(
     row: bool = False,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
 ) -> None:
     """Draw a surface's defects, a slice of w through its hull, and the tetrahedra inside, as a .png file; or the defects alone.
 
@@ -75,7 +76,7 @@ def draw(
         _write_panels(picture, surface=surface.surface, lines=surface.lines, up=up)
         return
     if hull is not None and is_flat(hull):
-        curve = as_surface(surface, scale)[0]
+        curve = as_surface(surface, Options(scale=scale).factor())[0]
         # What is wrong with polygons is told of surfaces in space: that their edges are open.
         marks = check(curve, orientation=orientation, merge_tolerance=merge_tolerance).lines if curve.GetNumberOfPolys() == 0 else None
         _write_panels(picture, curve=curve, marks=marks, hull=hull, solid=solid, up=up)

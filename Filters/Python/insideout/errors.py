@@ -16,39 +16,43 @@ class Error(RuntimeError):
         super().__init__("\\n".join(words.splitlines()))  # names of files may have several
 
 
+class ArgumentError(Error):
+    """An argument that makes no sense, whatever the files hold."""
+
+
 class Warning(UserWarning):  # noqa: A001
     """What is worth knowing and may change an answer, in one line: the category of all warnings here."""
 
 
 def finite(name: str, value: Any) -> float:
-    """A number of a function's caller. Raises `Error` for what is none."""
+    """A number of a function's caller. Raises `ArgumentError` for what is none."""
     try:
         number = float(value)
     except OverflowError:
         number = math.inf
     except Exception:  # noqa: BLE001 - whatever an object's __float__ raises
-        raise Error(f"{name} is {brief(value)}; it must be a number") from None
+        raise ArgumentError(f"{name} is {brief(value)}; it must be a number") from None
     if not math.isfinite(number):
-        raise Error(f"{name} is {brief(value)}; it must be finite")
+        raise ArgumentError(f"{name} is {brief(value)}; it must be finite")
     return number
 
 
 def at_least(least: float, name: str, value: Any) -> float:
-    """A filter's parameter. VTK would clamp a bad one without a word: here it is an `Error`."""
+    """A filter's parameter. VTK would clamp a bad one without a word: here it is an `ArgumentError`."""
     number = finite(name, value)
     if number < least:
-        raise Error(f"{name} is {number:g}; it must be finite and at least {least:g}")
+        raise ArgumentError(f"{name} is {number:g}; it must be finite and at least {least:g}")
     return number
 
 
 def one_of(choices: Collection[Any], name: str, value: Any) -> Any:
-    """A choice of a function's caller. Raises `Error` for what is none."""
+    """A choice of a function's caller. Raises `ArgumentError` for what is none."""
     try:
         known = value in set(choices)
     except TypeError:  # what has no hash is none of them
         known = False
     if not known:
-        raise Error(f"{name} is {brief(value)}; it can be {', '.join(map(repr, choices))}")
+        raise ArgumentError(f"{name} is {brief(value)}; it can be {', '.join(map(repr, choices))}")
     return value
 
 
@@ -57,13 +61,13 @@ def switch(name: str, value: Any) -> bool:
     try:
         return bool({True: True, False: False}[value])
     except (KeyError, TypeError):
-        raise Error(f"{name} is {brief(value)}; it must be True or False") from None
+        raise ArgumentError(f"{name} is {brief(value)}; it must be True or False") from None
 
 
 def text_of(name: str, value: Any) -> str:
     """A name or other text of a function's caller that VTK can hold."""
     if not isinstance(value, str) or "\0" in value or any("\ud800" <= letter <= "\udfff" for letter in value):
-        raise Error(f"{name} is {brief(value)}; it must be text")
+        raise ArgumentError(f"{name} is {brief(value)}; it must be text")
     return value
 
 

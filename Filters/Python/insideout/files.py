@@ -22,6 +22,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridRead
 from vtkmodules.vtkIOXMLParser import vtkXMLDataParser
 
 from .curves import CURVE, read_curve
+from .errors import ArgumentError
 from .interruption import cleaning_up
 from .pipeline import Error, Messages, Progress, run, write_data
 from .vtkFiltersInsideOut import vtkSurfaceReader, vtkSurfaceWriter
@@ -45,8 +46,8 @@ PIECE = 1 << 20  # bytes, decompressed at once
 
 LONGEST_CHAIN = 40  # of links, as in Linux
 
-MARKED = (*WRITABLE_SURFACES, *READABLE_SOLIDS)
-"""The endings of inputs whose writers leave a mark."""
+MARKED = (*WRITABLE_SURFACES, *READABLE_SOLIDS, CURVE, ".vti")
+"""The endings of inputs that show who wrote them: by a mark, or tables by the columns that `query` adds."""
 
 _MARKS = (b"Written by InsideOut", b"Binary STL of InsideOut")
 """What they leave: a comment, or the title of an STL."""
@@ -212,9 +213,9 @@ def are_lines(surface: vtkPolyData) -> bool:
 
 
 def check_holds_lines(path: str) -> None:
-    """Raise `Error` unless a file of a surface can be lines, as the boundary in a plane is."""
+    """Raise `ArgumentError` unless a file of a surface can be lines, as the boundary in a plane is."""
     if ending(path) != ".vtp":
-        raise Error(f"{path}: the boundary is lines, which only .vtp files hold here")
+        raise ArgumentError(f"{path}: the boundary is lines, which only .vtp files hold here")
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> list[str]:
@@ -294,7 +295,7 @@ def check_output(path: Path, endings: tuple[str, ...]) -> None:
 
 
 def is_of_others(path: Path) -> bool:
-    """Whether a file with something in it is there that bears no mark of this program's writers."""
+    """Whether a file with something in it is there that does not show that this program wrote it."""
     if not os.path.isfile(path) or os.path.getsize(path) == 0:
         return False
     try:
@@ -304,6 +305,8 @@ def is_of_others(path: Path) -> bool:
             ends = (begin, file.read())
     except OSError:
         return True
+    if ending(path) == CURVE:
+        return not {b"w", b"inside"} <= {name.strip().lower() for name in begin.split(b"\n")[0].split(b",")}
     return not any(mark in end for mark in _MARKS for end in ends)
 
 
@@ -334,7 +337,7 @@ def _is_special(path: Path) -> bool:
 
 def _check_ending(path: str, found: str, endings: tuple[str, ...]) -> None:
     if found not in endings:
-        raise Error(f"{path}: unknown ending, it must be {' '.join(endings)}")
+        raise ArgumentError(f"{path}: unknown ending, it must be {' '.join(endings)}")
 
 
 def _check_encoding(path: str) -> None:

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from .calling import for_users
 from .errors import Error, at_least, brief, one_of
 from .images import Vector, bounds_of, image_of, in_space, sizes_of, spacing_of, steps_between, three_of
+from .lengths import Length
 from .options import Options, Orientation, describe_options
 from .pipeline import Progress
 from .pixels import picture_of_slice
@@ -73,7 +74,7 @@ def sdf_grid(
     to: DistanceTo = "solid",
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> DistanceGrid:

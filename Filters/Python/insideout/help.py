@@ -30,10 +30,11 @@ more:
 
 ENDING = """\
 A file called like a command is given as ./check. The exit status is 0 when all
-was done, 1 when it was not for some file (one line says why), 130 after Ctrl-C,
-143 after SIGTERM. A file is written whole or not at all: an earlier one of its
-name stays until then. A surface at OUTPUT that another program wrote stays, but
-for -o and --force; no input is ever replaced.
+was done, 1 when it was not for some file (one line says why), 2 when arguments
+make no sense, 130 after Ctrl-C, 143 after SIGTERM. A file is written whole or
+not at all: an earlier one of its name stays until then. A surface at OUTPUT
+that another program wrote stays, but for -o and --force; no input is ever
+replaced.
 """
 
 

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints, vtkStringArray, vtkU
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
 from .declared import Declared
-from .errors import Error, at_least, brief, one_of, switch, text_of
+from .errors import ArgumentError, Error, at_least, brief, one_of, switch, text_of
 from .inputs import DataSetOfPoints, path_of
 from .places import read_seeds
 
@@ -54,7 +54,7 @@ class Number(Option):
     def checked(self, name: str, value: Any) -> float:
         number = at_least(self.least, name, value)
         if self.most is not None and number > self.most:
-            raise Error(f"{name} is {number:g}; it must be at most {self.most:g}")
+            raise ArgumentError(f"{name} is {number:g}; it must be at most {self.most:g}")
         return number
 
     def used_by(self, algorithm: Any, value: Any) -> float:
@@ -62,6 +62,16 @@ class Number(Option):
 
     def argument(self) -> dict[str, Any]:
         return {"metavar": "NUMBER", "type": float}
+
+
+class Lengths(Number):
+    """A number, or a share of the diagonal, which `Options.measured_on` makes a number."""
+
+    def used_by(self, algorithm: Any, value: Any) -> Any:
+        return value if isinstance(value, str) else self.used_number(algorithm)
+
+    def argument(self) -> dict[str, Any]:
+        return {"metavar": "LENGTH", "type": _length}
 
 
 class Choice(Option):
@@ -111,7 +121,7 @@ class Count(Option):
     def checked(self, name: str, value: Any) -> int:
         number = at_least(self.least, name, value)
         if number != int(number) or number > self.MOST:
-            raise Error(f"{name} is {brief(value)}; it must be a whole number of at most {self.MOST}")
+            raise ArgumentError(f"{name} is {brief(value)}; it must be a whole number of at most {self.MOST}")
         return int(number)
 
     def used_by(self, algorithm: Any, value: Any) -> int:
@@ -134,7 +144,7 @@ class Scale(Option):
 
     def checked(self, name: str, value: Any) -> float:
         if not at_least(0, name, value) > 0:
-            raise Error(f"{name} is {value:g}; it must be above 0")
+            raise ArgumentError(f"{name} is {value:g}; it must be above 0")
         return float(value)
 
     def set_on(self, algorithm: Any, name: str, value: Any) -> None:
@@ -154,7 +164,7 @@ class Names(Option):
         if isinstance(value, str):
             return text_of(name, value)
         if not isinstance(value, (list, tuple)) or not all(isinstance(one, str) for one in value):
-            raise Error(f"{name} is {brief(value)}; it must be a list of names")
+            raise ArgumentError(f"{name} is {brief(value)}; it must be a list of names")
         return ",".join(re.sub(r"([\\\\,])", r"\\\1", text_of(name, one)) for one in value)
 
     def argument(self) -> dict[str, Any]:
@@ -186,6 +196,11 @@ def owner_of(algorithm: Any, vtk_property: str) -> Any:
     """The filter that declares a property: a stage that the given one hands out, or it itself. None where neither does."""
     stages = (getattr(algorithm, name)() for name in ("GetWindingNumber", "GetSegmentation", "GetRefinement") if hasattr(algorithm, name))
     return next((owner for owner in (*stages, algorithm) if hasattr(owner, "Set" + vtk_property)), None)
+
+
+def _length(text: str) -> Union[float, str]:
+    """What argparse makes of a length: a number, or the text of a share."""
+    return text if text.endswith("%") else float(text)
 
 
 def _seed_points(seeds: Iterable[Seed]) -> vtkPolyData:

@@ -11,13 +11,14 @@ from __future__ import annotations
 import inspect
 import re
 import textwrap
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Sequence, TypeVar, Union
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
 from .declared import CONSTANTS, DECLARED
-from .option_kinds import ChosenFacets, Dimensions, Names, Option, Places, Scale, Seeds, kind_of, owner_of
+from .lengths import Length, diagonal_of, share_of
+from .option_kinds import ChosenFacets, Dimensions, Lengths, Names, Option, Places, Scale, Seeds, kind_of, owner_of
 from .vtkFiltersInsideOut import vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
@@ -37,9 +38,9 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 class SurfaceOptions:
     scale: Optional[float] = None
     orientation: Orientation = "automatic"
-    merge_tolerance: Optional[float] = None
+    merge_tolerance: Optional[Length] = None
     count_duplicates: bool = False
-    thicken: Optional[float] = None
+    thicken: Optional[Length] = None
     thicken_all: bool = False
     dimension: Dimension = "automatic"
     non_participating_array: Optional[str] = None
@@ -79,11 +80,11 @@ class TopologyOptions:
 
 @dataclass(frozen=True)
 class RefinementOptions:
-    edge_length: Optional[float] = None
+    edge_length: Optional[Length] = None
     grading: Optional[float] = None
     maximum_volume: Optional[float] = None
     surface_treatment: SurfaceTreatment = "kept"
-    surface_tolerance: Optional[float] = None
+    surface_tolerance: Optional[Length] = None
     feature_angle: Optional[float] = None
     quadratic_cells: bool = False
 
@@ -142,6 +143,12 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         value, default = getattr(self, name), DEFAULTS[name]
         return value is not default and not (isinstance(value, str) and value == default)
 
+    def measured_on(self, *all_data: vtkPointSet, factor: float = 1) -> Options:
+        """The same with each length as a number: shares are of the diagonal of the box around all data, times a factor."""
+        shares = {name: share for name in LENGTHS if (share := share_of(name, getattr(self, name))) is not None}
+        diagonal = factor * diagonal_of(all_data) if shares else 0
+        return replace(self, **{name: share * diagonal for name, share in shares.items()})
+
     def set_on(self, algorithm: Filter, names: Optional[Iterable[str]] = None) -> Filter:
         """Set what is given on a filter, which is returned: all, or some. Raises `Error` for what is out of range."""
         for name, option in OPTIONS.items():
@@ -169,14 +176,23 @@ _OWN: dict[str, Option] = {
 }
 """Those that are no properties, or take more than these."""
 
-_KINDS: dict[str, type[Option]] = {"priority": Names, "constrained_facets_array": ChosenFacets}
+LENGTHS = ("merge_tolerance", "thicken", "edge_length", "surface_tolerance")
+"""Those that can be shares of the diagonal."""
+
+_KINDS: dict[str, type[Option]] = {
+    **dict.fromkeys(LENGTHS, Lengths),
+    "priority": Names,
+    "constrained_facets_array": ChosenFacets,
+}
 _MORE_WORDS = {"priority": " Or a list of them."}
+_OR_PERCENT = ' Or "2%" of the diagonal of the input.'
 
 
 def _declared(name: str) -> Option:
     one = DECLARED[name]
     kind = _KINDS.get(name, kind_of(one))
-    return kind(one.vtk_property, one.words, _MORE_WORDS.get(name, ""), one.least or 0, one.most, one.choices)
+    words = one.words + _OR_PERCENT if kind is Lengths else one.words
+    return kind(one.vtk_property, words, _MORE_WORDS.get(name, ""), one.least or 0, one.most, one.choices)
 
 
 TOPICS: dict[str, list[str]] = {base.__name__.removesuffix("Options").lower(): [one.name for one in fields(base)] for base in Options.__bases__}

@@ -15,6 +15,7 @@ from .calling import for_users, tell
 from .errors import brief, finite
 from .images import bounds_of, image_of, in_space, sizes_of, spacing_of, steps_between
 from .inputs import AnyPoints, points_and_shape
+from .lengths import Length
 from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Progress, run
 from .surfaces import AnySurface, as_surface
@@ -28,7 +29,7 @@ def winding_number(
     *,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.float64]:
@@ -73,11 +74,11 @@ def ask(
     surface: AnySurface, places: vtkDataSet, options: Options, progress: Optional[Progress], **properties: Any
 ) -> Answer:
     """Of the points of a data set; `properties` are further ones of vtkProbeWindingNumber."""
-    probe = options.set_on(vtkProbeWindingNumber())
+    polygons, warnings = as_surface(surface, options.factor())
+    probe = options.measured_on(polygons).set_on(vtkProbeWindingNumber())
     for name, value in properties.items():
         getattr(probe, "Set" + name)(value)
     probe.SetInputData(places)
-    polygons, warnings = as_surface(surface, options.scale)
     probe.SetSurfaceData(polygons)
     return Answer(probe, warnings + in_words_of_python(run(probe, progress)))
 
@@ -90,7 +91,7 @@ def distance(
     *,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.float64]:
@@ -119,7 +120,7 @@ def voxels(
     *,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
@@ -154,7 +155,7 @@ def inside(
     threshold: float = 0.5,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> NDArray[np.bool_]:

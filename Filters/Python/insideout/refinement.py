@@ -13,6 +13,7 @@ from .calling import for_users
 from .data import Tetrahedra, as_type
 from .errors import Error, text_of
 from .inputs import DataSetOfPoints, numbers
+from .lengths import Length
 from .options import REFINING_OPTIONS, Options, SurfaceTreatment, describe_options, in_words_of_python
 from .pipeline import Progress, run, statistics_of
 from .results import MeshResult, counted
@@ -83,7 +84,7 @@ def refined(
     background: Any = None,
 ) -> tuple[vtkUnstructuredGrid, list[str]]:
     """The refined grid, and warnings."""
-    refiner = options.set_on(vtkRefineTetrahedra(), REFINING_OPTIONS)
+    refiner = options.measured_on(grid).set_on(vtkRefineTetrahedra(), REFINING_OPTIONS)
     if isinstance(sizes, str):
         refiner.SetSizingArrayName(text_of("sizes", sizes))
     elif sizes is not None:

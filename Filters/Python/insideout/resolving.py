@@ -9,6 +9,7 @@ from typing import Any, Optional, Union
 from .calling import for_users
 from .checking import check
 from .data import Polylines, TriangleSurface, as_type
+from .lengths import Length
 from .options import Options, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, cells_of, run, statistics_of
 from .results import MeshResult, counted
@@ -48,7 +49,7 @@ def resolve(
     surface: AnySurface,
     *,
     scale: Optional[float] = None,
-    merge_tolerance: Optional[float] = None,
+    merge_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> Resolution:
@@ -63,8 +64,9 @@ def resolve(
     Returns a `Resolution`. Raises `Error` with one line that names what is wrong.
     """
     options = Options.among(locals())
+    polygons, warnings = as_surface(surface, options.factor())
+    options = options.measured_on(polygons)
     resolver: Any = options.set_on(vtkResolveSelfIntersections())
-    polygons, warnings = as_surface(surface, options.scale)
     are_lines = polygons.GetNumberOfPolys() + polygons.GetNumberOfStrips() == 0 < polygons.GetNumberOfLines()
     if are_lines:  # they are cut on the way to triangles; what these enclose does not matter
         resolver = options.set_on(vtkRobustTriangulate())

@@ -61,11 +61,11 @@ _POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
 """How meshio's types of cells that are one begin, and how many corners they have; behind these are midpoints."""
 
 
-def as_surface(surface: AnySurface, scale: Optional[float] = None) -> tuple[vtkPolyData, list[str]]:
+def as_surface(surface: AnySurface, scale: float = 1) -> tuple[vtkPolyData, list[str]]:
     """The surface as VTK holds it, its coordinates multiplied, and what was passed over on the way. Raises `Error` for what is none."""
     try:
         polygons, warnings = _as_surface(surface)
-        return (polygons if scale is None else _scaled(polygons, scale)), warnings
+        return (polygons if scale == 1 else _scaled(polygons, scale)), warnings
     except MemoryError:
         raise Error("not enough memory for this surface") from None
 
@@ -75,7 +75,7 @@ def _scaled(surface: vtkPolyData, scale: float) -> vtkPolyData:
     copy = vtkPolyData()
     copy.ShallowCopy(surface)
     if surface.GetNumberOfPoints() > 0:
-        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * float(scale), ARRAYS[0]))
+        copy.SetPoints(make_points(vtk_to_numpy(surface.GetPoints().GetData()).astype(float) * scale, ARRAYS[0]))
     return copy
 
 

@@ -17,6 +17,7 @@ from .calling import for_users
 from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import is_boundary_alone, mesh_of_solid
+from .lengths import Length
 from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
@@ -170,8 +171,9 @@ def tetrahedralize(
     `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     options = Options.among(locals())
+    polygons, warnings, body_array = as_bodies(surface, options.factor(), options.body_array)
+    options = options.measured_on(polygons)
     algorithm: Any = options.set_on(vtkRobustTetrahedralize())
-    polygons, warnings, body_array = as_bodies(surface, options.scale, options.body_array)
     algorithm.SetBodyArrayName(body_array or "")
     if options.is_planar(polygons):
         algorithm, more = _triangulator(options, polygons, body_array)

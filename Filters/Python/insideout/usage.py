@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Sequence, get_args
 
 from .files import READABLE_SOLIDS, READABLE_SURFACES, WRITABLE_SURFACES
+from .lengths import UNITS
 from .options import OPTIONS, REFINING_OPTIONS, flag_of, help_of
 from .options import TOPICS as TOPICS_OF_OPTIONS
 from .places import QUERIES
@@ -21,7 +22,10 @@ WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 BOOLEAN_OPTIONS = ("boundary", "msh_version", *WINDING_OPTIONS)
 """Those that make sense of set operations."""
 
-OF_THE_RUN = ("output", "force", "report", "format", "timeout", "threads", "quiet")
+_UNITS = ("from", "to")
+"""What stands for `scale`."""
+
+OF_THE_RUN = ("output", "force", "dry_run", "report", "json", "format", "timeout", "threads", "quiet")
 """What each command has."""
 
 _MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version")
@@ -29,6 +33,9 @@ MESH_OPTIONS = (*_MESH_FILES, "together", *OPTIONS)
 
 _OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic_cells")
 """What a repaired surface has no use for."""
+
+_OF_OUTPUT = ("output", "force", "dry_run")
+"""What a command has no use for that writes nothing."""
 
 _SURFACE_ENDINGS, _GRID_ENDINGS = " ".join(WRITABLE_SURFACES), " ".join(WRITABLE_GRIDS)
 
@@ -50,6 +57,13 @@ _OTHERS: dict[str, dict[str, Any]] = {
         "metavar": "FILE.vtp",
         "help": "the surface with what is wrong marked per cell, and with its open, non-manifold and inconsistent edges and intersection curves as lines",
     },
+    "dry_run": {
+        "action": "store_true",
+        "help": "only check: say what the input is, about how much work it will be, and which files would be written",
+    },
+    "json": {"action": "store_true", "help": "print the report instead of the summary, one line for each surface"},
+    "from": {"choices": tuple(UNITS), "help": "the unit of the surface's file; goes with --to, instead of --scale"},
+    "to": {"choices": tuple(UNITS), "help": "the unit of all that is written, and of all lengths that are given; goes with --from"},
     "report": {"metavar": "FILE.json", "help": "what was found and done, also when it fails"},
     "msh_version": {"choices": get_args(MshVersion), "help": "the version of .msh files; 4.1 by default, 2.2 for programs that know no other"},
     "format": {
@@ -80,8 +94,8 @@ OTHER_FLAGS = {
 """Short ones, which help tells, and earlier names, which it does not."""
 
 TOPICS: dict[str, Sequence[str]] = {
-    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "defects", "marked", "report", "msh_version", "format"),
-    "surface": TOPICS_OF_OPTIONS["surface"],
+    "files": ("output", "force", "hull", "boundary", "outliers", "plot", "defects", "marked", "report", "json", "dry_run", "msh_version", "format"),
+    "surface": ("scale", *_UNITS, *(name for name in TOPICS_OF_OPTIONS["surface"] if name != "scale")),
     "bodies": ("together", *TOPICS_OF_OPTIONS["bodies"]),
     "segmentation": TOPICS_OF_OPTIONS["segmentation"],
     "topology": TOPICS_OF_OPTIONS["topology"],
@@ -139,18 +153,18 @@ insideout demo
         "tetrahedra of the solid inside",
         "Make tetrahedra of the solid that a surface means, or triangles in a plane.",
         (_SURFACE, _OUTPUT),
-        (*MESH_OPTIONS, *OF_THE_RUN),
+        (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN),
         """\
 insideout mesh broken.ply solid.vtu
     the tetrahedra inside
-insideout mesh broken.stl solid.msh --scale 0.001
-    the same for gmsh, in metres where the surface is in millimetres
+insideout mesh broken.stl solid.msh --from mm --to m
+    the same for gmsh, in meters where the surface is in millimeters
 insideout mesh broken.ply solid.vtu --boundary solid.stl --plot picture.png --report report.json
     the watertight boundary, a picture and a report too
 insideout mesh *.stl 'solids/{}.vtu' --boundary 'solids/{}.ply' --timeout 60
     several; {} is each one's name without ending, and a table comes at the end
-insideout mesh broken.ply solid.vtu --edge-length 0.05 --quadratic-cells
-    refined, with cells of second order
+insideout mesh broken.ply solid.vtu --edge-length 2% --quadratic-cells
+    refined to edges of 2 percent of the diagonal, with cells of second order
 insideout mesh --together bone.stl fat.ply limb.msh --priority bone
     several bodies in one mesh that conforms: a region for each, where both are that of the bone
 insideout mesh parts.obj parts.inp --body-array GroupIds --region-rule all
@@ -160,14 +174,14 @@ zcat broken.obj.gz | insideout mesh - solid.vtu --format obj
 """,
         first=(
             *("boundary", "report", "scale", "orientation", "merge_tolerance", "together", "gamma", "constrain_facets"),
-            *("non_manifold", "refine", "edge_length", "timeout", "quiet"),
+            *("non_manifold", "refine", "edge_length", "timeout"),
         ),
     ),
     "repair": Command(
         "the solid's watertight boundary",
         "Make the watertight boundary of the solid that a surface means, without tetrahedra where it is closed.",
         (_SURFACE, ("OUTPUT", f"{_SURFACE_ENDINGS}; {{}} in the name stands for the surface's name without folder and ending")),
-        [name for name in (*MESH_OPTIONS, *OF_THE_RUN) if name not in _OF_TETRAHEDRA],
+        [name for name in (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN) if name not in _OF_TETRAHEDRA],
         """\
 insideout repair broken.stl fixed.stl
     without self-intersections, inner walls and duplicates
@@ -183,7 +197,7 @@ insideout repair *.ply 'fixed/{}.ply' --report 'fixed/{}.json'
         "what is wrong, and whether it matters",
         "Say what is wrong with a surface, and whether it matters here; or with tetrahedra, and how good they are. Nothing is meshed.",
         (_SURFACE_OR_SOLID,),
-        ("plot", *CHECK_OPTIONS, *(name for name in OF_THE_RUN if name not in ("output", "force"))),
+        ("plot", *CHECK_OPTIONS, *_UNITS, *(name for name in OF_THE_RUN if name not in _OF_OUTPUT)),
         """\
 insideout check broken.ply
     whether it bounds a solid, and what is wrong with it
@@ -217,7 +231,7 @@ insideout refine solid.vtu better.vtu --edge-length 0.05 --quadratic-cells
             _SURFACE,
             ("OUTPUT", f"the result's surface ({_SURFACE_ENDINGS}), or its tetrahedra ({_GRID_ENDINGS})"),
         ),
-        (*BOOLEAN_OPTIONS, *OF_THE_RUN),
+        (*BOOLEAN_OPTIONS, *_UNITS, *OF_THE_RUN),
         """\
 insideout boolean "bone - (fat | C)" bone.stl fat.ply skin.obj rest.stl
     its surface, or with .vtu its tetrahedra
@@ -231,7 +245,7 @@ insideout boolean "bone - (fat | C)" bone.stl fat.ply skin.obj rest.stl
             (_SURFACE[0], _SURFACE[1] + "; or points with normals, without faces"),
             ("OUTPUT", "the points with w and what is inside; it has the ending of POINTS"),
         ),
-        ("distance", *WINDING_OPTIONS, *OF_THE_RUN),
+        ("distance", *WINDING_OPTIONS, *_UNITS, *OF_THE_RUN),
         """\
 insideout query grid.vti broken.ply w.vti --distance
     the winding number at points of yours, and how far the surface is, without a mesh
@@ -241,7 +255,7 @@ insideout query grid.vti broken.ply w.vti --distance
         "defects, winding numbers, tetrahedra",
         "Draw a picture, without a window, of a surface and what becomes of it, or of how good tetrahedra are.",
         (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra; of a solid, a histogram of dihedral angles")),
-        ["defects", "marked", *(name for name in (*MESH_OPTIONS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only"))],
+        ["defects", "marked", *(name for name in (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only"))],
         """\
 insideout draw broken.ply picture.png
     the surface's defects, a slice of w, and the tetrahedra inside

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from .bodies import outer_boundary
 from .calling import for_users, tell
 from .data import Tetrahedra, Triangles, as_type, is_flat
-from .errors import Error, one_of
+from .errors import ArgumentError, Error, one_of
 from .exporting import is_boundary_alone, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
 from .grid_files import write_distances
@@ -89,9 +89,9 @@ def write(
 
 
 def check_holds_triangles(path: str) -> None:
-    """Raise `Error` unless a file of cells can have triangles in a plane."""
+    """Raise `ArgumentError` unless a file of cells can have triangles in a plane."""
     if ending(path) in WRITABLE_SOLIDS:
-        raise Error(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")
+        raise ArgumentError(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")
 
 
 def write_solid(

@@ -36,10 +36,14 @@ class BooleanJob(Job):
         super().check()
         check_format(self.files.output or "")
 
+    def goes_without_cells(self) -> bool:
+        """Whether the result's surface is written alone."""
+        return ending(self.files.output or "") in WRITABLE_SURFACES
+
     def work(self) -> None:
         with self.reading():
             surfaces = self.read_bodies()
-        takes_cells = ending(self.files.output or "") not in WRITABLE_SURFACES
+        takes_cells = not self.goes_without_cells()
         options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
         result = boolean(surfaces, self.options.expression, tetrahedra=takes_cells, progress=self.show_progress, **options)
         self.bars.finish()

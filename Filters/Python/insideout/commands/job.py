@@ -13,21 +13,24 @@ import time
 from contextlib import contextmanager
 from typing import Any, Callable, Iterator, Optional, Sequence
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData, vtkUnstructuredGrid
 
-from ..arguments import Files
+from ..arguments import USAGE_ERROR, Files
 from ..bodies import BODY_IDS, join
+from ..errors import ArgumentError
 from ..files import MARKED, READABLE_SURFACES, check_input, check_output, ending, is_of_others, read_solid, read_standard_input, read_surface
 from ..interruption import exit_status, message, told, work_on
-from ..options import OPTIONS, Options, in_words_of_command
+from ..lengths import share_of
+from ..options import LENGTHS, OPTIONS, Options, flag_of, in_words_of_command
 from ..pipeline import Error, write_bytes
+from ..places import QUERIES
 from ..progress import StageBars
 from ..stages import READING
 from ..verdict import verdict
 from ..version import __version__
 
 SUCCESS, FAILURE = 0, 1
-"""The exit status; higher ones are those of signals."""
+"""The exit status; beside USAGE_ERROR, and those of signals."""
 
 
 class Job:
@@ -42,7 +45,10 @@ class Job:
         self.settings = Options.among({**vars(options), **({"body_array": BODY_IDS} if options.together else {})})
         self.bars = StageBars(None if options.quiet else sys.stderr)
         self.report_is_writable = False
+        self.is_working = False
+        self.is_report_written = False
         self.parameters: dict[str, Any] = {}
+        self.lengths: list[str] = []
         self.outputs: dict[str, str] = {}
         self.statistics: dict[str, float] = {}
         self.warnings: list[str] = []
@@ -58,7 +64,9 @@ class Job:
         self.seconds = time.monotonic() - self.begin
         self.bars.abandon()
         self.status = max(self.status, self.attempt(self.write_report))
-        if "SecondsTotal" in self.statistics and not self.options.quiet:  # the work came to its end
+        if self.options.json:
+            print_lines([json.dumps(self.report(), allow_nan=False)])
+        elif "SecondsTotal" in self.statistics and not self.options.quiet:  # the work came to its end
             self.print_summary()
         if self.error is not None:
             self.print_error(self.error)
@@ -70,8 +78,10 @@ class Job:
             for task in tasks:
                 task()
             return SUCCESS
+        except ArgumentError as failure:
+            error, status = str(failure), USAGE_ERROR
         except Error as failure:
-            error, status = str(failure), FAILURE
+            error, status = self.naming(str(failure)) if self.is_working else str(failure), FAILURE
         except OSError as failure:
             error, status = f"{failure.filename or 'system'}: {(failure.strerror or str(failure)).lower()}", FAILURE
         except MemoryError:
@@ -96,12 +106,19 @@ class Job:
             if path is not None:
                 check_output(path, endings)
         self.check_last_name()
+        self.is_working = True
+
+    def naming(self, error: str) -> str:
+        """The error of the work, with the surface's name before it where it names no file."""
+        files = self.files
+        names = [files.name(), os.path.basename(files.surface), self.options.points, *files.surfaces(), *files.outputs()]
+        return error if any(name and name in error for name in names) else f"{files.name()}: {error}"
 
     def check_last_name(self) -> None:
         """Raise `Error` where OUTPUT was forgotten: where the last file could be an input, and nobody says that it is to be replaced."""
         path = self.files.output or ""
         is_told = self.options.force or self.options.is_output_told
-        could_be_input = ending(path) in self.readable and ending(path) in MARKED
+        could_be_input = ending(path) in (*self.readable, *QUERIES) and ending(path) in MARKED
         if could_be_input and not is_told and is_of_others(path):
             raise Error(f"{path} bears no mark of insideout; to replace it, name it behind -o or give --force")
 
@@ -111,8 +128,18 @@ class Job:
 
     def parameters_of(self, names: Sequence[str], algorithm: Any) -> dict[str, Any]:
         """Those of some names, which the algorithm has."""
-        self.settings.set_on(algorithm)
+        self.settings.measured_on().set_on(algorithm)
         return {name: OPTIONS[name].used_by(algorithm, getattr(self.settings, name)) for name in names}
+
+    def measure_lengths(self, *all_data: vtkPointSet) -> None:
+        """Lengths in percent become numbers, now that what they are shares of was read."""
+        measured = self.settings.measured_on(*all_data, factor=self.settings.factor())
+        for name in LENGTHS:
+            length, given = getattr(measured, name), getattr(self.settings, name)
+            if share_of(name, given) is not None:
+                self.parameters[name] = length
+                self.lengths.append(f"{flag_of(name)} {given} is {length:.6g}")
+        self.settings = measured
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         """The endings that the file of each option may have."""
@@ -147,15 +174,19 @@ class Job:
                 self.warnings = self.warnings + warnings
             else:
                 surface = self.read_one(self.files.surface)
+                self.measure_lengths(surface)
         return surface
 
     def read_bodies(self) -> dict[str, vtkPolyData]:
         """All surfaces, by the names of bodies."""
-        return {name: self.read_one(path) for name, path in self.files.bodies().items()}
+        bodies = {name: self.read_one(path) for name, path in self.files.bodies().items()}
+        self.measure_lengths(*bodies.values())
+        return bodies
 
     def read_solid(self) -> vtkUnstructuredGrid:
         with self.reading():
             solid, self.warnings = read_solid(self.files.surface, self.show_reading)
+            self.measure_lengths(solid)
         return solid
 
     def read_one(self, path: str) -> vtkPolyData:
@@ -185,6 +216,13 @@ class Job:
         """Write the report, if asked to and possible."""
         if not self.report_is_writable or self.files.report is None:
             return
+        work_on(self.files.report)
+        text = json.dumps(self.report(), indent=2, allow_nan=False) + "\n"
+        write_bytes(text.encode(errors="backslashreplace"), self.files.report)
+        self.is_report_written = True
+
+    def report(self) -> dict[str, Any]:
+        """What was found and done, as JSON can hold it."""
         report = {
             "version": __version__,
             "input": self.files.name(),
@@ -196,9 +234,8 @@ class Job:
             "statistics": self.statistics,
             **self.more_for_the_report(),
         }
-        work_on(self.files.report)
-        text = json.dumps(_without_infinities(report), indent=2, allow_nan=False) + "\n"
-        write_bytes(text.encode(errors="backslashreplace"), self.files.report)
+        held: dict[str, Any] = _without_infinities(report)
+        return held
 
     def more_for_the_report(self) -> dict[str, object]:
         return {}
@@ -210,13 +247,15 @@ class Job:
 
     def notes(self) -> list[str]:
         """What is as it should be, but good to know, one line each."""
-        return []
+        return self.lengths
 
     def print_summary(self) -> None:
         lines = self.summary()
         lines += [f"Note: {note}" for note in self.notes()]
         lines += [f"Warning: {warning}" for warning in in_words_of_command(self.warnings)]
         lines += [f"Wrote {kind:10} {path}" for kind, path in self.outputs.items()]
+        if self.is_report_written:
+            lines.append(f"Wrote {'report':10} {self.files.report}")
         print_lines(lines)
 
 

@@ -11,11 +11,13 @@ from typing import Any, Iterator, Sequence
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..bodies import outer_boundary
+from ..curves import CURVE
 from ..data import Tetrahedra
 from ..drawing import draw, up_of
-from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, write_surface
+from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
+from ..errors import ArgumentError
 from ..interruption import work_on
-from ..options import OPTIONS
+from ..options import OPTIONS, flag_of
 from ..panels import PICTURES, display_command
 from ..pipeline import Error
 from ..stages import DRAWING, REFINE, TETRAHEDRALIZE, WRITING
@@ -23,7 +25,7 @@ from ..summary import defects, seams, summary, tetrahedralizer
 from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from ..usage import CHECK_OPTIONS
 from ..verdict import verdict
-from ..vtkFiltersInsideOut import vtkRobustTetrahedralize
+from ..vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 from ..writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, check_holds_triangles, write_solid
 from .job import Job
 
@@ -61,25 +63,31 @@ class MeshJob(Job):
             raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
         for path in (output, self.files.hull or ""):
             check_format(path)
+        if input_ending(self.files.surface) == CURVE or str(self.settings.dimension) == "2":
+            self.check_plane()
+            left_out = [name for name in self.settings.left_out_by(vtkRobustTriangulate()) if name != "surface_only"]
+            if left_out:
+                raise ArgumentError(f"{flag_of(left_out[0])} does nothing in a plane, where {self.files.surface} lies")
         for taking in (output, self.files.hull or "", self.files.plot or ""):
             if self.settings.surface_only and taking and ending(taking) not in WRITABLE_SURFACES:
                 raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
 
-    def is_for_surface_only(self) -> bool:
+    def goes_without_cells(self) -> bool:
         """Whether nothing is written that has tetrahedra, or tells of them."""
         files = self.files
-        return ending(files.output or "") in WRITABLE_SURFACES and not (files.hull or files.plot or files.report)
+        tells = files.hull or files.plot or files.report or self.options.json
+        return self.settings.surface_only or ending(files.output or "") in WRITABLE_SURFACES and not tells
 
-    def check_plane(self, surface: vtkPolyData) -> None:
-        """Raise `Error` for files that cannot hold what is in a plane, where it is known to be there."""
-        if are_lines(surface) or str(self.settings.dimension) == "2":
-            for path in filter(None, (self.files.output, self.files.hull, self.files.boundary, self.files.outliers)):
-                (check_holds_lines if ending(path) in WRITABLE_SURFACES else check_holds_triangles)(path)
+    def check_plane(self) -> None:
+        """Raise `Error` for files that cannot hold what is in a plane."""
+        for path in filter(None, (self.files.output, self.files.hull, self.files.boundary, self.files.outliers)):
+            (check_holds_lines if ending(path) in WRITABLE_SURFACES else check_holds_triangles)(path)
 
     def work(self) -> None:
         surface = self.read()
-        self.check_plane(surface)
-        if self.is_for_surface_only():
+        if are_lines(surface):
+            self.check_plane()
+        if self.goes_without_cells():
             self.settings = replace(self.settings, surface_only=True)
         result = tetrahedralize(surface, progress=self.show_progress, **vars(self.settings))
         self.bars.finish()
@@ -156,4 +164,4 @@ class MeshJob(Job):
         return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags, regions)
 
     def notes(self) -> list[str]:
-        return [] if self.settings.split_seams else seams(self.statistics)
+        return super().notes() + ([] if self.settings.split_seams else seams(self.statistics))

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`--dry-run`: what the input is, about how much work it will be, and what would be written."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from typing import Any
+
+from ..checking import check
+from ..estimates import Estimate, estimate
+from ..files import WRITABLE_SURFACES, ending
+from ..quality import check_solid, solid_verdict
+from ..usage import CHECK_OPTIONS
+from ..verdict import verdict
+from .boolean import BooleanJob
+from .job import Job
+from .mesh import MeshJob
+
+
+class DryRun(Job):
+    """One run that looks at what another is given, which is checked but not run."""
+
+    def __init__(self, planned: Job):
+        super().__init__(planned.options, planned.files)
+        self.planned = planned
+        self.readable = planned.readable
+        self.stages = planned.stages
+        self.verdicts: dict[str, str] = {}  # by files
+        self.makes_cells = isinstance(planned, (MeshJob, BooleanJob)) and not planned.goes_without_cells()
+        self.estimate = Estimate()
+
+    def check(self) -> None:
+        self.planned.check()
+        self.parameters = self.planned.parameters
+        self.is_working = True
+
+    def work(self) -> None:
+        if self.files.is_solid():
+            self.look_at_solid()
+        else:
+            self.look_at_surfaces()
+        self.measure()
+
+    def look_at_solid(self) -> None:
+        result = check_solid(self.read_solid(), progress=self.show_progress)
+        self.verdicts[self.files.surface] = solid_verdict(result.statistics)
+        self.statistics = dict(result.statistics)
+
+    def look_at_surfaces(self) -> None:
+        with self.reading():
+            surfaces = self.read_bodies()
+        options = {name: getattr(self.settings, name) for name in CHECK_OPTIONS}
+        for path, surface in zip(self.files.surfaces(), surfaces.values()):
+            result = check(surface, progress=self.show_progress, **options)
+            self.warnings += result.warnings
+            self.verdicts[path] = result.verdict
+            if self.makes_cells and "IntersectingPairs" in result.statistics:  # lines in a plane take no time
+                self.estimate += estimate(result.statistics, self.settings)
+            self.statistics = dict(result.statistics)
+        self.bars.finish()
+
+    def to_be_written(self) -> dict[str, str]:
+        """The files by what they would hold."""
+        output = "surface" if ending(self.files.output or "") in WRITABLE_SURFACES else "winding" if self.options.points else "solid"
+        named = {"output": output, "plot": "picture"}
+        fields: dict[str, Any] = vars(replace(self.files))
+        return {named.get(name, name): path for name, path in fields.items() if path in self.files.outputs()}
+
+    def success(self) -> str:
+        return next(iter(self.verdicts.values()))
+
+    def more_for_the_report(self) -> dict[str, object]:
+        return {"verdicts": self.verdicts, "would_write": self.to_be_written(), "estimate": vars(self.estimate) if self.estimate.cells else None}
+
+    def summary(self) -> list[str]:
+        kind = "Solid" if self.files.is_solid() else "Surface"
+        return [
+            *(f"{kind} {os.path.basename(path)}: {sentence}" for path, sentence in self.verdicts.items()),
+            *([f"  {self.estimate.words()}"] if self.estimate.cells else []),
+            *(f"Would {'replace' if os.path.exists(path) else 'write'} {what:10} {path}" for what, path in self.to_be_written().items()),
+        ]

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""About how many cells a surface gives, and how much time and memory that takes.
+
+The constants are rounded from nine surfaces of 440 to 65,000 facets, with and without crossings, on two processors; of these
+no number of cells was off by more than a factor of 2.5, and no time by more than one of 4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Mapping
+
+from .options import Options
+
+PIECES_OF_PAIR = 1.5  # facets more for a pair that intersects
+CELLS_OF_FACET = 2.0
+REFINED_CELLS_OF_FACET = 8.0
+REFINED_CELLS_OF_CUBE = 10.0  # whose edges have the length asked for
+
+SECONDS_OF_FACET, SECONDS_OF_PAIR, SECONDS_OF_REFINED_CELL = 20e-6, 300e-6, 25e-6
+MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e-4
+
+
+@dataclass
+class Estimate:
+    """Of the work on a surface, or on several."""
+
+    cells: float = 0
+    seconds: float = 0
+    mebibytes: float = MEBIBYTES_ANYWAY
+
+    def __add__(self, other: Estimate) -> Estimate:
+        both = self.mebibytes + other.mebibytes - MEBIBYTES_ANYWAY
+        return Estimate(self.cells + other.cells, self.seconds + other.seconds, both)
+
+    def words(self) -> str:
+        seconds = "a second at most" if self.seconds <= 1 else f"{_rounded(self.seconds)} s"
+        return f"about {_rounded(self.cells)} tetrahedra, in {seconds} with {_rounded(self.mebibytes)} MiB"
+
+
+def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
+    """For the solid in a surface, by the statistics of its check. Lengths of the options are numbers."""
+    pieces = statistics["Facets"] + PIECES_OF_PAIR * statistics["IntersectingPairs"]
+    cells = CELLS_OF_FACET * pieces
+    seconds = SECONDS_OF_FACET * statistics["Facets"] + SECONDS_OF_PAIR * statistics["IntersectingPairs"]
+    mebibytes = MEBIBYTES_ANYWAY + MEBIBYTES_OF_CELL * cells
+    if options.refines():
+        cells = REFINED_CELLS_OF_FACET * pieces
+        if options.edge_length:
+            cells += REFINED_CELLS_OF_CUBE * max(statistics["EnclosedVolume"], 0) / float(options.edge_length) ** 3
+        seconds += SECONDS_OF_REFINED_CELL * cells
+        mebibytes += MEBIBYTES_OF_REFINED_CELL * cells
+    return Estimate(cells, seconds, mebibytes)
+
+
+def _rounded(number: float) -> str:
+    """With one digit that counts."""
+    return f"{float(f'{number:.0e}'):,.0f}"

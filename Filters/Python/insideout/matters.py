@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options that cannot matter for what the command is to do: each is refused before any file is read, with the reason."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from typing import Callable, Optional, Sequence
+
+from .files import READABLE_SOLIDS, WRITABLE_SURFACES, ending
+from .options import OPTIONS, flag_of
+from .usage import BOOLEAN_OPTIONS, CHECK_OPTIONS, MESH_OPTIONS, WINDING_OPTIONS
+
+WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
+"""Why commands have no use for options of `mesh`."""
+
+_OF_COMMANDS = {"check": CHECK_OPTIONS, "query": WINDING_OPTIONS, "boolean": BOOLEAN_OPTIONS}
+"""The options of `mesh` that these have a use for."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What the command is to do."""
+
+    options: argparse.Namespace
+    surfaces: Sequence[str]
+
+    def has(self, *names: str) -> bool:
+        """Whether one of some options is given."""
+        return any(getattr(self.options, name, None) is not None for name in names)
+
+    def solid(self) -> Optional[str]:
+        """A solid that is drawn or checked instead of a surface."""
+        if self.options.command not in ("check", "draw"):
+            return None
+        return next((path for path in self.surfaces if ending(path) in READABLE_SOLIDS), None)
+
+    def has_solids_alone(self) -> bool:
+        return all(ending(path) in READABLE_SOLIDS for path in self.surfaces)
+
+    def writes_surface(self) -> bool:
+        return ending(self.options.output or "") in WRITABLE_SURFACES
+
+    def keeps_boundary(self) -> bool:
+        """Whether nothing but a boundary is written that is as it was before the refinement."""
+        is_kept = getattr(self.options, "surface_treatment", "kept") == "kept"
+        return is_kept and self.writes_surface() and not self.has("plot", "report", "json")
+
+    def has_bodies(self) -> bool:
+        return self.has("together", "body_array") or self.options.command == "boolean"
+
+
+@dataclass(frozen=True)
+class Rule:
+    """When some options cannot matter, and why."""
+
+    names: Sequence[str]
+    holds: Callable[[Asked], bool]
+    reason: str
+
+
+RULES = (
+    Rule(("quadratic_cells",), Asked.writes_surface, "a surface has triangles of first order"),
+    Rule(
+        ("refine", "edge_length", "grading", "maximum_volume"),
+        Asked.keeps_boundary,
+        "the boundary stays as it is without --surface-treatment split or remeshed",
+    ),
+    Rule(
+        ("surface_tolerance", "feature_angle"),
+        lambda asked: getattr(asked.options, "surface_treatment", "kept") != "remeshed",
+        "it takes --surface-treatment remeshed",
+    ),
+    Rule(("thicken_all",), lambda asked: not asked.has("thicken"), "it takes --thicken"),
+    Rule(("seeded_regions",), lambda asked: not asked.has("seeds"), "it takes --seeds"),
+    Rule(("priority", "region_rule"), lambda asked: not asked.has_bodies(), "it takes several bodies, by --together or --body-array"),
+    Rule(("body_array",), lambda asked: asked.has("together"), "--together makes a body of each surface"),
+    Rule(("format",), lambda asked: "-" not in asked.surfaces, "it is for standard input, and goes with - as SURFACE"),
+    Rule(
+        ("msh_version",),
+        lambda asked: ".msh" not in (ending(asked.options.output or ""), ending(asked.options.hull or "")),
+        "it is for .msh files, and none is to be written",
+    ),
+    Rule(("from",), lambda asked: not asked.has("to"), "it takes --to"),
+    Rule(("to",), lambda asked: not asked.has("from"), "it takes --from"),
+    Rule(("scale",), lambda asked: asked.has("from"), "--from and --to are a scale"),
+    Rule(("json",), lambda asked: asked.has("quiet"), "--quiet prints nothing"),
+)
+
+
+def refusal(options: argparse.Namespace, surfaces: Sequence[str]) -> Optional[str]:
+    """One line about the first option that cannot matter; None where each can."""
+    asked = Asked(options, surfaces)
+    return next((line for line in (_of_command(asked), _of_solid(asked), _of_defects(asked), _by_rules(asked)) if line), None)
+
+
+def _of_command(asked: Asked) -> Optional[str]:
+    """Options of `mesh`, which the short form takes whatever it stands for."""
+    options = asked.options
+    if options.command not in _OF_COMMANDS:
+        return None
+    usable = {*_OF_COMMANDS[options.command]} | ({"plot"} if options.command == "check" and asked.has_solids_alone() else set())
+    others = (*MESH_OPTIONS, *(("output", "force", "dry_run") if options.command == "check" else ()))
+    found = next((name for name in others if name not in usable and asked.has(name)), None)
+    return found and f"{options.called} {WHY_NOT[options.command]}: it goes without {flag_of(found)}"
+
+
+def _of_solid(asked: Asked) -> Optional[str]:
+    """Options of surfaces, where a solid is looked at."""
+    solid = asked.solid()
+    names = ("from", "to", "together", "defects", "marked", *OPTIONS)
+    found = solid and next((name for name in names if name != "surface_only" and asked.has(name)), None)
+    return found and f"{flag_of(found)} is about surfaces: it goes without {solid}"
+
+
+def _of_defects(asked: Asked) -> Optional[str]:
+    """Options of meshing, where a picture shows what is wrong alone."""
+    if not asked.has("defects"):
+        return None
+    usable = (*CHECK_OPTIONS, "plot", "surface_only")
+    found = next((name for name in MESH_OPTIONS if name not in usable and asked.has(name)), None)
+    return found and f"--defects meshes nothing: it goes without {flag_of(found)}"
+
+
+def _by_rules(asked: Asked) -> Optional[str]:
+    return next(
+        (f"{flag_of(name)} cannot matter here: {rule.reason}" for rule in RULES for name in rule.names if asked.has(name) and rule.holds(asked)),
+        None,
+    )
