@@ -18,6 +18,7 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <variant>
 
 namespace insideout
 {
@@ -90,8 +91,14 @@ public:
 
   void MoveTo(PolygonSurface& surface)
   {
-    surface = PolygonSurface();
     surface.Points = std::move(this->Points);
+    surface.PointAttributes.clear();
+    for (Attribute& attribute : surface.PolygonAttributes)
+    {
+      this->TakeFromSources(attribute);
+    }
+    surface.Offsets = { 0 };
+    surface.Corners.clear();
     for (const Triangle& triangle : this->Triangles)
     {
       surface.Corners.insert(surface.Corners.end(), triangle.begin(), triangle.end());
@@ -101,6 +108,23 @@ public:
 
 private:
   using Pairs = std::vector<std::array<Id, 2>>;
+
+  /** Give each triangle the values of the given one that it is a part of. */
+  void TakeFromSources(Attribute& attribute) const
+  {
+    std::visit(
+      [&](auto& values)
+      {
+        const auto given = std::move(values);
+        values.clear();
+        for (const Id source : this->Sources)
+        {
+          const auto first = given.begin() + std::ptrdiff_t(source) * attribute.Components;
+          values.insert(values.end(), first, first + attribute.Components);
+        }
+      },
+      attribute.Values);
+  }
 
   const Triangle& GivenCornersOf(Id triangle) const
   {

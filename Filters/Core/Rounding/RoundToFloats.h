@@ -19,8 +19,9 @@ struct FloatRounding
  * stays closed. Edges shorter than a millionth of the size are contracted, and points take another
  * float near by, where no more triangles meet then. What meets already in doubles stays as it is.
  *
- * Attributes are lost. Triangles keep their order; new ones come last. Nothing changes where not
- * all polygons are triangles, or floats do not hold a point.
+ * Attributes of points are lost; a part of a triangle has the attributes of the whole. Triangles
+ * keep their order; new ones come last. Nothing changes where not all polygons are triangles, or
+ * floats do not hold a point.
  *
  * @throws Error (Stopped)
  */

@@ -182,6 +182,26 @@ TEST(RoundToFloats, KeepsBothSidesOfASheet)
   EXPECT_EQ(surface.Offsets.size(), 3u);
 }
 
+TEST(RoundToFloats, KeepsTheAttributesOfTriangles)
+{
+  Monitor monitor;
+  PolygonSurface surface;
+  surface.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1 + 1e-12, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  surface.Corners = { 0, 3, 1, 1, 3, 2, 0, 1, 4 }; // the second loses its area
+  surface.Offsets = { 0, 3, 6, 9 };
+  surface.PolygonAttributes = { { "GroupIds", 1, std::vector<std::int32_t>{ 7, 8, 9 } },
+    { "Pairs", 2, std::vector<double>{ 1, 2, 3, 4, 5, 6 } } };
+  surface.PointAttributes = { { "pressure", 1, std::vector<double>(5, 1.0) } };
+  surface.Names = { { "GroupNames", { "wall" } } };
+  RoundToFloats(surface, monitor);
+  const std::vector<Attribute>& kept = surface.PolygonAttributes;
+  EXPECT_EQ(
+    std::get<std::vector<std::int32_t>>(kept[0].Values), (std::vector<std::int32_t>{ 7, 9 }));
+  EXPECT_EQ(std::get<std::vector<double>>(kept[1].Values), (std::vector<double>{ 1, 2, 5, 6 }));
+  EXPECT_TRUE(surface.PointAttributes.empty());
+  EXPECT_EQ(surface.Names[0].Values[0], "wall");
+}
+
 TEST(RoundToFloats, CountsNearPointsThatItCannotContract)
 {
   Monitor monitor;
