@@ -3,6 +3,7 @@
 
 #include "Files/OutputFile.h"
 #include "ForPython/DataForXml.h"
+#include "ForPython/Listening.h"
 #include "ForPython/Spool.h"
 
 #include <vtkImageData.h>
@@ -13,8 +14,6 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <exception>
-#include <new>
 #include <ostream>
 #include <string>
 
@@ -37,50 +36,18 @@ public:
   void SetStream(std::ostream* stream) { this->Stream = stream; }
 };
 
-class ListeningMonitor : public Monitor
-{
-public:
-  explicit ListeningMonitor(vtkInsideOutListener listener)
-    : Listener(listener)
-  {
-  }
-
-  bool Continue(const char* stage, double fraction) override
-  {
-    return this->Listener(VTK_INSIDEOUT_PROGRESS, stage, fraction) == 0;
-  }
-
-private:
-  vtkInsideOutListener Listener;
-};
-
 /** Write a file, and tell the listener of what fails. */
 template <typename Write>
 void WriteTo(const std::string& path, vtkInsideOutListener listener, const Write& write)
 {
-  const auto fail = [&](const std::string& why) { listener(VTK_INSIDEOUT_ERROR, why.c_str(), 0); };
-  try
-  {
-    ListeningMonitor monitor(listener);
-    OutputFile file(path, monitor);
-    write(file);
-    file.Close();
-  }
-  catch (const Error& error)
-  {
-    if (error.Code != ErrorCode::Stopped)
+  vtkInsideOut::TellWhatFails(listener, path + ": ", "not enough memory to write it",
+    [&]()
     {
-      fail(error.what());
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    fail(path + ": not enough memory to write it");
-  }
-  catch (const std::exception& error)
-  {
-    fail(path + ": " + error.what());
-  }
+      vtkInsideOut::ListeningMonitor monitor(listener);
+      OutputFile file(path, monitor);
+      write(file);
+      file.Close();
+    });
 }
 
 template <typename Writer>

@@ -12,7 +12,7 @@ import surfaces
 from command import CommandLine, run, run_here
 from insideout.files import write_surface
 
-SURFACES = ("ply", "obj", "off", "stl", "vtp")
+SURFACES = ("ply", "obj", "off", "stl", "vtp", "glb", "3mf")
 
 
 def ascii_stl() -> bytes:

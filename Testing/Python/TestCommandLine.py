@@ -84,7 +84,7 @@ class Success(CommandLine):
         source = self.file("boxes.ply", surfaces.two_boxes_and_a_stray_facet())
         first_line = {
             **{".msh": "$MeshFormat", ".inp": "** A solid", ".mesh": "MeshVersionFormatted 2", ".xdmf": "<Xdmf"},
-            **{".vtp": "<?xml", ".ply": "ply", ".obj": "# Written", ".off": "OFF", ".stl": "Binary STL"},
+            **{".vtp": "<?xml", ".ply": "ply", ".obj": "# Written", ".off": "OFF", ".stl": "Binary STL", ".glb": "glTF", ".3mf": "PK"},
         }
         for ending, begin in first_line.items():
             with self.subTest(ending):
@@ -95,7 +95,7 @@ class Success(CommandLine):
                     self.assertTrue(file.read().startswith(begin.encode()))
                 with open(report, encoding="utf-8") as file:
                     found = json.load(file)
-                is_surface = ending in (".vtp", ".ply", ".obj", ".off", ".stl")
+                is_surface = ending in (".vtp", ".ply", ".obj", ".off", ".stl", ".glb", ".3mf")
                 self.assertEqual(found["outputs"], {"surface" if is_surface else "solid": output})
                 self.assertEqual((found["parameters"]["scale"], found["statistics"]["Scale"]), (0.1, 0.1))
                 self.assertAlmostEqual(found["statistics"]["Volume"], 15 / 8000, delta=1e-15)

@@ -105,7 +105,7 @@ class OfPython(InAFolder):
 
     def writers(self):
         hull = insideout.tetrahedralize(surfaces.box()).hull
-        for name in ("box.vtp", "box.ply", "box.stl", "box.obj", "box.off"):
+        for name in ("box.vtp", "box.ply", "box.stl", "box.obj", "box.off", "box.glb", "box.3mf"):
             yield name, lambda path: insideout.write(surfaces.box(), path)
         for name in ("hull.vtu", "hull.msh", "hull.inp", "hull.mesh", "hull.xdmf"):
             yield name, lambda path: insideout.write(hull, path)

@@ -148,7 +148,7 @@ bool IsOfAnother(const Format& format, const std::string& ending)
 {
   const auto is = [&](const char* known) { return EqualsIgnoringCase(ending, known); };
   return !is(format.Ending) &&
-    (is(".vtp") ||
+    (is(".vtp") || is(".glb") || is(".3mf") ||
       std::any_of(
         std::begin(Formats), std::end(Formats), [&](const Format& f) { return is(f.Ending); }));
 }

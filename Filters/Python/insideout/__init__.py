@@ -57,7 +57,7 @@ Of a scan without triangles, points with normals, the same but for distances::
 
 SURFACES
     Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
-    .stl or .vtp file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
+    .stl, .vtp, .glb or .3mf file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
     with three columns each, as a meshio.Mesh, as an object that has arrays `vertices` and `faces`, such as a
     trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
     What comes back does not depend on that. Faces should run counterclockwise seen from outside.

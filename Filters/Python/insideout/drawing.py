@@ -22,6 +22,8 @@ from .quality import SolidCheck, check_solid
 from .solids import AnySolid
 from .surfaces import AnySurface, as_surface
 
+_OF_MACHINES = (".stl", ".3mf")
+
 
 @for_users
 @describe_options
@@ -109,6 +111,6 @@ def _write_panels(picture: str, **seen: Any) -> None:
 
 
 def up_of(surface: Union[Check, AnySurface]) -> Optional[str]:
-    """Which axis is up by the kind of file: STL's are of machines, where it is z; others may be either way."""
-    is_stl = isinstance(surface, (str, os.PathLike)) and input_ending(path_of("the surface", surface)) == ".stl"
-    return "z" if is_stl else None
+    """Which axis is up by the kind of file: those of machines have z; others may be either way."""
+    is_of_machines = isinstance(surface, (str, os.PathLike)) and input_ending(path_of("the surface", surface)) in _OF_MACHINES
+    return "z" if is_of_machines else None

@@ -23,15 +23,16 @@ from vtkmodules.vtkIOXMLParser import vtkXMLDataParser
 
 from .curves import CURVE, read_curve
 from .errors import ArgumentError
+from .formats import BEGINNINGS, OBJECTS, bytes_of_objects, read_objects
 from .interruption import cleaning_up
-from .pipeline import Error, Messages, Progress, run, write_data
+from .pipeline import Error, Messages, Progress, run, write_bytes, write_data
 from .vtkFiltersInsideOut import vtkSurfaceReader, vtkSurfaceWriter
 
 Path = Union[str, os.PathLike]
 
-READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp", CURVE)
+READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp", *OBJECTS, CURVE)
 READABLE_SOLIDS = (".vtu",)
-WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj", ".off")
+WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj", ".off", *OBJECTS)
 GRID = ".vtu"
 """VTK's own format of grids, and what a device or pipe is written in whose name says nothing else."""
 
@@ -39,8 +40,11 @@ GZIP = ".gz"
 
 STANDARD_INPUT = "standard input"
 
+_NO_FORMAT = "neither content nor ending"
+"""What vtkSurfaceReader says of what it does not know."""
+
 SHARE_OF_MACHINE = 0.75
-"""Of its memory: more is not taken out of a compressed file."""
+"""Of its memory: more is not taken out of a file."""
 
 PIECE = 1 << 20  # bytes, decompressed at once
 
@@ -60,7 +64,7 @@ HARMLESS_WHEN_READING = ("No Points element available", "Error reading Informati
 
 
 def read_surface(path: Path, progress: Optional[Progress] = None) -> tuple[vtkPolyData, list[str]]:
-    """The surface in a .ply, .obj, .off, .stl or .vtp file, or one of these with .gz behind it, and what was passed over.
+    """The surface in a .ply, .obj, .off, .stl, .vtp, .glb or .3mf file, or one of these with .gz behind it, and what was passed over.
 
     A .csv file is a curve in a plane (see `read_curve`).
 
@@ -90,7 +94,7 @@ def read_standard_input(kind: Optional[str] = None, progress: Optional[Progress]
         try:
             surface, warnings = _read(path, progress)
         except Error as error:
-            hint = "; say what it is by --format" if kind is None and "neither content nor ending" in str(error) else ""
+            hint = "; say what it is by --format" if kind is None and _NO_FORMAT in str(error) else ""
             raise Error(str(error).replace(path, STANDARD_INPUT) + hint) from None
     return surface, [warning.replace(name, STANDARD_INPUT) for warning in warnings]
 
@@ -119,6 +123,9 @@ def _read(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[st
 def _read_by_content(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, list[str]]:
     if _holds_xml(path):
         return _read_xml(path, progress)
+    kind = BEGINNINGS.get(_begin(path)[:4])
+    if kind is not None:
+        return _read_objects(path, kind)
     if input_ending(path) == CURVE:
         with _decompressed(path) as plain:
             try:
@@ -130,6 +137,8 @@ def _read_by_content(path: str, progress: Optional[Progress]) -> tuple[vtkPolyDa
     try:
         warnings = run(reader, progress)
     except Error as error:
+        if input_ending(path) in OBJECTS and _NO_FORMAT in str(error):
+            raise Error(f"{path}: is no {_format(input_ending(path))} file: it does not begin as one does") from None
         raise _naming(path, error) from None
     return reader.GetOutput(), warnings
 
@@ -143,27 +152,45 @@ def _read_xml(path: str, progress: Optional[Progress]) -> tuple[vtkPolyData, lis
             warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)
         except Error as error:
             raise _naming(path, Error(str(error).replace(plain, path))) from None
-    return reader.GetOutput(), [*_false_names(path), *warnings]
+    return reader.GetOutput(), [*_false_names(path, ".vtp"), *warnings]
 
 
-def _false_names(path: str) -> Iterator[str]:
-    """What the name of a VTP file says that is not so; vtkSurfaceReader says the same of other files."""
+def _read_objects(path: str, kind: str) -> tuple[vtkPolyData, list[str]]:
+    with _decompressed(path) as plain:
+        try:
+            surface, warnings = read_objects(plain, kind, _most_bytes())
+        except Error as error:
+            raise Error(f"{path}: {error}") from None
+    return surface, [*_false_names(path, kind), *(f"{os.path.basename(path)}: {warning}" for warning in warnings)]
+
+
+def _false_names(path: str, kind: str) -> Iterator[str]:
+    """What a file's name says that is not so; vtkSurfaceReader says the same of those that it reads."""
     name = os.path.basename(path)
     if _is_compressed(path) and ending(path) != GZIP:
         yield f"{name}: is compressed with gzip, but its name does not end in .gz"
     if ending(path) == GZIP and not _is_compressed(path):
         yield f"{name}: is not compressed, but its name ends in .gz"
-    if input_ending(path) in READABLE_SURFACES and input_ending(path) != ".vtp":
-        yield f"{name}: holds VTP, not what its name says, and was read as such"
+    if input_ending(path) in READABLE_SURFACES and input_ending(path) != kind:
+        yield f"{name}: holds {_format(kind)}, not what its name says, and was read as such"
+
+
+def _format(kind: str) -> str:
+    return kind[1:].upper()
+
+
+def _begin(path: str) -> bytes:
+    """Some bytes of the content. What cannot be decompressed is not looked at: who reads it says why."""
+    try:
+        with gzip.open(path, "rb") if _is_compressed(path) else open(path, "rb") as file:
+            return file.read(1000)
+    except (OSError, EOFError, zlib.error):
+        return b""
 
 
 def _holds_xml(path: str) -> bool:
-    """Whether the content begins as VTK's XML does. What cannot be decompressed is not looked at: who reads it says why."""
-    try:
-        with gzip.open(path, "rb") if _is_compressed(path) else open(path, "rb") as file:
-            begin = file.read(1000).removeprefix(b"\xef\xbb\xbf").lstrip()
-    except (OSError, EOFError, zlib.error):
-        return False
+    """Whether the content begins as VTK's XML does."""
+    begin = _begin(path).removeprefix(b"\xef\xbb\xbf").lstrip()
     return begin.startswith((b"<?xml", b"<VTKFile")) or input_ending(path) == ".vtp" and begin.startswith(b"<")
 
 
@@ -178,7 +205,7 @@ def _decompressed(path: str) -> Iterator[str]:
     if not _is_compressed(path):
         yield path
         return
-    most = SHARE_OF_MACHINE * os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    most = _most_bytes()
     with temporary_folder() as folder:
         plain = os.path.join(folder, "plain.vtp")
         try:
@@ -194,6 +221,10 @@ def _decompressed(path: str) -> Iterator[str]:
         except OSError as error:
             raise Error(f"cannot decompress {path}: {_reason(error)}") from None
         yield plain
+
+
+def _most_bytes() -> float:
+    return SHARE_OF_MACHINE * os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
 @contextmanager
@@ -219,7 +250,7 @@ def check_holds_lines(path: str) -> None:
 
 
 def write_surface(surface: vtkPolyData, path: Path) -> list[str]:
-    """Write a surface as .vtp, .ply, .obj, .off or .stl (which has only floats), lines as .vtp. Raises `Error` that names the file.
+    """Write a surface as .vtp, .ply, .obj, .off, .3mf, or .stl or .glb (which have only floats), lines as .vtp. Raises `Error` that names the file.
 
     Returns what the format could not keep, one line each.
     """
@@ -230,9 +261,20 @@ def write_surface(surface: vtkPolyData, path: Path) -> list[str]:
     if ending(path) == ".vtp":
         write_data(surface, path)
         return []
+    if ending(path) in OBJECTS:
+        return _write_objects(surface, path)
     writer = vtkSurfaceWriter()
     writer.SetInputData(surface)
     return run_writer(writer, path)
+
+
+def _write_objects(surface: vtkPolyData, path: str) -> list[str]:
+    try:
+        content, warnings = bytes_of_objects(surface, ending(path))
+    except Error as error:
+        raise Error(f"{path}: {error}") from None
+    write_bytes(content, path)
+    return [f"{path}: {warning}" for warning in warnings]
 
 
 def run_writer(writer: Any, path: str) -> list[str]:

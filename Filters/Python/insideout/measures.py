@@ -44,8 +44,9 @@ def is_closed(triangles: Ids) -> bool:
     start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     differ = start != end
     start, end = start[differ], end[differ]
-    _, edge = np.unique(np.sort(np.column_stack([start, end]), axis=1), axis=0, return_inverse=True)
-    balance = np.bincount(edge.ravel(), np.where(start < end, 1, -1))
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    _, edge = np.unique(low * (triangles.max(initial=0) + 1) + high, return_inverse=True)  # numbers are sorted faster than rows
+    balance = np.bincount(edge, np.where(start < end, 1, -1))
     return len(balance) > 0 and not balance.any()
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOXML import vtkXMLWriter
@@ -109,6 +109,15 @@ def write_data(data: vtkDataObject, path: str) -> None:
     with _Listener() as listener:
         _unlocked.vtkInsideOutWriteData(_address(data, "vtkDataObject"), path.encode(), listener.function)
     listener.raise_error()
+
+
+def plain_polygons(surface: vtkPolyData, in_floats: bool) -> tuple[vtkPolyData, list[str]]:
+    """The checked polygons of a surface, strips as triangles; points rounded to floats, and what that makes worse."""
+    plain = vtkPolyData()
+    with _Listener() as listener:
+        _unlocked.vtkInsideOutPlainPolygons(*(_address(data, "vtkDataObject") for data in (surface, plain)), in_floats, listener.function)
+    listener.raise_error()
+    return plain, listener.messages[_WARNING]
 
 
 def write_bytes(content: bytes, path: str) -> None:
@@ -204,6 +213,8 @@ _unlocked.vtkInsideOutWriteData.argtypes = [ctypes.c_void_p, ctypes.c_char_p, _L
 _unlocked.vtkInsideOutWriteData.restype = None
 _unlocked.vtkInsideOutWriteBytes.argtypes = [ctypes.c_char_p, ctypes.c_size_t, ctypes.c_char_p, _ListenerFunction]
 _unlocked.vtkInsideOutWriteBytes.restype = None
+_unlocked.vtkInsideOutPlainPolygons.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int, _ListenerFunction]
+_unlocked.vtkInsideOutPlainPolygons.restype = None
 _unlocked.vtkInsideOutRemoveUnfinishedFiles.argtypes = []
 _unlocked.vtkInsideOutRemoveUnfinishedFiles.restype = None
 before_end_at_once(_unlocked.vtkInsideOutRemoveUnfinishedFiles)

@@ -54,7 +54,7 @@ PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
 
 AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Algorithm, AlgorithmOutput]
 """What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
-.stl or .vtp file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
+.stl, .vtp, .glb or .3mf file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
 `vertices` and `faces`, as a trimesh.Trimesh; or a VTK algorithm, or an output port of one, which is updated."""
 
 _POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}

@@ -54,7 +54,7 @@ def write(
     .msh, .inp, .mesh  for gmsh, for CalculiX and Abaqus, and for Medit: tetrahedra by regions and the boundary's
                        triangles by tags, with their names (the VTK class vtkSolidWriter says how)
     .xdmf              tetrahedra with all arrays, by meshio; FacetIds and the like as FacetIds_0 to _3
-    .vtp, .ply, .stl, .obj, .off
+    .vtp, .ply, .stl, .obj, .off, .glb, .3mf
                        a surface; of a result the solid's watertight boundary, without interfaces between bodies
 
     .npz               of `sdf_grid`, for numpy: distance, inside, origin, spacing and to, by these names
@@ -63,8 +63,8 @@ def write(
 
     Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
 
-    An earlier file stays as it was until the new one is on the disk. Warns where the floats of a .stl file make triangles
-    meet that did not, or points nearly meet. Raises `Error` that names the file.
+    An earlier file stays as it was until the new one is on the disk. Warns where the floats of a .stl or .glb file make
+    triangles meet that did not, or points nearly meet. Raises `Error` that names the file.
     """
     path = path_of("path", path)
     if boundary is not None and not isinstance(boundary, vtkPolyData):
