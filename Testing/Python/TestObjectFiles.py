@@ -59,15 +59,33 @@ class Gltf:
     """A GLB file by the specification, piece by piece."""
 
     def __init__(self):
-        self.content = {"asset": {"version": "2.0"}, "accessors": [], "bufferViews": [], "buffers": [{}], "meshes": [], "nodes": []}
+        self.content = {
+            "asset": {"version": "2.0"},
+            "accessors": [],
+            "bufferViews": [],
+            "buffers": [{}],
+            "meshes": [],
+            "nodes": [],
+        }
         self.binary = b""  # whose length is that of its chunk
 
     def add_numbers(self, content: bytes, count: int, kind: str, component: int, **said) -> int:
         stride = said.pop("byteStride", None)
-        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(content), **({"byteStride": stride} if stride else {})}
+        view = {
+            "buffer": 0,
+            "byteOffset": len(self.binary),
+            "byteLength": len(content),
+            **({"byteStride": stride} if stride else {}),
+        }
         self.binary += content + b"\0" * (-len(content) % 4)
         self.content["bufferViews"].append(view)
-        accessor = {"bufferView": len(self.content["bufferViews"]) - 1, "componentType": component, "type": kind, "count": count, **said}
+        accessor = {
+            "bufferView": len(self.content["bufferViews"]) - 1,
+            "componentType": component,
+            "type": kind,
+            "count": count,
+            **said,
+        }
         self.content["accessors"].append(accessor)
         return len(self.content["accessors"]) - 1
 
@@ -89,7 +107,12 @@ class Gltf:
     def bytes(self) -> bytes:
         text = json.dumps(self.content).encode()
         text += b" " * (-len(text) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(self.binary), b"BIN\0") + self.binary
+        chunks = (
+            struct.pack("<I4s", len(text), b"JSON")
+            + text
+            + struct.pack("<I4s", len(self.binary), b"BIN\0")
+            + self.binary
+        )
         return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
@@ -107,7 +130,8 @@ def mesh_of(points=POINTS, triangles=TRIANGLES, said="") -> str:
 
 
 def model_of(resources: str, build: str, said: str = "") -> str:
-    return f'<model xmlns="{CORE}" xmlns:p="{PRODUCTION}" {said}><resources>{resources}</resources><build>{build}</build></model>'
+    content = f"<resources>{resources}</resources><build>{build}</build>"
+    return f'<model xmlns="{CORE}" xmlns:p="{PRODUCTION}" {said}>{content}</model>'
 
 
 def package_of(model: str, compression=zipfile.ZIP_DEFLATED, **parts: str) -> bytes:
@@ -152,17 +176,23 @@ class RoundTrips(ObjectFiles):
         write_surface(surface, self.path("box.glb"))
         again, warnings = read_surface(self.path("box.glb"))
         self.assertEqual(warnings, [])
-        self.assertEqual(surfaces.points_of(again).tolist(), surfaces.points_of(surface).astype(np.float32).astype(float).tolist())
+        self.assertEqual(
+            surfaces.points_of(again).tolist(), surfaces.points_of(surface).astype(np.float32).astype(float).tolist()
+        )
         self.assertEqual(surfaces.triangles_of(again).tolist(), surfaces.triangles_of(surface).tolist())
 
     def test_what_floats_make_of_a_surface_is_told(self):
         corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1e-7, 0, 0), (-1, 0, 0), (0, -1, 0)]
         surface = surfaces.polydata(corners, [(0, 1, 2), (3, 4, 5)])
-        with self.assertWarnsRegex(UserWarning, "near.glb: rounded to the floats that the format has: 2 points are nearer"):
+        with self.assertWarnsRegex(
+            UserWarning, "near.glb: rounded to the floats that the format has: 2 points are nearer"
+        ):
             insideout.write(surface, self.path("near.glb"))
 
     def test_a_repaired_glb_passes_its_own_check(self):
-        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Corpus", "cylinders-tessellated-twice.off")
+        source = os.path.join(
+            os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Corpus", "cylinders-tessellated-twice.off"
+        )
         result = insideout.tetrahedralize(source)
         self.assertEqual(write_surface(result.boundary, self.path("fixed.glb")), [])
         found = insideout.check(self.path("fixed.glb")).statistics
@@ -186,7 +216,9 @@ class RoundTrips(ObjectFiles):
 
     def test_bodies_that_are_apart_are_objects_of_a_3mf(self):
         points = surfaces.box_points() + surfaces.box_points((3, 0, 0))
-        boxes = surfaces.polydata(points, [*surfaces.BOX_FACETS, *(tuple(k + 8 for k in facet) for facet in surfaces.BOX_FACETS)])
+        boxes = surfaces.polydata(
+            points, [*surfaces.BOX_FACETS, *(tuple(k + 8 for k in facet) for facet in surfaces.BOX_FACETS)]
+        )
         write_surface(grouped(boxes, [0] * 12 + [1] * 12, ["bone", "a < b & c"]), self.path("boxes.3mf"))
         again, _ = read_surface(self.path("boxes.3mf"))
         self.assertEqual(corners_of(again), corners_of(boxes))
@@ -266,7 +298,9 @@ class OtherPrograms(ObjectFiles):
         for ours, theirs, kind in (("ours.glb", "theirs.glb", "glb2"), ("ours.3mf", "theirs.3mf", "3mf")):
             with self.subTest(kind):
                 write_surface(surface, self.path(ours))
-                done = subprocess.run(["assimp", "export", ours, theirs, "-f" + kind], cwd=self.folder, capture_output=True, check=False)
+                done = subprocess.run(
+                    ["assimp", "export", ours, theirs, "-f" + kind], cwd=self.folder, capture_output=True, check=False
+                )
                 self.assertEqual(done.returncode, 0, done.stdout)
                 again, _ = read_surface(self.path(theirs))
                 self.assertEqual(again.GetNumberOfCells(), 12)
@@ -306,7 +340,9 @@ class GlbOfOthers(ObjectFiles):
         gltf = Gltf()
         mesh = gltf.add_mesh({"attributes": {"POSITION": gltf.add_points()}, "indices": gltf.add_ids()}, name="wedge")
         quarter = np.sqrt(0.5)
-        first = gltf.add_node(mesh=mesh, name="turned", rotation=[0, 0, quarter, quarter], scale=[1, 2, 3], translation=[10, 0, 0])
+        first = gltf.add_node(
+            mesh=mesh, name="turned", rotation=[0, 0, quarter, quarter], scale=[1, 2, 3], translation=[10, 0, 0]
+        )
         matrix = [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]  # by columns; a mirror
         second = gltf.add_node(mesh=mesh, matrix=matrix)
         parent = gltf.add_node(children=[first, second], translation=[0, 0, 100])
@@ -317,13 +353,18 @@ class GlbOfOthers(ObjectFiles):
         mirrored = [(5 - x, 6 + y, 107 + z) for x, y, z in POINTS]
         np.testing.assert_allclose(surfaces.points_of(surface), turned + mirrored, atol=1e-6)
         self.assertEqual(groups_of(surface), ["turned"] * 4 + ["wedge"] * 4)
-        self.assertAlmostEqual(surfaces.enclosed_volume(surface), (6 + 1) / 6, 5)  # the mirror's triangles face outward, too
+        self.assertAlmostEqual(
+            surfaces.enclosed_volume(surface), (6 + 1) / 6, 5
+        )  # the mirror's triangles face outward, too
 
     def test_primitives_share_points_and_tell_materials(self):
         gltf = Gltf()
         points = gltf.add_points()
         gltf.content["materials"] = [{"name": "steel"}, {}]
-        halves = [{"attributes": {"POSITION": points}, "indices": gltf.add_ids(rows)} for rows in (TRIANGLES[:2], TRIANGLES[2:3], TRIANGLES[3:])]
+        halves = [
+            {"attributes": {"POSITION": points}, "indices": gltf.add_ids(rows)}
+            for rows in (TRIANGLES[:2], TRIANGLES[2:3], TRIANGLES[3:])
+        ]
         halves[0]["material"], halves[1]["material"] = 1, 0
         gltf.add_mesh(*halves)
         gltf.add_node(mesh=0)
@@ -342,7 +383,9 @@ class GlbOfOthers(ObjectFiles):
             gltf.add_node(mesh=mesh)
         surface, _ = self.read("a.glb", gltf.bytes())
         strip, fan = [[0, 1, 2], [1, 3, 2]], [[0, 1, 3], [0, 3, 2]]
-        self.assertEqual(surfaces.triangles_of(surface).tolist(), [*strip, *fan, *np.arange(4, 16).reshape(-1, 3).tolist()])
+        self.assertEqual(
+            surfaces.triangles_of(surface).tolist(), [*strip, *fan, *np.arange(4, 16).reshape(-1, 3).tolist()]
+        )
 
     def test_what_is_passed_over_is_counted(self):
         gltf = tetrahedron()
@@ -352,7 +395,9 @@ class GlbOfOthers(ObjectFiles):
         gltf.content["nodes"][0]["skin"] = 0
         gltf.content["textures"] = [{}, {}]
         _, warnings = self.read("a.glb", gltf.bytes())
-        self.assertEqual(warnings, ["a.glb: passed over: 1 skins, 1 morphs, 2 primitives of points or lines, 2 textures"])
+        self.assertEqual(
+            warnings, ["a.glb: passed over: 1 skins, 1 morphs, 2 primitives of points or lines, 2 textures"]
+        )
 
     def test_extensions_that_a_shape_needs_are_named(self):
         gltf = tetrahedron()
@@ -368,7 +413,9 @@ class GlbOfOthers(ObjectFiles):
         def places(value, path=()):
             if path:
                 yield path
-            for key, inner in value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ():
+            for key, inner in (
+                value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+            ):
                 yield from places(inner, (*path, key))
 
         gltf = tetrahedron()
@@ -450,22 +497,30 @@ class ThreeMfOfOthers(ObjectFiles):
     def test_objects_in_other_parts_of_the_archive(self):
         outer = '<object id="9"><components><component objectid="1" p:path="/3D/inner.model"/></components></object>'
         said = 'requiredextensions="p" unit="inch"'
-        content = package_of(model_of(outer, '<item objectid="9"/>', said), inner=model_of(f'<object id="1">{mesh_of()}</object>', ""))
+        content = package_of(
+            model_of(outer, '<item objectid="9"/>', said), inner=model_of(f'<object id="1">{mesh_of()}</object>', "")
+        )
         surface, warnings = self.read("a.3mf", content)
         self.assertEqual(surfaces.points_of(surface).tolist(), POINTS.tolist())
         self.assertEqual(warnings, ["a.3mf: its unit is 'inch'; coordinates are taken as they are"])
 
     def test_stored_without_compression_and_zipped_again(self):
-        content = package_of(model_of(f'<object id="1">{mesh_of()}</object>', '<item objectid="1"/>'), zipfile.ZIP_STORED)
+        content = package_of(
+            model_of(f'<object id="1">{mesh_of()}</object>', '<item objectid="1"/>'), zipfile.ZIP_STORED
+        )
         self.assertEqual(self.read("a.3mf", content)[0].GetNumberOfCells(), 4)
         self.assertEqual(self.read("a.3mf.gz", gzip.compress(content))[0].GetNumberOfCells(), 4)
 
     def test_materials_have_names_and_colors_have_none(self):
-        bases = '<basematerials id="5"><base name="steel" displaycolor="#FF0000"/><base name="glass" displaycolor="#00FF00"/></basematerials>'
+        bases = "".join(f'<base name="{name}" displaycolor="#FF0000"/>' for name in ("steel", "glass"))
+        bases = f'<basematerials id="5">{bases}</basematerials>'
         resources = (
             bases
             + f'<object id="1" pid="5" pindex="1">{mesh_of()}</object>'
-            + "".join(f'<object id="{k}">{mesh_of(said=said)}</object>' for k, said in ((2, 'pid="5" p1="0"'), (3, 'pid="77" p1="0"')))
+            + "".join(
+                f'<object id="{k}">{mesh_of(said=said)}</object>'
+                for k, said in ((2, 'pid="5" p1="0"'), (3, 'pid="77" p1="0"'))
+            )
         )
         build = "".join(f'<item objectid="{k}"/>' for k in (1, 2, 3))
         surface, _ = self.read("a.3mf", package_of(model_of(resources, build)))

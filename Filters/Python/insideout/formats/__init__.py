@@ -22,7 +22,7 @@ BEGINNINGS = {b"glTF": ".glb", b"PK\x03\x04": ".3mf"}
 
 
 def read_objects(path: str, kind: str, most: float) -> tuple[vtkPolyData, list[str]]:
-    """The surface in a file, which may take `most` bytes, and what is worth knowing. Raises `Error` that does not name the file."""
+    """The surface in a file, which may take `most` bytes, and warnings. Raises `Error` without the file's name."""
     try:
         with np.errstate(all="ignore"):  # what is not finite is named later
             assembly = _READERS[kind](path, most)
@@ -32,7 +32,7 @@ def read_objects(path: str, kind: str, most: float) -> tuple[vtkPolyData, list[s
 
 
 def bytes_of_objects(surface: vtkPolyData, kind: str) -> tuple[bytes, list[str]]:
-    """The content of a file, and what it does not keep. Raises `Error` that does not name the file."""
+    """The content of a file, and what it does not keep. Raises `Error` without its name."""
     try:
         return _WRITERS[kind](surface)
     except MemoryError:

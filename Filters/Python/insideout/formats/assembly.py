@@ -49,7 +49,7 @@ class Assembly:
         """Raise `Error` where objects that are placed again and again take too many bytes."""
         self._left -= count
         if self._left < 0:
-            raise Error(f"its objects, in all their places, take more than {self._most:.0f} bytes, too many for this machine")
+            raise Error(f"its objects, placed, take more than {self._most:.0f} bytes, too many for this machine")
 
     def material(self, key: Hashable = None, name: str = NO_MATERIAL) -> int:
         """The number of a material, which may have the name of another one."""
@@ -59,7 +59,7 @@ class Assembly:
         return self._materials[key]
 
     def add_points(self, key: Hashable, points: NDArray, matrix: NDArray[np.float64]) -> int:
-        """Points in the place that `matrix` (4 by 4) gives them, once for each key and place. Returns the id of the first."""
+        """Points where `matrix` (4 by 4) places them, once for each key and place. Returns the id of the first."""
         placement = (key, matrix.tobytes())
         if placement not in self._first_of:
             self.charge(BYTES_OF_POINT * len(points))
@@ -71,7 +71,9 @@ class Assembly:
             self._number_of_points += len(points)
         return self._first_of[placement]
 
-    def add_triangles(self, triangles: NDArray, first: int, matrix: NDArray[np.float64], material: Union[int, NDArray]) -> None:
+    def add_triangles(
+        self, triangles: NDArray, first: int, matrix: NDArray[np.float64], material: Union[int, NDArray]
+    ) -> None:
         """Triangles of the object, whose points begin at `first`; one material, or one for each."""
         self.charge(BYTES_OF_PLACEMENT + BYTES_OF_TRIANGLE * len(triangles))
         if np.linalg.det(matrix[:3, :3]) < 0:  # a mirror turns them over

@@ -36,7 +36,9 @@ class Groups:
         self.triangles: NDArray[np.int64] = ids.reshape(-1, 3)
         _check(self.points, used, kind, _LARGEST_FLOAT if in_floats else sys.float_info.max)
         numbers, names = _grouping(plain)
-        chosen, self.group_of = np.unique(np.zeros(len(triangles), int) if numbers is None else numbers, return_inverse=True)
+        chosen, self.group_of = np.unique(
+            np.zeros(len(triangles), int) if numbers is None else numbers, return_inverse=True
+        )
         self.names = [names[k] if 0 <= k < len(names) and names[k] else str(k) for k in map(int, chosen)]
 
     def triangles_of_groups(self) -> list[NDArray[np.int64]]:
@@ -57,7 +59,11 @@ def _check(points: NDArray[np.float64], ids: NDArray[np.int64], kind: str, large
     sizes = np.abs(points).max(axis=1, initial=0)
     bad = np.flatnonzero(~(sizes <= largest))
     if len(bad):
-        why = f"is beyond the floats that {kind} holds" if np.isfinite(sizes[bad[0]]) else f"is not finite, which {kind} cannot say"
+        why = (
+            f"is beyond the floats that {kind} holds"
+            if np.isfinite(sizes[bad[0]])
+            else f"is not finite, which {kind} cannot say"
+        )
         raise Error(f"point {ids[bad[0]]} {why}")
 
 

@@ -40,7 +40,7 @@ _PIECE = 1 << 20  # bytes, decompressed at once
 
 
 def read_3mf(path: str, most: float) -> Assembly:
-    """The triangles of what the file is to build, each object in its places. Raises `Error` that does not name the file.
+    """The triangles that the file says to build, each object in its places. Raises `Error` without the file's name.
 
     Coordinates are taken as they are; a warning says their unit where it is not millimeters.
     """
@@ -74,7 +74,7 @@ class _Object:
     materials: array = field(default_factory=lambda: array("q"))
     """Numbers of `_Model.materials`."""
     components: list[_Placement] = field(default_factory=list)
-    property: tuple[Optional[str], Optional[str]] = (None, None)
+    property: tuple[Optional[str], str] = (None, "0")
     """The material of triangles that name none: its group and its number there."""
 
 
@@ -86,7 +86,7 @@ class _Model:
         self.unit = _MILLIMETER
         self.objects: dict[str, _Object] = {}
         self.build: list[_Placement] = []
-        self.materials: dict[tuple[Optional[str], Optional[str]], int] = {}
+        self.materials: dict[tuple[Optional[str], int], int] = {}
         self.bases: dict[str, list[str]] = {}
         self.numbers = np.zeros(0, np.int32)
         """What the assembly calls each of `materials`, when all is read."""
@@ -114,7 +114,7 @@ class _Model:
                 raise Error(f"needs the extension {uri or prefix}, which is not read")
 
     def begin_object(self, said: dict[str, str]) -> None:
-        self._current = _Object(said.get("name", ""), property=(said.get("pid"), said.get("pindex")))
+        self._current = _Object(said.get("name", ""), property=(said.get("pid"), said.get("pindex", "0")))
         self.objects[said["id"]] = self._current
 
     def begin_vertex(self, said: dict[str, str]) -> None:
@@ -123,7 +123,7 @@ class _Model:
     def begin_triangle(self, said: dict[str, str]) -> None:
         of_object = self._current.property
         self._current.corners.extend((int(said["v1"]), int(said["v2"]), int(said["v3"])))
-        key = (said.get("pid", of_object[0]), said.get("p1", of_object[1]))
+        key = (said.get("pid", of_object[0]), int(said.get("p1", of_object[1])))
         self._current.materials.append(self.materials.setdefault(key, len(self.materials)))
 
     def begin_component(self, said: dict[str, str]) -> None:
@@ -139,18 +139,19 @@ class _Model:
         self._base.append(said["name"])
 
     def placement(self, said: dict[str, str]) -> _Placement:
-        return _Placement(_name_of_part(said.get(_PATH, self.part)), said["objectid"], _matrix_of(said.get("transform")))
+        return _Placement(
+            _name_of_part(said.get(_PATH, self.part)), said["objectid"], _matrix_of(said.get("transform"))
+        )
 
     def end(self) -> None:
         self.numbers = np.array([self.number_of(*key) for key in self.materials], np.int32)
 
-    def number_of(self, group: Optional[str], index: Optional[str]) -> int:
+    def number_of(self, group: Optional[str], index: int) -> int:
         """Only base materials have names: colors and the like count as none."""
         names = self.bases.get(group or "", [])
-        at = int(index or 0)
-        if not 0 <= at < len(names):
+        if not 0 <= index < len(names):
             return self.assembly.material()
-        return self.assembly.material((self.part, group, at), names[at])
+        return self.assembly.material((self.part, group, index), names[index])
 
 
 _HANDLERS: dict[str, Callable[[_Model, dict[str, str]], None]] = {
@@ -198,7 +199,10 @@ class _Package:
     def place(self, placed: _Object, placement: _Placement, model: _Model) -> None:
         points, corners = (np.array(numbers).reshape(-1, 3) for numbers in (placed.points, placed.corners))
         if not 0 <= corners.min() <= corners.max() < len(points):
-            raise Error(f"is damaged: the object {brief(placement.number)} has ids of vertices that are none of 0 to {len(points) - 1}")
+            raise Error(
+                f"is damaged: the object {brief(placement.number)} has ids of vertices "
+                f"that are none of 0 to {len(points) - 1}"
+            )
         first = self.assembly.add_points((placement.part, placement.number), points, placement.matrix)
         self.assembly.add_triangles(corners, first, placement.matrix, model.numbers[np.array(placed.materials)])
 

@@ -31,7 +31,7 @@ _HARMLESS = ("KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_", "K
 
 
 def read_glb(path: str, most: float) -> Assembly:
-    """The triangles of a file's scene, each mesh wherever a node places it. Raises `Error` that does not name the file.
+    """The triangles of a file's scene, each mesh wherever a node places it. Raises `Error` without the file's name.
 
     Coordinates are taken as they are: y is up, and meters are meant.
     """
@@ -141,7 +141,9 @@ class _Gltf:
         else:
             ids = np.arange(len(points))
         if ids.dtype.kind not in "iu" or len(ids) > 0 and not 0 <= int(ids.min()) <= int(ids.max()) < len(points):
-            raise ValueError(f"the accessor {primitive['indices']} has ids of points that are none of 0 to {len(points) - 1}")
+            raise ValueError(
+                f"the accessor {primitive['indices']} has ids of points that are none of 0 to {len(points) - 1}"
+            )
         key = primitive.get("material")
         material = self.assembly.material() if key is None else self.assembly.material(key, self.name_of_material(key))
         first = self.assembly.add_points(accessor, points, matrix)
@@ -154,7 +156,9 @@ class _Gltf:
         """What an accessor gives, a row for each of its elements; integers that stand for fractions become these."""
         accessor, width = self.item("accessors", index), _COMPONENTS[kind]
         if accessor["type"] != kind or accessor["componentType"] not in _NUMBERS:
-            raise ValueError(f"the accessor {index} is of {brief(accessor['type'])} of type {brief(accessor['componentType'])}")
+            raise ValueError(
+                f"the accessor {index} is of {brief(accessor['type'])} of type {brief(accessor['componentType'])}"
+            )
         if "sparse" in accessor or "bufferView" not in accessor:
             raise Error(f"has a sparse accessor ({index}), which is not read")
         data_type = np.dtype(_NUMBERS[accessor["componentType"]])

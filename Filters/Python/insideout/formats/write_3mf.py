@@ -45,7 +45,7 @@ _NO_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write_3mf(surface: vtkPolyData) -> tuple[bytes, list[str]]:
-    """The content of a file, and what it does not hold. Raises `Error` that does not name the file."""
+    """The content of a file, and what it does not hold. Raises `Error` without its name."""
     groups = Groups(surface, "3MF")
     a, b, c = groups.triangles.T
     whole = (a != b) & (b != c) & (c != a)
@@ -101,7 +101,9 @@ def _object(
     yield "</vertices><triangles>\n"
     corners = ids.reshape(-1, 3)
     if len(materials):
-        yield from _lines(f'<triangle v1="%r" v2="%r" v3="%r" pid="{_BASES}" p1="%r"/>\n', np.column_stack([corners, materials]))
+        yield from _lines(
+            f'<triangle v1="%r" v2="%r" v3="%r" pid="{_BASES}" p1="%r"/>\n', np.column_stack([corners, materials])
+        )
     else:
         yield from _lines('<triangle v1="%r" v2="%r" v3="%r"/>\n', corners)
     yield "</triangles></mesh></object>\n"

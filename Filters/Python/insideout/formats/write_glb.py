@@ -21,15 +21,23 @@ _VERTICES, _INDICES = 34962, 34963  # what buffer views are for
 
 
 def write_glb(surface: vtkPolyData) -> tuple[bytes, list[str]]:
-    """The content of a file, and what floats make worse. Raises `Error` that does not name the file."""
+    """The content of a file, and what floats make worse. Raises `Error` without its name."""
     groups = Groups(surface, "GLB", in_floats=True)
     # "asset" first: its generator is the mark that files are told by.
-    content: dict[str, Any] = {"asset": {"generator": "Written by InsideOut", "version": "2.0"}, "scene": 0, "scenes": [{}]}
+    content: dict[str, Any] = {
+        "asset": {"generator": "Written by InsideOut", "version": "2.0"},
+        "scene": 0,
+        "scenes": [{}],
+    }
     parts: list[bytes] = []
     if len(groups.triangles):
         points = groups.points.astype("<f4")
-        limits = {name: [float(x) for x in row] for name, row in (("min", points.min(axis=0)), ("max", points.max(axis=0)))}
-        _add(content, parts, points, _VERTICES, {"componentType": _FLOAT, "type": "VEC3", "count": len(points), **limits})
+        limits = {
+            name: [float(x) for x in row] for name, row in (("min", points.min(axis=0)), ("max", points.max(axis=0)))
+        }
+        _add(
+            content, parts, points, _VERTICES, {"componentType": _FLOAT, "type": "VEC3", "count": len(points), **limits}
+        )
         for index, (name, triangles) in enumerate(zip(groups.names, groups.triangles_of_groups())):
             ids = triangles.astype("<u4").ravel()
             _add(content, parts, ids, _INDICES, {"componentType": _UNSIGNED_INT, "type": "SCALAR", "count": len(ids)})
