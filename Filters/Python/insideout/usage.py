@@ -41,7 +41,7 @@ _SURFACE_ENDINGS, _GRID_ENDINGS = " ".join(WRITABLE_SURFACES), " ".join(WRITABLE
 
 _OTHERS: dict[str, dict[str, Any]] = {
     "hull": {"metavar": "HULL.vtu", "help": "all tetrahedra of the convex hull, with w and Inside"},
-    "boundary": {"metavar": "FILE", "help": f"the solid's boundary ({_SURFACE_ENDINGS})"},
+    "boundary": {"metavar": "FILE", "help": f"its boundary ({_SURFACE_ENDINGS})"},
     "outliers": {"metavar": "FILE", "help": f"the facets that are no part of the solid ({_SURFACE_ENDINGS})"},
     "plot": {
         "metavar": "FILE.png",
@@ -108,12 +108,12 @@ TOPICS: dict[str, Sequence[str]] = {
 BEFORE_FILES = ("EXPRESSION", "POINTS")
 """Operands that are no surfaces and no output."""
 
-_SURFACE = ("SURFACE", f"{' '.join(READABLE_SURFACES)}, also with .gz; - is standard input")
+_SURFACE = ("SURFACE", f"{' '.join(READABLE_SURFACES)}, also .gz; - standard input")
 _SURFACE_OR_SOLID = ("SURFACE|SOLID", f"{_SURFACE[1]}; or tetrahedra ({READABLE_SOLIDS[0]})")
 _OUTPUT = (
     "OUTPUT",
     f"tetrahedra ({_GRID_ENDINGS}), or only their watertight boundary ({_SURFACE_ENDINGS}); "
-    "{} in the name of any file that is written stands for the surface's name without folder and ending",
+    "{} in the name of any written file stands for the surface's name without folder and ending",
 )
 
 
