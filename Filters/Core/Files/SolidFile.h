@@ -72,4 +72,55 @@ enum class MshVersion
  */
 void WriteSolid(
   const std::string& path, const SolidMesh& solid, MshVersion version, Monitor& monitor);
+
+/** Cells of one shape that were read, and the groups that they are in. */
+template <std::size_t Corners, std::size_t Edges>
+struct SolidElements
+{
+  std::vector<std::array<Id, Corners>> Cells;
+
+  /** The points in the middle of edges, in VTK's order. Empty where cells are linear. */
+  std::vector<std::array<Id, Edges>> Midpoints;
+
+  std::vector<Id> GroupOf;
+  std::vector<SolidGroup> Groups; ///< by ascending number; what has no name has an empty one
+};
+
+/** What is read of a solver's file: tetrahedra, and triangles of their boundary and between
+ * regions; or triangles alone, which are cells of their own. */
+struct SolidContent
+{
+  std::vector<Point> Points;
+  SolidElements<4, 6> Tetrahedra;
+  SolidElements<3, 3> Triangles;     ///< without midpoints where there are tetrahedra
+  std::vector<std::string> Warnings; ///< what was in the file and was passed over, one line each
+};
+
+/**
+ * Read a solid from a file of the formats that WriteSolid writes, by the name's ending. What it
+ * wrote comes back: points, cells, names and numbers of groups; of names those that the format
+ * takes.
+ *
+ * - `.msh`: gmsh's format, 4.1 and 2.x, ascii. Groups are the physical ones; where no cell is in
+ *   one, the entities that cells lie on. Of several groups of an entity the first.
+ * - `.inp`: the format of Abaqus and CalculiX, of one part. Regions are the ELSET of elements; but
+ *   lists of element numbers where each cell is in one list, or where there is nothing else.
+ *   Triangles are shells, membranes and plane elements, and the faces of tetrahedra in surfaces.
+ *   What other files hold (*INCLUDE) is not read, with a warning.
+ * - `.mesh`: Medit's format, ascii. Groups are the references; their names, WriteSolid's comments.
+ *
+ * Points and cells are in the order of their numbers; points that no cell has stay. Cells are all
+ * quadratic or all linear: where both are in a file midpoints are dropped, with a warning. Other
+ * volumes and faces are counted in a warning; points, lines and what is no mesh are passed over.
+ * A group has the number of the file where all of these are from 0 to 65535, and else one by their
+ * order; what is in none has the number behind the last. Nothing in the file is trusted: a number
+ * of no point, one that is there twice, a coordinate that is not finite, a truncated or malformed
+ * file is an error whose message names the file, the line and the element.
+ *
+ * `monitor` is told of Stages::Reading.
+ *
+ * @throws Error FileUnreadable (missing, a folder, another ending), FileMalformed, TooLarge (Id
+ * cannot count it, or memory not hold it), Stopped
+ */
+SolidContent ReadSolid(const std::string& path, Monitor& monitor);
 } // namespace insideout

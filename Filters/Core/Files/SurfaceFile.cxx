@@ -87,17 +87,6 @@ void CheckNotEmpty(const FileContent& content)
   }
 }
 
-FileContent Load(const std::string& path, Monitor& monitor)
-{
-  FileContent content;
-  content.Name = std::filesystem::path(path).filename().string();
-  content.Size = LengthOf(path);
-  content.Bytes.reset(new char[content.Size]);
-  LoadBytes(path, content, monitor);
-  CheckNotEmpty(content);
-  return content;
-}
-
 struct Format
 {
   const char* Name;
@@ -188,7 +177,7 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor)
 {
   try
   {
-    PolygonSurface surface = ReadCompressedOrNot(Load(path, monitor), path, monitor);
+    PolygonSurface surface = ReadCompressedOrNot(LoadFile(path, monitor), path, monitor);
     monitor.Check(Stages::Reading, 1.0);
     return surface;
   }
@@ -196,6 +185,17 @@ PolygonSurface ReadSurface(const std::string& path, Monitor& monitor)
   {
     throw Error(ErrorCode::TooLarge, path + ": does not fit into memory");
   }
+}
+
+FileContent LoadFile(const std::string& path, Monitor& monitor)
+{
+  FileContent content;
+  content.Name = std::filesystem::path(path).filename().string();
+  content.Size = LengthOf(path);
+  content.Bytes.reset(new char[content.Size]);
+  LoadBytes(path, content, monitor);
+  CheckNotEmpty(content);
+  return content;
 }
 
 const char* FileContent::TextBegin() const

@@ -29,6 +29,9 @@ struct FileContent
   void ReportPosition(const char* at, Monitor& monitor) const;
 };
 
+/** A file as it is on the disk, not empty. @throws Error FileUnreadable, FileMalformed, Stopped */
+FileContent LoadFile(const std::string& path, Monitor& monitor);
+
 /** Whether the first line is that of a PLY file. */
 bool IsPly(const FileContent& file);
 

@@ -165,9 +165,21 @@ std::string TextScanner::RestOfLine()
 double TextScanner::Number()
 {
   this->SkipBlanks();
+  const char* const word = this->At;
+  const double value = this->LeadingNumber();
+  if (!this->AtWordEnd())
+  {
+    this->FailAtWord("a number", word);
+  }
+  return value;
+}
+
+double TextScanner::LeadingNumber()
+{
+  this->SkipBlanks();
   double value = 0.0;
   const char* const end = ParseDouble(this->At, this->End, value);
-  if (!end || !this->EndsWord(end))
+  if (!end)
   {
     this->FailAtWord("a number", this->At);
   }

@@ -60,6 +60,9 @@ public:
    */
   double Number();
 
+  /** The number that the next word begins with, for numbers that commas part. */
+  double LeadingNumber();
+
   /**
    * The next number on the line, which has to be an integer.
    * @throws Error FileMalformed when there is none

@@ -176,7 +176,7 @@ void WriteInp(OutputFile& file, const SolidMesh& solid)
 {
   const GroupNames names = ValidNames(solid, NamesOfInp, { AllPoints, AllCells });
   file.Text(
-    "** A solid by InsideOut: sets of elements and nodes of regions, of nodes and surfaces of "
+    "** Written by InsideOut: sets of elements and nodes of regions, of nodes and surfaces of "
     "tags\n");
   WriteNames(file, "region", solid.Regions, names.Regions);
   WriteNames(file, "tag", solid.Tags, names.Tags);

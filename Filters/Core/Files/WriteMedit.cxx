@@ -58,6 +58,7 @@ void WriteElement(OutputFile& file, const SolidNodes& nodes, const SolidGroup& g
 void WriteMedit(OutputFile& file, const SolidMesh& solid)
 {
   file.Text("MeshVersionFormatted 2\n"); // of doubles
+  file.Text("# Written by InsideOut\n");
   WriteNames(file, "Triangles with reference", solid.Tags);
   WriteNames(file, "Tetrahedra with reference", solid.Regions);
   file.Text("Dimension\n3\nVertices\n" + std::to_string(solid.Points.size()) + "\n");

@@ -314,5 +314,7 @@ void WriteMsh22(OutputFile& file, const SolidMesh& solid)
 void WriteMsh(OutputFile& file, const SolidMesh& solid, MshVersion version)
 {
   version == MshVersion::Msh22 ? WriteMsh22(file, solid) : WriteMsh41(file, solid);
+  // Behind all that programs read which know no comments.
+  file.Text("$Comments\nWritten by InsideOut\n$EndComments\n");
 }
 } // namespace insideout

@@ -62,7 +62,8 @@ SURFACES
     trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
     What comes back does not depend on that. Faces should run counterclockwise seen from outside.
     `scale` multiplies its coordinates first, for files have no unit. Solids are taken likewise: a
-    vtkUnstructuredGrid of tetrahedra, the name of a .vtu file, a pair (points, cells), and so on. Points are one
+    vtkUnstructuredGrid of tetrahedra, the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on.
+    `read` gives what a file holds. Points are one
     (3,), or an array of them (..., 3), and the answer has the shape (...); or those of a VTK data set.
 
 RESULTS
@@ -111,7 +112,7 @@ COMMAND
 MODULES
     `booleans`, `checking`, `quality`, `resolving`, `queries`, `grids`, `clouds`, `refinement` and `tetrahedralization` have the functions, `options`
     what can be chosen, `stages` the names that `progress` hears, `data` the types of surfaces and tetrahedra, `surfaces`,
-    `solids` and `inputs` make them of what they are given, `files` reads surfaces, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
+    `solids` and `inputs` make them of what they are given, `files` and `reading` read surfaces and solids, `writing` and `exporting` write results, `pipeline` runs any VTK algorithm with its errors as
     exceptions, `calling` and `errors` warnings and errors, `results`, `statistics`, `plotting` and `serializing` are how results are shown and pickled, `measures` and `parts` how they hang together, `command_line` is the command, whose
     `arguments`, `usage` and `help` stand beside it, with a module of `commands` for each subcommand.
 """
@@ -133,6 +134,7 @@ from .errors import Error, Warning
 from .grids import DistanceGrid, sdf_grid
 from .quality import SolidCheck, check_solid
 from .queries import distance, inside, voxels, winding_number
+from .reading import read
 from .refinement import Refinement, refine
 from .resolving import Resolution, resolve
 from .statistics import Statistics
@@ -170,6 +172,7 @@ __all__ = [
     "draw_quality",
     "inside",
     "point_cloud",
+    "read",
     "refine",
     "resolve",
     "sdf_grid",

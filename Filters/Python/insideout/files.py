@@ -26,15 +26,16 @@ from .errors import ArgumentError
 from .formats import BEGINNINGS, OBJECTS, bytes_of_objects, read_objects
 from .interruption import cleaning_up
 from .pipeline import Error, Messages, Progress, run, write_bytes, write_data
-from .vtkFiltersInsideOut import vtkSurfaceReader, vtkSurfaceWriter
+from .vtkFiltersInsideOut import vtkSolidReader, vtkSurfaceReader, vtkSurfaceWriter
 
 Path = Union[str, os.PathLike]
 
 READABLE_SURFACES = (".ply", ".obj", ".off", ".stl", ".vtp", *OBJECTS, CURVE)
-READABLE_SOLIDS = (".vtu",)
 WRITABLE_SURFACES = (".vtp", ".ply", ".stl", ".obj", ".off", *OBJECTS)
 GRID = ".vtu"
 """VTK's own format of grids, and what a device or pipe is written in whose name says nothing else."""
+
+READABLE_SOLIDS = (GRID, ".msh", ".inp", ".mesh")
 
 GZIP = ".gz"
 
@@ -100,11 +101,12 @@ def read_standard_input(kind: Optional[str] = None, progress: Optional[Progress]
 
 
 def read_solid(path: Path, progress: Optional[Progress] = None) -> tuple[vtkUnstructuredGrid, list[str]]:
-    """The cells in a .vtu file, and what was passed over. Raises `Error` that names the file."""
+    """The cells in a .vtu, .msh, .inp or .mesh file, and what was passed over. Raises `Error` that names the file."""
     path = os.fspath(path)
     check_input(path, READABLE_SOLIDS)
-    check_xml(path, "UnstructuredGrid", "cells")
-    reader = vtkXMLUnstructuredGridReader()
+    if ending(path) == GRID:
+        check_xml(path, "UnstructuredGrid", "cells")
+    reader = vtkXMLUnstructuredGridReader() if ending(path) == GRID else vtkSolidReader()
     reader.SetFileName(path)
     try:
         warnings = run(reader, progress, harmless=HARMLESS_WHEN_READING)

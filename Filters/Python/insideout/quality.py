@@ -71,8 +71,8 @@ class SolidCheck(MeshResult):
 def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> SolidCheck:
     """What is wrong with a solid of tetrahedra, and how good they are. Nothing is changed.
 
-    solid     a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a .vtu file; a pair
-              (points, cells) of arrays; a meshio.Mesh; or a VTK algorithm
+    solid     a vtkUnstructuredGrid of tetrahedra, of first or second order; the name of a .vtu, .msh,
+              .inp or .mesh file; a pair (points, cells) of arrays; a meshio.Mesh; or a VTK algorithm
     progress  called with the stage and the fraction of all the work that is done
 
     What is flat, negative, or does not fit together is decided exactly. Returns a `SolidCheck`. Raises

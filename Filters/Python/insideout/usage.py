@@ -109,7 +109,7 @@ BEFORE_FILES = ("EXPRESSION", "POINTS")
 """Operands that are no surfaces and no output."""
 
 _SURFACE = ("SURFACE", f"{' '.join(READABLE_SURFACES)}, also .gz; - standard input")
-_SURFACE_OR_SOLID = ("SURFACE|SOLID", f"{_SURFACE[1]}; or tetrahedra ({READABLE_SOLIDS[0]})")
+_SURFACE_OR_SOLID = ("SURFACE|SOLID", f"{_SURFACE[1]}; or tetrahedra ({' '.join(READABLE_SOLIDS)})")
 _OUTPUT = (
     "OUTPUT",
     f"tetrahedra ({_GRID_ENDINGS}), or only their watertight boundary ({_SURFACE_ENDINGS}); "
@@ -209,7 +209,7 @@ insideout check solid.vtu --plot angles.png
         "better tetrahedra of the same solid",
         "Make better tetrahedra of the same solid.",
         (
-            ("SOLID", f"tetrahedra ({READABLE_SOLIDS[0]}); their cell array RegionId tells regions apart"),
+            ("SOLID", f"tetrahedra ({' '.join(READABLE_SOLIDS)}); their cell array RegionId tells regions apart"),
             ("OUTPUT", f"{_GRID_ENDINGS}; {{}} in the name stands for the solid's name without folder and ending"),
         ),
         ("msh_version", *REFINING_OPTIONS, "sizes", *(name for name in OF_THE_RUN if name != "format")),

@@ -4,6 +4,7 @@
 #include "Files/SolidFile.h"
 
 #include "Common/Error.h"
+#include "Support/SolidSamples.h"
 #include "Support/TemporaryFile.h"
 
 #include <gtest/gtest.h>
@@ -18,51 +19,11 @@
 #include <sstream>
 
 using namespace insideout;
+using namespace solidsamples;
 using testfiles::TemporaryFile;
 
 namespace
 {
-/** Two tetrahedra on the face 1 2 3, each a region of its own; a wall between them, and an outside.
- */
-SolidMesh TwoRegions()
-{
-  SolidMesh solid;
-  solid.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
-  solid.Cells = { { 0, 1, 2, 3 }, { 4, 2, 1, 3 } };
-  solid.RegionOfCell = { 0, 1 };
-  solid.Faces = { { 0, 0 }, { 0, 2 }, { 0, 3 }, { 1, 0 }, { 1, 2 }, { 1, 3 }, { 1, 1 } };
-  solid.TagOfFace = { 0, 0, 0, 0, 0, 0, 1 };
-  solid.Regions = { { "red", 3 }, { "blue", 1 } };
-  solid.Tags = { { "outside", 1 }, { "wall", 5 } };
-  return solid;
-}
-
-/** The same with a point in the middle of each edge. */
-SolidMesh Quadratic(SolidMesh solid)
-{
-  std::map<std::array<Id, 2>, Id> middles;
-  for (const Tetrahedron& cell : solid.Cells)
-  {
-    solid.Midpoints.emplace_back();
-    for (std::size_t e = 0; e < TetrahedronEdges.size(); ++e)
-    {
-      const Id p = cell[TetrahedronEdges[e][0]];
-      const Id q = cell[TetrahedronEdges[e][1]];
-      const auto [middle, isNew] =
-        middles.emplace(std::array<Id, 2>{ { std::min(p, q), std::max(p, q) } },
-          static_cast<Id>(solid.Points.size()));
-      if (isNew)
-      {
-        const Point a = solid.Points[p];
-        const Point b = solid.Points[q];
-        solid.Points.push_back({ (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 });
-      }
-      solid.Midpoints.back()[e] = middle->second;
-    }
-  }
-  return solid;
-}
-
 std::string Written(
   const SolidMesh& solid, const std::string& name, MshVersion version = MshVersion::Msh41)
 {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Makes VTK's data sets of a solver's file.
+ */
+#pragma once
+
+#include "Files/SolidFile.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace vtkInsideOut
+{
+/** The tetrahedra of a file with RegionId and RegionNames, or its triangles where there are none.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(const insideout::SolidContent& solid);
+
+/** The triangles beside tetrahedra with BoundaryTag and BoundaryTagNames, and the points that they
+ * have; nothing where triangles are the solid. */
+vtkSmartPointer<vtkPolyData> MakeSolidBoundary(const insideout::SolidContent& solid);
+} // namespace vtkInsideOut

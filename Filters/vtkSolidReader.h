@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSolidReader
+ * @brief   reads a solid from a MSH, INP or MESH file, with its regions and the tags of its
+ * boundary
+ *
+ * Reads what vtkSolidWriter writes, and what other programs write in these formats, by the file
+ * name's ending: .msh (gmsh 4.1 and 2.x, ascii), .inp (Abaqus and CalculiX) or .mesh (Medit,
+ * ascii). Coordinates keep all their digits (points are double). Nothing in the file is trusted: an
+ * element that refers to a point which is not there, a count that the file does not hold, a
+ * coordinate that is not finite, or a truncated file is an error that names the line and the
+ * element, and the outputs are empty.
+ *
+ * First output: the tetrahedra (vtkTetra, or vtkQuadraticTetra where all are quadratic), with the
+ * cell array RegionId, and the names of regions in the field array RegionNames where the file has
+ * any. A file without tetrahedra gives its triangles there, which are a solid in a plane.
+ *
+ * Second output: the triangles of the file beside the tetrahedra, those of the boundary and of
+ * interfaces, with the cell array BoundaryTag and the field array BoundaryTagNames. Both outputs go
+ * into vtkSolidWriter, which writes the same groups again.
+ *
+ * - .msh: regions and tags are the physical groups, or the entities of the geometry where there are
+ *   none. Of several groups of an entity the first counts.
+ * - .inp: regions are the ELSET of *ELEMENT; or the lists of *ELSET where each cell is in one of
+ *   them, or where elements have no ELSET. Tags are the surfaces of element faces, and the sets of
+ *   shells. Files of one part are read. What a file includes is not, with a warning.
+ * - .mesh: regions and tags are the references, their names the comments by vtkSolidWriter.
+ *
+ * RegionId and BoundaryTag are the file's numbers less 1, and -1 in what vtkSolidWriter called
+ * "outside". Where the file has a number below 0 or above 65535 they count the groups; cells of no
+ * group are of the one behind the last. Points and cells are in the order of their numbers in the
+ * file, and points that no cell has stay. Other volumes and faces, as hexahedra, are counted in a
+ * warning; points, lines and what is no mesh are passed over.
+ *
+ * @sa vtkSolidWriter
+ *
+ */
+#ifndef vtkSolidReader_h
+#define vtkSolidReader_h
+
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkPolyData;
+
+class VTKFILTERSINSIDEOUT_EXPORT vtkSolidReader : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkSolidReader* New();
+  vtkTypeMacro(vtkSolidReader, vtkUnstructuredGridAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to read, with the ending .msh, .inp or .mesh, in upper or lower case. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /** The second output: the triangles of the boundary. */
+  vtkPolyData* GetBoundary();
+
+protected:
+  vtkSolidReader();
+  ~vtkSolidReader() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  char* FileName = nullptr;
+
+private:
+  vtkSolidReader(const vtkSolidReader&) = delete;
+  void operator=(const vtkSolidReader&) = delete;
+};
+
+#endif
