@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <limits>
-#include <tuple>
+#include <numeric>
 
 namespace insideout
 {
@@ -52,6 +53,32 @@ bool IsInteger(const std::string& text, std::int64_t& value)
 bool IsBefore(const FileElement& element, std::int64_t number)
 {
   return element.Number < number;
+}
+
+/** A face of the cell in a place, and the number of the surface that it is in. */
+struct SideOfCell
+{
+  std::size_t Cell;
+  int Face;
+  std::int64_t Group;
+};
+
+/** A face is of the first surface that has it. */
+void KeepFirstOfEach(std::vector<SideOfCell>& sides)
+{
+  const auto keyOf = [&sides](std::size_t s)
+  { return std::make_pair(sides[s].Cell, sides[s].Face); };
+  std::vector<std::size_t> order(sides.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keyOf(a) < keyOf(b); });
+  const auto end = std::unique(
+    order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keyOf(a) == keyOf(b); });
+  std::sort(order.begin(), end); // as in the file
+  std::vector<SideOfCell> kept;
+  std::transform(
+    order.begin(), end, std::back_inserter(kept), [&](std::size_t s) { return sides[s]; });
+  sides = std::move(kept);
 }
 } // namespace
 
@@ -230,15 +257,15 @@ void InpSets::VisitElements(
 void InpSets::AddSides(SolidBuilder& builder)
 {
   const std::vector<FileElement>& cells = builder.Tetrahedra.All;
-  using SideOfCell = std::tuple<std::size_t, int, std::int64_t>; // cell, face, group
   std::vector<SideOfCell> sides;
   for (const Surface& surface : this->Surfaces)
   {
     const std::int64_t group = this->NumberOf(surface.Name);
     for (const Side& side : surface.Sides)
     {
-      const auto add = [&, face = side.Face](std::size_t cell)
-      { sides.emplace_back(cell, face, group); };
+      const auto add = [&, face = side.Face](std::size_t cell) {
+        sides.push_back({ cell, face, group });
+      };
       std::int64_t number = 0;
       if (IsInteger(side.Elements, number))
       {
@@ -259,27 +286,21 @@ void InpSets::AddSides(SolidBuilder& builder)
       }
     }
   }
-  // A face is of the first surface that has it.
-  std::stable_sort(sides.begin(), sides.end(),
-    [](const SideOfCell& a, const SideOfCell& b) {
-      return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
-    });
+  KeepFirstOfEach(sides);
   std::int64_t number = builder.Triangles.All.empty() ? 0 : builder.Triangles.All.back().Number;
-  for (std::size_t s = 0; s < sides.size(); ++s)
+  for (const SideOfCell& side : sides)
   {
-    const auto& [cell, face, group] = sides[s];
-    const bool isFirst =
-      s == 0 || std::get<0>(sides[s - 1]) != cell || std::get<1>(sides[s - 1]) != face;
-    if (isFirst && number < std::numeric_limits<std::int64_t>::max())
+    if (number == std::numeric_limits<std::int64_t>::max())
     {
-      const FileElement& element = cells[cell];
-      std::vector<std::int64_t> nodes;
-      for (const int corner : TetrahedronFaces[face])
-      {
-        nodes.push_back(builder.Tetrahedra.Nodes[element.Begin + static_cast<std::size_t>(corner)]);
-      }
-      builder.AddElement(builder.Triangles, { ++number, element.Line, group }, nodes);
+      throw Malformed(this->File, "triangles have the largest numbers that there are");
     }
+    const FileElement& element = cells[side.Cell];
+    std::vector<std::int64_t> nodes;
+    for (const int corner : TetrahedronFaces[side.Face])
+    {
+      nodes.push_back(builder.Tetrahedra.Nodes[element.Begin + static_cast<std::size_t>(corner)]);
+    }
+    SolidBuilder::AddElement(builder.Triangles, { ++number, element.Line, side.Group }, nodes);
   }
 }
 

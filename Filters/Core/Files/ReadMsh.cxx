@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 // The formats: Geuzaine and Remacle, Gmsh Reference Manual, "MSH file format" and "Legacy formats".
@@ -57,6 +58,40 @@ std::int64_t WithoutSign(std::int64_t group)
   return group < 0 ? std::max(group, -std::numeric_limits<std::int64_t>::max()) * -1 : group;
 }
 
+/** In version 2 an element of several groups is there once for each: keep the first. */
+void DropCopies(FileElements& elements)
+{
+  const auto nodesOf = [&elements](const FileElement& element)
+  {
+    const auto begin = elements.Nodes.begin() + static_cast<std::ptrdiff_t>(element.Begin);
+    return std::make_pair(begin, begin + static_cast<std::ptrdiff_t>(elements.Corners));
+  };
+  std::vector<std::size_t> order(elements.All.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      const auto [begin, end] = nodesOf(elements.All[a]);
+      const auto [otherBegin, otherEnd] = nodesOf(elements.All[b]);
+      return std::lexicographical_compare(begin, end, otherBegin, otherEnd);
+    });
+  std::vector<bool> isCopy(order.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    const auto [begin, end] = nodesOf(elements.All[order[i - 1]]);
+    isCopy[order[i]] = std::equal(begin, end, nodesOf(elements.All[order[i]]).first);
+  }
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < elements.All.size(); ++e)
+  {
+    if (!isCopy[e])
+    {
+      elements.All[kept++] = elements.All[e];
+    }
+  }
+  elements.All.resize(kept);
+}
+
 class MshReader
 {
 public:
@@ -72,6 +107,11 @@ public:
     while (this->Scanner.SkipToContent())
     {
       this->ReadSection(std::string(this->Scanner.Word()));
+    }
+    if (!this->IsVersion4)
+    {
+      DropCopies(this->Builder.Triangles);
+      DropCopies(this->Builder.Tetrahedra);
     }
     for (const auto& [type, count] : this->OtherTypes)
     {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 using namespace insideout;
 using namespace solidsamples;
@@ -100,9 +101,18 @@ TEST(ReadSolid, GivesBackWhatWasWritten)
         regions.emplace_back(solid.Regions[region].Number, solid.Regions[region].Name);
       }
       EXPECT_EQ(GroupsOf(read.Tetrahedra), regions);
+      // Faces stand in surfaces in .inp files.
+      std::vector<std::size_t> order(solid.Faces.size());
+      std::iota(order.begin(), order.end(), 0);
+      if (std::string(name) == "a.inp")
+      {
+        std::stable_sort(order.begin(), order.end(),
+          [&solid](std::size_t f, std::size_t g)
+          { return solid.TagOfFace[f] < solid.TagOfFace[g]; });
+      }
       Groups tags;
       std::vector<Triangle> faces;
-      for (std::size_t f = 0; f < solid.Faces.size(); ++f)
+      for (const std::size_t f : order)
       {
         const SolidGroup& tag = solid.Tags[solid.TagOfFace[f]];
         tags.emplace_back(tag.Number, tag.Name);
@@ -128,18 +138,27 @@ TEST(ReadSolid, TakesPointsAndElementsByTheirNumbers)
 
 TEST(ReadSolid, GroupsByEntitiesWhereThereIsNoPhysicalGroup)
 {
-  const std::string elements = "2\n1 4 2 0 7 1 2 3 4\n2 4 2 0 3 1 2 3 4\n";
+  const std::string elements = "2\n1 4 2 0 7 1 2 3 4\n2 4 2 0 3 4 3 2 1\n";
   EXPECT_EQ(GroupsOf(Read("a.msh", Msh22(FourNodes, elements)).Tetrahedra),
     (Groups{ { 7, "" }, { 3, "" } }));
   // Those of no group are behind the last.
-  const std::string some = "2\n1 4 2 0 7 1 2 3 4\n2 4 2 -3 3 1 2 3 4\n";
+  const std::string some = "2\n1 4 2 0 7 1 2 3 4\n2 4 2 -3 3 4 3 2 1\n";
   EXPECT_EQ(
     GroupsOf(Read("a.msh", Msh22(FourNodes, some)).Tetrahedra), (Groups{ { 4, "" }, { 3, "" } }));
 }
 
+TEST(ReadSolid, TakesAnElementOfSeveralGroupsOnce)
+{
+  const std::string elements =
+    "4\n1 4 2 8 1 1 2 3 4\n2 4 2 5 1 4 3 2 1\n3 4 2 6 1 1 2 3 4\n4 4 2 6 1 4 3 2 1\n";
+  const SolidContent msh = Read("a.msh", Msh22(FourNodes, elements));
+  EXPECT_EQ(msh.Tetrahedra.Cells, (std::vector<Tetrahedron>{ { 0, 1, 2, 3 }, { 3, 2, 1, 0 } }));
+  EXPECT_EQ(GroupsOf(msh.Tetrahedra), (Groups{ { 8, "" }, { 5, "" } }));
+}
+
 TEST(ReadSolid, CountsGroupsWhoseNumbersAreTooLarge)
 {
-  const std::string elements = "2\n1 4 2 2000000000 1 1 2 3 4\n2 4 2 5 1 1 2 3 4\n";
+  const std::string elements = "2\n1 4 2 2000000000 1 1 2 3 4\n2 4 2 5 1 4 3 2 1\n";
   EXPECT_EQ(GroupsOf(Read("a.msh", Msh22(FourNodes, elements)).Tetrahedra),
     (Groups{ { 2, "" }, { 1, "" } }));
 }
@@ -236,9 +255,9 @@ TEST(ReadSolid, MakesTrianglesOfTheSurfacesOfInp)
       "*ELSET, ELSET=low, INTERNAL\n1\n*SURFACE, NAME=bottom\nlow, S1\n*SURFACE, TYPE=ELEMENT,\n" +
       " NAME=sides\n2, S2\npart, s4\n1, S1\n99, S1\n*SURFACE, NAME=nodes, TYPE=NODE\n1\n");
   EXPECT_EQ(inp.Triangles.Cells,
-    (std::vector<Triangle>{ { 2, 0, 3 }, { 0, 2, 1 }, { 4, 2, 3 }, { 1, 4, 3 } }));
+    (std::vector<Triangle>{ { 0, 2, 1 }, { 4, 2, 3 }, { 2, 0, 3 }, { 1, 4, 3 } }));
   EXPECT_EQ(GroupsOf(inp.Triangles),
-    (Groups{ { 2, "sides" }, { 1, "bottom" }, { 2, "sides" }, { 2, "sides" } }));
+    (Groups{ { 1, "bottom" }, { 2, "sides" }, { 2, "sides" }, { 2, "sides" } }));
 }
 
 TEST(ReadSolid, ReadsOnePartOfAnAssembly)
