@@ -142,6 +142,7 @@ CLASSES = {
     "vtkRobustTetrahedralize": Table(SURFACE, TETRAHEDRALIZE),
     "vtkSolidQuality": Table(SOLID, []),
     "vtkSolidWriter": Table(SOLID, SOLID_FILES),
+    "vtkSolidReader": Table({}, [("FileName", ["x.msh", "x.inp", "x.mesh"], {})]),  # what the writer has written
     "vtkSurfaceDefects": Table(SURFACE, [*ORIENTATION, ("MergeTolerance", [Length(1 / 128)], {})]),
     "vtkSurfaceWriter": Table(SURFACE, [("FileName", SURFACE_FILES, {})]),
     "vtkSurfaceReader": Table({}, [("FileName", ["@file", *SURFACE_FILES], {})]),  # what the writer has written, too

@@ -215,7 +215,7 @@ class TestPlugin(unittest.TestCase):
                 with open(path, encoding="utf-8") as file:
                     return file.read()
 
-            for ending, begin in (("msh", "$MeshFormat\n4.1 0 8"), ("inp", "** A solid"), ("mesh", "MeshVersionFormatted 2")):
+            for ending, begin in (("msh", "$MeshFormat\n4.1 0 8"), ("inp", "** Written by InsideOut"), ("mesh", "MeshVersionFormatted 2")):
                 self.assertTrue(saved("solid." + ending, proxy=solid).startswith(begin), ending)
             self.assertIn('2 1 "surface"', saved("alone.msh", proxy=solid))
             self.assertTrue(saved("old.msh", proxy=solid, MshVersion="2.2").startswith("$MeshFormat\n2.2 0 8"))
@@ -226,6 +226,26 @@ class TestPlugin(unittest.TestCase):
         for proxy, port, offered in ((solid, 0, True), (group, 0, True), (solid, 1, False)):
             types = factory.GetSupportedFileTypes(proxy.SMProxy, port)
             self.assertEqual("Solid for Solvers (Inside Out)(*.inp *.mesh *.msh )" in types, offered, types)
+
+    def test_and_opened_again_with_its_boundary(self):
+        solid = simple.RobustTetrahedralize(Input=self.surface)
+        solid.UpdatePipeline()
+        session = servermanager.ActiveConnection.Session
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        factory.UpdateAvailableReaders()
+        with tempfile.TemporaryDirectory() as folder:
+            for ending in ("msh", "inp", "mesh"):
+                path = os.path.join(folder, "solid." + ending)
+                simple.SaveData(path, proxy=solid)
+                readers = factory.GetReaders(path, session)
+                self.assertIn("SolidReader", [readers.GetString(i) for i in range(1, readers.GetLength(), 3)], ending)
+                reader = simple.SolidReader(FileName=path)
+                reader.UpdatePipeline()
+                self.assertEqual(reader.GetDataInformation().GetNumberOfCells(), solid.GetDataInformation().GetNumberOfCells())
+                boundary = reader.GetDataInformation(1)
+                self.assertEqual(boundary.GetNumberOfCells(), solid.GetDataInformation(1).GetNumberOfCells())
+                self.assertIsNotNone(boundary.GetCellDataInformation().GetArrayInformation("BoundaryTag"))
+                self.assertTrue(reader.FieldData.keys() == ["RegionNames"], ending)
 
     def test_statistics_are_among_the_information(self):
         """ParaView shows no field data whose first array is empty."""

@@ -136,6 +136,9 @@ class Arrays(CommandLine):
                 made.SetInputData(blocks(boxes, surfaces.box()))
             elif name == "vtkSurfaceReader":
                 made.SetFileName(self.file("all.ply", PLY))
+            elif name == "vtkSolidReader":
+                insideout.write(solid, self.path("solid.msh"))
+                made.SetFileName(self.path("solid.msh"))
             else:
                 made.SetInputData(boxes)
             if name == "vtkRobustTetrahedralize":

@@ -83,7 +83,7 @@ class Success(CommandLine):
     def test_every_format_of_output(self):
         source = self.file("boxes.ply", surfaces.two_boxes_and_a_stray_facet())
         first_line = {
-            **{".msh": "$MeshFormat", ".inp": "** A solid", ".mesh": "MeshVersionFormatted 2", ".xdmf": "<Xdmf"},
+            **{".msh": "$MeshFormat", ".inp": "** Written by InsideOut", ".mesh": "MeshVersionFormatted 2", ".xdmf": "<Xdmf"},
             **{".vtp": "<?xml", ".ply": "ply", ".obj": "# Written", ".off": "OFF", ".stl": "Binary STL", ".glb": "glTF", ".3mf": "PK"},
         }
         for ending, begin in first_line.items():

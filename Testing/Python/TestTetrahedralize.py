@@ -577,7 +577,7 @@ class Package(unittest.TestCase):
     def test_every_wrapped_class_is_a_public_name(self):
         for name in (
             *("vtkConstrainedDelaunay3D", "vtkGeneralizedWindingNumber", "vtkGraphCutSegmentation"),
-            *("vtkResolveSelfIntersections", "vtkRobustTetrahedralize", "vtkSurfaceReader", "vtkSurfaceWriter", "vtkSolidWriter"),
+            *("vtkResolveSelfIntersections", "vtkRobustTetrahedralize", "vtkSurfaceReader", "vtkSurfaceWriter", "vtkSolidReader", "vtkSolidWriter"),
         ):
             self.assertIn(name, insideout.__all__)
             self.assertEqual(getattr(insideout, name)().GetClassName(), name)

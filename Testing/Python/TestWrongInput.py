@@ -186,6 +186,13 @@ def objects() -> dict[str, object]:
 RESULT = insideout.tetrahedralize(surfaces.box())
 READER = insideout.vtkSurfaceReader()
 
+
+def written(folder: str) -> str:
+    """A file that can be read."""
+    insideout.write(RESULT, os.path.join(folder, "good.msh"))
+    return os.path.join(folder, "good.msh")
+
+
 GOOD = {
     "boolean": lambda _: {"surfaces": [surfaces.box(), surfaces.box((0.5, 0.5, 0.5))]},
     "check": lambda _: {"surface": surfaces.box()},
@@ -195,6 +202,7 @@ GOOD = {
     "draw_quality": lambda folder: {"solid": RESULT.solid, "picture": os.path.join(folder, "draw.png")},
     "inside": lambda _: {"surface": surfaces.box(), "points": POINTS},
     "point_cloud": lambda _: {"points": POINTS, "normals": POINTS},
+    "read": lambda folder: {"path": written(folder)},
     "refine": lambda _: {"solid": RESULT.solid},
     "resolve": lambda _: {"surface": surfaces.box()},
     "sdf_grid": lambda _: {"surface": surfaces.box(), "shape": 5},

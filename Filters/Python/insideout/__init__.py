@@ -19,6 +19,10 @@ The solid in better cells, whose edges are at most so long::
 
     insideout.refine(result.solid, edge_length=0.05).solid
 
+What a file holds, whoever wrote it: a surface, or the tetrahedra of gmsh, CalculiX, Abaqus or Medit::
+
+    insideout.read("solid.msh").cell_arrays["RegionId"]
+
 What is wrong with tetrahedra, and how good they are::
 
     print(insideout.check_solid(result.solid).verdict)
@@ -63,8 +67,7 @@ SURFACES
     What comes back does not depend on that. Faces should run counterclockwise seen from outside.
     `scale` multiplies its coordinates first, for files have no unit. Solids are taken likewise: a
     vtkUnstructuredGrid of tetrahedra, the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on.
-    `read` gives what a file holds. Points are one
-    (3,), or an array of them (..., 3), and the answer has the shape (...); or those of a VTK data set.
+    Points are one (3,), or an array of them (..., 3), and the answer has the shape (...); or those of a VTK data set.
 
 RESULTS
     check           Check: findings, verdict, statistics, surface and lines with what is wrong marked
@@ -72,6 +75,7 @@ RESULTS
     boolean         Boolean: surface, solid where tetrahedra were made, names, statistics
     check_solid     SolidCheck: findings, verdict, statistics, histogram, the solid with the quality of each cell
     tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, statistics
+    read            a vtkPolyData or a vtkUnstructuredGrid
     refine          Refinement: solid, statistics
     winding_number  an array of float64, one value per point
     inside          an array of bool, one value per point
