@@ -103,7 +103,7 @@ private:
   void ReadKeyword(const std::string& line)
   {
     InpKeyword keyword(line);
-    while (line.back() == ',' && keyword.IsContinued && this->Scanner.SkipToContent())
+    while (keyword.IsContinued && this->Scanner.SkipToContent())
     {
       keyword.Continue(this->Line());
     }
