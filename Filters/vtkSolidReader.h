@@ -20,17 +20,17 @@
  * into vtkSolidWriter, which writes the same groups again.
  *
  * - .msh: regions and tags are the physical groups, or the entities of the geometry where there are
- *   none. Of several groups of an entity the first counts.
+ *   none. The first of several groups of an entity counts.
  * - .inp: regions are the ELSET of *ELEMENT; or the lists of *ELSET where each cell is in one of
  *   them, or where elements have no ELSET. Tags are the surfaces of element faces, and the sets of
- *   shells. Files of one part are read. What a file includes is not, with a warning.
+ *   shells. Files of one part are read, without the files that they include: a warning names these.
  * - .mesh: regions and tags are the references, their names the comments by vtkSolidWriter.
  *
  * RegionId and BoundaryTag are the file's numbers less 1, and -1 in what vtkSolidWriter called
- * "outside". Where the file has a number below 0 or above 65535 they count the groups; cells of no
- * group are of the one behind the last. Points and cells are in the order of their numbers in the
- * file, and points that no cell has stay. Other volumes and faces, as hexahedra, are counted in a
- * warning; points, lines and what is no mesh are passed over.
+ * "outside". They count the groups instead if the file has a number below 0 or above 65535. Cells
+ * of no group are of the one behind the last. Points and cells are in the order of their numbers in
+ * the file, and points that no cell has stay. Other volumes and faces, as hexahedra, are counted in
+ * a warning; points, lines and what is no mesh are passed over.
  *
  * @sa vtkSolidWriter
  *

@@ -97,16 +97,15 @@ struct SolidContent
 };
 
 /**
- * Read a solid from a file of the formats that WriteSolid writes, by the name's ending. What it
- * wrote comes back: points, cells, names and numbers of groups; of names those that the format
- * takes.
+ * Read a solid from a file of the formats that WriteSolid writes, by the name's ending. Points,
+ * cells, names and numbers of groups are those that it wrote; names as the format takes them.
  *
  * - `.msh`: gmsh's format, 4.1 and 2.x, ascii. Groups are the physical ones; where no cell is in
- *   one, the entities that cells lie on. Of several groups of an entity the first.
+ *   one, the entities that cells lie on. The first of several groups of an entity counts.
  * - `.inp`: the format of Abaqus and CalculiX, of one part. Regions are the ELSET of elements; but
  *   lists of element numbers where each cell is in one list, or where there is nothing else.
  *   Triangles are shells, membranes and plane elements, and the faces of tetrahedra in surfaces.
- *   What other files hold (*INCLUDE) is not read, with a warning.
+ *   Other files (*INCLUDE) are not read, with a warning.
  * - `.mesh`: Medit's format, ascii. Groups are the references; their names, WriteSolid's comments.
  *
  * Points and cells are in the order of their numbers; points that no cell has stay. Cells are all
