@@ -145,7 +145,8 @@ class Words:
 
     def of(self, option) -> str:
         text = re.sub(r"(?<=[A-Z]) \(\d\)", "", option.words)
-        return re.sub(r"\b\w+\b", lambda found: self.names.get(found[0], found[0]), text)
+        # A statistic may be called as an option is, and keeps its name.
+        return re.sub(r"(?<!\bstatistic )\b\w+\b", lambda found: self.names.get(found[0], found[0]), text)
 
 
 if __name__ == "__main__":

@@ -5,13 +5,16 @@ import inspect
 import math
 import re
 import runpy
+import shutil
 import sys
 import typing
 import unittest
 import xml.etree.ElementTree as ElementTree
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import lru_cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from unittest.mock import patch
 
 import insideout
 import surfaces
@@ -456,6 +459,12 @@ class Everywhere(unittest.TestCase):
             for name, default in properties(class_name).items():
                 if name in known:
                     self.assertEqual(default, known[name], f"{class_name} {name}")
+
+    def test_a_statistic_that_is_called_as_an_option_keeps_its_name(self):
+        self.assertIn("The statistic PartsApart counts", words_of(property_elements(proxies()["vtkRobustTetrahedralize"])["PartsApart"]))
+        words = "Apart. The statistic PartsApart counts what PartsApart makes."
+        with patch.dict(OPTIONS, parts_apart=replace(OPTIONS["parts_apart"], words=words)):
+            self.assertEqual(help_of("parts_apart", flag_of), "Apart. The statistic PartsApart counts what --parts-apart makes.")
 
     def test_words(self):
         known = {}

@@ -225,7 +225,8 @@ def help_of(name: str, spelled: Callable[[str], str] = str, quote: str = '"') ->
     words = re.sub(rf"\b(?:{'|'.join(CONSTANTS)})\b", lambda found: f"{quote}{CONSTANTS[found[0]]}{quote}", OPTIONS[name].words)
     # A word of its own that begins a sentence is no name of an option.
     names = "|".join(name if re.search("[a-z][A-Z]", name) else f"(?<=[a-z,;:] ){name}" for name in _PROPERTIES)
-    return re.sub(rf"(?:{names})\b", lambda found: spelled(_PROPERTIES[found[0]]), words)
+    # A statistic may be called as an option is, and keeps its name.
+    return re.sub(rf"(?<!\bstatistic )(?:{names})\b", lambda found: spelled(_PROPERTIES[found[0]]), words)
 
 
 def flag_of(name: str) -> str:
