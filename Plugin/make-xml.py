@@ -37,9 +37,15 @@ def expanded(filters: Path, source: Path) -> ElementTree.ElementTree:
     tree = ElementTree.parse(source)
     for proxy in tree.iter():
         members: dict[str, list[str]] = {}
+        panel = {group.get("name") for group in proxy.findall("PanelGroup")}
         for at, element in enumerate(list(proxy)):
             if element.tag == "Option":
-                proxy[at] = property_of(element, options[element.get("of", proxy.get("class", ""))][element.get("name", "")], words)
+                of, name = element.get("of", proxy.get("class", "")), element.get("name", "")
+                if name not in options.get(of, {}):
+                    sys.exit(f"{source}: {of}.h declares no option {name}")
+                if panel and element.get("group", "") not in panel:
+                    sys.exit(f"{source}: the option {name} is in no PanelGroup")
+                proxy[at] = property_of(element, options[of][name], words)
                 members.setdefault(element.get("group", ""), []).append(proxy[at].get("name", ""))
             elif element.tag == "Stage":
                 proxy[at], exposed = subproxy_of(element, source.parent, options)

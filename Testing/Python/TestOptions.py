@@ -220,6 +220,20 @@ class ParaView(unittest.TestCase):
             with self.subTest(filter=class_name, property=name):
                 self.assertEqual(element.find("BooleanDomain") is not None, isinstance(default, bool))
 
+    def test_a_misspelled_option_or_group_is_named_with_its_file(self):
+        source = (PLUGIN / "RobustTetrahedralize.xml").read_text(encoding="utf-8")
+        for right, wrong, expected in (
+            ('"PartsApart"', '"PartApart"', "vtkRobustTetrahedralize.h declares no option PartApart"),
+            ('"Performance" />\n      <Option', '"Perform" />\n      <Option', "the option PartsApart is in no PanelGroup"),
+        ):
+            with self.subTest(wrong), TemporaryDirectory() as folder:
+                shutil.copytree(PLUGIN, folder, dirs_exist_ok=True)
+                file = Path(folder) / "RobustTetrahedralize.xml"
+                self.assertIn(right, source)
+                file.write_text(source.replace(right, wrong), encoding="utf-8")
+                with self.assertRaisesRegex(SystemExit, rf"^{re.escape(str(file))}: {re.escape(expected)}$"):
+                    EXPANDED(ROOT / "Filters", file)
+
     def test_the_inputs_and_outputs_are_the_ports(self):
         for class_name, proxy in proxies().items():
             made = getattr(insideout, class_name)()
