@@ -3,11 +3,12 @@
 
     pvbatch TestPlugin.py PLUGIN.so SURFACE.off
 """
+import glob
 import os
 import sys
 import tempfile
 import unittest
-import xml.dom.minidom
+import xml.etree.ElementTree as ElementTree
 
 from paraview import servermanager, simple, smtrace
 from vtkmodules.vtkCommonCore import vtkStringArray
@@ -20,10 +21,15 @@ from insideout.pipeline import statistics_of
 PLUGIN, SURFACE = sys.argv[1:3]
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
-FILTERS = ["RobustTetrahedralize", "RobustTriangulate", "ResolveSelfIntersections", "ConstrainedDelaunay3D",
-           "GeneralizedWindingNumber", "GraphCutSegmentation", "SurfaceDefects",
-           "ProbeWindingNumber", "RefineTetrahedra", "SolidQuality", "VoxelFractions", "DistributeParts",
-           "WindingBoolean"]
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin")
+"""Of the files that tell ParaView of the filters."""
+
+FILTERS = [
+    proxy.get("name")
+    for file in sorted(glob.glob(os.path.join(FOLDER, "*.xml")))
+    for proxy in ElementTree.parse(file).iterfind("ProxyGroup[@name='filters']/SourceProxy")
+    if hasattr(insideout, proxy.get("class"))
+]
 
 NAMES_IN_STATES = {"Surface": "SurfaceTreatment"}  # of what has another name in the class
 OF_BEFORE = ("RobustTetrahedralize", "ExtractInside")  # for states of before
@@ -353,15 +359,14 @@ class TestPlugin(unittest.TestCase):
             sizes.append(solid.GetDataInformation().GetBounds())
         self.assertNotEqual(*sizes)
 
-    def test_the_icons_and_the_menu_name_the_filters_there_are(self):
-        folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin")
-        menu = xml.dom.minidom.parse(os.path.join(folder, "InsideOutMenu.xml"))
-        named = {proxy.getAttribute("name") for proxy in menu.getElementsByTagName("Proxy")}
-        self.assertEqual(named, {*FILTERS, "SliceWindingNumber"})
-        icons = {proxy.getAttribute("icon") for proxy in menu.getElementsByTagName("Proxy")} - {""}
-        self.assertEqual(len(icons), len(named))
-        for icon in icons:
-            self.assertTrue(os.path.exists(icon.replace(":/InsideOut", folder)), icon)
+    def test_each_filter_is_in_the_menu_and_has_an_icon_of_its_own(self):
+        menu = ElementTree.parse(os.path.join(FOLDER, "InsideOutMenu.xml"))
+        filters = sorted([*FILTERS, "SliceWindingNumber"])
+        self.assertEqual(sorted(proxy.get("name") for proxy in menu.iterfind("Category/Proxy")), filters)
+        icons = {proxy.get("icon"): proxy.get("name") for proxy in menu.iterfind("Proxy")}
+        self.assertEqual(sorted(icons.values()), filters)
+        built = {":/InsideOut/" + file.text for file in ElementTree.parse(os.path.join(FOLDER, "InsideOut.qrc")).iterfind("qresource/file")}
+        self.assertLessEqual(set(icons), built)
 
     def test_defaults_and_documentation_match_the_classes(self):
         for name in FILTERS:
