@@ -129,7 +129,12 @@ const Format& FormatOf(const FileContent& file, const std::string& ending, Monit
   {
     throw Malformed(file, "is an XML file; vtkXMLPolyDataReader reads those of VTK");
   }
-  throw Malformed(file, "neither content nor ending is of .obj, .off, .ply or .stl");
+  std::string endings;
+  for (const Format& format : Formats)
+  {
+    endings += std::string(" ") + format.Ending;
+  }
+  throw Malformed(file, "neither content nor ending is of" + endings);
 }
 
 /** Whether it is the ending of another format that holds surfaces. */

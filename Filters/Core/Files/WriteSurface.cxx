@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <new>
 
 namespace insideout
@@ -92,17 +93,22 @@ void WriteSurface(const std::string& path, const PolygonSurface& surface, Monito
     const char* Ending;
     Writer Write;
   };
-  constexpr std::array<Format, 4> formats = { { { ".obj", WriteObj }, { ".off", WriteOff },
-    { ".ply", WritePly }, { ".stl", WriteStl } } };
+  constexpr Format formats[] = { { ".obj", WriteObj }, { ".off", WriteOff }, { ".ply", WritePly },
+    { ".stl", WriteStl } };
 
   CheckSurface(surface);
   const std::string ending = std::filesystem::path(path).extension().string();
-  const auto* const format = std::find_if(formats.begin(), formats.end(),
+  const auto* const format = std::find_if(std::begin(formats), std::end(formats),
     [&ending](const Format& known) { return EqualsIgnoringCase(ending, known.Ending); });
-  if (format == formats.end())
+  if (format == std::end(formats))
   {
+    std::string endings;
+    for (const Format& known : formats)
+    {
+      endings += std::string(" ") + known.Ending;
+    }
     throw Error(ErrorCode::InvalidParameter,
-      path + ": the ending is none of .obj, .off, .ply and .stl, which can be written");
+      path + ": the ending is none of those that can be written:" + endings);
   }
   if (format->Write == WriteStl)
   {

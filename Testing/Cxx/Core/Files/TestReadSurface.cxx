@@ -759,8 +759,7 @@ TEST(ReadSurface, TellsFormatsByContentBeforeEnding)
   EXPECT_EQ(Read("a.ply.bak", BinaryStl("")).Offsets.size(), 13u);
   EXPECT_EQ(Read("a.OBJ", SquareObj).Offsets.size(), 3u);
   EXPECT_EQ(Read("a.dat", SquareObj).Offsets.size(), 3u);
-  ExpectMalformed(
-    "a.dat", "v words", ": neither content nor ending is of .obj, .off, .ply or .stl");
+  ExpectMalformed("a.dat", "v words", ": neither content nor ending is of .ply .off .stl .obj");
   ExpectMalformed("a.dat", "<VTKFile", ": is an XML file; vtkXMLPolyDataReader reads those of VTK");
   ExpectMalformed("a.obj", "<html>\n", ": holds no point or face of OBJ; line 1: '<html>'");
 }

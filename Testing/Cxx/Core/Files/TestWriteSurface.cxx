@@ -362,7 +362,8 @@ TEST(WriteSurface, RejectsWhatTheFormatCannotHold)
   large.Points[5][1] = 1e39;
   ExpectError(stl.Path, large, ErrorCode::InvalidParameter, "point 5");
   const TemporaryFile vtk("a.vtk");
-  ExpectError(vtk.Path, Box(), ErrorCode::InvalidParameter, "a.vtk: the ending is none of");
+  ExpectError(vtk.Path, Box(), ErrorCode::InvalidParameter,
+    "a.vtk: the ending is none of those that can be written: .obj .off .ply .stl");
   EXPECT_FALSE(std::filesystem::exists(stl.Path) || std::filesystem::exists(vtk.Path));
 }
 
