@@ -14,6 +14,7 @@ import numpy as np
 import surfaces
 from command import CommandLine, read_grid, run
 from insideout.files import read_surface
+from insideout.options import OPTIONS
 from insideout.stages import TETRAHEDRALIZE
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -63,9 +64,11 @@ class Success(CommandLine):
                 self.assertEqual(read_grid(hull).GetNumberOfCells(), found["statistics"]["HullCells"])
                 self.assertEqual(read_surface(outliers)[0].GetNumberOfCells(), found["statistics"]["OutlierFacets"])
                 self.assertGreater(found["statistics"]["OutlierFacets"], 0)
+                self.assertEqual(set(found["parameters"]), set(OPTIONS))
                 self.assertEqual(
                     found["parameters"],
                     {
+                        **found["parameters"],
                         **{"gamma": 0.5, "sigma": 0.2, "merge_tolerance": 0, "time_budget": 60, "memory_budget": 0},
                         **{"scale": 1, "engine": "automatic", "dimension": "automatic", "data_term": "uniform", "orientation": "automatic"},
                         **{"count_duplicates": False, "quadrature_order": 1, "seeds": None},
