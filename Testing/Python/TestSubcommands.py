@@ -131,7 +131,7 @@ class Help(unittest.TestCase):
             with self.subTest(given):
                 text = self.text(*given, "--help")
                 self.assertEqual(text, self.text(*given, "-h"))
-                self.assertLessEqual(len(text.splitlines()), LINES)
+                self.assertLessEqual(len(text.splitlines()), LINES, "shorten what usage.py or options.py say")
                 self.assertLessEqual(max(map(len, text.splitlines())), COLUMNS)
                 self.assertIn("usage: insideout " + "".join(given), text)
                 self.assertIn("--help-all", text)
