@@ -118,7 +118,16 @@ public:
     }
   }
 
-  bool HasMore() { return this->HasExtras || this->Scanner.SkipToContent(); }
+  /** Without a line for each element a wrong count shifts every number behind: all is wrong then. */
+  bool HasMore()
+  {
+    const bool hasContent = this->Scanner.SkipToContent();
+    if (hasContent && !this->ElementPerLine)
+    {
+      this->Fail("more follows than the header describes: one of its counts is wrong");
+    }
+    return this->HasExtras || hasContent;
+  }
 
   [[noreturn]] void Fail(const std::string& what) const { this->Scanner.Fail(what); }
 

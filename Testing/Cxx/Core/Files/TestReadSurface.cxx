@@ -683,6 +683,16 @@ TEST(ReadSurface, NamesTheFirstPlyElementThatIsMissing)
     ": vertex 2 of 3 is missing: the file is truncated");
 }
 
+TEST(ReadSurface, RefusesPlyWhoseCountsAreWrongWhereEveryNumberIsShifted)
+{
+  const std::string rows = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  ExpectMalformed("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+      rows,
+    "more follows than the header describes: one of its counts is wrong");
+}
+
 TEST(ReadSurface, WarnsOfWhatFollowsThePlyElements)
 {
   EXPECT_TRUE(HasWarning(Read("a.ply", PlyOfEveryType(1) + "x"), "more was in the file"));
