@@ -229,9 +229,15 @@ class TestPlugin(unittest.TestCase):
             self.assertIn('2 4 "tag_3"', saved("group.msh", proxy=group))
             self.assertIn('2 4 "tag_3"', saved("both.msh", proxy=solid, Boundary=tagged))
         factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+        formats = [f"{name} (Inside Out)(*.{ending} )" for name, ending in
+                   (("Gmsh Mesh", "msh"), ("Abaqus and CalculiX Input", "inp"), ("Medit Mesh", "mesh"))]
         for proxy, port, offered in ((solid, 0, True), (group, 0, True), (solid, 1, False)):
             types = factory.GetSupportedFileTypes(proxy.SMProxy, port)
-            self.assertEqual("Solid for Solvers (Inside Out)(*.inp *.mesh *.msh )" in types, offered, types)
+            self.assertEqual([one in types for one in formats], [offered] * 3, types)
+        for ending, asked in (("msh", True), ("inp", False), ("mesh", False)):
+            writer = factory.CreateWriter("solid." + ending, solid.SMProxy, 0)
+            self.assertEqual(writer.GetProperty("MshVersion") is not None, asked, ending)
+            self.assertIn("." + ending, writer.GetDocumentation().GetDescription())
 
     def test_and_opened_again_with_its_boundary(self):
         solid = simple.RobustTetrahedralize(Input=self.surface)

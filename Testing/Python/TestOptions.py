@@ -104,7 +104,7 @@ def files_of_plugin() -> list[ElementTree.ElementTree]:
 
 @lru_cache
 def proxies() -> dict[str, ElementTree.Element]:
-    """The proxies of InsideOut's classes in the plugin's XML, by class."""
+    """The proxies of InsideOut's classes in the plugin's XML, by class; of several the last, which has the most properties."""
     found = [proxy for file in files_of_plugin() for kind in ("SourceProxy", "WriterProxy") for proxy in file.iter(kind)]
     return {proxy.get("class"): proxy for proxy in found if hasattr(insideout, proxy.get("class"))}
 
@@ -115,12 +115,15 @@ def stage_proxies() -> dict[str, ElementTree.Element]:
     return {proxy.get("name"): proxy for file in files_of_plugin() for proxy in file.iterfind("ProxyGroup[@name='inside_out_stages']/Proxy")}
 
 
+def base_of(proxy: ElementTree.Element) -> ElementTree.Element:
+    return stage_proxies().get(proxy.get("base_proxyname"), ElementTree.Element("Proxy"))
+
+
 def property_elements(proxy: ElementTree.Element) -> dict[str, ElementTree.Element]:
     """Those of a proxy, of the one that it is based on, and those that it exposes of others."""
     elements = {one.get("name"): one for one in proxy if one.tag.endswith("VectorProperty")}
     stages = stage_proxies()
-    if proxy.get("base_proxygroup") == "inside_out_stages":
-        elements.update(property_elements(stages[proxy.get("base_proxyname")]))
+    elements.update(property_elements(base_of(proxy)) if proxy.get("base_proxyname") else {})
     for name, stage in exposed(proxy):
         elements[name] = property_elements(stages[stage])[NAMES_IN_STATES.get(name, name)]
     hidden = {name for name, one in elements.items() if one.get("panel_visibility") == "never"}
@@ -235,7 +238,7 @@ class ParaView(unittest.TestCase):
     def test_the_inputs_and_outputs_are_the_ports(self):
         for class_name, proxy in proxies().items():
             made = getattr(insideout, class_name)()
-            inputs = {int(one.get("port_index", "0")): one for one in proxy.iterfind("InputProperty")}
+            inputs = {int(one.get("port_index", "0")): one for one in (*base_of(proxy), *proxy) if one.tag == "InputProperty"}
             self.assertEqual(sorted(inputs), list(range(made.GetNumberOfInputPorts())))
             outputs = 0 if proxy.tag == "WriterProxy" else max(1, len(proxy.findall("OutputPort")))
             self.assertEqual(outputs, made.GetNumberOfOutputPorts())
