@@ -55,7 +55,7 @@ public:
      * bound nothing. Range 0 to infinity. A sheet becomes a closed slab, half before the facets and
      * half behind, that joins what it touches; the facets stay as faces within.
      */
-    vtkSetClampMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
+    vtkInsideOutSetRangeMacro(Thicken, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Thicken, double);
   ///@}
 
@@ -73,7 +73,7 @@ public:
    * evaluate w at 4, 8, 14 and 14 points. Next to an open edge w depends on the direction from the
    * edge, and high orders gain little there.
    */
-  vtkSetClampMacro(QuadratureOrder, int, 1, 5);
+  vtkInsideOutSetRangeMacro(QuadratureOrder, int, 1, 5);
   vtkGetMacro(QuadratureOrder, int);
   ///@}
 
@@ -91,7 +91,7 @@ public:
    * ENGINE_AUTOMATIC runs TetGen only where the exact engine loses a facet. Default
    * ENGINE_AUTOMATIC. The mesh that loses the fewest facets is taken where none keeps all.
    */
-  vtkSetClampMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
+  vtkInsideOutSetRangeMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
   vtkGetMacro(Engine, int);
   void SetEngineToAutomatic() { this->SetEngine(ENGINE_AUTOMATIC); }
   void SetEngineToExact() { this->SetEngine(ENGINE_EXACT); }
@@ -105,7 +105,7 @@ public:
    * attempt gets an equal part. With 0 each of TetGen's attempts takes at most 4 s of processor
    * time, and 0.3 ms for each point and facet.
    */
-  vtkSetClampMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeBudget, double);
   ///@}
 
@@ -115,7 +115,7 @@ public:
    * Range 0 to infinity. Beyond it the next attempt begins. With 0 the limit is 1024 MiB, and 16
    * KiB for each point and facet, but at most three quarters of the machine's memory.
    */
-  vtkSetClampMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryBudget, double);
   ///@}
 

@@ -29,6 +29,7 @@
 #define vtkGraphCutSegmentation_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutRange.h"         // for setters with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
 class vtkPointSet;
@@ -46,7 +47,7 @@ public:
    * above 1/2; larger values cut off and fill up thin parts where w is unsure. Default 2. Range 0
    * to infinity.
    */
-  vtkSetClampMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(Gamma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Gamma, double);
   ///@}
 
@@ -56,7 +57,7 @@ public:
    * Cutting along steps several times larger costs nothing; along smaller ones it costs up to
    * Gamma.
    */
-  vtkSetClampMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(Sigma, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);
   ///@}
 
@@ -73,7 +74,7 @@ public:
    * thin. VOLUME_WEIGHTED: cells count by volume, so that slivers do not outvote large cells.
    * Default UNIFORM.
    */
-  vtkSetClampMacro(DataTerm, int, UNIFORM, VOLUME_WEIGHTED);
+  vtkInsideOutSetRangeMacro(DataTerm, int, UNIFORM, VOLUME_WEIGHTED);
   vtkGetMacro(DataTerm, int);
   ///@}
 
@@ -106,7 +107,7 @@ public:
    * cells stay, but for their points' ids, and vtkOriginalPointIds are those of the copied points.
    * Both require tetrahedra; NONMANIFOLD_SPLIT requires ExtractInside.
    */
-  vtkSetClampMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
+  vtkInsideOutSetRangeMacro(NonManifold, int, NONMANIFOLD_KEEP, NONMANIFOLD_SPLIT);
   vtkGetMacro(NonManifold, int);
   void SetNonManifoldToKeep() { this->SetNonManifold(NONMANIFOLD_KEEP); }
   void SetNonManifoldToFill() { this->SetNonManifold(NONMANIFOLD_FILL); }
@@ -121,14 +122,14 @@ public:
    * dropped region counts in SeedConflicts, with a warning. Requires tetrahedra, as the following
    * options do.
    */
-  vtkSetClampMacro(LargestRegions, int, 0, VTK_INT_MAX);
+  vtkInsideOutSetRangeMacro(LargestRegions, int, 0, VTK_INT_MAX);
   vtkGetMacro(LargestRegions, int);
   ///@}
 
   ///@{
   /** Volume below which regions are dropped, in a plane area, in units of the input. Default 0:
    * none. Range 0 to infinity. */
-  vtkSetClampMacro(MinimumRegionVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(MinimumRegionVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumRegionVolume, double);
   ///@}
 
@@ -169,7 +170,7 @@ public:
    * NONMANIFOLD_FILL still hold; a warning says where they forbid the topology. The statistics have
    * EnergyBeforeTopology, DroppedRegions and JoinedRegions.
    */
-  vtkSetClampMacro(Topology, int, TOPOLOGY_ANY, TOPOLOGY_SIMPLY_CONNECTED);
+  vtkInsideOutSetRangeMacro(Topology, int, TOPOLOGY_ANY, TOPOLOGY_SIMPLY_CONNECTED);
   vtkGetMacro(Topology, int);
   void SetTopologyToAny() { this->SetTopology(TOPOLOGY_ANY); }
   void SetTopologyToOneComponent() { this->SetTopology(TOPOLOGY_ONE_COMPONENT); }

@@ -8,8 +8,8 @@
 #ifndef vtkInsideOutCounting_h
 #define vtkInsideOutCounting_h
 
+#include "vtkInsideOutRange.h" // for setters with a range
 #include "vtkSetGet.h"
-#include "vtkType.h" // for VTK_DOUBLE_MAX
 
 #include <string>
 
@@ -20,20 +20,20 @@
  * AUTOMATIC leaves the least volume where w is below -1/2; an open sheet turns nothing else over.
  * OUTWARD ignores which part lies within which.
  */
-#define vtkInsideOutOrientationMacro()                    \
-  enum OrientationType                                    \
-  {                                                       \
-    AUTOMATIC = 0,                                        \
-    AS_GIVEN = 1,                                         \
-    REVERSE = 2,                                          \
-    OUTWARD = 3                                           \
-  };                                                      \
-  vtkSetClampMacro(Orientation, int, AUTOMATIC, OUTWARD); \
-  vtkGetMacro(Orientation, int);                          \
-                                                          \
-protected:                                                \
-  int Orientation = AUTOMATIC;                            \
-                                                          \
+#define vtkInsideOutOrientationMacro()                             \
+  enum OrientationType                                             \
+  {                                                                \
+    AUTOMATIC = 0,                                                 \
+    AS_GIVEN = 1,                                                  \
+    REVERSE = 2,                                                   \
+    OUTWARD = 3                                                    \
+  };                                                               \
+  vtkInsideOutSetRangeMacro(Orientation, int, AUTOMATIC, OUTWARD); \
+  vtkGetMacro(Orientation, int);                                   \
+                                                                   \
+protected:                                                         \
+  int Orientation = AUTOMATIC;                                     \
+                                                                   \
 public:
 
 /**
@@ -41,13 +41,13 @@ public:
  * bodies close. Default 0: only points with equal coordinates. Range 0 to infinity. The point with
  * the lowest id stays.
  */
-#define vtkInsideOutMergeToleranceMacro()                        \
-  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX); \
-  vtkGetMacro(MergeTolerance, double);                           \
-                                                                 \
-protected:                                                       \
-  double MergeTolerance = 0.0;                                   \
-                                                                 \
+#define vtkInsideOutMergeToleranceMacro()                                 \
+  vtkInsideOutSetRangeMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX); \
+  vtkGetMacro(MergeTolerance, double);                                    \
+                                                                          \
+protected:                                                                \
+  double MergeTolerance = 0.0;                                            \
+                                                                          \
 public:
 
 /** CountDuplicates: count a polygon as often as it is given, in a plane a segment. Default off:

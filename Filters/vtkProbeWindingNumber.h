@@ -101,7 +101,7 @@ public:
 
   ///@{
   /** Where w is evaluated: at POINTS, or at the centers of CELLS. Default POINTS. */
-  vtkSetClampMacro(Association, int, POINTS, CELLS);
+  vtkInsideOutSetRangeMacro(Association, int, POINTS, CELLS);
   vtkGetMacro(Association, int);
   ///@}
 
@@ -162,20 +162,20 @@ public:
    * (Jacobson, Kavan and Sorkine-Hornung, 2013) are exact as well; APPROXIMATE is by Barill et al.
    * (2018).
    */
-  vtkSetClampMacro(Method, int, EXACT, APPROXIMATE);
+  vtkInsideOutSetRangeMacro(Method, int, EXACT, APPROXIMATE);
   vtkGetMacro(Method, int);
   ///@}
 
   ///@{
   /** Order of the expansion of APPROXIMATE. Default 2. Range 1 to 3. */
-  vtkSetClampMacro(ApproximationOrder, int, 1, 3);
+  vtkInsideOutSetRangeMacro(ApproximationOrder, int, 1, 3);
   vtkGetMacro(ApproximationOrder, int);
   ///@}
 
   ///@{
   /** Distance, in radii of a group of facets, from which on APPROXIMATE expands it. Larger is
    * slower and errs less. Default 2. Range 1 to infinity. */
-  vtkSetClampMacro(Accuracy, double, 1.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(Accuracy, double, 1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Accuracy, double);
   ///@}
 
@@ -209,7 +209,7 @@ public:
    * surface of more polygons is cut into chunks of at most this size, which all processes visit in
    * turn; a smaller one is whole in each. The default takes some 1.7 GB.
    */
-  vtkSetClampMacro(FacetsAtOnce, int, 1, VTK_INT_MAX);
+  vtkInsideOutSetRangeMacro(FacetsAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(FacetsAtOnce, int);
   ///@}
 

@@ -45,6 +45,7 @@
 #define vtkRefineTetrahedra_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutRange.h"         // for setters with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
@@ -61,21 +62,21 @@ public:
   ///@{
   /** Upper limit on the length of edges, in units of the input. Edges of faces that stay may be
    * longer. Default 0: as the edges of the surface allow. Range 0 to infinity. */
-  vtkSetClampMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
   ///@}
 
   ///@{
   /** Growth of edges per unit of distance from the boundary. Small values make many cells of nearly
    * the same size. Default 0.35. Range 1e-6 to infinity. */
-  vtkSetClampMacro(Grading, double, 1e-6, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(Grading, double, 1e-6, VTK_DOUBLE_MAX);
   vtkGetMacro(Grading, double);
   ///@}
 
   ///@{
   /** Upper limit on the volume of cells, in a plane on their area, in units of the input. Default
    * 0: any size. Range 0 to infinity. */
-  vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
   ///@}
 
@@ -102,7 +103,7 @@ public:
    * all points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges
    * above FeatureAngle, and triangles whose replacement would touch another part of the boundary.
    */
-  vtkSetClampMacro(SurfaceTreatment, int, KEPT, REMESHED);
+  vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, REMESHED);
   vtkGetMacro(SurfaceTreatment, int);
   ///@}
 
@@ -112,14 +113,14 @@ public:
    * the input. Default 0: a thousandth of the longest edge of the bounding box. Range 0 to
    * infinity.
    */
-  vtkSetClampMacro(SurfaceTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkInsideOutSetRangeMacro(SurfaceTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SurfaceTolerance, double);
   ///@}
 
   ///@{
   /** Angle between normals above which edges of a remeshed boundary stay, in degrees. Default 30.
    * Range 0 to 180. Edges of steps lower than SurfaceTolerance do not stay. */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkInsideOutSetRangeMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}
 

@@ -76,6 +76,7 @@
 #define vtkRobustTetrahedralize_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutRange.h"         // for setters with a range
 #include "vtkSmartPointer.h"           // for the stages
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -177,8 +178,7 @@ public:
   vtkBooleanMacro(GenerateHull, bool);
   ///@}
 
-  /** For ParaView's states of before: off generates the hull, with a warning that output 3 has it
-   * now. On does nothing. */
+  /** For older states of ParaView: off generates the hull, with a warning. On does nothing. */
   void SetExtractInside(bool extract);
 
   ///@{
@@ -290,7 +290,7 @@ public:
    * work (OMP_NUM_THREADS). Each block takes the memory that it takes alone, and eight hulls per
    * thread wait for their turn. Without effect on a single surface and with BlocksAreBodies.
    */
-  vtkSetClampMacro(BlocksAtOnce, int, 1, VTK_INT_MAX);
+  vtkInsideOutSetRangeMacro(BlocksAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(BlocksAtOnce, int);
   ///@}
 
@@ -325,7 +325,7 @@ public:
    * BY_PRIORITY. BY_PRIORITY gives a region the body's number; a body that others cover whole has
    * none. With ALL the field array RegionBodies says which bodies a region is of.
    */
-  vtkSetClampMacro(RegionRule, int, BY_PRIORITY, ALL);
+  vtkInsideOutSetRangeMacro(RegionRule, int, BY_PRIORITY, ALL);
   vtkGetMacro(RegionRule, int);
   ///@}
 

@@ -43,6 +43,7 @@
 #define vtkSolidWriter_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutRange.h"         // for setters with a range
 #include "vtkWriter.h"
 
 class vtkPolyData;
@@ -70,7 +71,7 @@ public:
   ///@{
   /** Version of gmsh's format that a .msh file has: MSHVERSION_4_1, or MSHVERSION_2_2 for programs
    * that do not read the first. Default MSHVERSION_4_1. */
-  vtkSetClampMacro(MshVersion, int, MSHVERSION_4_1, MSHVERSION_2_2);
+  vtkInsideOutSetRangeMacro(MshVersion, int, MSHVERSION_4_1, MSHVERSION_2_2);
   vtkGetMacro(MshVersion, int);
   ///@}
 

@@ -84,7 +84,7 @@ public:
    * INTERSECTION: in all; DIFFERENCE: in the first and no other; SYMMETRIC_DIFFERENCE: in an odd
    * number. Default UNION.
    */
-  vtkSetClampMacro(Operation, int, UNION, SYMMETRIC_DIFFERENCE);
+  vtkInsideOutSetRangeMacro(Operation, int, UNION, SYMMETRIC_DIFFERENCE);
   vtkGetMacro(Operation, int);
   ///@}
 

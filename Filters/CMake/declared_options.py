@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the headers of the classes say of their options: kind, range, constants, default and words, each from its declaration.
 
-An option is what VTK's macros give a setter (vtkSetMacro and its kin), or what has a getter by such a macro. Its words
+An option is what VTK's macros give a setter (vtkSetMacro and its kin; vtkInsideOutSetRangeMacro), or what has a getter by such a macro. Its words
 are the comment before it. They hold its default, "Default 30." or "Default 0: none.", and before that what every user has
 to know; behind it may stand "Range 0 to 180.", and then details. The macros of vtkInsideOutCounting.h stand for the options
 that they declare. A setter and getter that are declared by hand forward an option of a stage: the stage's header tells it.
@@ -15,7 +15,7 @@ from pathlib import Path
 
 COMMENT = r"/\*\*(?P<words>(?:(?!\*/).)*)\*/"
 SETTER = re.compile(
-    r"vtkSet(?P<clamp>Clamp)?Macro\((?P<name>\w+),\s*(?P<type>[\w:]+)(?:,\s*(?P<least>[^,()]+),\s*(?P<most>[^,()]+))?\)"
+    r"(?:vtkSet|vtkInsideOutSetRange)Macro\((?P<name>\w+),\s*(?P<type>[\w:]+)(?:,\s*(?P<least>[^,()]+),\s*(?P<most>[^,()]+))?\)"
     r"|vtkSetStdStringFromCharMacro\((?P<text>\w+)\)"
     r"|vtkGetMacro\((?P<got>\w+),\s*(?P<gottype>[\w:]+)\)"
 )

@@ -83,11 +83,21 @@ def values_of(made: object) -> dict[str, object]:
     return {name: "" if value is None else value for name, value in values.items()}
 
 
-def read_back(class_name: str, name: str, value: object) -> object:
-    """What a property is after it was set."""
-    owner = owner_of(getattr(insideout, class_name)(), name)
+def set_and_told(class_name: str, name: str, value: object) -> tuple[object, list[str]]:
+    """What a property is after it was set, and the warnings."""
+    owner, told = owner_of(getattr(insideout, class_name)(), name), []
+
+    def listen(_owner, _event, text):
+        told.append(text.rsplit(": ", 2)[1])
+
+    listen.CallDataType = "string0"
+    owner.AddObserver("WarningEvent", listen)
     getattr(owner, "Set" + name)(value)
-    return getattr(owner, "Get" + name)()
+    return getattr(owner, "Get" + name)(), told
+
+
+def read_back(class_name: str, name: str, value: object) -> object:
+    return set_and_told(class_name, name, value)[0]
 
 
 def constants(class_name: str, name: str) -> dict[int, str]:
@@ -215,6 +225,20 @@ class ParaView(unittest.TestCase):
                     self.assertEqual(read_back(class_name, name, max(entries) + 1), max(entries))
                 elif type(default) is int:
                     self.assertIsNotNone(element.find("IntRangeDomain"))
+
+    def test_the_class_tells_what_is_out_of_range_with_the_range(self):
+        for class_name, name, element, default in plugin_properties():
+            kind = type(default)
+            domain = element.find("DoubleRangeDomain" if kind is float else "IntRangeDomain")
+            if domain is None or domain.get("min") is None:
+                continue
+            least, most = (None if domain.get(end) is None else kind(float(domain.get(end))) for end in ("min", "max"))
+            words = f"at least {least:g}" if most is None else f"from {least:g} to {most:g}"
+            with self.subTest(filter=class_name, property=name):
+                for value in (least, most, default):
+                    self.assertEqual(set_and_told(class_name, name, default if value is None else value)[1], [])
+                for value in (least - 3, *([] if most is None else [most + 3])):
+                    self.assertEqual(set_and_told(class_name, name, value)[1], [f"{name} is {value:g}, but must be {words}"])
 
     def test_each_switch_is_one(self):
         for class_name, name, element, default in plugin_properties():

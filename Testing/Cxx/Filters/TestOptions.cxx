@@ -14,6 +14,7 @@
 
 #include "GraphCut/SegmentMesh.h"
 #include "HullMesh.h"
+#include "Listener.h"
 #include "Refine/SizingField.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
 #include "WindingNumber/TetrahedronQuadrature.h"
@@ -364,4 +365,19 @@ TEST(OptionsOfProbe, AreThoseOfTheStage)
   EXPECT_FALSE(TakesWindingNumber(parameters));
   EXPECT_EQ(SET(filter, Method, -1), static_cast<int>(WindingNumberMethod::Exact));
   EXPECT_EQ(SET(filter, Method, 99), static_cast<int>(WindingNumberMethod::Approximate));
+}
+
+TEST(Options, OutOfRangeAreTold)
+{
+  vtkNew<vtkRefineTetrahedra> filter;
+  Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetEdgeLength(0);
+  filter->SetFeatureAngle(180);
+  filter->SetMaximumVolume(Infinity);
+  EXPECT_TRUE(warnings.Texts.empty());
+  filter->SetEdgeLength(-3);
+  EXPECT_TRUE(warnings.Heard("EdgeLength is -3, but must be at least 0: it is taken as 0"));
+  filter->SetFeatureAngle(200);
+  EXPECT_TRUE(warnings.Heard("FeatureAngle is 200, but must be from 0 to 180: it is taken as 180"));
+  EXPECT_EQ(warnings.Texts.size(), 2u);
 }
