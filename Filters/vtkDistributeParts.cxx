@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDistributeParts.h"
 
+#include "Data/Label.h"
 #include "In/WholeInput.h"
 #include "Ranks/Assembly.h"
 #include "Ranks/FailTogether.h"
@@ -118,13 +119,14 @@ int vtkDistributeParts::RequestData(vtkInformation* vtkNotUsed(request),
   if (!disagreement.empty())
   {
     output->Initialize();
-    vtkErrorMacro(<< disagreement);
+    vtkErrorMacro(<< vtkInsideOut::Label(this) << disagreement);
     return 0;
   }
   if (parts.Others > 0)
   {
-    vtkWarningMacro(<< parts.Others
-                    << " blocks are left out, for they are no surfaces (vtkPolyData)");
+    vtkInsideOut::Warn(this,
+      { std::to_string(parts.Others) +
+        " blocks are left out, for they are no surfaces (vtkPolyData)" });
   }
   const std::vector<int> owners =
     ChooseOwners(vtkInsideOut::CountCells(parts, controller), controller->GetNumberOfProcesses());

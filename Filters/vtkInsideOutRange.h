@@ -6,32 +6,27 @@
 #ifndef vtkInsideOutRange_h
 #define vtkInsideOutRange_h
 
-#include "vtkObject.h" // for warnings
-#include "vtkType.h"   // for VTK_DOUBLE_MAX
+#include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkType.h"                   // for VTK_DOUBLE_MAX
 
-#include <sstream>
+class vtkObject;
 
 namespace vtkInsideOut
 {
+/** Warn that an option is given a value out of its range, of which the nearest limit is taken. */
+VTKFILTERSINSIDEOUT_EXPORT void WarnOfRange(
+  vtkObject* owner, const char* option, double value, double least, double most);
+
 /** @return the value, or the nearest limit of its range, with a warning. VTK's largest number is no
  * limit: infinity becomes it without one. */
 template <typename Number>
 Number InRange(vtkObject* owner, const char* option, Number value, Number least, Number most)
 {
-  const Number taken = value < least ? least : value > most ? most : value;
-  const bool isBounded = most < VTK_INT_MAX;
-  if (value < least || (value > most && isBounded))
+  if (value < least || (value > most && most < VTK_INT_MAX))
   {
-    std::ostringstream range;
-    range << (isBounded ? "from " : "at least ") << least;
-    if (isBounded)
-    {
-      range << " to " << most;
-    }
-    vtkWarningWithObjectMacro(owner, << option << " is " << value << ", but must be " << range.str()
-                                     << ": it is taken as " << taken);
+    WarnOfRange(owner, option, value, least, most);
   }
-  return taken;
+  return value < least ? least : value > most ? most : value;
 }
 } // namespace vtkInsideOut
 

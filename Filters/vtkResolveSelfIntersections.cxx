@@ -2,6 +2,7 @@
 #include "vtkResolveSelfIntersections.h"
 
 #include "Common/Stages.h"
+#include "Data/Label.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -79,7 +80,7 @@ int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request)
         const auto cells =
           vtkIdTypeArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("LeftOutCellIds"));
         vtkWarningMacro(
-          << surface.NumberOfFacets() - surface.NumberOfConstraints
+          << vtkInsideOut::Label(this) << surface.NumberOfFacets() - surface.NumberOfConstraints
           << " facets still cross others after rounding and are left out; they are pieces of "
           << cells->GetNumberOfValues() << " input cells, of which cell " << cells->GetValue(0)
           << " is the first");

@@ -153,9 +153,9 @@ void vtkRobustTetrahedralize::SetExtractInside(bool extract)
   if (!extract)
   {
     this->GenerateHullOn();
-    vtkWarningMacro(
-      << "ExtractInside is gone: output 0 has the cells inside, and output 3 those of "
-         "the whole hull, with GenerateHull, which is on now");
+    vtkInsideOut::Warn(this,
+      { "ExtractInside is gone: output 0 has the cells inside, and output 3 those of the whole "
+        "hull, with GenerateHull, which is on now" });
   }
 }
 

@@ -48,11 +48,13 @@ def expanded(filters: Path, source: Path) -> ElementTree.ElementTree:
                 proxy[at] = property_of(element, options[of][name], words)
                 members.setdefault(element.get("group", ""), []).append(proxy[at].get("name", ""))
             elif element.tag == "Stage":
-                proxy[at], exposed = subproxy_of(element, source.parent, options)
+                proxy[at], exposed = subproxy_of(element, source.parent, options, proxy.get("label", ""))
                 for group, names in exposed.items():
                     members.setdefault(group, []).extend(names)
         for element in proxy.findall("PanelGroup"):
             fill_group(element, members)
+        if proxy.get("class") in options:
+            proxy.insert(0, name_in_messages(proxy))
     ElementTree.indent(tree)
     return tree
 
@@ -88,12 +90,23 @@ def property_of(element: Element, option, words: Words) -> Element:
     return made
 
 
-def subproxy_of(stage: Element, folder: Path, options) -> tuple[Element, dict[str, list[str]]]:
+def name_in_messages(proxy: Element) -> Element:
+    """What lets the messages of a filter begin with its label. It is no option, and no state has it."""
+    made = Element("StringVectorProperty", name="ObjectName", command="SetObjectName", number_of_elements="1")
+    made.attrib.update(default_values=proxy.get("label", proxy.get("name", "")), panel_visibility="never", is_internal="1")
+    if "base_proxyname" in proxy.attrib:
+        made.set("override", "1")
+    SubElement(made, "Documentation").text = "The name that messages begin with."
+    return made
+
+
+def subproxy_of(stage: Element, folder: Path, options, label: str) -> tuple[Element, dict[str, list[str]]]:
     """The subproxy of a stage, and the properties that it exposes, by their groups."""
     name = stage.get("name", "")
     made = Element("SubProxy", command=f"Set{name}")
     SubElement(made, "Proxy", name=name, proxygroup="inside_out_stages", proxyname=name)
     exposed, members = SubElement(made, "ExposedProperties"), {}
+    SubElement(exposed, "Property", name="ObjectName", exposed_name=f"{name}ObjectName", default_values=label, panel_visibility="never")
     proxy = stage_proxies(folder)[name]
     for element in proxy.iterfind("Option"):
         if element.get("name") in stage.get("except", "").split():

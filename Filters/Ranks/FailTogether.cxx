@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Ranks/FailTogether.h"
 
+#include "Data/Label.h"
 #include "Ranks/Gather.h"
 #include "Ranks/Together.h"
 
@@ -118,8 +119,8 @@ bool FailTogether::AskForData(
   {
     algorithm->GetOutputDataObject(port)->Initialize();
   }
-  vtkErrorWithObjectMacro(algorithm,
-    << "the input of process " << failed << " fails, so that there is no output in any process");
+  vtkErrorWithObjectMacro(algorithm, << Label(algorithm) << "the input of process " << failed
+                                     << " fails, so that there is no output in any process");
   return false;
 }
 

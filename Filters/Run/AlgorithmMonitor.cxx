@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Run/AlgorithmMonitor.h"
 
+#include "Data/Label.h"
+
 #include <vtkAlgorithm.h>
 
 #include <algorithm>
@@ -75,6 +77,7 @@ void AlgorithmMonitor::WarnOnce(const char* unknownStage)
   {
     this->Warned = true;
     vtkWarningWithObjectMacro(this->Algorithm,
+      << Label(this->Algorithm)
       << "the progress shown is wrong, for it does not reckon with the stage \"" << unknownStage
       << "\": a bug worth reporting, which the outputs do not suffer from");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Run/RunFilter.h"
 
+#include "Data/Label.h"
 #include "In/Blocks.h"
 #include "In/WholeInput.h"
 #include "Ranks/Together.h"
@@ -161,12 +162,12 @@ int Run(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::funct
     {
       return 1;
     }
-    vtkErrorWithObjectMacro(algorithm, << Block(algorithm) << WordsOf(error));
+    vtkErrorWithObjectMacro(algorithm, << Label(algorithm) << Block(algorithm) << WordsOf(error));
   }
   catch (const std::exception& error)
   {
     MakeEmpty(outputs);
-    vtkErrorWithObjectMacro(algorithm, << Block(algorithm) << WordsOf(error));
+    vtkErrorWithObjectMacro(algorithm, << Label(algorithm) << Block(algorithm) << WordsOf(error));
   }
   return 0;
 }
@@ -212,7 +213,7 @@ void Warn(vtkAlgorithm* algorithm, const std::vector<std::string>& warnings)
 {
   for (const std::string& warning : warnings)
   {
-    vtkWarningWithObjectMacro(algorithm, << Block(algorithm) << warning);
+    vtkWarningWithObjectMacro(algorithm, << Label(algorithm) << Block(algorithm) << warning);
   }
 }
 } // namespace vtkInsideOut

@@ -421,6 +421,14 @@ class TestGui(unittest.TestCase):
         taken = saved.named("filters", "SliceWindingNumber1").find("Property[@name='Input']/Proxy")
         self.assertEqual(taken.get("output_port"), "3")
 
+    def test_14_what_is_out_of_range_is_told_and_by_which_filter(self):
+        too_smooth = do(PROPERTIES + "Gamma/DoubleLineEdit0", "set_string", "-3")
+        window = Window("told", events=[*open_file(SURFACE), add("RobustTetrahedralize"), too_smooth, APPLY])
+        self.assertEqual(window.status, 0, window.messages)
+        # The window shows what stands behind the first colon.
+        told = re.findall(r"WARN\|[^:]*: ([^\x1b\n]*)", window.messages)
+        self.assertEqual(told, ["Robust Tetrahedralize: Gamma is -3, but must be at least 0: it is taken as 0"])
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

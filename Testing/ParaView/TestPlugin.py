@@ -11,7 +11,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from paraview import servermanager, simple, smtrace
-from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringArray, vtkStringOutputWindow
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -32,7 +32,7 @@ FILTERS = [
 ]
 
 NAMES_IN_STATES = {"Surface": "SurfaceTreatment"}  # of what has another name in the class
-OF_BEFORE = ("RobustTetrahedralize", "ExtractInside")  # for states of before
+NO_OPTIONS = ("ExtractInside", "ObjectName", *(stage + "ObjectName" for stage in ("Refinement", "Segmentation", "WindingNumber")))
 
 
 def volume(proxy, port=0):
@@ -51,6 +51,17 @@ def volumes_of_blocks(proxy):
         array = iterator.GetCurrentDataObject().GetCellData().GetArray("Volume")
         yield sum(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
         iterator.GoToNextItem()
+
+
+def messages_of(work):
+    """The errors and warnings of some work, in full."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        work()
+    finally:
+        vtkOutputWindow.SetInstance(before)
+    return window.GetOutput()
 
 
 def names_of_tags(solid):
@@ -153,6 +164,23 @@ class TestPlugin(unittest.TestCase):
         solid.Orientation, solid.GenerateHull = "Automatic", 1
         self.assertAlmostEqual(volume(solid), 1.75, 12)
         self.assertAlmostEqual(volume(solid, 3), 2, 12)
+
+    def test_messages_begin_with_the_label_of_the_filter(self):
+        """Also those of stages; and no state has these names."""
+        solid = simple.RobustTetrahedralize(Input=self.surface)
+
+        def set_and_update(**options):
+            simple.SetProperties(solid, **options)
+            solid.UpdatePipeline()
+
+        told = messages_of(lambda: set_and_update(Gamma=-3))
+        self.assertIn(": Robust Tetrahedralize: Gamma is -3, but must be at least 0: it is taken as 0\n", told)
+        self.assertIn(": Robust Tetrahedralize: nothing is inside", messages_of(lambda: set_and_update(Orientation="Reverse")))
+        reader = simple.SurfaceReader(FileName="/nowhere.off")
+        self.assertIn(": Surface Reader: ", messages_of(reader.UpdatePipeline))
+        writing = messages_of(lambda: simple.SaveData("/nowhere/solid.msh", proxy=solid))
+        self.assertIn(": Gmsh Writer: ", writing)
+        simple.Delete(reader)
 
     def test_options_of_stages_are_in_states_which_may_be_of_before(self):
         simple.ResetSession()
@@ -386,7 +414,7 @@ class TestPlugin(unittest.TestCase):
                 properties.Next()
                 with self.subTest(filter=name, property=key):
                     self.assertTrue(prop.GetDocumentation().GetDescription().strip())
-                    if not isinstance(prop, servermanager.vtkSMInputProperty) and (name, key) != OF_BEFORE:
+                    if not isinstance(prop, servermanager.vtkSMInputProperty) and key not in NO_OPTIONS:
                         default = prop.GetElement(0)
                         named = NAMES_IN_STATES.get(key, key)
                         self.assertEqual(default, getattr(insideout.options.owner_of(fresh, named), "Get" + named)())
