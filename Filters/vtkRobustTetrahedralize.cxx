@@ -11,6 +11,7 @@
 #include "Out/KeptHull.h"
 #include "Out/MakeTetrahedra.h"
 #include "Out/MeshAhead.h"
+#include "Out/Summarize.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/Cache.h"
 #include "Run/RunFilter.h"
@@ -212,6 +213,11 @@ vtkPolyData* vtkRobustTetrahedralize::GetOutliers()
 vtkUnstructuredGrid* vtkRobustTetrahedralize::GetHull()
 {
   return vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(3));
+}
+
+std::string vtkRobustTetrahedralize::GetSummary()
+{
+  return vtkInsideOut::Summarize(this->GetOutputDataObject(0));
 }
 
 namespace

@@ -110,10 +110,11 @@ public:
   };
 
   ///@{
-  /** Outputs 1, 2 and 3. */
+  /** Outputs 1, 2 and 3; six lines of the statistics: what was wrong, and what came out. */
   vtkPolyData* GetBoundary();
   vtkPolyData* GetOutliers();
   vtkUnstructuredGrid* GetHull();
+  std::string GetSummary();
   ///@}
 
   ///@{
@@ -298,13 +299,12 @@ public:
   /**
    * Tetrahedralize parts of the surface whose bounding boxes do not meet apart, by several threads
    * at once, without cells between them. The solid of a closed surface is the same, in other
-   * tetrahedra. Default off. All pieces with open edges or in a plane are one part. 27 parts took
-   * 0.6 of the time on two threads. The statistic PartsApart counts the parts. The boundary of a
-   * closed surface has the same triangles, except where the statistic SurfaceSteinerPoints counts
-   * points added on them; tetrahedra, the order of regions and points, and energies are different.
-   * Where the surface is open, nothing beyond the hulls of the parts (output 3) is inside; a
-   * warning tells of seeds there. TimeBudget is for all parts, MemoryBudget for each. Requires one
-   * body and TOPOLOGY_ANY.
+   * tetrahedra. Default off. All pieces with open edges or in a plane are one part. The statistic
+   * PartsApart counts the parts. The boundary of a closed surface has the same triangles, except
+   * where the statistic SurfaceSteinerPoints counts points added on them; tetrahedra, the order of
+   * regions and points, and energies are different. Where the surface is open, nothing beyond the
+   * hulls of the parts (output 3) is inside; a warning tells of seeds there. TimeBudget is for all
+   * parts, MemoryBudget for each. Requires one body and TOPOLOGY_ANY.
    */
   vtkSetMacro(PartsApart, bool);
   vtkGetMacro(PartsApart, bool);

@@ -412,8 +412,8 @@ namespace
 {
 constexpr char StatisticsName[] = "Statistics";
 constexpr char NamesOfStatistics[] = "StatisticsNames";
+} // namespace
 
-/** The statistics that field data has. */
 insideout::Statistics StatisticsOf(vtkFieldData* fields)
 {
   insideout::Statistics found;
@@ -426,7 +426,6 @@ insideout::Statistics StatisticsOf(vtkFieldData* fields)
   }
   return found;
 }
-} // namespace
 
 void AddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)
 {

@@ -129,6 +129,9 @@ vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects)
  */
 void AddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);
 
+/** The statistics that field data has. */
+insideout::Statistics StatisticsOf(vtkFieldData* fields);
+
 /** Put the labels on the grid as its cell array Inside. */
 void AddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
 

@@ -429,6 +429,15 @@ class TestGui(unittest.TestCase):
         told = re.findall(r"WARN\|[^:]*: ([^\x1b\n]*)", window.messages)
         self.assertEqual(told, ["Robust Tetrahedralize: Gamma is -3, but must be at least 0: it is taken as 0"])
 
+    def test_15_the_panel_tells_in_six_lines_what_was_wrong_and_what_came_out(self):
+        surface = FOLDER / "told.off"
+        write_box_and_sheet(surface)
+        lines = ("Input Triangles 12, Components 2", "Intersecting Pairs 0", "Open Edges 8, Holed Shells 1",
+                 "Inside Cells 6, Regions 1", "Volume 1", "Outlier Facets 2")
+        told = check(PROPERTIES + "ShownSummary/Text", "text", "\n".join(lines))
+        window = Window("summary", events=[*open_file(surface), add("RobustTetrahedralize"), APPLY, told])
+        self.assertEqual(window.status, 0, window.messages)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

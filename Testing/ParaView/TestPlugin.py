@@ -32,7 +32,7 @@ FILTERS = [
 ]
 
 NAMES_IN_STATES = {"Surface": "SurfaceTreatment"}  # of what has another name in the class
-NO_OPTIONS = ("ExtractInside", "ObjectName", *(stage + "ObjectName" for stage in ("Refinement", "Segmentation", "WindingNumber")))
+NO_OPTIONS = ("ExtractInside", "Summary", "ShownSummary", "ObjectName", *(stage + "ObjectName" for stage in ("Refinement", "Segmentation", "WindingNumber")))
 
 
 def volume(proxy, port=0):
@@ -383,6 +383,10 @@ class TestPlugin(unittest.TestCase):
             names = [data.GetMetaData(k).Get(data.NAME()) for k in range(2)]
             self.assertEqual(names, ["boxes", "box"])
         self.assertAlmostEqual(sum(volumes_of_blocks(solid)), 2.75, 6)
+        solid.UpdatePropertyInformation()
+        summary = solid.SMProxy.GetProperty("Summary").GetElement(0)
+        self.assertIn("Input Triangles 36, Components 3\nIntersecting Pairs 40\nOpen Edges 0\n", summary)
+        self.assertIn("\nVolume 2.75\n", summary)
 
     def test_time_steps_pass_through(self):
         surface = simple.ExtractSurface(Input=simple.TimeSource(Growing=1))

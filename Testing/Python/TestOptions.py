@@ -54,7 +54,7 @@ UNUSED_OF_STAGES = {
 UNUSED_IN_A_PLANE = {"SurfaceTolerance", "FeatureAngle", "QuadraticCells"}
 """Boundaries are not remeshed there."""
 
-NO_OPTIONS_OF_PANELS = {"ExtractInside": "tells states of before where the hull is", "ObjectName": "is what messages begin with"}
+NO_OPTIONS_OF_PANELS = {"ExtractInside": "tells states of before where the hull is", "ObjectName": "is what messages begin with", "Summary": "is told, not set"}
 
 NAMES_IN_STATES = {"Surface": "SurfaceTreatment"}
 """What ParaView's states call a property that has another name now."""
