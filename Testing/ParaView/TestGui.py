@@ -174,6 +174,11 @@ class State:
                 found[place] = (representation, array, color)
         return found
 
+    def legends(self) -> int:
+        """The number of legends that are shown."""
+        bars = [one for one in self.proxies("representations") if one.get("type") == "ScalarBarWidgetRepresentation"]
+        return sum(self.values(bar, "Visibility") == ["1"] for bar in bars)
+
     def named(self, group: str, name: str):
         return next(proxy for proxy in self.proxies(group) if self.names[proxy.get("id")] == name)
 
@@ -437,6 +442,18 @@ class TestGui(unittest.TestCase):
         told = check(PROPERTIES + "ShownSummary/Text", "text", "\n".join(lines))
         window = Window("summary", events=[*open_file(surface), add("RobustTetrahedralize"), APPLY, told])
         self.assertEqual(window.status, 0, window.messages)
+
+    def test_16_colors_of_defects_are_shown_as_they_are_without_a_legend(self):
+        other, own = FOLDER / "other.pvsm", FOLDER / "own.pvsm"
+        surface = do("pqClientMainWindow/representationToolbar/displayRepresentation/comboBox", "set_string", "Surface")
+        self.play(
+            "defect-colors",
+            *[*open_file(SURFACE), add("SurfaceDefects"), APPLY, surface, color_by("ComponentId"), *save_state(other)],
+            *[color_by("DefectColor"), *save_state(own)],
+        )
+        first = ("SurfaceDefects1", 0)
+        self.assertEqual((State(other).looks()[first][:2], State(other).legends()), (("Surface", "ComponentId"), 1))
+        self.assertEqual((State(own).looks()[first][:2], State(own).legends()), (("Defect Colors", "DefectColor"), 0))
 
 
 if __name__ == "__main__":
