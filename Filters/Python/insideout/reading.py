@@ -22,8 +22,8 @@ _TYPES = {VTK_TETRA: Tetrahedra, VTK_QUADRATIC_TETRA: Tetrahedra, VTK_TRIANGLE: 
 def read(path: Path, *, progress: Optional[Progress] = None) -> Union[TriangleSurface, Polylines, Tetrahedra, Triangles, vtkUnstructuredGrid]:
     """What a file holds: a surface as a vtkPolyData, or a solid as a vtkUnstructuredGrid, with all arrays.
 
-    path      a surface: .ply, .obj, .off, .stl or .vtp, also compressed with .gz behind it; or lines in a plane: .csv;
-              or a solid: .vtu, .msh (gmsh), .inp (Abaqus and CalculiX) or .mesh (Medit)
+    path      a surface: .ply, .obj, .off, .stl, .vtp, .glb or .3mf, also compressed with .gz behind it; or lines in a
+              plane: .csv; or a solid: .vtu, .msh (gmsh), .inp (Abaqus and CalculiX) or .mesh (Medit)
     progress  called with what is being done and the fraction that is done; what it raises stops the reading
 
     A solid has the cell array RegionId where its file has groups, and their names in the field array RegionNames. A
