@@ -32,6 +32,7 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
+#include "vtkInsideOutEngine.h"        // for the options of engines
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
@@ -47,6 +48,11 @@ public:
   /** How the input is counted: vtkInsideOutCounting.h describes these options. */
   vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
     vtkInsideOutCountDuplicatesMacro() vtkInsideOutNonParticipatingMacro()
+    ///@}
+
+    ///@{
+    /** What makes the tetrahedra: vtkInsideOutEngine.h describes these options. */
+    vtkInsideOutEngineMacro() vtkInsideOutTimeBudgetMacro() vtkInsideOutMemoryBudgetMacro()
     ///@}
 
     ///@{
@@ -77,48 +83,6 @@ public:
   vtkGetMacro(QuadratureOrder, int);
   ///@}
 
-  /** What makes the tetrahedra. */
-  enum EngineType
-  {
-    ENGINE_AUTOMATIC = 0, ///< exact flips and cuts, and TetGen should these lose a facet
-    ENGINE_EXACT = 1,     ///< flips and cuts with exact predicates, in this process
-    ENGINE_TETGEN = 2     ///< TetGen alone
-  };
-
-  ///@{
-  /**
-   * Engine that makes the tetrahedra. ENGINE_EXACT flips and cuts, ENGINE_TETGEN runs TetGen,
-   * ENGINE_AUTOMATIC runs TetGen only where the exact engine loses a facet. Default
-   * ENGINE_AUTOMATIC. The mesh that loses the fewest facets is taken where none keeps all.
-   */
-  vtkInsideOutSetRangeMacro(Engine, int, ENGINE_AUTOMATIC, ENGINE_TETGEN);
-  vtkGetMacro(Engine, int);
-  void SetEngineToAutomatic() { this->SetEngine(ENGINE_AUTOMATIC); }
-  void SetEngineToExact() { this->SetEngine(ENGINE_EXACT); }
-  void SetEngineToTetGen() { this->SetEngine(ENGINE_TETGEN); }
-  ///@}
-
-  ///@{
-  /**
-   * Seconds that tetrahedralizing may take, in all attempts together. Default 0: limited by work,
-   * not by the clock, so that a busy machine gives the same mesh. Range 0 to infinity. Each kind of
-   * attempt gets an equal part. With 0 each of TetGen's attempts takes at most 4 s of processor
-   * time, and 0.3 ms for each point and facet.
-   */
-  vtkInsideOutSetRangeMacro(TimeBudget, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(TimeBudget, double);
-  ///@}
-
-  ///@{
-  /**
-   * MiB of memory that TetGen's process may hold. Default 0: limited by the size of the surface.
-   * Range 0 to infinity. Beyond it the next attempt begins. With 0 the limit is 1024 MiB, and 16
-   * KiB for each point and facet, but at most three quarters of the machine's memory.
-   */
-  vtkInsideOutSetRangeMacro(MemoryBudget, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MemoryBudget, double);
-  ///@}
-
 protected:
   vtkGeneralizedWindingNumber();
   ~vtkGeneralizedWindingNumber() override = default;
@@ -132,9 +96,6 @@ protected:
   double Thicken;
   bool ThickenAll;
   int QuadratureOrder;
-  int Engine;
-  double TimeBudget;
-  double MemoryBudget;
 
 private:
   vtkGeneralizedWindingNumber(const vtkGeneralizedWindingNumber&) = delete;

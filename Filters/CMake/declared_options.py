@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the headers of the classes say of their options: kind, range, constants, default and words, each from its declaration.
 
-An option is what VTK's macros give a setter (vtkSetMacro and its kin; vtkInsideOutSetRangeMacro), or what has a getter by such a macro. Its words
-are the comment before it. They hold its default, "Default 30." or "Default 0: none.", and before that what every user has
-to know; behind it may stand "Range 0 to 180.", and then details. The macros of vtkInsideOutCounting.h stand for the options
-that they declare. A setter and getter that are declared by hand forward an option of a stage: the stage's header tells it.
+An option is what VTK's macros give a setter (vtkSetMacro and its kin; vtkInsideOutSetRangeMacro), or what has a getter by such
+a macro. Its words are the comment before it. They hold its default, "Default 30." or "Default 0: none.", and before that what
+every user has to know; behind it may stand "Range 0 to 180.", and then details. The macros of SHARED headers stand for the
+options that they declare. A setter and getter that are declared by hand forward an option of a stage: the stage's header tells it.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ SETTER = re.compile(
     r"|vtkGetMacro\((?P<got>\w+),\s*(?P<gottype>[\w:]+)\)"
 )
 KINDS = {"bool": "bool", "int": "int", "double": "double", "std::string": "string"}
+SHARED = ("vtkInsideOutCounting.h", "vtkInsideOutEngine.h")
 NO_LIMIT = ("VTK_DOUBLE_MAX", "VTK_INT_MAX", "VTK_DOUBLE_MIN", "-VTK_DOUBLE_MAX")
 
 
@@ -59,7 +60,9 @@ class Declared:
 
 def options_of(header: Path) -> dict[str, Declared]:
     """The options of the class of a header, by their names, in the order of their declarations."""
-    text = _expanded(header.read_text(encoding="utf-8"), header.with_name("vtkInsideOutCounting.h"))
+    text = header.read_text(encoding="utf-8")
+    for shared in SHARED:
+        text = _expanded(text, header.with_name(shared))
     enumerations = {name: _values(body) for name, body in re.findall(r"enum (\w+)Type\s*\{([^}]*)\}", text)}
     found: dict[str, Declared] = {}
     comments = list(re.finditer(COMMENT, text, re.DOTALL))

@@ -47,16 +47,8 @@ def names_of(boundary: vtkPolyData) -> list:
     return [names.GetValue(tag) for tag in range(names.GetNumberOfValues())]
 
 
-def joined(*parts: vtkPolyData) -> vtkPolyData:
-    points, polygons = [], []
-    for part in parts:
-        polygons += (surfaces.triangles_of(part) + len(points)).tolist()
-        points += surfaces.points_of(part).tolist()
-    return polydata(points, polygons)
-
-
 def boxes(*places) -> vtkPolyData:
-    return joined(*(surfaces.box(low, size) for low, size in places))
+    return surfaces.joined(*(surfaces.box(low, size) for low, size in places))
 
 
 def open_sphere(n: int = 12, radius: float = 1.0) -> vtkPolyData:
@@ -216,7 +208,7 @@ class OfDirtySurfaces(Tags):
             "stray": polydata([(5, 5, -2), (7, 5, 2), (5, 7, 2)], [(0, 1, 2)]),
             "crossed by it": surfaces.box((5, 5, -1), 2),
         }
-        surface = joined(*parts.values())
+        surface = surfaces.joined(*parts.values())
         names = [name for name, part in parts.items() for _ in range(part.GetNumberOfCells())]
         return tagged(surface, names), names
 
@@ -430,7 +422,7 @@ class Regions(unittest.TestCase):
 
     def test_each_solid_weighs_what_the_integral_over_its_surface_says(self):
         parts = [surfaces.box((-3, 0, 0), 2), self.ellipsoid(), surfaces.box((20, 0, 0), 1 / 3)]
-        result = insideout.tetrahedralize(joined(*parts))
+        result = insideout.tetrahedralize(surfaces.joined(*parts))
         self.assertEqual(result.statistics["Regions"], 3)
         found = sorted(result.regions, key=lambda region: region.center_of_mass[0])
         for region, part in zip(found, parts):
@@ -438,7 +430,7 @@ class Regions(unittest.TestCase):
         self.expect_mass(found[0], 8, (-2, 1, 1), (16 / 3, 16 / 3, 16 / 3, 0, 0, 0))
 
     def test_the_tetrahedra_of_a_region_weigh_what_it_does(self):
-        result = insideout.tetrahedralize(joined(surfaces.two_boxes(), self.ellipsoid()))
+        result = insideout.tetrahedralize(surfaces.joined(surfaces.two_boxes(), self.ellipsoid()))
         volumes = np.array(list(map(float, surfaces.exact_volumes(result.solid))))
         region_of = cell_array(result.solid, "RegionId")
         self.assertEqual(region_of.dtype, np.int32)
@@ -450,9 +442,9 @@ class Regions(unittest.TestCase):
 
     def test_they_do_not_depend_on_the_tetrahedra(self):
         """Cells that count nothing shape the mesh: the solid stays, but is cut otherwise."""
-        plain = joined(self.ellipsoid(), surfaces.box((20, 0, 0)))
+        plain = surfaces.joined(self.ellipsoid(), surfaces.box((20, 0, 0)))
         within = surfaces.box((9.9, -7.1, 2.95), 0.1)
-        cut = tagged(joined(plain, within), [0] * plain.GetNumberOfCells() + [1] * 12, "Extra")
+        cut = tagged(surfaces.joined(plain, within), [0] * plain.GetNumberOfCells() + [1] * 12, "Extra")
         one, other = insideout.tetrahedralize(plain), insideout.tetrahedralize(cut, non_participating_array="Extra")
         self.assertNotEqual(one.solid.GetNumberOfCells(), other.solid.GetNumberOfCells())
         by_place = [sorted(result.regions, key=lambda region: region.center_of_mass[0]) for result in (one, other)]

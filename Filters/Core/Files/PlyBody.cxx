@@ -118,7 +118,7 @@ public:
     }
   }
 
-  /** Without a line for each element a wrong count shifts every number behind: all is wrong then. */
+  /** Without a line for each element a wrong count shifts every number behind. */
   bool HasMore()
   {
     const bool hasContent = this->Scanner.SkipToContent();

@@ -237,16 +237,17 @@ def seams(statistics: Mapping[str, float]) -> list[str]:
 
 
 def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence[Finding], volumes: Sequence[float]) -> list[str]:
-    """The lines that `check` prints: the columns of the thesis's table 8.1, and what they mean."""
+    """The lines that `check` prints: the columns of the thesis's table 8.1, those that are wrong with what that means."""
     if statistics.get("Dimension", 3) == 2:
         return _planar_check_summary(name, statistics, findings)
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
+    told = {defect.statistic for defect in DEFECTS if defect.consequence and statistics[defect.statistic] > 0}
     return [
         f"Surface {name}: {verdict(statistics)}",
         f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
         *_scaled(statistics),
         *(f"  {line}" for line in [*what_it_bounds(statistics), *volumes_of_shells(volumes)]),
-        *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS),
+        *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS if key not in told),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),
         f"Time {statistics['SecondsTotal']:.2f} s, peak memory {statistics['PeakMemory']:.0f} MiB",

@@ -80,7 +80,7 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
         lines.append(f"they overlap in a volume of about {statistics['OverlapVolume']:.2g}")
     if statistics["OpenEdges"] > 0:
         across = statistics["OpenLength"] / statistics["Diagonal"]
-        lines.append(f"{counted(statistics['OpenEdges'], 'open edge')}, together {across:.2g} times as long as the surface is across")
+        lines.append(f"its open boundary is {across:.2g} times as long as the surface is across")
     if statistics["SheetShare"] > 0:
         share = f"about {100 * statistics['SheetShare']:.2g} %" if statistics["SheetShare"] < 0.995 else "all"
         lines.append(f"{share} of the area encloses nothing")

@@ -690,7 +690,7 @@ TEST(ReadSurface, RefusesPlyWhoseCountsAreWrongWhereEveryNumberIsShifted)
     "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
     "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
       rows,
-    "more follows than the header describes: one of its counts is wrong");
+    ", line 17: more follows than the header describes: one of its counts is wrong");
 }
 
 TEST(ReadSurface, WarnsOfWhatFollowsThePlyElements)
