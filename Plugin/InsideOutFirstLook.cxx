@@ -40,6 +40,8 @@ constexpr char ColorsHint[] = "WindingNumberColors";
 constexpr char CameraHint[] = "FacesCamera";
 constexpr char HullHint[] = "TakesHull";
 constexpr char WindingNumber[] = "w";
+constexpr char WithEdges[] = "Surface With Edges";
+constexpr vtkTypeInt64 MostCellsWithEdges = 50000;
 
 /** Blue outside, white where w is 1/2, red inside, as in the pictures of the Python package. */
 const std::vector<double> ColorsOfW = { //
@@ -146,6 +148,14 @@ void ColorBy(pqOutputPort* port, vtkSMProxy* representation, vtkSMProxy* view, c
   Representation::SetScalarBarVisibility(representation, view, true);
 }
 
+/** The representation that is asked for, without edges where these would cover the faces. */
+std::string RepresentationOf(pqOutputPort* port, vtkPVXMLElement* hint)
+{
+  const std::string asked = hint->GetAttribute("representation");
+  const bool isDense = port->getDataInformation()->GetNumberOfCells() > MostCellsWithEdges;
+  return asked == WithEdges && isDense ? "Surface" : asked;
+}
+
 void LookAt(pqOutputPort* port, vtkPVXMLElement* hint)
 {
   const std::string shown = hint->GetAttributeOrDefault("shown", "always");
@@ -163,7 +173,7 @@ void LookAt(pqOutputPort* port, vtkPVXMLElement* hint)
     {
       SM_SCOPED_TRACE(PropertiesModified).arg("proxy", representation->getProxy());
       vtkSMRepresentationProxy::SetRepresentationType(
-        representation->getProxy(), hint->GetAttribute("representation"));
+        representation->getProxy(), RepresentationOf(port, hint).c_str());
     }
     if (view && hint->GetAttribute("by"))
     {
