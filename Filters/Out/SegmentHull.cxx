@@ -48,6 +48,10 @@ SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<Seed>& given, 
   }
   segmented.Regions =
     FindBodyRegions(segmented.InBodies, options.Rule, priority, monitor, findingRegions);
+  for (std::string& warning : WarningsOfCoveredBodies(segmented.InBodies, segmented.Regions, names))
+  {
+    segmented.All.Warnings.push_back(std::move(warning));
+  }
   for (const Id region : segmented.Regions.Regions.OfCell)
   {
     segmented.All.Inside.push_back(region != None);

@@ -144,6 +144,14 @@ class TestBodies(unittest.TestCase):
         with self.assertRaisesRegex(insideout.Error, "none of the blocks has polygons"):
             insideout.pipeline.run(made)
 
+    def test_a_body_that_others_cover_whole_is_told_with_what_gives_it_cells(self):
+        bodies = {"left": LEFT, "right": RIGHT, "within": box((0.5, 0.5, 0.5), (3, 1, 1))}
+        told = "body within has no cell: all of its places are of bodies before it (left, right); set priority to within, or region_rule to all"
+        covered = insideout.tetrahedralize(bodies)
+        self.assertEqual((covered.warnings, covered.regions[2].volume), ([told], 0))
+        for advice in ({"priority": "within"}, {"region_rule": "all"}):
+            self.assertEqual(insideout.tetrahedralize(bodies, **advice).warnings, [])
+
     def test_arrays_of_the_input_whose_names_are_taken_stay(self):
         bodies = {"left": polygons(LEFT), "right": polygons(RIGHT)}
         for surface in bodies.values():
@@ -296,6 +304,11 @@ class TestCommand(unittest.TestCase):
         done = self.run_command("--together", "left.ply", "none.obj", "both.vtu")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Warning: body none: the surface has no polygons: the body is empty", done.stdout)
+
+    def test_a_body_that_another_covers_whole_is_told_in_words_of_the_command(self):
+        insideout.write(insideout.resolve(box((0.5, 0.5, 0.5), (1, 1, 1))).surface, self.folder / "inner.ply")
+        done = self.run_command("--together", "left.ply", "inner.ply", "both.msh")
+        self.assertIn("body inner has no cell: all of its places are of bodies before it (left); set --priority to inner, or --region-rule", done.stdout)
 
     def test_a_surface_of_them_is_what_encloses_them_all(self):
         done = self.run_command("--together", "left.ply", "right.ply", "both.ply")

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace insideout
 {
@@ -112,6 +113,40 @@ BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& insid
   const LoopProgress cells(monitor, progress, inside.front().size());
   return rule == RegionRule::Priority ? RegionsByPriority(inside, priority, cells)
                                       : RegionsOfAll(inside, cells);
+}
+
+std::vector<std::string> WarningsOfCoveredBodies(
+  const std::vector<std::vector<unsigned char>>& inside, const BodyRegions& regions,
+  const std::vector<std::string>& bodies)
+{
+  std::vector<std::string> warnings;
+  for (std::size_t b = 0; b < inside.size(); ++b)
+  {
+    std::set<Id> covering;
+    bool hasOwn = false;
+    for (std::size_t cell = 0; cell < inside[b].size() && !hasOwn; ++cell)
+    {
+      if (inside[b][cell] != 0)
+      {
+        const std::vector<Id>& of = regions.Bodies[regions.Regions.OfCell[cell]];
+        hasOwn = std::find(of.begin(), of.end(), static_cast<Id>(b)) != of.end();
+        covering.insert(of.front());
+      }
+    }
+    if (hasOwn || covering.empty())
+    {
+      continue;
+    }
+    std::string names;
+    for (const Id body : covering)
+    {
+      names += (names.empty() ? "" : ", ") + bodies[body];
+    }
+    warnings.push_back("body " + bodies[b] +
+      " has no cell: all of its places are of bodies before it (" + names + "); set Priority to " +
+      bodies[b] + ", or RegionRule to all");
+  }
+  return warnings;
 }
 
 std::vector<std::string> NamesOfRegions(

@@ -44,6 +44,17 @@ std::vector<Id> PriorityOf(
 BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& inside, RegionRule rule,
   const std::vector<Id>& priority, Monitor& monitor, const ProgressRange& progress);
 
+/**
+ * A warning for each body whose cells all are of regions of bodies before it, so that its own
+ * region, by Priority, has none. Of All there is none.
+ *
+ * @param[in] inside, regions as FindBodyRegions took and gave them
+ * @param[in] bodies the names of all
+ */
+std::vector<std::string> WarningsOfCoveredBodies(
+  const std::vector<std::vector<unsigned char>>& inside, const BodyRegions& regions,
+  const std::vector<std::string>& bodies);
+
 /** What regions are called: by their bodies, joined by "+" where these are several. */
 std::vector<std::string> NamesOfRegions(
   const BodyRegions& regions, const std::vector<std::string>& bodies);

@@ -217,7 +217,8 @@ def in_words_of_python(texts: Iterable[str]) -> list[str]:
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
     """Texts that name Python's options, with those of the command line."""
-    return _renamed(texts, {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "priority")})
+    flags = {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "priority")}
+    return _renamed(texts, {**flags, "set priority": "set --priority"})  # the word alone may be none of an option
 
 
 def help_of(name: str, spelled: Callable[[str], str] = str, quote: str = '"') -> str:
