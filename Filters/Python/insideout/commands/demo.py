@@ -29,7 +29,7 @@ COMMANDS = (
     ("insideout repair broken.ply fixed.stl", "its watertight surface, to print"),
     ("insideout mesh broken.ply solid.vtu --plot solid.png", "its tetrahedra, and a picture of them"),
     ("insideout mesh inverted.stl both.vtu", "a part that is inside out is turned over"),
-    ("insideout mesh bracket.obj bracket.inp --edge-length 5 --quadratic-cells", "cells and sets by name for CalculiX"),
+    ("insideout mesh bracket.obj bracket.inp --edge-length 5 --surface-treatment split --quadratic-cells", "cells and sets by name for CalculiX"),
     ("ccx steel", "its stress under the load of steel.inp, where CalculiX is installed"),
     ("insideout mesh --together organ.ply tumor.ply organs.msh --priority tumor", "two organs, one mesh, a region each"),
     ('insideout boolean "organ - tumor" organ.ply tumor.ply rest.stl', "a set operation"),

@@ -16,6 +16,7 @@ from ..data import Tetrahedra
 from ..drawing import draw, up_of
 from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
 from ..errors import ArgumentError
+from ..hints import hints_for
 from ..interruption import work_on
 from ..options import OPTIONS, flag_of
 from ..panels import PICTURES, display_command
@@ -39,6 +40,7 @@ class MeshJob(Job):
     regions: list[Region] = []
     bodies: dict[str, float] = {}
     tags: dict[str, int] = {}
+    hints: list[str] = []
 
     def check_parameters(self) -> dict[str, Any]:
         if self.settings.refines():
@@ -114,6 +116,8 @@ class MeshJob(Job):
             work_on(path)
             self.warnings = self.warnings + (write(data, path) or [])
             self.outputs[kind] = path
+        if "solid" in self.outputs:
+            self.hints = hints_for(result, self.outputs["solid"], self.settings)
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
         if self.files.plot is not None:
@@ -164,4 +168,4 @@ class MeshJob(Job):
         return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags, regions)
 
     def notes(self) -> list[str]:
-        return super().notes() + ([] if self.settings.split_seams else seams(self.statistics))
+        return super().notes() + self.hints + ([] if self.settings.split_seams else seams(self.statistics))
