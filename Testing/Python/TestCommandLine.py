@@ -397,7 +397,7 @@ class Several(CommandLine):
         names = [self.file("a.ply", surfaces.box()), self.file("a.stl", surfaces.box())]
         for output in (self.output, self.path("{}.vtu")):
             done = run(*names, output)
-            self.check_failure(done, "would both be written to")
+            self.check_failure(done, "would both be written to", "or give --together for one mesh of all")
 
 
 class Failure(CommandLine):

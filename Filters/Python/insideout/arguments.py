@@ -147,6 +147,7 @@ def _files(parser: argparse.ArgumentParser, options: argparse.Namespace, surface
         for name, path in named.items():
             if path in seen and identity(path) is not None:
                 way = "write {} in it for the surface's name" if "{}" not in patterns[name] else "rename one"
+                way += ", or give --together for one mesh of all" if "together" in COMMANDS[options.command].options else ""
                 parser.error(f"{seen[path]} and {surface} would both be written to {path}: {way}")
         seen.update({path: surface for path in named.values() if len(surfaces) > 1})
         all_files.append(Files(surface, others, **named))
