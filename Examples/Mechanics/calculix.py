@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run CalculiX (`ccx`, Debian's package calculix-ccx) on an .inp file, and put what it says onto the grid that was written."""
+"""Run CalculiX (`ccx`, Debian's package calculix-ccx) on an .inp file, and put what it says onto the grid that was written.
+
+    python3 calculix.py bracket.inp steel.frd steel.vtu
+
+puts the displacements and stresses of `ccx steel` onto the cells of bracket.inp: ParaView opens steel.vtu, and its filter Warp By
+Vector shows how it moves.
+"""
 
 from __future__ import annotations
 
 import re
 import subprocess
+import sys
 from pathlib import Path
 
+import insideout
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 NUMBER = 12  # characters of a number in .frd files, behind 13 with the point's number
@@ -28,11 +36,11 @@ def solve(job: str, folder: Path) -> None:
         raise CalculiXError(f"ccx ended with status {done.returncode}: {error.group() if error else 'see job.log'}")
 
 
-def point_results(folder: Path, name: str, points: int) -> np.ndarray:
-    """What job.frd has for all points under this name (DISP, STRESS), of the last step."""
+def point_results(folder: Path, name: str, points: int, frd: str = "job.frd") -> np.ndarray:
+    """What a file of results has for all points under this name (DISP, STRESS), of the last step."""
     values: dict[int, list[float]] = {}
     wanted = False
-    with (folder / "job.frd").open() as file:
+    with (folder / frd).open() as file:
         for line in file:
             if line.startswith(" -4"):
                 wanted = line[5:13].strip() == name
@@ -41,7 +49,7 @@ def point_results(folder: Path, name: str, points: int) -> np.ndarray:
                 numbers = line.rstrip("\n")[13:]
                 values[int(line[3:13])] = [float(numbers[k : k + NUMBER]) for k in range(0, len(numbers), NUMBER)]
     if len(values) != points:
-        raise CalculiXError(f"job.frd has {name} of {len(values)} points, and the grid has {points}")
+        raise CalculiXError(f"{frd} has {name} of {len(values)} points, and the grid has {points}")
     return np.array([values[point] for point in range(1, points + 1)])
 
 
@@ -65,10 +73,10 @@ def printed_displacements(folder: Path) -> np.ndarray:
     return np.array([[float(number) for number in row[1:4]] for row in rows])
 
 
-def with_results(grid: vtkUnstructuredGrid, folder: Path) -> vtkUnstructuredGrid:
+def with_results(grid: vtkUnstructuredGrid, folder: Path, frd: str = "job.frd") -> vtkUnstructuredGrid:
     """The grid with Displacement, Stress (xx, yy, zz, xy, yz, xz) and MisesStress at its points."""
-    displacement = point_results(folder, "DISP", grid.GetNumberOfPoints())[:, :3]
-    stress = point_results(folder, "STRESS", grid.GetNumberOfPoints())
+    displacement = point_results(folder, "DISP", grid.GetNumberOfPoints(), frd)[:, :3]
+    stress = point_results(folder, "STRESS", grid.GetNumberOfPoints(), frd)
     solved = vtkUnstructuredGrid()
     solved.ShallowCopy(grid)
     for name, values in (("Displacement", displacement), ("Stress", stress), ("MisesStress", mises(stress))):
@@ -81,3 +89,20 @@ def with_results(grid: vtkUnstructuredGrid, folder: Path) -> vtkUnstructuredGrid
 def mises(stress: np.ndarray) -> np.ndarray:
     xx, yy, zz, xy, yz, xz = stress.T
     return np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (xy**2 + yz**2 + xz**2))
+
+
+def main(solid: Path, frd: Path, output: Path) -> None:
+    solved = with_results(insideout.read(solid), frd.parent, frd.name)
+    insideout.write(solved, output)
+    arrays = solved.GetPointData()
+    moved, stress = (vtk_to_numpy(arrays.GetArray(name)) for name in ("Displacement", "MisesStress"))
+    print(f"moves by {np.linalg.norm(moved, axis=1).max():.3g} at most; von Mises stress up to {stress.max():.3g}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    try:
+        main(*(Path(argument) for argument in sys.argv[1:]))
+    except (insideout.Error, CalculiXError, OSError) as error:
+        sys.exit(f"calculix.py: {error}")

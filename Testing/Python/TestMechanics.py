@@ -10,6 +10,7 @@ from pathlib import Path
 
 import insideout
 import numpy as np
+from insideout import demo
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -57,6 +58,24 @@ class TestMechanics(unittest.TestCase):
         self.assertEqual(np.argmin(moved[:, 2]), np.argmin(np.where(points[:, 0] > 80, moved[:, 2], 0)))  # the shelf's end
         self.assertGreater(mises.max(), 10)
         self.assertGreater((self.folder / "bracket.png").stat().st_size, 0)
+
+    def test_the_demo_moves_as_far_as_on_a_finer_mesh_and_a_file_of_another_mesh_is_named(self):
+        (self.folder / "steel.inp").write_text(demo.STEEL, encoding="utf-8")
+        moved = []
+        for edge in (8, 4):
+            result = insideout.tetrahedralize(demo.bracket(), edge_length=edge, surface_treatment="split", quadratic_cells=True)
+            insideout.write(result, self.folder / "bracket.inp")
+            subprocess.run(["ccx", "steel"], cwd=self.folder, stdout=subprocess.DEVNULL, check=True)
+            done = self.show_results("bracket.inp")
+            moved.append(self.numbers("moves by # at most", done.stdout)[0])
+            self.assertAlmostEqual(np.linalg.norm(insideout.read(self.folder / "steel.vtu").point_arrays["Displacement"], axis=1).max(), moved[-1], 3)
+        self.assertAlmostEqual(moved[0] / moved[1], 1, 1)
+        insideout.write(insideout.tetrahedralize(demo.bracket()), self.folder / "other.inp")
+        self.assertRegex(self.show_results("other.inp").stderr, r"^calculix.py: steel.frd has DISP of \d+ points, and the grid has \d+\n$")
+
+    def show_results(self, solid: str) -> subprocess.CompletedProcess:
+        command = [sys.executable, EXAMPLES / "calculix.py", solid, "steel.frd", "steel.vtu"]
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
 
     def test_a_cantilever_of_boxes_that_overlap_bends_as_a_beam_does(self):
         said = self.run_example("cantilever.py", "0.8", "0.4", "0.2")
