@@ -2,6 +2,7 @@
 #include "vtkConstrainedDelaunay3D.h"
 
 #include "Common/Stages.h"
+#include "Data/StatisticsArrays.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"

@@ -2,6 +2,7 @@
 #include "vtkGeneralizedWindingNumber.h"
 
 #include "Common/Stages.h"
+#include "Data/StatisticsArrays.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"

@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
 #include "In/ReadCurve.h"
 #include "In/WholeInput.h"

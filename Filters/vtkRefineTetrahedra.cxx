@@ -2,6 +2,7 @@
 #include "vtkRefineTetrahedra.h"
 
 #include "Common/Stages.h"
+#include "Data/StatisticsArrays.h"
 #include "In/ReadLengths.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"

@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Data/Label.h"
+#include "Data/StatisticsArrays.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"

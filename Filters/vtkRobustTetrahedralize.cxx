@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Common/Team.h"
+#include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
 #include "In/ReadCurve.h"
 #include "In/SeedsPort.h"

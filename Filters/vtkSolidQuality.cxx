@@ -5,6 +5,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "Data/StatisticsArrays.h"
 #include "In/ReadGrid.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"

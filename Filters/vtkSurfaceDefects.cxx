@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
+#include "Data/StatisticsArrays.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"

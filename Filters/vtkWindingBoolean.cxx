@@ -7,6 +7,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "Data/StatisticsArrays.h"
 #include "In/ReadInputs.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"

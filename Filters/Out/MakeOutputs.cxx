@@ -410,58 +410,6 @@ vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects)
 
 namespace
 {
-constexpr char StatisticsName[] = "Statistics";
-constexpr char NamesOfStatistics[] = "StatisticsNames";
-} // namespace
-
-insideout::Statistics StatisticsOf(vtkFieldData* fields)
-{
-  insideout::Statistics found;
-  const auto* values = vtkDoubleArray::SafeDownCast(fields->GetArray(StatisticsName));
-  const std::vector<std::string> names = NamesByNumber(fields, NamesOfStatistics);
-  const auto count = static_cast<vtkIdType>(names.size());
-  for (vtkIdType i = 0; values && i < std::min(values->GetNumberOfTuples(), count); ++i)
-  {
-    found.emplace_back(names[i], values->GetValue(i));
-  }
-  return found;
-}
-
-void AddStatistics(const insideout::Statistics& statistics, vtkDataSet* output)
-{
-  insideout::Statistics all = statistics;
-  vtkFieldData* others = output->GetFieldData();
-  for (const auto& other : StatisticsOf(others))
-  {
-    const auto isNew = [&](const auto& one) { return one.first != other.first; };
-    if (std::all_of(statistics.begin(), statistics.end(), isNew))
-    {
-      all.push_back(other);
-    }
-  }
-  std::vector<std::string> names;
-  std::vector<double> values;
-  for (const auto& [name, value] : all)
-  {
-    names.push_back(name);
-    values.push_back(value);
-  }
-  vtkNew<vtkFieldData> fields;
-  fields->AddArray(MakeArray<vtkDoubleArray>(StatisticsName, values));
-  fields->AddArray(MakeStrings(NamesOfStatistics, names));
-  for (int i = 0; i < others->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* other = others->GetAbstractArray(i);
-    if (!other->GetName() || !fields->HasArray(other->GetName()))
-    {
-      fields->AddArray(other);
-    }
-  }
-  output->SetFieldData(fields);
-}
-
-namespace
-{
 /** What a VTK filter's own reports are passed on to. They do not tell how far it is. */
 struct Watch
 {

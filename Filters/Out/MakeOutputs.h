@@ -122,16 +122,6 @@ vtkSmartPointer<vtkPolyData> MakePolygons(const insideout::PolygonSurface& surfa
  * which VTK numbers before the polylines. */
 vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects);
 
-/**
- * Put figures into the data set's field data, beside those of other names that are there: the array
- * Statistics with their names in StatisticsNames. They come first: ParaView's Information panel
- * shows no field data whose first array is empty.
- */
-void AddStatistics(const insideout::Statistics& statistics, vtkDataSet* output);
-
-/** The statistics that field data has. */
-insideout::Statistics StatisticsOf(vtkFieldData* fields);
-
 /** Put the labels on the grid as its cell array Inside. */
 void AddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
 

@@ -2,6 +2,7 @@
 #include "Out/MakeTetrahedra.h"
 
 #include "Common/Stages.h"
+#include "Data/StatisticsArrays.h"
 #include "NothingInside.h"
 #include "Out/RefineGrid.h"
 #include "Output/MassProperties.h"

@@ -3,6 +3,7 @@
 
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "Data/StatisticsArrays.h"
 #include "Out/MakeOutputs.h"
 
 #include "Planar/CurveDefects.h"

@@ -2,6 +2,7 @@
 #include "Out/Summarize.h"
 
 #include "Common/AddUp.h"
+#include "Data/StatisticsArrays.h"
 #include "Out/MakeOutputs.h"
 
 #include <vtkCompositeDataSet.h>

@@ -2,6 +2,7 @@
 #include "Run/RunFilter.h"
 
 #include "Data/Label.h"
+#include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
 #include "In/WholeInput.h"
 #include "Ranks/Together.h"
@@ -64,6 +65,7 @@ void AddFieldData(const FieldData& fields, vtkInformationVector* outputs)
   const std::vector<vtkDataObject*> all = OutputsOf(outputs);
   for (std::size_t port = 0; port < fields.size(); ++port)
   {
+    KeepStatistics(fields[port], all[port]);
     vtkFieldData* output = all[port]->GetFieldData();
     for (int i = 0; i < fields[port]->GetNumberOfArrays(); ++i)
     {

@@ -6,6 +6,7 @@ import unittest
 import insideout
 import numpy as np
 import surfaces
+from insideout.pipeline import statistics_of, strings_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
@@ -159,6 +160,31 @@ class NormalsAreUnitVectors(unittest.TestCase):
         both = insideout.boolean({"ball": self.sphere(), "other": self.sphere(), "nothing": vtkPolyData()}, "ball + other")
         self.check(both.surface)
         self.assertIsNotNone(both.surface.GetPointData().GetNormals())
+
+
+class Statistics(unittest.TestCase):
+    """Each stage adds its statistics to those that its input came with."""
+
+    def test_those_of_the_input_stay_behind_the_stages_own(self):
+        resolved = insideout.resolve(surfaces.two_boxes())
+        delaunay = insideout.vtkConstrainedDelaunay3D()
+        delaunay.SetInputData(resolved.surface)
+        insideout.pipeline.run(delaunay)
+        found = statistics_of(delaunay.GetOutput())
+        self.assertEqual(found["IntersectingPairs"], resolved.statistics["IntersectingPairs"])
+        self.assertEqual(found["HullCells"], delaunay.GetOutput().GetNumberOfCells())
+        quality = insideout.vtkSolidQuality()
+        solid = insideout.tetrahedralize(surfaces.two_boxes())
+        quality.SetInputData(solid.solid)
+        insideout.pipeline.run(quality)
+        self.assertEqual(statistics_of(quality.GetOutput())["Volume"], solid.statistics["Volume"])
+
+    def test_each_name_is_there_once_with_the_last_value(self):
+        touching = surfaces.joined(surfaces.box(), surfaces.box((1, 1, 0)))
+        split = insideout.tetrahedralize(touching, non_manifold="split")
+        names = strings_of(split.solid.GetFieldData().GetAbstractArray("StatisticsNames"))
+        self.assertEqual(len(names), len(set(names)))
+        self.assertEqual(split.statistics["NonManifoldEdges"], 0, "those of the boundary that is split")
 
 
 if __name__ == "__main__":
