@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command line says of tetrahedra for a solver that another option would make better."""
+"""What the command line says of a result that another option would make better for a solver or a printer."""
 
 import unittest
 
@@ -59,6 +59,16 @@ class TestHints(CommandLine):
 
     def test_files_for_no_solver_have_no_hints(self):
         self.assertEqual(notes(self.bracket, self.path("solid.vtu"), "--edge-length", str(ASKED)), [])
+
+    def test_whether_a_slicer_takes_a_repaired_surface_is_told_and_it_does_after_the_advice(self):
+        touching = self.file("touching.ply", surfaces.joined(surfaces.box(), surfaces.box((1, 1, 0))))
+        fixed = self.path("fixed.stl")
+        crowded = "the surface is watertight, and 1 edge has more than two triangles, which some slicers refuse: --non-manifold fill adds to the solid there"
+        good = "the surface is watertight, and each edge has two triangles"
+        for options, said in (([], crowded), (["--non-manifold", "split"], crowded), (["--non-manifold", "fill"], good)):
+            self.assertEqual(notes("repair", touching, fixed, *options), [said], options)
+        self.assertEqual(notes("repair", touching, self.path("fixed.obj"), "--non-manifold", "split"), [good])
+        self.assertEqual(surfaces.count_not_manifold(surfaces.triangles_of(insideout.resolve(fixed).surface)), (0, 0))
 
 
 if __name__ == "__main__":

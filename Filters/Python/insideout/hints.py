@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command line says of tetrahedra for a solver that another option would make better, one line each."""
+"""What the command line says of a result that another option would make better for a solver or a printer, one line each."""
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 
-from .data import Tetrahedra, TriangleSurface
-from .files import ending
+from .data import Tetrahedra, TriangleSurface, as_type
+from .files import ending, read_surface
+from .measures import count_crowded_edges, is_closed, joined_where_equal
 from .options import Options, flag_of
 from .quality import check_solid
 from .tetrahedralization import Tetrahedralization
 from .writing import WRITABLE_SOLIDS
+
+STL = ".stl"
 
 TOO_LONG = 2.0
 """Edges this many times as long as asked for are told of: refined boundaries have some that are a little longer."""
@@ -19,11 +24,26 @@ TOO_THIN = 1.0
 """Degrees; with less solvers err or stop, and take longer with 5."""
 
 
-def hints_for(result: Tetrahedralization, path: str, settings: Options) -> list[str]:
+def hints_for_solver(result: Tetrahedralization, path: str, settings: Options) -> list[str]:
     """The lines for a solid that is written to a file."""
     if ending(path) not in WRITABLE_SOLIDS or not isinstance(result.solid, Tetrahedra):
         return []
     return [*_of_long_edges(result.boundary, settings), *_of_thin_cells(result, settings)]
+
+
+def hints_for_printing(surface: TriangleSurface, path: str, settings: Options) -> list[str]:
+    """Whether a slicer takes a surface that was written to a file. Points of a .stl file are told apart by floats alone."""
+    triangles = surface.triangles
+    if ending(path) == STL and os.path.isfile(path):
+        written = as_type(TriangleSurface, read_surface(path)[0])
+        triangles = joined_where_equal(written.points, written.triangles)
+    closed = "the surface is watertight" if is_closed(triangles) else "the surface has open edges"
+    crowded = count_crowded_edges(triangles)
+    if crowded == 0:
+        return [f"{closed}, and each edge has two triangles"]
+    edges = "1 edge has" if crowded == 1 else f"{crowded:,} edges have"
+    told = f"{closed}, and {edges} more than two triangles, which some slicers refuse"
+    return [told if settings.non_manifold == "fill" else f"{told}: {flag_of('non_manifold')} fill adds to the solid there"]
 
 
 def _of_long_edges(boundary: TriangleSurface, settings: Options) -> list[str]:

@@ -41,13 +41,24 @@ def joined_where_equal(points: Points, cells: Ids) -> Ids:
 
 def is_closed(triangles: Ids) -> bool:
     """Whether each edge is run along as often one way as the other, and there is one."""
+    edge, forward = _edges(triangles)
+    balance = np.bincount(edge, np.where(forward, 1, -1))
+    return len(balance) > 0 and not balance.any()
+
+
+def count_crowded_edges(triangles: Ids) -> int:
+    """How many edges have more than two triangles."""
+    return int((np.bincount(_edges(triangles)[0]) > 2).sum())
+
+
+def _edges(triangles: Ids) -> tuple[Ids, NDArray[np.bool_]]:
+    """The number of each edge of each triangle, and whether it runs from the lower point; without edges that begin where they end."""
     start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     differ = start != end
     start, end = start[differ], end[differ]
     low, high = np.minimum(start, end), np.maximum(start, end)
     _, edge = np.unique(low * (triangles.max(initial=0) + 1) + high, return_inverse=True)  # numbers are sorted faster than rows
-    balance = np.bincount(edge, np.where(start < end, 1, -1))
-    return len(balance) > 0 and not balance.any()
+    return edge.ravel(), start < end
 
 
 def labels_of_parts(cells: Ids) -> Ids:

@@ -12,11 +12,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..bodies import outer_boundary
 from ..curves import CURVE
-from ..data import Tetrahedra
+from ..data import Tetrahedra, TriangleSurface
 from ..drawing import draw, up_of
 from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
 from ..errors import ArgumentError
-from ..hints import hints_for
+from ..hints import hints_for_printing, hints_for_solver
 from ..interruption import work_on
 from ..options import OPTIONS, flag_of
 from ..panels import PICTURES, display_command
@@ -116,8 +116,7 @@ class MeshJob(Job):
             work_on(path)
             self.warnings = self.warnings + (write(data, path) or [])
             self.outputs[kind] = path
-        if "solid" in self.outputs:
-            self.hints = hints_for(result, self.outputs["solid"], self.settings)
+        self.hints = self.hints_of(result)
         self.bars.finish()
         self.statistics["SecondsWrite"] = time.monotonic() - began
         if self.files.plot is not None:
@@ -130,6 +129,11 @@ class MeshJob(Job):
             self.bars.finish()
             self.outputs["picture"] = self.files.plot
             self.statistics["SecondsDraw"] = time.monotonic() - began - self.statistics["SecondsWrite"]
+
+    def hints_of(self, result: Tetrahedralization) -> list[str]:
+        if "surface" in self.outputs and isinstance(result.boundary, TriangleSurface):
+            return hints_for_printing(outer_boundary(result.boundary), self.outputs["surface"], self.settings)
+        return hints_for_solver(result, self.outputs["solid"], self.settings) if "solid" in self.outputs else []
 
     def files_to_write(self, result: Tetrahedralization) -> Iterator[tuple]:
         files = self.files
