@@ -81,6 +81,13 @@ class Same(CommandLine):
             words = f"'boxes - other' boxes.ply other.ply {output} --boundary boundary.off --report report.json"
             self.check_same("boolean " + words, "--boolean " + words, output, "boundary.off", "report.json")
 
+    def test_query_says_what_writes_grids_in_other_formats(self):
+        insideout.write(insideout.sdf_grid(surfaces.box(), shape=3), self.path("grid.vti"))
+        for output in ("mask.nrrd", "mask.npz"):
+            done = run_here("query", self.path("grid.vti"), self.file("box.ply", surfaces.box()), self.path(output), "--distance")
+            said = f"{output}: unknown ending, it must be .vti, as of {self.path('grid.vti')}; in Python insideout.sdf_grid makes grids"
+            self.check_failure(done, said)
+
     def test_query(self):
         self.file("points.csv", "x,y,z,name\n0.5,0.5,0.25,in\n3,3,3,out\n")
         for words in ("points.csv other.ply w.csv", "points.csv boxes.ply w.csv --distance --orientation as-given --report w.json"):

@@ -6,7 +6,9 @@ from __future__ import annotations
 import os
 from typing import Any, Sequence
 
+from ..errors import ArgumentError
 from ..files import check_input, ending
+from ..grid_files import WRITABLE_DISTANCES
 from ..interruption import work_on
 from ..options import Options
 from ..places import QUERIES, Places, read_places
@@ -31,6 +33,13 @@ class QueryJob(Job):
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {"output": (ending(self.options.points),)}
+
+    def check(self) -> None:
+        output = self.files.output or ""
+        if ending(output) in WRITABLE_DISTANCES and ending(output) not in QUERIES:
+            wrong = f"unknown ending, it must be {ending(self.options.points)}, as of {self.options.points}"
+            raise ArgumentError(f"{output}: {wrong}; in Python insideout.sdf_grid makes grids that insideout.write puts there")
+        super().check()
 
     def work(self) -> None:
         surface = self.read()
