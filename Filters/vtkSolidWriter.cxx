@@ -74,8 +74,13 @@ void vtkSolidWriter::WriteData()
       }
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
       auto* boundary = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
-      WriteSolid(this->FileName, vtkInsideOut::ReadSolid(this->GetInput(), boundary),
-        insideout::MshVersion(this->MshVersion), monitor);
+      const std::string lost =
+        WriteSolid(this->FileName, vtkInsideOut::ReadSolid(this->GetInput(), boundary),
+          insideout::MshVersion(this->MshVersion), monitor);
+      if (!lost.empty())
+      {
+        vtkInsideOut::Warn(this, { std::string(this->FileName) + ": " + lost });
+      }
     });
   if (!written)
   {

@@ -66,11 +66,12 @@ enum class MshVersion
  * The file is there whole or not at all, and an earlier one stays as it was until then
  * (OutputFile). `monitor` is told of Stages::Writing.
  *
+ * @return what the format could not keep, in words; empty where it keeps all
  * @throws Error FileUnwritable; InvalidParameter for another ending, and for a solid that has no
  * cells, or whose parts do not fit together; PointOutOfRange, PointNotFinite; TooLarge (memory does
  * not hold what is needed to write); Stopped. In error the file is as it was.
  */
-void WriteSolid(
+std::string WriteSolid(
   const std::string& path, const SolidMesh& solid, MshVersion version, Monitor& monitor);
 
 /** Cells of one shape that were read, and the groups that they are in. */

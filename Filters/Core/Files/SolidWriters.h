@@ -10,7 +10,7 @@ namespace insideout
 {
 /** The writers. All ids of the solid are in range, and all coordinates finite. @{ */
 void WriteMsh(OutputFile& file, const SolidMesh& solid, MshVersion version);
-void WriteInp(OutputFile& file, const SolidMesh& solid);
+std::string WriteInp(OutputFile& file, const SolidMesh& solid); ///< returns as WriteSolid does
 void WriteMedit(OutputFile& file, const SolidMesh& solid);
 /** @} */
 

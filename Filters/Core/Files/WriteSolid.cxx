@@ -114,7 +114,7 @@ SolidNodes NodesOf(const SolidMesh& solid, const CellFace& face)
   return nodes;
 }
 
-void WriteSolid(
+std::string WriteSolid(
   const std::string& path, const SolidMesh& solid, MshVersion version, Monitor& monitor)
 {
   CheckSolid(solid);
@@ -128,10 +128,17 @@ void WriteSolid(
   try
   {
     OutputFile file(path, monitor);
-    isMsh     ? WriteMsh(file, solid, version)
-      : isInp ? WriteInp(file, solid)
-              : WriteMedit(file, solid);
+    std::string lost;
+    if (isInp)
+    {
+      lost = WriteInp(file, solid);
+    }
+    else
+    {
+      isMsh ? WriteMsh(file, solid, version) : WriteMedit(file, solid);
+    }
     file.Close();
+    return lost;
   }
   catch (const std::bad_alloc&)
   {

@@ -19,6 +19,7 @@ from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writ
 from .grid_files import write_distances
 from .grids import DistanceGrid
 from .inputs import path_of
+from .options import in_words_of_python
 from .packages import import_package
 from .pipeline import write_bytes
 from .tetrahedralization import Tetrahedralization
@@ -76,9 +77,9 @@ def write(
         if ending(path) in WRITABLE_SURFACES:
             tell(write_surface(outer_boundary(data.boundary), path))
         else:
-            write_solid(data.solid, path, boundary or data.boundary, msh_version)
+            tell(write_solid(data.solid, path, boundary or data.boundary, msh_version))
     elif isinstance(data, vtkUnstructuredGrid):
-        write_solid(data, path, boundary, msh_version)
+        tell(write_solid(data, path, boundary, msh_version))
     elif isinstance(data, vtkPolyData):
         tell(write_surface(data, path))
     else:
@@ -96,8 +97,8 @@ def check_holds_triangles(path: str) -> None:
 
 def write_solid(
     grid: vtkUnstructuredGrid, path: Path, boundary: Optional[vtkPolyData] = None, msh_version: MshVersion = "4.1"
-) -> None:
-    """Write tetrahedra in any of the formats that have them. Raises `Error` that names the file."""
+) -> list[str]:
+    """Write tetrahedra in any of the formats that have them. Returns what the format could not keep. Raises `Error` that names the file."""
     path = os.fspath(path)
     check_output(path, WRITABLE_GRIDS)
     check_format(path)
@@ -111,11 +112,12 @@ def write_solid(
         writer.SetInputData(grid)
         writer.SetBoundaryData(boundary)
         writer.SetMshVersion(versions.index(one_of(versions, "msh_version", msh_version)))
-        run_writer(writer, path)
-    elif ending(path) == XDMF:
+        return in_words_of_python(run_writer(writer, path))
+    if ending(path) == XDMF:
         _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
     else:
         write_grid(grid, path)
+    return []
 
 
 def check_format(path: Path) -> None:

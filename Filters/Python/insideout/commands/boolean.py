@@ -64,7 +64,7 @@ class BooleanJob(Job):
         output, boundary = self.files.output or "", self.files.boundary
         work_on(output)
         if takes_cells:
-            write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1")
+            self.warnings = self.warnings + write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1")
         else:
             self.warnings = self.warnings + write_surface(result.surface, output)
         self.outputs["solid" if takes_cells else "surface"] = output

@@ -139,8 +139,8 @@ class MeshJob(Job):
         files = self.files
         version: MshVersion = self.options.msh_version or "4.1"
 
-        def write_with_boundary(solid: Tetrahedra, path: str) -> None:
-            write_solid(solid, path, result.boundary, version)
+        def write_with_boundary(solid: Tetrahedra, path: str) -> list[str]:
+            return write_solid(solid, path, result.boundary, version)
 
         if files.hull is not None:
             yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)

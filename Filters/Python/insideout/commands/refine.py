@@ -45,7 +45,7 @@ class RefineJob(Job):
         self.bars.show(WRITING, 0)
         output = self.files.output or ""
         work_on(output)
-        write_solid(result.solid, output, msh_version=self.options.msh_version or "4.1")
+        self.warnings = self.warnings + write_solid(result.solid, output, msh_version=self.options.msh_version or "4.1")
         self.bars.finish()
         self.outputs["solid"] = output
         self.statistics["SecondsWrite"] = time.monotonic() - began

@@ -315,6 +315,27 @@ TEST(WriteSolid, KeepsEveryBitInMshAndMesh)
   }
 }
 
+TEST(WriteSolid, TellsOfCellsThatTheNumbersOfInpTurn)
+{
+  SolidMesh solid;
+  // -1.7347234759768071e-15 has 23 characters; the cell is as thick as what the last of them say.
+  const double low = -1.7347234759768071e-15;
+  solid.Points = { { 0, 0, low }, { 1, 0, low }, { 0, 1, low },
+    { 0.25, 0.25, std::nextafter(low, 1.0) } };
+  solid.Cells = { { { 0, 1, 2, 3 } } };
+  solid.RegionOfCell = { 0 };
+  solid.Regions = { { "solid", 1 } };
+  Monitor monitor;
+  const TemporaryFile inp("a.inp");
+  EXPECT_EQ(WriteSolid(inp.Path, solid, MshVersion::Msh41, monitor)
+              .rfind("1 cells have no positive volume", 0),
+    0u);
+  const TemporaryFile msh("a.msh");
+  EXPECT_EQ(WriteSolid(msh.Path, solid, MshVersion::Msh41, monitor), "");
+  solid.Points[3][2] = 1;
+  EXPECT_EQ(WriteSolid(inp.Path, solid, MshVersion::Msh41, monitor), "");
+}
+
 TEST(WriteSolid, HasNumbersOfTwentyCharactersInInp)
 {
   SolidMesh solid = AnyCoordinates(6);
