@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -50,6 +51,12 @@ inline double SecondsOf(const std::function<void()>& work)
   insideout::Stopwatch watch;
   work();
   return watch.Lap();
+}
+
+/** Of all threads since the process began. */
+inline double ProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 inline double Median(std::vector<double> values)

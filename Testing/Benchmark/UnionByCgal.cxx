@@ -31,7 +31,7 @@ Mesh MeshOf(const insideout::TriangleSoup& soup)
 }
 } // namespace
 
-std::function<Union()> UnionByCgal(
+std::function<Made()> UnionByCgal(
   const insideout::TriangleSoup& a, const insideout::TriangleSoup& b)
 {
   return [first = MeshOf(a), second = MeshOf(b)]()
@@ -41,7 +41,7 @@ std::function<Union()> UnionByCgal(
     Mesh result;
     insideout::Stopwatch stopwatch;
     const bool done = CGAL::Polygon_mesh_processing::corefine_and_compute_union(one, other, result);
-    return Union{ stopwatch.Lap(), done ? result.number_of_faces() : 0 };
+    return Made{ stopwatch.Lap(), done ? result.number_of_faces() : 0 };
   };
 }
 } // namespace benchmark

@@ -114,7 +114,7 @@ class Mesher:
             )
         except subprocess.TimeoutExpired:
             return over
-        if done.returncode == -signal.SIGXCPU:
+        if done.returncode in (-signal.SIGXCPU, 128 + signal.SIGXCPU):  # a shell's way to say it
             return over
         if done.returncode != 0 or not mesh.exists():
             return Answer(trouble=_trouble(done.returncode, done.stdout))
@@ -197,7 +197,7 @@ def meshers(settings: list[str]) -> list[Mesher]:
 
 def meshers_of_any_surface() -> list[Mesher]:
     """Those that may be given a surface as it comes."""
-    return [tetgen("p"), _gmsh("gmsh", "del3d"), _netgen(), _delaunay()]
+    return [tetgen("p"), _gmsh("gmsh", "del3d"), _netgen(), _delaunay(), _ftetwild()]
 
 
 TETGENS = ("pq1.2/18O9Y", "pq1.2/18O9", "pq1.2O9")  # the last asks for no angle: with one 1.5 seldom ends
@@ -245,6 +245,20 @@ def _netgen() -> Mesher:
 def _delaunay() -> Mesher:
     command = [PYTHON, __file__, "delaunay", "surface.vtp", "delaunay.vtu"]
     return Mesher("vtkDelaunay3D", None, lambda: True, lambda _: command, "delaunay.vtu", _told_seconds)
+
+
+def _ftetwild() -> Mesher:
+    # It tells what it took by the clock; the shell knows its processor time.
+    command = "FloatTetwild_bin -i boundary.stl -o ftetwild --max-threads 1; status=$?; times; exit $status"
+
+    def seconds(text: str) -> float:
+        spent = re.findall(r"(\d+)m([\d.]+)s", text.splitlines()[-1])
+        return sum(60 * int(minutes) + float(rest) for minutes, rest in spent)
+
+    def exists() -> bool:
+        return shutil.which("FloatTetwild_bin") is not None
+
+    return Mesher("fTetWild", None, exists, lambda _: ["sh", "-c", command], "ftetwild_.msh", seconds)
 
 
 TREATMENTS = ("kept", "split", "remeshed")  # of the surface

@@ -5,11 +5,13 @@
 
 Takes the surfaces given, and the real ones of Debian's packages libcgal-demo and openfoam-examples unless --only is said. Each
 goes through the command line, and raw to the peers: TetGen (-p), on the resolved surface too, vtkDelaunay3D with
-vtkSelectEnclosedPoints, gmsh and Netgen; each in a process of its own, with a limit of processor time and memory. A
+vtkSelectEnclosedPoints, gmsh, Netgen, and fTetWild if FloatTetwild_bin is there; each in a process of its own, with a limit
+of processor time and memory. A
 model of the thesis, by its name and size, has the thesis's row beneath. Writes table.md, table.csv and peers.csv.
 
 An answer is right where its cells are positive and fit together, exactly, and its volume is ours to a hundredth. It keeps the
-facets where as many places on them as in ours lie on faces of cells.
+facets where as many places on them as in ours lie on faces of cells. The farthest of those that ours keeps tells, in
+diagonals, how far facets move.
 """
 
 from __future__ import annotations
@@ -74,6 +76,8 @@ class Verdict:
     """Of ours."""
     kept: float = 0.0
     """Of all places on facets, how many lie on faces."""
+    farthest: float = 0.0
+    """From its faces, of the diagonal: a place on facets that ours keeps."""
     seconds: Optional[float] = None
     trouble: str = ""
     is_right: bool = False
@@ -122,32 +126,34 @@ def places_on(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     return np.einsum("wc,tcx->twx", weights, points[chosen]).reshape(-1, 3)
 
 
-def share_on_faces(places: np.ndarray, points: np.ndarray, cells: np.ndarray) -> float:
-    """How many of the places lie on faces of cells, within or on the boundary."""
+def distances_from_faces(places: np.ndarray, points: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """From faces of cells, within or on the boundary, of the diagonal."""
     used, faces = np.unique(np.unique(np.sort(cells[:, FACES].reshape(-1, 3), axis=1), axis=0), return_inverse=True)
     locator = vtkStaticCellLocator()
     surface = make_surface(points[used], faces.reshape(-1, 3))
     locator.SetDataSet(surface)
     locator.BuildLocator()
-    near = NEAR * float(np.linalg.norm(np.ptp(places, axis=0)))
     there, cell, which, part, squared = [0.0] * 3, vtkGenericCell(), mutable(0), mutable(0), mutable(0.0)
-    kept = 0
+    found = []
     for place in places.tolist():
         locator.FindClosestPoint(place, there, cell, which, part, squared)
-        kept += float(squared) <= near**2
-    return kept / len(places)
+        found.append(float(squared) ** 0.5)
+    return np.array(found) / np.linalg.norm(np.ptp(places, axis=0))
 
 
-def verdict_of(answer: Answer, places: np.ndarray, ours: Optional[Verdict], volume: float) -> Verdict:
+def verdict_of(answer: Answer, places: np.ndarray, are_kept: np.ndarray, volume: float) -> Verdict:
+    """Given which places ours keeps: facets that bound nothing are on no face of anybody's."""
     if answer.points is None or len(answer.cells) == 0:
         return Verdict(seconds=answer.seconds, trouble=answer.trouble or "no cells")
     found = insideout.check_solid((answer.points, answer.cells)).findings
     trouble = "; ".join(finding.text for finding in found if finding.matters)
-    kept = share_on_faces(places, answer.points, answer.cells)
-    made = Verdict(len(answer.cells), volume_of(answer.points, answer.cells) / volume, kept, answer.seconds, trouble)
-    least = ours.kept if ours else 0.0
+    distances = distances_from_faces(places, answer.points, answer.cells)
+    near = distances <= NEAR
+    farthest = float(distances[are_kept].max(initial=0))
+    volume = volume_of(answer.points, answer.cells) / volume
+    made = Verdict(len(answer.cells), volume, float(near.mean()), farthest, answer.seconds, trouble)
     made.is_right = not trouble and abs(made.volume - 1) <= VOLUME_APART
-    made.keeps_facets = kept >= least - KEPT_APART
+    made.keeps_facets = bool(near.mean() >= are_kept.mean() - KEPT_APART)
     return made
 
 
@@ -182,13 +188,14 @@ def measure(path: str, limit: float) -> Row:
         places = places_on(raw.points, raw.triangles)
         seconds = sum(row.figures[key] for key in ("SecondsValidate", "SecondsPre", "SecondsCDT", "SecondsW", "SecondsCut"))
         ours = Answer(*points_and_cells(read_grid(str(folder / "solid.vtu"))), seconds)
-        row.verdicts[OURS] = verdict_of(ours, places, None, volume)
+        are_kept = distances_from_faces(places, ours.points, ours.cells) <= NEAR
+        row.verdicts[OURS] = verdict_of(ours, places, are_kept, volume)
         peers = [("", mesher) for mesher in meshers_of_any_surface()] + [(", resolved", tetgen("p"))]
         folders = {"": inputs(raw, folder / "raw"), ", resolved": inputs(resolved, folder / "resolved")}
         for what, mesher in peers:
             if mesher.exists():
                 answer = mesher.answer(folders[what], limit)
-                row.verdicts[mesher.name + what] = verdict_of(answer, places, row.verdicts[OURS], volume)
+                row.verdicts[mesher.name + what] = verdict_of(answer, places, are_kept, volume)
     return row
 
 
@@ -223,7 +230,8 @@ def overview(rows: list[Row]) -> list[list[str]]:
         seconds = f"{statistics.median(one.seconds for one in answers):.2f}" if answers else ""
         right = [one for one in made if one.is_right]
         kept = sum(one.keeps_facets for one in right)
-        lines.append([name, f"{len(answers)} of {len(made)}", str(len(right)), str(kept), seconds])
+        moved = f"{statistics.median(one.farthest for one in answers):.2g}" if answers else ""
+        lines.append([name, f"{len(answers)} of {len(made)}", str(len(right)), str(kept), seconds, moved])
     return lines
 
 
@@ -231,7 +239,7 @@ def write(rows: list[Row], folder: Path) -> None:
     header = ["model", *COLUMNS, "rung", ""]
     both = [line for row in rows for line in (row.cells(), thesis_row(row.name, row.figures.get("Facets", 0))) if line]
     escaped = [column.replace("|", "\\|") for column in header]
-    peers = table(["mesher", "answers", "right", "and keeps facets", "seconds, median"], overview(rows))
+    peers = table(["mesher", "answers", "right", "and keeps facets", "seconds, median", "farthest, median"], overview(rows))
     text = ["Seconds; |E| counts the cells inside.", "", *table(escaped, both), "", "Right are sound cells with a volume like ours:", "", *peers, ""]
     (folder / "table.md").write_text("\n".join(text))
     with (folder / "table.csv").open("w", newline="") as file:
