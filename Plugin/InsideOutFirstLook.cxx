@@ -139,11 +139,16 @@ int AssociationOf(pqOutputPort* port, const std::string& array)
   return isOf(vtkDataObject::CELL) ? vtkDataObject::CELL : vtkDataObject::POINT;
 }
 
-/** By an array of its own, with the legend. */
+/** By an array of its own, with its legend instead of the one that ParaView gives. */
 void ColorBy(pqOutputPort* port, vtkSMProxy* representation, vtkSMProxy* view, const char* array)
 {
   using Representation = vtkSMPVRepresentationProxy;
+  vtkSMProxy* unused = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
   Representation::SetScalarColoring(representation, array, AssociationOf(port, array));
+  if (unused)
+  {
+    vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(unused, view);
+  }
   Representation::RescaleTransferFunctionToDataRange(representation);
   Representation::SetScalarBarVisibility(representation, view, true);
 }

@@ -418,6 +418,7 @@ class TestGui(unittest.TestCase):
         self.assertEqual(State(solid).looks(), {("RobustTetrahedralize1", 0): (WITH_EDGES, "", "1 1 1")})
         looks = State(quality).looks()
         self.assertEqual(looks["SolidQuality1", 0][:2], (WITH_EDGES, "MinDihedralAngle"))
+        self.assertEqual(State(quality).legends(), 1, "none of w, by which nothing is colored")
 
     def test_13_a_slice_of_a_solid_takes_its_hull(self):
         state = FOLDER / "slice.pvsm"
