@@ -14,7 +14,7 @@ insideout::Statistics StatisticsOf(vtkFieldData* fields);
 /**
  * Put figures into the data's field data, beside those of other names that are there: the array
  * Statistics with their names in StatisticsNames. They come first: ParaView's Information panel
- * shows no field data whose first array is empty. Of several with one name the last counts.
+ * shows no field data whose first array is empty. The last of several with one name counts.
  */
 void AddStatistics(const insideout::Statistics& statistics, vtkDataObject* output);
 

@@ -25,7 +25,7 @@ constexpr double Apart = 1e-6; ///< of both volumes, from which on results diffe
 const std::map<SetOperation, std::string> Names = { { SetOperation::Union, "union" },
   { SetOperation::Intersection, "intersection" }, { SetOperation::Difference, "difference" } };
 
-/** Of all surfaces that both take. */
+/** The ratios of all surfaces that both take. */
 struct Ratios
 {
   std::vector<double> Ready; ///< ours over manifold's operation

@@ -5,7 +5,7 @@
 
 namespace benchmark
 {
-/** A sphere with bumps, of about so many triangles, turned and moved: closed and without crossings.
+/** A closed sphere with bumps, without crossings, of about this many triangles, turned and moved.
  */
 insideout::TriangleSoup BumpySphere(int triangles, double angle, double offset);
 } // namespace benchmark

@@ -53,7 +53,7 @@ inline double SecondsOf(const std::function<void()>& work)
   return watch.Lap();
 }
 
-/** Of all threads since the process began. */
+/** Processor time of all threads since the process began, in seconds. */
 inline double ProcessorSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

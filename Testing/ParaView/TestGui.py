@@ -325,7 +325,7 @@ class TestGui(unittest.TestCase):
         (first,), (second,) = (State(FOLDER / f"{name}.pvsm").looks().items() for name in ("at-last", "never-stopped"))
         self.assertEqual((first[0], second[0]), (("RobustTetrahedralize1", 0), ("RobustTetrahedralize2", 0)))
         self.assertEqual(first[1], second[1], "shown as if it had never been stopped")
-        self.assertEqual(first[1][0], "Surface", "without edges, which would cover so many faces")
+        self.assertEqual(first[1][0], "Surface", "without edges, which would cover the faces")
 
     def test_6_the_information_panel_tells_the_statistics(self):
         arrays = INFORMATION + "dataArraysTable"

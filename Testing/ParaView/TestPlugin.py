@@ -22,7 +22,7 @@ PLUGIN, SURFACE = sys.argv[1:3]
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Plugin")
-"""Of the files that tell ParaView of the filters."""
+"""Where the files are that tell ParaView of the filters."""
 
 FILTERS = [
     proxy.get("name")

@@ -23,7 +23,7 @@ MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e
 
 @dataclass
 class Estimate:
-    """Of the work on a surface, or on several."""
+    """What the work on a surface, or on several, takes."""
 
     cells: float = 0
     seconds: float = 0

@@ -45,7 +45,7 @@ _NO_FORMAT = "neither content nor ending"
 """What vtkSurfaceReader says of what it does not know."""
 
 SHARE_OF_MACHINE = 0.75
-"""Of its memory: more is not taken out of a file."""
+"""The share of its memory that the content of a file may take."""
 
 PIECE = 1 << 20  # bytes, decompressed at once
 
