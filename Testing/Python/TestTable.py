@@ -39,19 +39,23 @@ class TestTable(unittest.TestCase):
         solid = insideout.tetrahedralize(SURFACE).solid
         places = table.places_on(surface.points, surface.triangles)
         volume = table.volume_of(solid.points, solid.cells)
+        are_kept = table.distances_from_faces(places, solid.points, solid.cells) <= table.NEAR
         verdicts = []
         turned = solid.cells.copy()
         turned[0, :2] = turned[0, 1::-1]
         for cells in (solid.cells, solid.cells[len(solid.cells) // 2 :], turned):
-            verdicts.append(table.verdict_of(Answer(solid.points, cells, 0.0), places, verdicts[0] if verdicts else None, volume))
+            verdicts.append(table.verdict_of(Answer(solid.points, cells, 0.0), places, are_kept, volume))
         self.assertEqual([one.is_right for one in verdicts], [True, False, False])
         self.assertEqual([one.keeps_facets for one in verdicts], [True, False, True])
+        self.assertLessEqual(verdicts[0].farthest, table.NEAR)
+        self.assertGreater(verdicts[1].farthest, 0.01)
         self.assertIn("negative", verdicts[2].trouble)
 
     def test_a_place_beside_a_face_is_not_on_it(self):
         points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1.0)])
         places = np.array([(0.2, 0.2, 0), (0.2, 0.2, 1e-6), (0.1, 0, 0.3), (1, 1, 1.0)])
-        self.assertEqual(table.share_on_faces(places, points, np.array([(0, 1, 2, 3)])), 0.5)
+        distances = table.distances_from_faces(places, points, np.array([(0, 1, 2, 3)]))
+        self.assertEqual((distances <= table.NEAR).tolist(), [True, False, True, False])
 
     def test_a_model_of_the_thesis_has_its_row(self):
         self.assertEqual(table.thesis_row("AlienSpaceObject.obj", 17692)[1:5], ["8762", "17692", "0", "1686"])
