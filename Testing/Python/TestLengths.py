@@ -29,6 +29,9 @@ class Lengths(unittest.TestCase):
         self.assertEqual(diagonal_of([make_surface(points[:4], np.empty((0, 3), int))]), 243**0.5)
         self.assertEqual(diagonal_of([surfaces.box(), surfaces.box((2, 0, 0))]), 11**0.5)
         self.assertEqual(diagonal_of([]), 0)
+        for scale in (1e-200, 1e200):  # squares of which are no doubles
+            huge = make_surface(np.array(points[:4]) * scale, [(1, 2, 3)])
+            self.assertAlmostEqual(diagonal_of([huge]) / scale, 5**0.5, 12)
 
     def test_each_function_takes_them_for_the_number(self):
         near = surfaces.joined(surfaces.box(), surfaces.box((1 + 1e-4, 0, 0)))

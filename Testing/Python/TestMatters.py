@@ -8,8 +8,11 @@ import unittest
 import insideout
 import surfaces
 from command import CommandLine, run_here
+from insideout import arguments
+from insideout.commands.check import CheckJob
+from insideout.estimates import estimate
 from insideout.matters import RULES
-from insideout.options import flag_of
+from insideout.options import Options, flag_of
 
 
 class Refused(CommandLine):
@@ -57,6 +60,8 @@ class Refused(CommandLine):
             done = run_here("mesh", curve, self.output, *option)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(f"{option[0]} does nothing in a plane, where {curve} lies", done.stderr)
+        done = run_here("mesh", "--together", curve, curve, self.output)
+        self.assertIn("--together does nothing in a plane", done.stderr)
 
     def test_what_may_matter_is_done(self):
         source, stl = self.file("box.ply", surfaces.box()), self.path("fixed.stl")
@@ -102,6 +107,11 @@ class Told(CommandLine):
         for path, words in ((nan, "point 3"), (empty, "empty")):
             for command in (("check", path), ("mesh", path, self.output), ("repair", path, self.path("x.ply"))):
                 self.check_failure(run_here(*command), path, words)
+
+    def test_standard_input_in_errors_too(self):
+        options, (files,) = arguments.parse(["check", "-"])
+        self.assertEqual(CheckJob(options, files).naming("near-coincident point 3"), "standard input: near-coincident point 3")
+        self.assertEqual(CheckJob(options, files).naming("standard input, line 2"), "standard input, line 2")
 
     def test_arguments_that_make_no_sense_end_with_2_and_all_else_that_fails_with_1(self):
         points = self.file("points.csv", "x,y,z\n0,0,0\n")
@@ -171,6 +181,12 @@ class DryRun(CommandLine):
             made = json.loads(run_here("mesh", ball, self.output, *more, "--json").stdout)["statistics"]
             cells = made.get("RefinedCells", made["InsideCells"])
             self.assertLess(max(estimated["cells"] / cells, cells / estimated["cells"]), 5)
+
+    def test_lengths_whose_cubes_are_no_doubles_are_estimated(self):
+        few = estimate(insideout.check(surfaces.box()).statistics, Options(edge_length=1e200))
+        many = estimate(insideout.check(surfaces.box()).statistics, Options(edge_length=1e-200))
+        self.assertLess(few.cells, 1000)
+        self.assertEqual(many.words(), "more tetrahedra than can be counted")
 
 
 if __name__ == "__main__":

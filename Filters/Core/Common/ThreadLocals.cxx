@@ -6,6 +6,10 @@
 #include <mpfr.h>
 #include <new>
 
+#ifdef __GLIBC__
+#include <execinfo.h>
+#endif
+
 namespace insideout
 {
 namespace
@@ -14,6 +18,16 @@ namespace
 constexpr std::size_t BytesOfThreadLocals = std::size_t(128) << 10;
 
 thread_local volatile bool IsOfThisLibrary = false;
+
+/** OpenMP's threads end by pthread_exit, for which glibc loads an unwinder once; without memory for
+ * it the program would end. backtrace() takes the same one. */
+void LoadUnwinder()
+{
+#ifdef __GLIBC__
+  void* frame = nullptr;
+  [[maybe_unused]] static const int loaded = backtrace(&frame, 1);
+#endif
+}
 } // namespace
 
 void AllocateThreadLocals()
@@ -22,6 +36,7 @@ void AllocateThreadLocals()
   {
     throw std::bad_alloc();
   }
+  LoadUnwinder();
   IsOfThisLibrary = true; // and with it come all others
 }
 

@@ -7,6 +7,7 @@ no number of cells was off by more than a factor of 2.5, and no time by more tha
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Mapping
 
@@ -34,6 +35,8 @@ class Estimate:
         return Estimate(self.cells + other.cells, self.seconds + other.seconds, both)
 
     def words(self) -> str:
+        if not math.isfinite(self.cells):
+            return "more tetrahedra than can be counted"
         seconds = "a second at most" if self.seconds <= 1 else f"{_rounded(self.seconds)} s"
         return f"about {_rounded(self.cells)} tetrahedra, in {seconds} with {_rounded(self.mebibytes)} MiB"
 
@@ -47,7 +50,9 @@ def estimate(statistics: Mapping[str, float], options: Options) -> Estimate:
     if options.refines():
         cells = REFINED_CELLS_OF_FACET * pieces
         if options.edge_length:
-            cells += REFINED_CELLS_OF_CUBE * max(statistics["EnclosedVolume"], 0) / float(options.edge_length) ** 3
+            length = float(options.edge_length)
+            # One division after the other: the cube of a length may be beyond all doubles.
+            cells += REFINED_CELLS_OF_CUBE * max(statistics["EnclosedVolume"], 0) / length / length / length
         seconds += SECONDS_OF_REFINED_CELL * cells
         mebibytes += MEBIBYTES_OF_REFINED_CELL * cells
     return Estimate(cells, seconds, mebibytes)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import Any, Iterable, Optional, Union
 
@@ -51,7 +52,8 @@ def diagonal_of(all_data: Iterable[vtkPointSet]) -> float:
     boxes = [box for data in all_data if len(box := _points_in_use(data))]
     if not boxes:
         return 0.0
-    return float(np.linalg.norm(np.max([box.max(axis=0) for box in boxes], axis=0) - np.min([box.min(axis=0) for box in boxes], axis=0)))
+    low, high = np.min([box.min(axis=0) for box in boxes], axis=0), np.max([box.max(axis=0) for box in boxes], axis=0)
+    return math.dist(low, high)
 
 
 def _points_in_use(data: vtkPointSet) -> NDArray[np.float64]:

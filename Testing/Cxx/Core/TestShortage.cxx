@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Common/GmpMemory.h"
 #include "Common/Team.h"
+#include "Common/ThreadLocals.h"
 #include "Files/SurfaceFile.h"
 #include "HullMesh.h"
 #include "Support/AllowedThreads.h"
@@ -12,7 +13,6 @@
 
 #include <gmp.h>
 #include <gtest/gtest.h>
-#include <pthread.h>
 
 #include <algorithm>
 #include <future>
@@ -35,24 +35,12 @@ TriangleSoup BrokenSurface()
   return Join(Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), open), RandomSoup(5, 6));
 }
 
-/** OpenMP's threads end by pthread_exit, for which the C library loads an unwinder once, and ends
- * the program where it has no memory for it. */
-void EndAThread()
-{
-  pthread_t thread;
-  const auto end = [](void*) -> void* { pthread_exit(nullptr); };
-  if (pthread_create(&thread, nullptr, end, nullptr) == 0)
-  {
-    pthread_join(thread, nullptr);
-  }
-}
-
 /** Of the answers to work, one that had all memory. */
 template <class Work>
 auto AnswerOf(const Work& work, std::size_t& allocations)
 {
-  work(); // what is made once is made
-  EndAThread();
+  work();                 // what is made once is made
+  AllocateThreadLocals(); // as before every filter's work
   const Shortage none(Of::Memory);
   auto answer = work();
   allocations = none.Calls();

@@ -4,15 +4,14 @@
 from __future__ import annotations
 
 import os
-from dataclasses import replace
-from typing import Any
 
+from ..arguments import FILE_OPTIONS
 from ..checking import check
 from ..estimates import Estimate, estimate
-from ..files import WRITABLE_SURFACES, ending
+from ..files import STANDARD_INPUT, WRITABLE_SURFACES, ending
 from ..quality import check_solid, solid_verdict
+from ..stages import CHECK, CHECK_SOLID
 from ..usage import CHECK_OPTIONS
-from ..verdict import verdict
 from .boolean import BooleanJob
 from .job import Job
 from .mesh import MeshJob
@@ -25,7 +24,7 @@ class DryRun(Job):
         super().__init__(planned.options, planned.files)
         self.planned = planned
         self.readable = planned.readable
-        self.stages = planned.stages
+        self.stages = CHECK_SOLID if self.files.is_solid() else CHECK
         self.verdicts: dict[str, str] = {}  # by files
         self.makes_cells = isinstance(planned, (MeshJob, BooleanJob)) and not planned.goes_without_cells()
         self.estimate = Estimate()
@@ -54,7 +53,7 @@ class DryRun(Job):
         for path, surface in zip(self.files.surfaces(), surfaces.values()):
             result = check(surface, progress=self.show_progress, **options)
             self.warnings += result.warnings
-            self.verdicts[path] = result.verdict
+            self.verdicts[STANDARD_INPUT if path == "-" else path] = result.verdict
             if self.makes_cells and "IntersectingPairs" in result.statistics:  # lines in a plane take no time
                 self.estimate += estimate(result.statistics, self.settings)
             self.statistics = dict(result.statistics)
@@ -64,8 +63,8 @@ class DryRun(Job):
         """The files by what they would hold."""
         output = "surface" if ending(self.files.output or "") in WRITABLE_SURFACES else "winding" if self.options.points else "solid"
         named = {"output": output, "plot": "picture"}
-        fields: dict[str, Any] = vars(replace(self.files))
-        return {named.get(name, name): path for name, path in fields.items() if path in self.files.outputs()}
+        paths = {name: getattr(self.files, name) for name in FILE_OPTIONS}
+        return {named.get(name, name): path for name, path in paths.items() if path is not None}
 
     def success(self) -> str:
         return next(iter(self.verdicts.values()))

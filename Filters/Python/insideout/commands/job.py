@@ -111,8 +111,9 @@ class Job:
     def naming(self, error: str) -> str:
         """The error of the work, with the surface's name before it where it names no file."""
         files = self.files
-        names = [files.name(), os.path.basename(files.surface), self.options.points, *files.surfaces(), *files.outputs()]
-        return error if any(name and name in error for name in names) else f"{files.name()}: {error}"
+        paths = [path for path in (*files.surfaces(), self.options.points, *files.outputs()) if path not in (None, "-")]
+        names = [files.name(), *paths, *map(os.path.basename, paths)]
+        return error if any(name in error for name in names) else f"{files.name()}: {error}"
 
     def check_last_name(self) -> None:
         """Raise `Error` where OUTPUT was forgotten: where the last file could be an input, and nobody says that it is to be replaced."""

@@ -14,8 +14,8 @@ from ..bodies import outer_boundary
 from ..curves import CURVE
 from ..data import Tetrahedra, TriangleSurface
 from ..drawing import draw, up_of
-from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
 from ..errors import ArgumentError
+from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
 from ..hints import hints_for_printing, hints_for_solver
 from ..interruption import work_on
 from ..options import OPTIONS, flag_of
@@ -67,9 +67,10 @@ class MeshJob(Job):
             check_format(path)
         if input_ending(self.files.surface) == CURVE or str(self.settings.dimension) == "2":
             self.check_plane()
-            left_out = [name for name in self.settings.left_out_by(vtkRobustTriangulate()) if name != "surface_only"]
-            if left_out:
-                raise ArgumentError(f"{flag_of(left_out[0])} does nothing in a plane, where {self.files.surface} lies")
+            for name in self.settings.left_out_by(vtkRobustTriangulate()):
+                told = "together" if name == "body_array" and self.options.together else name
+                if name != "surface_only":
+                    raise ArgumentError(f"{flag_of(told)} does nothing in a plane, where {self.files.surface} lies")
         for taking in (output, self.files.hull or "", self.files.plot or ""):
             if self.settings.surface_only and taking and ending(taking) not in WRITABLE_SURFACES:
                 raise Error(f"{taking}: takes tetrahedra, which --surface-only goes without")
