@@ -159,7 +159,7 @@ def main(folder: Path, edge: float) -> None:
     shells = heart(edge)
     for name, (points, triangles) in shells.items():
         insideout.write(insideout.resolve((points, triangles)).surface, folder / f"{name}.ply")
-    result = insideout.tetrahedralize(shells, edge_length=edge, surface_treatment="remeshed", surface_tolerance=edge / 20)
+    result = insideout.tetrahedralize(shells, priority=list(shells), edge_length=edge, surface_treatment="remeshed", surface_tolerance=edge / 20)
     insideout.write(result, folder / "heart.inp")
     volumes = {"+".join(region.bodies): region.volume for region in result.regions}
     print(f"{len(result.solid.cells):,} cells; volumes in cm3:", ", ".join(f"{name} {volume:.3f}" for name, volume in volumes.items()))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Out/SegmentHull.h"
 
+#include "Boolean/CoveredBodies.h"
 #include "Boolean/FillGaps.h"
 #include "Boolean/SegmentBodies.h"
 #include "Common/Stages.h"
@@ -28,7 +29,8 @@ SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<Seed>& given, 
     return segmented;
   }
   const std::vector<std::string>& names = kept.Bodies.Names;
-  const std::vector<Id> priority = PriorityOf(names, SplitNames(options.Priority));
+  const std::vector<std::string> first = SplitNames(options.Priority);
+  const std::vector<Id> priority = PriorityOf(names, first);
   const std::vector<std::vector<Seed>> seeds = SeedsOfBodies(given, points, names);
   const std::vector<std::vector<FacetPiece>> pieces = PiecesOfBodies(hull, kept.Bodies, chosen);
   std::vector<BodyToSegment> bodies;
@@ -46,9 +48,11 @@ SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<Seed>& given, 
       FillGaps(hull.Mesh, options.MergeTolerance, priority, segmented.InBodies, monitor),
       segmented.All.Statistics, segmented.All.Warnings);
   }
+  const BodyOrder order = InnerFirst(segmented.InBodies, priority, first.size());
   segmented.Regions =
-    FindBodyRegions(segmented.InBodies, options.Rule, priority, monitor, findingRegions);
-  for (std::string& warning : WarningsOfCoveredBodies(segmented.InBodies, segmented.Regions, names))
+    FindBodyRegions(segmented.InBodies, options.Rule, order.Priority, monitor, findingRegions);
+  for (std::string& warning : WarningsOfCoveredBodies(
+         hull.Mesh, segmented.InBodies, order, segmented.Regions, names, monitor, findingRegions))
   {
     segmented.All.Warnings.push_back(std::move(warning));
   }

@@ -305,9 +305,12 @@ class TestCommand(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Warning: body none: the surface has no polygons: the body is empty", done.stdout)
 
-    def test_a_body_that_another_covers_whole_is_told_in_words_of_the_command(self):
+    def test_what_bodies_lose_to_others_is_told_in_words_of_the_command(self):
         insideout.write(insideout.resolve(box((0.5, 0.5, 0.5), (1, 1, 1))).surface, self.folder / "inner.ply")
         done = self.run_command("--together", "left.ply", "inner.ply", "both.msh")
+        self.assertIn("body left comes before bodies within it (inner), but these have their places; set --priority to left, or --region-rule", done.stdout)
+        self.assertIn("2 regions, of volume 7.875 (left), 0.125 (inner)", done.stdout)
+        done = self.run_command("--together", "left.ply", "inner.ply", "both.msh", "--priority", "left")
         self.assertIn("body inner has no cell: all of its places are of bodies before it (left); set --priority to inner, or --region-rule", done.stdout)
 
     def test_a_surface_of_them_is_what_encloses_them_all(self):

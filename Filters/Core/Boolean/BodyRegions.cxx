@@ -4,9 +4,8 @@
 #include "Common/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <numeric>
-#include <set>
 
 namespace insideout
 {
@@ -33,6 +32,20 @@ BodyRegions RegionsByPriority(const std::vector<std::vector<unsigned char>>& ins
   return result;
 }
 
+/** The bodies that have a cell, ascending. */
+void BodiesOfCell(
+  const std::vector<std::vector<unsigned char>>& inside, std::size_t cell, std::vector<Id>& bodies)
+{
+  bodies.clear();
+  for (std::size_t b = 0; b < inside.size(); ++b)
+  {
+    if (inside[b][cell] != 0)
+    {
+      bodies.push_back(static_cast<Id>(b));
+    }
+  }
+}
+
 /** A region for each set of bodies that has cells. */
 BodyRegions RegionsOfAll(
   const std::vector<std::vector<unsigned char>>& inside, const LoopProgress& progress)
@@ -43,14 +56,7 @@ BodyRegions RegionsOfAll(
   for (std::size_t cell = 0; cell < setOf.size(); ++cell)
   {
     progress.Check(cell);
-    bodies.clear();
-    for (std::size_t b = 0; b < inside.size(); ++b)
-    {
-      if (inside[b][cell] != 0)
-      {
-        bodies.push_back(static_cast<Id>(b));
-      }
-    }
+    BodiesOfCell(inside, cell, bodies);
     if (!bodies.empty())
     {
       setOf[cell] = &regionOf.insert({ bodies, None }).first->first;
@@ -67,6 +73,39 @@ BodyRegions RegionsOfAll(
     result.Regions.OfCell.push_back(set ? regionOf.at(*set) : None);
   }
   return result;
+}
+/** Of each body those that have cells, all of which are its own, but not all of these. */
+std::vector<std::vector<Id>> FindNested(const std::vector<std::vector<unsigned char>>& inside)
+{
+  std::vector<std::size_t> cells(inside.size(), 0);
+  std::map<std::array<Id, 2>, std::size_t> shared;
+  std::vector<Id> bodies;
+  for (std::size_t cell = 0; !inside.empty() && cell < inside.front().size(); ++cell)
+  {
+    BodiesOfCell(inside, cell, bodies);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+      ++cells[bodies[i]];
+      for (std::size_t j = i + 1; j < bodies.size(); ++j)
+      {
+        ++shared[{ bodies[i], bodies[j] }];
+      }
+    }
+  }
+  std::vector<std::vector<Id>> within(inside.size());
+  for (const auto& [pair, count] : shared)
+  {
+    const auto [a, b] = pair;
+    if (cells[a] != cells[b] && (count == cells[a] || count == cells[b]))
+    {
+      count == cells[a] ? within[b].push_back(a) : within[a].push_back(b);
+    }
+  }
+  for (std::vector<Id>& inner : within)
+  {
+    std::sort(inner.begin(), inner.end());
+  }
+  return within;
 }
 } // namespace
 
@@ -103,6 +142,29 @@ std::vector<Id> PriorityOf(
   return order;
 }
 
+BodyOrder InnerFirst(const std::vector<std::vector<unsigned char>>& inside,
+  const std::vector<Id>& given, std::size_t named)
+{
+  BodyOrder order = { {}, given, named, FindNested(inside) };
+  const auto isWithin = [&](Id inner, Id outer)
+  {
+    const std::vector<Id>& within = order.Within[outer];
+    return std::binary_search(within.begin(), within.end(), inner);
+  };
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    const Id body = given[i];
+    auto before = order.Priority.end();
+    if (i >= named)
+    {
+      before = std::find_if(order.Priority.begin() + static_cast<std::ptrdiff_t>(named),
+        order.Priority.end(), [&](Id other) { return isWithin(body, other); });
+    }
+    order.Priority.insert(before, body);
+  }
+  return order;
+}
+
 BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& inside, RegionRule rule,
   const std::vector<Id>& priority, Monitor& monitor, const ProgressRange& progress)
 {
@@ -113,40 +175,6 @@ BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& insid
   const LoopProgress cells(monitor, progress, inside.front().size());
   return rule == RegionRule::Priority ? RegionsByPriority(inside, priority, cells)
                                       : RegionsOfAll(inside, cells);
-}
-
-std::vector<std::string> WarningsOfCoveredBodies(
-  const std::vector<std::vector<unsigned char>>& inside, const BodyRegions& regions,
-  const std::vector<std::string>& bodies)
-{
-  std::vector<std::string> warnings;
-  for (std::size_t b = 0; b < inside.size(); ++b)
-  {
-    std::set<Id> covering;
-    bool hasOwn = false;
-    for (std::size_t cell = 0; cell < inside[b].size() && !hasOwn; ++cell)
-    {
-      if (inside[b][cell] != 0)
-      {
-        const std::vector<Id>& of = regions.Bodies[regions.Regions.OfCell[cell]];
-        hasOwn = std::find(of.begin(), of.end(), static_cast<Id>(b)) != of.end();
-        covering.insert(of.front());
-      }
-    }
-    if (hasOwn || covering.empty())
-    {
-      continue;
-    }
-    std::string names;
-    for (const Id body : covering)
-    {
-      names += (names.empty() ? "" : ", ") + bodies[body];
-    }
-    warnings.push_back("body " + bodies[b] +
-      " has no cell: all of its places are of bodies before it (" + names + "); set Priority to " +
-      bodies[b] + ", or RegionRule to all");
-  }
-  return warnings;
 }
 
 std::vector<std::string> NamesOfRegions(

@@ -32,28 +32,36 @@ struct BodyRegions
 std::vector<Id> PriorityOf(
   const std::vector<std::string>& bodies, const std::vector<std::string>& first);
 
+/** In which order bodies count on a mesh, and why. */
+struct BodyOrder
+{
+  std::vector<Id> Priority;            ///< from the one that has cells before all others
+  std::vector<Id> Given;               ///< as PriorityOf gave it
+  std::size_t Named = 0;               ///< how many of these, the first, are named
+  std::vector<std::vector<Id>> Within; ///< of each body, ascending, those nested in it
+};
+
+/**
+ * The order that is given, but that of two nested bodies which are not named the inner one counts
+ * first: the one that has cells, all of which the other has, too, and more. Bodies with the same
+ * cells keep their order.
+ *
+ * @param[in] inside of each body, not 0 for the cells that it has
+ */
+BodyOrder InnerFirst(const std::vector<std::vector<unsigned char>>& inside,
+  const std::vector<Id>& given, std::size_t named);
+
 /**
  * Which region each cell is of. By Priority they have the numbers of the bodies, also of those that
  * others cover whole, so that some may have no cell. Of All they are numbered by their bodies in
  * the order of dictionaries: {0}, {0, 1}, {0, 1, 2}, {0, 2}, {1}, ...
  *
  * @param[in] inside of each body, not 0 for the cells that it has
- * @param[in] priority as PriorityOf gives it; All needs none
+ * @param[in] priority all bodies in the order in which they count; All needs none
  * @throws Error Stopped
  */
 BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& inside, RegionRule rule,
   const std::vector<Id>& priority, Monitor& monitor, const ProgressRange& progress);
-
-/**
- * A warning for each body whose cells all are of regions of bodies before it, so that its own
- * region, by Priority, has none. Of All there is none.
- *
- * @param[in] inside, regions as FindBodyRegions took and gave them
- * @param[in] bodies the names of all
- */
-std::vector<std::string> WarningsOfCoveredBodies(
-  const std::vector<std::vector<unsigned char>>& inside, const BodyRegions& regions,
-  const std::vector<std::string>& bodies);
 
 /** What regions are called: by their bodies, joined by "+" where these are several. */
 std::vector<std::string> NamesOfRegions(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/BodyRegions.h"
+#include "Boolean/CoveredBodies.h"
 #include "Boolean/SegmentBodies.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
@@ -248,6 +249,108 @@ TEST(Bodies, PriorityNamesBodies)
   EXPECT_EQ(wordsAbout({ "fat", "hair" }),
     "Priority names hair, which is no body; there are bone, fat, skin");
   EXPECT_EQ(wordsAbout({ "fat", "bone", "fat" }), "Priority names fat twice");
+}
+
+namespace
+{
+/** Volumes of the regions of bodies by the order that is given, and what is said of it. */
+struct Ordered
+{
+  std::vector<double> Volumes;
+  std::vector<std::string> Warnings;
+};
+
+Ordered InOrder(const std::vector<TriangleSoup>& soups, const std::vector<std::string>& names,
+  const std::vector<std::string>& first = {}, RegionRule rule = RegionRule::Priority)
+{
+  Monitor silent;
+  const Meshed meshed = Mesh(soups);
+  const BodyOrder order = InnerFirst(meshed.Inside, PriorityOf(names, first), first.size());
+  const BodyRegions regions = Regions(meshed, rule, order.Priority);
+  return { Volumes(meshed, regions.Regions),
+    WarningsOfCoveredBodies(meshed.Hull.Mesh, meshed.Inside, order, regions, names, silent,
+      { Stages::Extracting, 0, 1 }) };
+}
+
+using Lines = std::vector<std::string>;
+} // namespace
+
+TEST(Bodies, TheInnerOfTwoNestedOnesGoesFirstAndItIsToldWhereTheOrderWasAnother)
+{
+  const TriangleSoup box = Box({ 0, 0, 0 }, { 4, 4, 4 });
+  const TriangleSoup ball = Box({ 1, 1, 1 }, { 2, 2, 2 });
+  const Ordered outerFirst = InOrder({ box, ball }, { "box", "ball" });
+  ExpectNear(outerFirst.Volumes, { 63, 1 });
+  EXPECT_EQ(outerFirst.Warnings,
+    Lines{ "body box comes before bodies within it (ball), but these have their places; set "
+           "Priority to box, or RegionRule to all" });
+  const Ordered innerFirst = InOrder({ ball, box }, { "ball", "box" });
+  ExpectNear(innerFirst.Volumes, { 1, 63 });
+  EXPECT_EQ(innerFirst.Warnings, Lines{});
+  const Ordered named = InOrder({ box, ball }, { "box", "ball" }, { "box" });
+  ExpectNear(named.Volumes, { 64, 0 });
+  EXPECT_EQ(named.Warnings,
+    Lines{ "body ball has no cell: all of its places are of bodies before it (box); set Priority "
+           "to ball, or RegionRule to all" });
+  const Ordered inner = InOrder({ box, ball }, { "box", "ball" }, { "ball" });
+  ExpectNear(inner.Volumes, { 63, 1 });
+  EXPECT_EQ(inner.Warnings, Lines{});
+  EXPECT_EQ(InOrder({ box, ball }, { "box", "ball" }, {}, RegionRule::All).Warnings, Lines{});
+}
+
+TEST(Bodies, NestedOnesGoFromTheInnermostOutAndEqualOnesInTheirOrder)
+{
+  const TriangleSoup large = Box({ 0, 0, 0 }, { 6, 6, 6 });
+  const TriangleSoup middle = Box({ 1, 1, 1 }, { 5, 5, 5 });
+  const TriangleSoup small = Box({ 2, 2, 2 }, { 4, 4, 4 });
+  std::vector<int> of = { 0, 1, 2, 3 };
+  const std::vector<TriangleSoup> soups = { large, middle, small, middle };
+  const std::vector<double> shells = { 216 - 64, 64 - 8, 8 };
+  do
+  {
+    std::vector<TriangleSoup> bodies;
+    std::vector<double> expected;
+    bool hasMiddle = false;
+    for (const int i : of)
+    {
+      bodies.push_back(soups[i]);
+      const bool isSecond = i % 2 == 1 && hasMiddle;
+      hasMiddle = hasMiddle || i % 2 == 1;
+      expected.push_back(isSecond ? 0 : shells[i == 3 ? 1 : i]);
+    }
+    ExpectNear(InOrder(bodies, { "a", "b", "c", "d" }).Volumes, expected);
+  } while (std::next_permutation(of.begin(), of.end()));
+}
+
+TEST(Bodies, OneThatLosesMoreThanHalfToTheOrderIsTold)
+{
+  const TriangleSoup left = Box({ 0, 0, 0 }, { 4, 2, 2 });
+  const TriangleSoup right = Box({ 1, 0, 0 }, { 5, 2, 2 });
+  const Ordered lost = InOrder({ left, right }, { "left", "right" });
+  ExpectNear(lost.Volumes, { 16, 4 });
+  EXPECT_EQ(lost.Warnings,
+    Lines{ "body right loses 75 % of its volume to bodies before it (left); set Priority to "
+           "right, or RegionRule to all" });
+  EXPECT_EQ(InOrder({ left, right }, { "left", "right" }, { "left" }).Warnings, Lines{});
+  EXPECT_EQ(InOrder({ left, Box({ 2, 0, 0 }, { 6, 2, 2 }) }, { "left", "half" }).Warnings, Lines{});
+}
+
+TEST(Bodies, PartsWithoutACellAreTold)
+{
+  TriangleSoup two = Box({ 1, 1, 1 }, { 2, 2, 2 });
+  const TriangleSoup beside = Box({ 5, 1, 1 }, { 7, 3, 3 });
+  for (const Triangle& t : beside.Triangles)
+  {
+    two.Triangles.push_back({ { t[0] + 8, t[1] + 8, t[2] + 8 } });
+  }
+  two.Points.insert(two.Points.end(), beside.Points.begin(), beside.Points.end());
+  const Ordered found = InOrder({ Box({ 0, 0, 0 }, { 4, 4, 4 }), two }, { "box", "two" });
+  ExpectNear(found.Volumes, { 64, 8 });
+  EXPECT_EQ(found.Warnings,
+    Lines{ "1 of the 2 parts of body two have no cell: all of their places are of bodies before "
+           "it (box); set Priority to two, or RegionRule to all" });
+  EXPECT_EQ(
+    InOrder({ Box({ 0, 0, 0 }, { 4, 4, 4 }), two }, { "box", "two" }, { "box" }).Warnings, Lines{});
 }
 
 TEST(Bodies, TheSameBodyTwiceIsOneRegionOfBoth)

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Boolean/BodyRegions.h"
+
+#include <string>
+#include <vector>
+
+namespace insideout
+{
+/**
+ * What bodies lose to others, in words for a user, with the options that change it: bodies without
+ * a cell, parts of bodies without one, bodies that keep less than half of their volume because
+ * others come before them, and bodies that come before those within them in vain. Where RegionRule
+ * is All nobody loses anything.
+ *
+ * @param[in] inside, order, regions as FindBodyRegions took and gave them
+ * @param[in] names of all bodies
+ * @throws Error Stopped
+ */
+std::vector<std::string> WarningsOfCoveredBodies(const TetrahedralMesh& mesh,
+  const std::vector<std::vector<unsigned char>>& inside, const BodyOrder& order,
+  const BodyRegions& regions, const std::vector<std::string>& names, Monitor& monitor,
+  const ProgressRange& progress);
+} // namespace insideout
