@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -78,13 +79,13 @@ int vtkConstrainedDelaunay3D::RequestUpdateExtent(vtkInformation* vtkNotUsed(req
 }
 
 int vtkConstrainedDelaunay3D::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputSurface(this);
       vtkInsideOut::RefusePlane(input);
       vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Tetrahedralizing });

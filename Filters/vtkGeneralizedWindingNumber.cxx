@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -74,13 +75,13 @@ int vtkGeneralizedWindingNumber::RequestUpdateExtent(vtkInformation* vtkNotUsed(
 }
 
 int vtkGeneralizedWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputSurface(this);
       const HullMeshParameters parameters = vtkInsideOut::HullParametersOf(this);
       vtkInsideOut::RefusePlane(input, this->Thicken > 0);
       vtkInsideOut::AlgorithmMonitor monitor(this,

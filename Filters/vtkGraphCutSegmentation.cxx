@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/ReadGrid.h"
 #include "In/SeedsPort.h"
 #include "In/StageParameters.h"
@@ -156,11 +157,11 @@ int vtkGraphCutSegmentation::RequestUpdateExtent(vtkInformation* vtkNotUsed(requ
 int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Segmenting });
       if (input->GetNumberOfCells() == 0)
       {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkImplicitWindingNumber.h"
 
+#include "In/Blocks.h"
+#include "In/Partitions.h"
 #include "Probe/InputWindingNumber.h"
 #include "Run/RunFilter.h"
 
 #include "Common/ForkableMutex.h"
 
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
@@ -51,12 +54,12 @@ void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaArrayName: " << this->AreaArrayName << "\n";
 }
 
-vtkCxxSetObjectMacro(vtkImplicitWindingNumber, Input, vtkPolyData);
+vtkCxxSetObjectMacro(vtkImplicitWindingNumber, Input, vtkDataObject);
 
 vtkMTimeType vtkImplicitWindingNumber::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Input ? std::max(own, this->Input->GetMTime()) : own;
+  return this->Input ? std::max(own, vtkInsideOut::LastChange(this->Input)) : own;
 }
 
 void vtkImplicitWindingNumber::Build()
@@ -74,7 +77,7 @@ void vtkImplicitWindingNumber::Build()
     options.Areas = this->AreaArrayName;
     options.Distance = this->SignedDistance;
     this->Built->WindingNumber = std::make_unique<const vtkInsideOut::InputWindingNumber>(
-      this->Input, options, silent, warnings);
+      vtkInsideOut::JoinSurfaces(this->Input), options, silent, warnings);
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);

@@ -53,7 +53,7 @@
 
 #include <string>
 
-class vtkPolyData;
+class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkImplicitWindingNumber : public vtkImplicitFunction
 {
@@ -68,10 +68,10 @@ public:
   ///@{
   /**
    * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning. Or
-   * lines alone, or points with normals alone.
+   * lines alone, or points with normals alone. The blocks of a composite data set are one surface.
    */
-  virtual void SetInput(vtkPolyData* surface);
-  vtkGetObjectMacro(Input, vtkPolyData);
+  virtual void SetInput(vtkDataObject* surface);
+  vtkGetObjectMacro(Input, vtkDataObject);
   ///@}
 
   ///@{
@@ -113,7 +113,7 @@ protected:
   vtkImplicitWindingNumber();
   ~vtkImplicitWindingNumber() override;
 
-  vtkPolyData* Input = nullptr;
+  vtkDataObject* Input = nullptr;
   bool SignedDistance = false;
   std::string AreaArrayName;
 

@@ -6,6 +6,7 @@
 #include "Data/Attributes.h"
 #include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
+#include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"
@@ -85,9 +86,9 @@ void vtkProbeWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Controller: " << this->Controller << "\n";
 }
 
-void vtkProbeWindingNumber::SetSurfaceData(vtkPolyData* surface)
+void vtkProbeWindingNumber::SetSurfaceData(vtkDataObject* surface)
 {
-  this->SetInputData(1, surface);
+  this->SetInputDataObject(1, surface);
 }
 
 void vtkProbeWindingNumber::SetSurfaceConnection(vtkAlgorithmOutput* output)
@@ -108,6 +109,10 @@ int vtkProbeWindingNumber::ModifyRequest(vtkInformation* request, int when)
 int vtkProbeWindingNumber::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  }
   return 1;
 }
 
@@ -291,7 +296,6 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   const bool isPiece = inputVector[1]->GetInformationObject(0)->Get(
                          vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
@@ -300,6 +304,7 @@ int vtkProbeWindingNumber::RequestData(vtkInformation* vtkNotUsed(request),
   const auto work = [&]()
   {
     vtkInsideOut::WarnOfThreads(this);
+    const auto surface = vtkInsideOut::JoinSurfaces(vtkDataObject::GetData(inputVector[1]));
     std::vector<std::string> stages = { Stages::Validating, Stages::Orienting,
       Stages::WindingNumbers };
     if (this->Distance)

@@ -73,6 +73,7 @@ namespace vtkInsideOut
 class FailTogether;
 }
 class vtkMultiProcessController;
+class vtkDataObject;
 class vtkPolyData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkProbeWindingNumber : public vtkDataSetAlgorithm
@@ -85,9 +86,11 @@ public:
   ///@{
   /**
    * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning. Or
-   * lines alone, or points with normals alone.
+   * lines alone, or points with normals alone. The blocks of a composite data set are one surface,
+   * whose ClosestCellId counts the cells of all blocks: vertices, then lines, polygons and strips.
+   * GetSurface gives nullptr for one.
    */
-  void SetSurfaceData(vtkPolyData* surface);
+  void SetSurfaceData(vtkDataObject* surface);
   void SetSurfaceConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetSurface();
   ///@}

@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/ReadLengths.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -117,12 +118,12 @@ int vtkRefineTetrahedra::RequestUpdateExtent(vtkInformation* vtkNotUsed(request)
 int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkDataSet* background = vtkDataSet::GetData(inputVector[1]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Refining });
       RefinementParameters parameters = vtkInsideOut::RefinementParametersOf(this);
       AddLengths(input, background, this->SizingArrayName, parameters.Sizes);

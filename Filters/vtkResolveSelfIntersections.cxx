@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/Label.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -43,13 +44,13 @@ int vtkResolveSelfIntersections::RequestUpdateExtent(vtkInformation* vtkNotUsed(
 }
 
 int vtkResolveSelfIntersections::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputSurface(this);
       vtkInsideOut::RefuseLines(input);
       vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Resolving });

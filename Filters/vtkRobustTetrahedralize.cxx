@@ -5,6 +5,7 @@
 #include "Common/Team.h"
 #include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
+#include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/SeedsPort.h"
 #include "In/StageParameters.h"
@@ -233,20 +234,22 @@ struct OneSurface
 
 OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
 {
-  OneSurface input = { vtkPolyData::SafeDownCast(given),
-    { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), {}, 0 }, {} };
+  OneSurface input = { nullptr,
+    { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), {},
+      vtkInsideOut::LastChange(given) },
+    {} };
   if (filter->GetBlocksAreBodies())
   {
     vtkInsideOut::RefuseSpreadParts(filter);
     input.Polygons = vtkInsideOut::JoinBlocks(given, input.Warnings);
     vtkInsideOut::HullArrays& names = input.Names;
     names.Bodies = vtkInsideOut::BodyIds;
-    vtkInsideOut::VisitBlocks(given,
-      [&](vtkDataObject* block, const std::string& name)
-      {
-        names.BlockNames.push_back(name);
-        names.BlocksTime = std::max(names.BlocksTime, block->GetMTime());
-      });
+    vtkInsideOut::VisitBlocks(
+      given, [&](vtkDataObject*, const std::string& name) { names.BlockNames.push_back(name); });
+  }
+  else
+  {
+    input.Polygons = vtkInsideOut::SurfaceOfBlock(given);
   }
   return input;
 }
@@ -371,7 +374,7 @@ void vtkRobustTetrahedralize::MeshBlocksAhead(vtkInsideOut::AlgorithmMonitor& mo
       {
         const auto [input, names, warnings] = ReadInput(this, block);
         const auto key = vtkInsideOut::AsTuple(parameters, names);
-        if (input && !this->Hulls->Find(block, key))
+        if (!this->Hulls->Find(block, key))
         {
           vtkInsideOut::RefusePlane(input, this->GetThicken() > 0);
           hulls.push_back(std::make_shared<vtkInsideOut::KeptHull>(input, names));
@@ -399,7 +402,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
-      vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
+      vtkDataObject* given = vtkInsideOut::CurrentBlock(this);
       const auto [input, names, inputWarnings] = ReadInput(this, given);
       vtkInsideOut::RefusePlane(input, this->GetThicken() > 0);
       this->CheckBodies();

@@ -63,9 +63,8 @@
  * SolidComponents, SolidTunnels and SolidCavities, the Betti numbers of the cells with all that
  * they touch in; SolidEulerCharacteristic; those of the boundary; Genus, half of BoundaryTunnels.
  *
- * Refine replaces the solid's cells, and its arrays as vtkRefineTetrahedra describes; InsideCells
- * counts the cells before. Where SurfaceTreatment is not KEPT output 1 is the boundary of the new
- * cells, its point data interpolated in the triangles before.
+ * Refine replaces the solid's cells and arrays, see vtkRefineTetrahedra; InsideCells counts those
+ * before. Unless SurfaceTreatment is KEPT output 1 is their boundary, with interpolated point data.
  *
  * When no cell is inside there is a warning that gives the range of w, the likely cause and what to
  * set. Errors, which name the culprit, leave all outputs empty.
@@ -277,7 +276,7 @@ public:
    * Make one mesh of a composite input, whose blocks are the bodies. Default off: each block
    * becomes its own solid. vtkOriginalPointIds then count the points of all blocks, one block after
    * the other, and vtkOriginalCellIds their cells: vertices of all blocks, then lines, polygons and
-   * strips.
+   * strips. The partitions of a vtkPartitionedDataSet are one block, always, and are counted so.
    */
   void SetBlocksAreBodies(bool blocksAreBodies);
   vtkGetMacro(BlocksAreBodies, bool);
@@ -322,8 +321,7 @@ public:
   /**
    * Regions that bodies become. BY_PRIORITY: one for each body; where several overlap, the first in
    * Priority has the cell. ALL: one for each combination of bodies that occurs. Default
-   * BY_PRIORITY. BY_PRIORITY gives a region the body's number; a body that others cover whole has
-   * none. With ALL the field array RegionBodies says which bodies a region is of.
+   * BY_PRIORITY. With ALL the field array RegionBodies says which bodies a region is of.
    */
   vtkInsideOutSetRangeMacro(RegionRule, int, BY_PRIORITY, ALL);
   vtkGetMacro(RegionRule, int);
@@ -332,9 +330,9 @@ public:
   ///@{
   /**
    * Names of bodies from the one that has cells before all others, separated by commas. Default
-   * empty: the bodies' own order. Bodies that are not named follow in their own order. A comma
-   * within a name is written \, and a backslash \\. Naming what is no body, or one twice, is an
-   * error.
+   * empty: none is named. Bodies that are not named follow, the inner of two nested ones first,
+   * else in their own order; a warning says where nesting decides. A comma within a name is written
+   * \, and a backslash \\. Naming what is no body, or one twice, is an error.
    */
   vtkSetStdStringFromCharMacro(Priority);
   vtkGetCharFromStdStringMacro(Priority);

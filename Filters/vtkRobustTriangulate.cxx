@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "In/Blocks.h"
+#include "In/Partitions.h"
 #include "In/SeedsPort.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -177,10 +178,10 @@ void vtkRobustTriangulate::CheckOptions()
 int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputSurface(this);
       this->CheckOptions();
       std::vector<std::string> stages = { Stages::Validating, Stages::Resolving,
         Stages::Triangulating, Stages::Orienting, Stages::WindingNumbers, Stages::Segmenting,

@@ -6,6 +6,7 @@
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/ReadGrid.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"
@@ -77,13 +78,13 @@ void MarkCells(const vtkInsideOut::GridTetrahedra& cells, const SolidDefects& de
 } // namespace
 
 int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Measuring });
       const vtkInsideOut::GridTetrahedra given = vtkInsideOut::ReadCorners(input);

@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/StatisticsArrays.h"
+#include "In/Partitions.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"
@@ -264,12 +265,12 @@ double AreaInAPlane(vtkPolyData* input, PlanarHullParameters parameters, Monitor
 } // namespace
 
 int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
     {
+      const auto input = vtkInsideOut::InputSurface(this);
       if (vtkInsideOut::AreLines(input))
       {
         vtkInsideOut::AlgorithmMonitor monitor(this,

@@ -3,6 +3,7 @@
 
 #include "Common/Error.h"
 #include "Common/Stages.h"
+#include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "Probe/VisitPlaces.h"
 #include "Run/AlgorithmMonitor.h"
@@ -38,7 +39,7 @@ void vtkWindingNumberToImageStencil::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NonParticipatingArrayName: " << this->NonParticipatingArrayName << "\n";
 }
 
-void vtkWindingNumberToImageStencil::SetInputData(vtkPolyData* surface)
+void vtkWindingNumberToImageStencil::SetInputData(vtkDataObject* surface)
 {
   this->SetInputDataObject(0, surface);
 }
@@ -47,6 +48,7 @@ int vtkWindingNumberToImageStencil::FillInputPortInformation(
   int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   return 1;
 }
 
@@ -85,11 +87,11 @@ void AddRuns(const double* w, double threshold, int y, int z, vtkImageStencilDat
 int vtkWindingNumberToImageStencil::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   return vtkInsideOut::Run(this, outputVector,
     [&]()
     {
+      const auto surface = vtkInsideOut::JoinSurfaces(vtkDataObject::GetData(inputVector[0]));
       if (vtkInsideOut::AreLines(surface))
       {
         throw Error(ErrorCode::EmptySurface,

@@ -27,7 +27,7 @@
 
 #include <string>
 
-class vtkPolyData;
+class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkWindingNumberToImageStencil : public vtkImageStencilSource
 {
@@ -38,9 +38,9 @@ public:
 
   /**
    * The surface: polygons and strips. Lines and vertices beside them are ignored with a warning;
-   * lines alone are an error.
+   * lines alone are an error. The blocks of a composite data set are one surface.
    */
-  void SetInputData(vtkPolyData* surface);
+  void SetInputData(vtkDataObject* surface);
 
   ///@{
   /** Winding number above which the center of a voxel is inside, without unit. Default 0.5. Range

@@ -9,7 +9,10 @@
 #include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationDataObjectKey.h>
+#include <vtkPartitionedDataSet.h>
 #include <vtkSmartPointer.h>
+
+#include <algorithm>
 
 namespace vtkInsideOut
 {
@@ -29,12 +32,18 @@ std::string Part(vtkInformation* metaData, unsigned int index, unsigned int numb
   return name ? name : numberOfChildren > 1 ? std::to_string(index) : std::string();
 }
 
+bool IsPartition(vtkDataObject* data, vtkDataObject* block)
+{
+  const std::vector<vtkDataObject*> partitions = PartitionsOf(block);
+  return std::find(partitions.begin(), partitions.end(), data) != partitions.end();
+}
+
 /** Visit what has no blocks of its own as (data, path). */
 template <typename Visit>
 void VisitLeaves(vtkDataObject* data, const std::string& path, const Visit& visit)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  if (!tree)
+  if (!tree || vtkPartitionedDataSet::SafeDownCast(data))
   {
     visit(data, path);
     return;
@@ -61,14 +70,14 @@ void VisitLeaves(vtkDataObject* data, const std::string& path, const Visit& visi
   }
 }
 
-/** The blocks, of which one is that with the data; none is where it is not among them. */
+/** The blocks, of which one is or has the data; none is where it is not among them. */
 Blocks FindBlock(vtkDataObject* data, vtkDataObject* blocks)
 {
   Blocks found;
   VisitLeaves(blocks, std::string(),
     [&](vtkDataObject* block, const std::string& path)
     {
-      if (block == data)
+      if (IsPartition(data, block))
       {
         found.Current = static_cast<int>(found.Names.size());
       }
@@ -77,12 +86,19 @@ Blocks FindBlock(vtkDataObject* data, vtkDataObject* blocks)
   return found;
 }
 
+/** The first one on a port, or nothing. */
+vtkInformation* InputOf(vtkAlgorithm* algorithm, int port)
+{
+  return algorithm->GetNumberOfInputPorts() > port &&
+      algorithm->GetNumberOfInputConnections(port) > 0
+    ? algorithm->GetExecutive()->GetInputInformation(port, 0)
+    : nullptr;
+}
+
 /** The blocks that an input of an algorithm has, and which of them it works on. */
 Blocks BlocksOf(vtkAlgorithm* algorithm, int port)
 {
-  vtkInformation* input = algorithm->GetNumberOfInputConnections(port) > 0
-    ? algorithm->GetExecutive()->GetInputInformation(port, 0)
-    : nullptr;
+  vtkInformation* input = InputOf(algorithm, port);
   vtkDataObject* blocks = input ? input->Get(BlocksKey()) : nullptr;
   vtkDataObject* block = input ? input->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
   return blocks && block ? FindBlock(block, blocks) : Blocks();
@@ -128,9 +144,61 @@ Blocks FindBlocks(vtkAlgorithm* algorithm)
   return blocks.AreThere() ? blocks : Blocks();
 }
 
+std::vector<vtkDataObject*> PartitionsOf(vtkDataObject* block)
+{
+  std::vector<vtkDataObject*> partitions = { block };
+  if (auto* partitioned = vtkPartitionedDataSet::SafeDownCast(block))
+  {
+    partitions.clear();
+    for (unsigned int p = 0; p < partitioned->GetNumberOfPartitions(); ++p)
+    {
+      partitions.push_back(partitioned->GetPartitionAsDataObject(p));
+    }
+  }
+  partitions.erase(std::remove(partitions.begin(), partitions.end(), nullptr), partitions.end());
+  return partitions;
+}
+
+vtkMTimeType LastChange(vtkDataObject* data)
+{
+  vtkMTimeType last = data->GetMTime();
+  VisitLeaves(data, std::string(),
+    [&](vtkDataObject* block, const std::string&)
+    {
+      last = std::max(last, block->GetMTime());
+      for (vtkDataObject* partition : PartitionsOf(block))
+      {
+        last = std::max(last, partition->GetMTime());
+      }
+    });
+  return last;
+}
+
+vtkDataObject* CurrentBlock(vtkAlgorithm* algorithm, int port)
+{
+  vtkInformation* input = InputOf(algorithm, port);
+  vtkDataObject* data = input ? input->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
+  vtkDataObject* current = data;
+  if (vtkDataObject* blocks = input ? input->Get(BlocksKey()) : nullptr)
+  {
+    VisitLeaves(blocks, std::string(),
+      [&](vtkDataObject* block, const std::string&)
+      { current = IsPartition(data, block) ? block : current; });
+  }
+  return current;
+}
+
+bool IsFurtherPartition(vtkAlgorithm* algorithm)
+{
+  vtkInformation* input = InputOf(algorithm, 0);
+  vtkDataObject* data = input ? input->Get(vtkDataObject::DATA_OBJECT()) : nullptr;
+  vtkDataObject* block = CurrentBlock(algorithm);
+  return block != data && PartitionsOf(block).front() != data;
+}
+
 std::vector<vtkDataObject*> BlocksFromHere(vtkAlgorithm* algorithm)
 {
-  vtkInformation* input = algorithm->GetExecutive()->GetInputInformation(0, 0);
+  vtkInformation* input = InputOf(algorithm, 0);
   const int current = FindBlocks(algorithm).Current;
   std::vector<vtkDataObject*> blocks;
   if (current >= 0)

@@ -3,8 +3,13 @@
  * @file
  * Each block of a composite data set is a surface of its own: VTK runs a filter once for each, and
  * shows it nothing but the block. What is said of point 3 has to say of which block, too.
+ *
+ * A partitioned data set (vtkPartitionedDataSet, vtkMultiPieceDataSet) is one block. VTK runs a
+ * filter once for each of its partitions: the first stands for all, and the others are done then.
  */
 #pragma once
+
+#include <vtkType.h>
 
 #include <functional>
 #include <string>
@@ -44,6 +49,19 @@ Blocks FindBlocks(vtkAlgorithm* algorithm);
 /** The block that an algorithm works on and those that it will come to; none where its first input
  * is not composite. */
 std::vector<vtkDataObject*> BlocksFromHere(vtkAlgorithm* algorithm);
+
+/** What there is of the partitions of a partitioned data set; what is not one is its only one. */
+std::vector<vtkDataObject*> PartitionsOf(vtkDataObject* block);
+
+/** When a data set, or the last of its blocks and partitions, was modified. */
+vtkMTimeType LastChange(vtkDataObject* data);
+
+/** The block that an algorithm works on: the partitioned data set where it is shown a partition,
+ * else its input. */
+vtkDataObject* CurrentBlock(vtkAlgorithm* algorithm, int port = 0);
+
+/** Whether an algorithm's first input is a partition other than the first of its block. */
+bool IsFurtherPartition(vtkAlgorithm* algorithm);
 
 /** Visit the blocks of a composite data set that have no blocks of their own, as (data, name); what
  * is not composite is the only one, and has no name. */

@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "In/Partitions.h"
 #include "Output/MassProperties.h"
 
 #include <vtkAppendPolyData.h>
@@ -101,8 +102,9 @@ vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::
   VisitBlocks(blocks,
     [&](vtkDataObject* block, const std::string& path)
     {
-      auto* surface = vtkPolyData::SafeDownCast(block);
       const std::string name = path.empty() ? std::to_string(names.size()) : path;
+      const std::string label = "block " + name + ": ";
+      const auto surface = JoinPartitions(block, label);
       if (!surface)
       {
         throw Error(ErrorCode::InvalidParameter,
@@ -110,6 +112,7 @@ vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::
       }
       auto copy = vtkSmartPointer<vtkPolyData>::New();
       copy->ShallowCopy(surface);
+      CheckPolygons(surface, label); // ids that are out of range are not when surfaces are joined
       std::vector<std::string> ofBody;
       if (!HasPolygons(surface))
       {

@@ -3,6 +3,7 @@
 
 #include "Data/Attributes.h"
 #include "In/Blocks.h"
+#include "In/Partitions.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -27,15 +28,17 @@ std::vector<NamedSurface> FindInputs(vtkInformationVector* inputs)
     VisitBlocks(data,
       [&](vtkDataObject* block, const std::string& name)
       {
-        if (auto* surface = vtkPolyData::SafeDownCast(block))
+        const std::string words =
+          "input " + std::to_string(i + 1) + (name.empty() ? "" : ", block " + name);
+        const auto surface = JoinPartitions(block, words + ", ");
+        if (surface)
         {
           surfaces.push_back({ name, surface });
         }
-        else if (block)
+        else if (!PartitionsOf(block).empty())
         {
           throw Error(ErrorCode::InvalidParameter,
-            "input " + std::to_string(i + 1) + (name.empty() ? "" : ", block " + name) + " is a " +
-              block->GetClassName() + ", and no vtkPolyData");
+            words + " is a " + block->GetClassName() + ", and no vtkPolyData");
         }
       });
   }

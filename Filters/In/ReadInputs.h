@@ -16,7 +16,7 @@ namespace vtkInsideOut
 struct NamedSurface
 {
   std::string Name;
-  vtkPolyData* Data;
+  vtkSmartPointer<vtkPolyData> Data;
 };
 
 /** The inputs of a port, in order; of one that is composite its blocks, with their names. */

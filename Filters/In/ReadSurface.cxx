@@ -83,16 +83,17 @@ vtkIdType VisitPolygons(vtkPolyData* input, const CheckPoint& checkPoint, const 
   return tooSmall;
 }
 
+void CheckThatIsFinite(const Point& x, vtkIdType id)
+{
+  if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+  {
+    throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(id) + " is not finite");
+  }
+}
+
 void ReadTriangles(Surface& surface)
 {
-  const auto checkPoint = [&](vtkIdType id)
-  {
-    const Point& x = surface.Soup.Points[id];
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-    {
-      throw Error(ErrorCode::PointNotFinite, "point " + std::to_string(id) + " is not finite");
-    }
-  };
+  const auto checkPoint = [&](vtkIdType id) { CheckThatIsFinite(surface.Soup.Points[id], id); };
   vtkIdType crossed = 0;
   vtkIdType firstCrossed = 0;
   std::vector<Id> ids;
@@ -192,6 +193,24 @@ Surface ReadSurface(vtkPolyData* input, const std::string& nonParticipating)
   ReadMultiplicity(surface);
   ReadParticipation(nonParticipating, surface);
   return surface;
+}
+
+void CheckPolygons(vtkPolyData* input, const std::string& label)
+{
+  const auto checkPoint = [&](vtkIdType id)
+  {
+    Point x;
+    input->GetPoint(id, x.data());
+    CheckThatIsFinite(x, id);
+  };
+  try
+  {
+    VisitPolygons(input, checkPoint, [](vtkIdType, vtkIdType, const vtkIdType*) {});
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.Code, label + error.what());
+  }
 }
 
 std::vector<unsigned char> ReadChosenFacets(

@@ -45,6 +45,10 @@ struct Surface
  */
 Surface ReadSurface(vtkPolyData* input, const std::string& nonParticipating = std::string());
 
+/** Check polygons and strips as ReadSurface does. @param[in] label what messages begin with
+ * @throws insideout::Error that names the cell or point at fault */
+void CheckPolygons(vtkPolyData* input, const std::string& label);
+
 /** A cell array of one number per cell; nullptr where there is none of this name. */
 vtkDataArray* FindCellArray(vtkPolyData* input, const char* name);
 

@@ -69,7 +69,8 @@ bool IsFurtherPiece(vtkInformationVector* outputVector)
 bool IsIdle(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
 {
   vtkInformation* input = FirstInput(algorithm->GetExecutive());
-  return IsFurtherPiece(outputVector) && !(input && AreSpreadParts(input));
+  return (IsFurtherPiece(outputVector) && !(input && AreSpreadParts(input))) ||
+    IsFurtherPartition(algorithm);
 }
 
 void RefuseSpreadParts(vtkAlgorithm* algorithm)

@@ -37,6 +37,7 @@ void RequestWhole(
 /** Whether a piece other than the first is wanted of an output. */
 bool IsFurtherPiece(vtkInformationVector* outputVector);
 
-/** Whether an algorithm has nothing to do, for the first process does it all. */
+/** Whether an algorithm has nothing to do: the first process does it all, or the block that it is
+ * shown a partition of was done with the first of these. */
 bool IsIdle(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
 } // namespace vtkInsideOut

@@ -20,7 +20,8 @@
 namespace vtkInsideOut
 {
 /** What of an input decides about the hull: the names of arrays; of blocks that are bodies their
- * names, and when the last was modified, which a composite data set does not tell. */
+ * names; and when the last block or partition was modified, which a composite data set does not
+ * tell. */
 struct HullArrays
 {
   std::string NonParticipating;

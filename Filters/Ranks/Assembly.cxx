@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Ranks/Assembly.h"
 
+#include "In/Blocks.h"
 #include "In/Tags.h"
 
 #include <vtkAlgorithm.h>
@@ -56,25 +57,6 @@ void VisitParts(vtkDataObjectTree* tree, const Visit& visit)
     IsAssembly(data) ? VisitParts(vtkDataObjectTree::SafeDownCast(data), visit)
                      : visit(tree, child.Get());
   }
-}
-
-/** Pieces of a part, or what else stands in its place. */
-std::vector<vtkDataObject*> PiecesOf(vtkDataObject* part)
-{
-  std::vector<vtkDataObject*> pieces;
-  if (auto* partitioned = vtkPartitionedDataSet::SafeDownCast(part))
-  {
-    for (unsigned int p = 0; p < partitioned->GetNumberOfPartitions(); ++p)
-    {
-      pieces.push_back(partitioned->GetPartitionAsDataObject(p));
-    }
-  }
-  else
-  {
-    pieces.push_back(part);
-  }
-  pieces.erase(std::remove(pieces.begin(), pieces.end(), nullptr), pieces.end());
-  return pieces;
 }
 
 /** Types and names of what a tree consists of, down to the parts. */
@@ -194,7 +176,7 @@ Assembly::Assembly(vtkDataObjectTree* assembly)
     [this](vtkDataObjectTree*, vtkDataObjectTreeIterator* place)
     {
       this->Pieces.emplace_back();
-      for (vtkDataObject* piece : PiecesOf(place->GetCurrentDataObject()))
+      for (vtkDataObject* piece : PartitionsOf(place->GetCurrentDataObject()))
       {
         if (!vtkPolyData::SafeDownCast(piece))
         {

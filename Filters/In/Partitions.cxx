@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "In/Partitions.h"
+
+#include "Common/Error.h"
+#include "In/Blocks.h"
+#include "In/ReadSurface.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkAppendPolyData.h>
+#include <vtkDataObject.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <map>
+#include <vector>
+
+namespace vtkInsideOut
+{
+using insideout::Error;
+using insideout::ErrorCode;
+
+namespace
+{
+struct Labelled
+{
+  std::string Label;
+  vtkSmartPointer<vtkPolyData> Surface;
+};
+
+/** The only one as it is. */
+vtkSmartPointer<vtkPolyData> Append(const std::vector<Labelled>& surfaces)
+{
+  if (surfaces.size() == 1)
+  {
+    return surfaces.front().Surface;
+  }
+  vtkNew<vtkAppendPolyData> append;
+  for (const auto& [label, surface] : surfaces)
+  {
+    CheckPolygons(surface, label);
+    vtkNew<vtkPolyData> own;
+    own->ShallowCopy(surface);
+    own->RemoveGhostCells();
+    append->AddInputData(own);
+  }
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  append->Update();
+  return append->GetOutput();
+}
+
+/** By their numbers the partitions of a block that are not empty, or else the first; none where one
+ * is of another type. */
+template <typename Data>
+std::map<std::size_t, Data*> FilledPartitions(vtkDataObject* block)
+{
+  std::map<std::size_t, Data*> filled;
+  const std::vector<vtkDataObject*> partitions = PartitionsOf(block);
+  for (std::size_t p = 0; p < partitions.size(); ++p)
+  {
+    Data* data = Data::SafeDownCast(partitions[p]);
+    if (!data)
+    {
+      return {};
+    }
+    if (data->GetNumberOfPoints() > 0)
+    {
+      filled[p] = data;
+    }
+  }
+  if (filled.empty() && !partitions.empty())
+  {
+    filled[0] = Data::SafeDownCast(partitions.front());
+  }
+  return filled;
+}
+
+Error NotOfType(vtkDataObject* block, const char* type, const std::string& label)
+{
+  for (vtkDataObject* partition : PartitionsOf(block))
+  {
+    if (!partition->IsA(type))
+    {
+      block = partition;
+    }
+  }
+  return { ErrorCode::InvalidParameter,
+    label + "the input is a " + block->GetClassName() + ", not a " + type };
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> JoinPartitions(vtkDataObject* block, const std::string& label)
+{
+  std::vector<Labelled> partitions;
+  for (const auto& [number, partition] : FilledPartitions<vtkPolyData>(block))
+  {
+    partitions.push_back({ label + "partition " + std::to_string(number) + ": ", partition });
+  }
+  return partitions.empty() ? nullptr : Append(partitions);
+}
+
+vtkSmartPointer<vtkPolyData> SurfaceOfBlock(vtkDataObject* block, const std::string& label)
+{
+  auto surface = JoinPartitions(block, label);
+  if (!surface)
+  {
+    throw NotOfType(block, "vtkPolyData", label);
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> InputSurface(vtkAlgorithm* algorithm)
+{
+  return SurfaceOfBlock(CurrentBlock(algorithm));
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> InputGrid(vtkAlgorithm* algorithm)
+{
+  vtkDataObject* block = CurrentBlock(algorithm);
+  const std::map<std::size_t, vtkUnstructuredGrid*> grids =
+    FilledPartitions<vtkUnstructuredGrid>(block);
+  if (grids.empty())
+  {
+    throw NotOfType(block, "vtkUnstructuredGrid", "");
+  }
+  if (grids.size() == 1)
+  {
+    return grids.begin()->second;
+  }
+  vtkNew<vtkAppendFilter> append;
+  for (const auto& [number, grid] : grids)
+  {
+    vtkNew<vtkUnstructuredGrid> own;
+    own->ShallowCopy(grid);
+    own->RemoveGhostCells();
+    append->AddInputData(own);
+  }
+  append->MergePointsOn();
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  append->Update();
+  return append->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks)
+{
+  std::vector<Labelled> surfaces;
+  VisitBlocks(blocks,
+    [&](vtkDataObject* block, const std::string& name)
+    {
+      const bool isAlone = block == blocks;
+      const std::string number = std::to_string(surfaces.size());
+      const std::string label =
+        isAlone ? std::string() : "block " + (name.empty() ? number : name) + ": ";
+      surfaces.push_back({ label, SurfaceOfBlock(block, label) });
+    });
+  if (surfaces.empty())
+  {
+    throw Error(ErrorCode::EmptySurface, "the surface is empty: it has no blocks");
+  }
+  return Append(surfaces);
+}
+} // namespace vtkInsideOut
