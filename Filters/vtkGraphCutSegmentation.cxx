@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/StatisticsArrays.h"
+#include "In/FollowTime.h"
 #include "In/Partitions.h"
 #include "In/ReadGrid.h"
 #include "In/SeedsPort.h"
@@ -146,6 +147,12 @@ MeshSegmentation Segment(vtkUnstructuredGrid* grid, const std::vector<Seed>& see
   return SegmentMesh(mesh, w, PiecesOfFacets(mesh), seeds, parameters, monitor);
 }
 } // namespace
+
+int vtkGraphCutSegmentation::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
+}
 
 int vtkGraphCutSegmentation::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)

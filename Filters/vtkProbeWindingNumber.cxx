@@ -6,6 +6,7 @@
 #include "Data/Attributes.h"
 #include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
+#include "In/FollowTime.h"
 #include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/WholeInput.h"
@@ -128,6 +129,12 @@ void vtkProbeWindingNumber::SetController(vtkMultiProcessController* controller)
 vtkMultiProcessController* vtkProbeWindingNumber::GetController()
 {
   return this->Controller;
+}
+
+int vtkProbeWindingNumber::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
 }
 
 /** Of several pieces of the input each needs the whole surface. Ranks that all work ask for a piece

@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
+#include "In/FollowTime.h"
 #include "In/Partitions.h"
 #include "In/ReadLengths.h"
 #include "In/StageParameters.h"
@@ -78,6 +79,12 @@ void vtkRefineTetrahedra::SetBackgroundData(vtkDataSet* background)
 void vtkRefineTetrahedra::SetBackgroundConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(1, output);
+}
+
+int vtkRefineTetrahedra::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
 }
 
 namespace

@@ -5,6 +5,7 @@
 #include "Common/Team.h"
 #include "Data/StatisticsArrays.h"
 #include "In/Blocks.h"
+#include "In/FollowTime.h"
 #include "In/Partitions.h"
 #include "In/ReadCurve.h"
 #include "In/SeedsPort.h"
@@ -292,6 +293,12 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   return options;
 }
 } // namespace
+
+int vtkRobustTetrahedralize::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
+}
 
 int vtkRobustTetrahedralize::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)

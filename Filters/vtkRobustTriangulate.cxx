@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "In/Blocks.h"
+#include "In/FollowTime.h"
 #include "In/Partitions.h"
 #include "In/SeedsPort.h"
 #include "In/StageParameters.h"
@@ -152,6 +153,12 @@ vtkUnstructuredGrid* vtkRobustTriangulate::GetHull()
 vtkPolyData* vtkRobustTriangulate::GetResolvedLines()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(4));
+}
+
+int vtkRobustTriangulate::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
 }
 
 int vtkRobustTriangulate::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),

@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
+#include "In/FollowTime.h"
 #include "In/ReadGrid.h"
 #include "Output/VoxelFractions.h"
 #include "Probe/VisitPlaces.h"
@@ -59,6 +60,12 @@ int vtkVoxelFractions::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   }
   return 1;
+}
+
+int vtkVoxelFractions::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
 }
 
 /** Of several pieces of the input each needs the whole solid. */

@@ -8,6 +8,7 @@
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
 #include "Data/StatisticsArrays.h"
+#include "In/FollowTime.h"
 #include "In/ReadInputs.h"
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
@@ -93,6 +94,12 @@ int vtkWindingBoolean::FillOutputPortInformation(int port, vtkInformation* info)
 vtkUnstructuredGrid* vtkWindingBoolean::GetTetrahedraOutput()
 {
   return vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkWindingBoolean::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
 }
 
 int vtkWindingBoolean::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),

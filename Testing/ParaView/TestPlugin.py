@@ -397,6 +397,30 @@ class TestPlugin(unittest.TestCase):
             sizes.append(solid.GetDataInformation().GetBounds())
         self.assertNotEqual(*sizes)
 
+    def test_a_probe_follows_its_surface_in_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            parts = []
+            for step in range(3):
+                cube = vtkCubeSource()
+                cube.SetBounds(0.5, 1.5 + step, 0.5, 1.5, 0.5, 1.5)
+                writer = vtkXMLPolyDataWriter()
+                writer.SetInputConnection(cube.GetOutputPort())
+                writer.SetDataModeToBinary()
+                writer.SetFileName(os.path.join(folder, f"{step}.vtp"))
+                writer.Write()
+                parts.append(f'<DataSet timestep="{step}" file="{step}.vtp"/>')
+            with open(os.path.join(folder, "moving.pvd"), "w", encoding="utf-8") as file:
+                file.write(f'<VTKFile type="Collection"><Collection>{"".join(parts)}</Collection></VTKFile>')
+            surface = simple.PVDReader(FileName=os.path.join(folder, "moving.pvd"))
+            still = simple.Wavelet(WholeExtent=[0, 5, 0, 3, 0, 3])
+            for places in (still, simple.GroupDatasets(Input=[still])):
+                probe = simple.ProbeWindingNumber(Input=places, Surface=surface)
+                for step in (0, 1, 2, 0, 2):
+                    probe.UpdatePipeline(step)
+                    data = servermanager.Fetch(probe)
+                    inside = (data if data.IsA("vtkDataSet") else data.GetBlock(0)).GetPointData().GetArray("Inside")
+                    self.assertEqual(sum(inside.GetValue(k) for k in range(inside.GetNumberOfTuples())), 1 + step)
+
     def test_each_filter_is_in_the_menu_and_has_an_icon_of_its_own(self):
         menu = ElementTree.parse(os.path.join(FOLDER, "InsideOutMenu.xml"))
         filters = [*FILTERS, "SliceWindingNumber"]
