@@ -7,6 +7,7 @@
 #include "Defects/JoinSegments.h"
 #include "Defects/NearPoints.h"
 #include "Resolve/FindIntersections.h"
+#include "Validate/CoarseCoordinates.h"
 #include "Validate/FacetEdges.h"
 
 #include <algorithm>
@@ -243,6 +244,11 @@ SurfaceDefects FindSurfaceDefects(
   if (near.Count > 0)
   {
     defects.Warnings.push_back(AdviceOnNearPoints(near));
+  }
+  const CoarseCoordinates coarse = FindCoarseCoordinates(surface.Points, edges);
+  if (coarse.AreTooCoarse())
+  {
+    defects.Warnings.push_back(WarningAbout(coarse));
   }
   return defects;
 }

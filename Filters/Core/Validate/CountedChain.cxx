@@ -8,6 +8,7 @@
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
+#include "Validate/CoarseCoordinates.h"
 #include "Validate/FacetEdges.h"
 #include "Validate/MergePoints.h"
 #include "Validate/TwoSidedComponents.h"
@@ -305,6 +306,11 @@ CountedChain CountFacets(
     chain.Counts.TwoSidedSheets = twoSided.Sheets;
   }
   chain.Warnings = WarningsAbout(chain.Counts);
+  const CoarseCoordinates coarse = FindCoarseCoordinates(chain.Surface.Points, edges);
+  if (coarse.AreTooCoarse())
+  {
+    chain.Warnings.push_back(WarningAbout(coarse));
+  }
   monitor.Check(Stages::Validating, 1);
   return chain;
 }
