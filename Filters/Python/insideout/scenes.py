@@ -64,6 +64,9 @@ LINES: Sequence[tuple[int, Colour]] = (
 WIDTH, THIN, MANY_LINES = 5, 2.5, 2000
 """Of these lines, in pixels; many are thin, or they would hide the surface."""
 
+FACETS: Sequence[Colour] = (SOUND, CROSSING_FACETS, TURNED, DUPLICATE)
+"""Of several that a facet is, the last is drawn."""
+
 FAINT = 0.3
 """How much is seen of lines that are behind something."""
 
@@ -77,23 +80,27 @@ class Panel:
     view: Optional[AnyView] = None  # where it differs from the picture's
 
 
+def kinds_of_facets(marked: vtkPolyData) -> NDArray[np.uint8]:
+    """As which of `FACETS` each facet of a checked surface is drawn: it is sound, meets others, faces the wrong way, or is there twice."""
+    kinds = np.zeros(marked.GetNumberOfCells(), np.uint8)
+    for kind, name in enumerate(("SelfIntersections", "Turned", "Duplicate"), 1):
+        kinds[vtk_to_numpy(marked.GetCellData().GetArray(name)) > 0] = kind
+    return kinds
+
+
 def marked_facets(marked: vtkPolyData) -> list[vtkProp]:
-    """The facets of a checked surface: what is sound, meets others, faces the wrong way, or is there twice."""
-    crossing, turned, twice = (
-        vtk_to_numpy(marked.GetCellData().GetArray(name)) > 0 for name in ("SelfIntersections", "Turned", "Duplicate")
-    )
+    """The facets of a checked surface, a color for each kind."""
+    kinds = kinds_of_facets(marked)
     edges = FACET_EDGES if marked.GetNumberOfCells() <= FEW_FACETS else None
     drawn: list[vtkProp] = []
-    rest = np.ones(len(crossing), bool)
-    for chosen, colour in ((twice, DUPLICATE), (turned, TURNED), (crossing, CROSSING_FACETS), (rest, SOUND)):
-        if (rest & chosen).any():
-            facets = actor(some_triangles(marked, rest & chosen), colour, edge_colour=edges)
+    for kind, colour in reversed(list(enumerate(FACETS))):
+        if (kinds == kind).any():
+            facets = actor(some_triangles(marked, kinds == kind), colour, edge_colour=edges)
             if colour in (SOUND, CROSSING_FACETS):
                 darken_inside(facets)
             if colour == DUPLICATE:
                 nearer(facets)  # than the facets that they repeat
             drawn.append(facets)
-        rest = rest & ~chosen
     return drawn
 
 

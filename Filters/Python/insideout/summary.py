@@ -191,6 +191,17 @@ def summary(
         *(f"  {line}" for line in what_it_bounds(statistics)),
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
         "Solid",
+        *lines_about_solid(statistics, volumes, tags, regions),
+        f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
+        *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
+    ]
+
+
+def lines_about_solid(
+    statistics: Mapping[str, float], volumes: Sequence[float] = (), tags: Mapping[str, int] = {}, regions: Sequence[str] = ()
+) -> list[str]:
+    """What became of the surface, without times."""
+    return [
         *_cells(statistics),
         *_topology(statistics),
         *_parted(statistics),
@@ -198,11 +209,9 @@ def summary(
         *_mass(statistics),
         *_regions(volumes, regions),
         *_made_by(statistics),
-        f"  {count['BoundaryFaces']} boundary triangles, {count['OutlierFacets']} outlier facets{_reasons(statistics)}",
+        f"  {_count(statistics['BoundaryFaces'])} boundary triangles, {_count(statistics['OutlierFacets'])} outlier facets{_reasons(statistics)}",
         *_tags(tags),
         f"  w from {statistics['MinimumW']:.6g} to {statistics['MaximumW']:.6g}",
-        f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
-        *(f"  {words:30} {statistics[key]:8.2f} s" for key, words in TIMES if key in statistics),
     ]
 
 

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`insideout draw`: a picture of a surface and of what becomes of it, or only of what is wrong with it.
+"""`insideout draw`: a picture or a page of a surface and of what becomes of it, or only of what is wrong with it.
 
 Solids are drawn when they are checked.
 """
 
 from __future__ import annotations
 
+import os
 import time
 from typing import Any
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..checking import Check, check
-from ..drawing import draw, up_of
+from ..drawing import DRAWINGS, check_display, draw, up_of
 from ..interruption import work_on
 from ..marked import MARKED_FILES, write_marked
-from ..panels import PICTURES, display_command
 from ..stages import DRAWING
 from ..tetrahedralization import Tetrahedralization
 from ..usage import CHECK_OPTIONS
@@ -48,11 +48,11 @@ class DefectsJob(CheckJob):
     """One run that draws what is wrong, and meshes nothing."""
 
     def check_parameters(self) -> dict[str, Any]:
-        display_command()
+        check_display(self.files.plot)
         return super().check_parameters()
 
     def endings(self) -> dict[str, tuple[str, ...]]:
-        return {"plot": PICTURES, "marked": MARKED_FILES}
+        return {"plot": DRAWINGS, "marked": MARKED_FILES}
 
     def work(self) -> None:
         super().work()
@@ -61,7 +61,7 @@ class DefectsJob(CheckJob):
         write_marks(self, self.checked)
         picture = self.files.plot or ""
         work_on(picture)
-        draw(self.checked, None, picture, up=up_of(self.files.surface))
+        draw(self.checked, None, picture, title=os.path.basename(self.files.name()), up=up_of(self.files.surface))
         self.bars.finish()
         self.outputs["picture"] = picture
         self.statistics["SecondsDraw"] = time.monotonic() - began

@@ -13,13 +13,12 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from ..bodies import outer_boundary
 from ..curves import CURVE
 from ..data import Tetrahedra, TriangleSurface
-from ..drawing import draw, up_of
+from ..drawing import DRAWINGS, check_display, draw, refuse_page_of_plane, up_of
 from ..errors import ArgumentError
 from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
 from ..hints import hints_for_printing, hints_for_solver
 from ..interruption import work_on
 from ..options import OPTIONS, flag_of
-from ..panels import PICTURES, display_command
 from ..pipeline import Error
 from ..stages import DRAWING, REFINE, TETRAHEDRALIZE, WRITING
 from ..summary import defects, seams, summary, tetrahedralizer
@@ -45,8 +44,7 @@ class MeshJob(Job):
     def check_parameters(self) -> dict[str, Any]:
         if self.settings.refines():
             self.stages = (*TETRAHEDRALIZE, *REFINE)
-        if self.files.plot is not None:
-            display_command()
+        check_display(self.files.plot)
         return {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
@@ -55,7 +53,7 @@ class MeshJob(Job):
             "hull": WRITABLE_GRIDS,
             "boundary": WRITABLE_SURFACES,
             "outliers": WRITABLE_SURFACES,
-            "plot": PICTURES,
+            "plot": DRAWINGS,
         }
 
     def check(self) -> None:
@@ -83,6 +81,7 @@ class MeshJob(Job):
 
     def check_plane(self) -> None:
         """Raise `Error` for files that cannot hold what is in a plane."""
+        refuse_page_of_plane(self.files.plot)
         for path in filter(None, (self.files.output, self.files.hull, self.files.boundary, self.files.outliers)):
             (check_holds_lines if ending(path) in WRITABLE_SURFACES else check_holds_triangles)(path)
 
@@ -126,7 +125,8 @@ class MeshJob(Job):
             work_on(self.files.plot)
             # Where the solid is cells of the hull it need not be written twice.
             solid = result.solid if self.settings.refines() or self.settings.parts() else None
-            draw(surface, result.hull, self.files.plot, solid=solid, up=up_of(self.files.surface), **marks)
+            title = os.path.basename(self.files.name())
+            draw(surface, result.hull, self.files.plot, solid=solid, title=title, up=up_of(self.files.surface), **marks)
             self.bars.finish()
             self.outputs["picture"] = self.files.plot
             self.statistics["SecondsDraw"] = time.monotonic() - began - self.statistics["SecondsWrite"]
