@@ -35,9 +35,9 @@ packages="$packages libcgal-demo xvfb xauth"
   python3-meshio python3-h5py python3-scipy python3-matplotlib python3-pandas python3-nbclient python3-ipykernel gmsh python3-gmsh calculix-ccx
   assimp-utils"
 
-# Other builds: a second compiler with its sanitizers, their symbolizer and its OpenMP; wheels.
+# Other builds: a second compiler with its sanitizers, their symbolizer and its OpenMP; wheels. A browser that shows pages.
 [ "${1-}" != --all ] || packages="$packages clang-14 libclang-rt-14-dev libomp-14-dev llvm-14
-  python3-pip python3-wheel"
+  python3-pip python3-wheel chromium"
 
 missing=
 for package in $packages; do

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from .calling import for_users
 from .checking import Check, check
 from .data import is_flat
-from .errors import Error, brief, one_of, switch
+from .errors import Error, brief, one_of, switch, text_of
 from .files import Path, are_lines, check_output, ending, input_ending
 from .inputs import path_of
 from .lengths import Length
@@ -78,6 +78,7 @@ def draw(
     if hull is not None and (hull.GetNumberOfCells() == 0 or not hull.GetCellData().HasArray("w")):
         raise Error("hull has no cells with an array w: it must be that of `tetrahedralize`, without surface_only")
     row = switch("row", row)
+    title = None if title is None else text_of("title", title)
     up = one_of(("x", "y", "z"), "up", up) if up is not None else up_of(surface)
     if isinstance(surface, Check):
         if hull is not None:
@@ -92,8 +93,9 @@ def draw(
         _write_panels(picture, curve=curve, marks=marks, hull=hull, solid=solid, up=up)
         return
     checked = check(surface, scale=scale, orientation=orientation, merge_tolerance=merge_tolerance)
-    name = title or (os.path.basename(path_of("the surface", surface)) if isinstance(surface, (str, os.PathLike)) else None)
-    _write_drawing(picture, checked, hull, solid, name, up, row)
+    if title is None and isinstance(surface, (str, os.PathLike)):
+        title = os.path.basename(path_of("the surface", surface))
+    _write_drawing(picture, checked, hull, solid, title, up, row)
 
 
 @for_users

@@ -50,7 +50,9 @@ def page_of(checked: Check, hull: Optional[vtkUnstructuredGrid], solid: Optional
     """
     scene = Scene(triangles_of(checked.surface), checked.lines, up)
     # The hull's are those of the run that made it, which may have had options that the check has not.
-    statistics = {**statistics_of(checked.surface), **(statistics_of(hull) if hull is not None else {})}
+    statistics: dict[str, float] = {**statistics_of(checked.surface)}
+    if hull is not None:
+        statistics.update(statistics_of(hull))
     panels = [_panel("surface", "The surface and its defects", "".join(f"<span>{_row(*row)}</span>" for row in counts(statistics)))]
     if hull is not None:
         scene.add_hull(hull, solid)
@@ -193,7 +195,8 @@ def outer_faces(cells: NDArray[np.int64]) -> NDArray[np.uint8]:
 
 def _colours_of_w(count: int) -> list[Colour]:
     colours = colours_of_w()
-    return [colours.GetColor(w) for w in np.linspace(*colours.GetRange(), count)]
+    least, most = colours.GetRange()
+    return [colours.GetColor(w) for w in np.linspace(least, most, count)]
 
 
 def _bytes_of(colour: Colour, is_darker_within: bool = False) -> list[int]:
@@ -252,10 +255,10 @@ def _report(checked: Check, statistics: Mapping[str, float], places: Sequence[tu
         f'{_row(place.text)} <button data-place="{point}">look</button><span class="more">at {html.escape(place.where)}</span>'
         for place, point in places
     ]
-    sections = [("What is wrong", wrong), ("The worst places", seen), ("The surface", list(map(html.escape, what_it_bounds(statistics))))]
+    sections: list[tuple[str, list[str]]] = [("What is wrong", wrong), ("The worst places", seen), ("The surface", [html.escape(line) for line in what_it_bounds(statistics)])]
     if has_hull:
         sections.append(("The solid", [html.escape(line.strip()) for line in lines_about_solid(statistics)]))
-    sections.append(("Worth knowing", list(map(html.escape, checked.warnings))))
+    sections.append(("Worth knowing", [html.escape(line) for line in checked.warnings]))
     return "\n".join(
         f"<section><h2>{heading}</h2><ul>{''.join(f'<li>{line}</li>' for line in lines)}</ul></section>" for heading, lines in sections if lines
     )

@@ -44,8 +44,9 @@ _OTHERS: dict[str, dict[str, Any]] = {
     "boundary": {"metavar": "FILE", "help": f"its boundary ({_SURFACE_ENDINGS})"},
     "outliers": {"metavar": "FILE", "help": f"the facets that are no part of the solid ({_SURFACE_ENDINGS})"},
     "plot": {
-        "metavar": "FILE.png",
-        "help": "a picture, which needs no window: the defects, a slice of w, and the tetrahedra; of a solid that is checked, a histogram of dihedral angles",
+        "metavar": "FILE",
+        "help": "a picture (.png), which needs no window: the defects, a slice of w, and the tetrahedra; or a page (.html) with the same to turn and to cut; "
+        "of a solid that is checked, a histogram of dihedral angles",
     },
     "output": {
         "metavar": "FILE",
@@ -254,11 +255,13 @@ insideout query grid.vti broken.ply w.vti --distance
     "draw": Command(
         "defects, winding numbers, tetrahedra",
         "Draw a picture, without a window, of a surface and what becomes of it, or of how good tetrahedra are.",
-        (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra; of a solid, a histogram of dihedral angles")),
+        (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra, as .html to turn and to cut; of a solid, a histogram of dihedral angles")),
         ["defects", "marked", *(name for name in (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only"))],
         """\
 insideout draw broken.ply picture.png
     the surface's defects, a slice of w, and the tetrahedra inside
+insideout draw broken.ply page.html
+    the same to turn, and to cut with a slider, with the report, in any browser
 insideout draw broken.ply wrong.png --defects --marked wrong.vtp
     only what is wrong, without meshing; and the same to look at in ParaView
 insideout draw solid.vtu angles.png
