@@ -159,7 +159,7 @@ class TestPages(unittest.TestCase):
         printed = self.run_shell(f"{ENVIRONMENT}insideout demo\n")
         text = (ROOT / PAGES[0]).read_text(encoding="utf-8")
         commands = re.findall(r"^\| .* \| `((?:insideout|ccx) [^`]+)`", text, re.MULTILINE)
-        self.assertEqual(len(commands), 6)
+        self.assertEqual(len(commands), 7)
         for command in commands:
             self.assertRegex(printed, rf"(?m)^{re.escape(command)} +#")
 

@@ -33,7 +33,7 @@ packages="$packages libcgal-demo xvfb xauth"
 # Tests: further meshes, clicks and screenshots, style and types, readers of solvers' files, what examples calculate with.
 [ -z "${1-}" ] || packages="$packages libgtest-dev openfoam-examples libxtst6 imagemagick clang-format mypy
   python3-meshio python3-h5py python3-scipy python3-matplotlib python3-pandas python3-nbclient python3-ipykernel gmsh python3-gmsh calculix-ccx
-  assimp-utils"
+  assimp-utils python3-stl python3-open3d python3-yaml"
 
 # Other builds: a second compiler with its sanitizers, their symbolizer and its OpenMP; wheels. A browser that shows pages.
 [ "${1-}" != --all ] || packages="$packages clang-14 libclang-rt-14-dev libomp-14-dev llvm-14

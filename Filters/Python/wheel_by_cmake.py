@@ -69,7 +69,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                     ("Summary", project["description"]), ("License", project["license"]["text"]),
                     ("Requires-Python", project["requires-python"])]
         metadata += [("Requires-Dist", name) for name in project["dependencies"]]
-        scripts = "".join(f"{name} = {function}\n" for name, function in project["scripts"].items())
+        groups = {"console_scripts": project["scripts"], **project["entry-points"]}
+        sections = [f"[{group}]\n" + "".join(f"{name} = {value}\n" for name, value in entries.items()) for group, entries in groups.items()]
         with WheelFile(Path(wheel_directory, f"{named}-{tag}.whl"), "w") as wheel:
             for file in files:
                 place = file.relative_to(package) if file.is_relative_to(package) else file.name
@@ -78,5 +79,5 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             wheel.writestr(f"{named}.dist-info/METADATA", headers(metadata))
             wheel.writestr(f"{named}.dist-info/WHEEL",
                            headers([("Wheel-Version", "1.0"), ("Generator", __name__), ("Root-Is-Purelib", "false"), ("Tag", tag)]))
-            wheel.writestr(f"{named}.dist-info/entry_points.txt", f"[console_scripts]\n{scripts}")
+            wheel.writestr(f"{named}.dist-info/entry_points.txt", "\n".join(sections))
     return f"{named}-{tag}.whl"

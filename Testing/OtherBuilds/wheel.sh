@@ -24,6 +24,7 @@ fi
 bin/insideout "$surface" solid.vtu
 exec bin/python - "$surface" <<'END'
 import sys
+from importlib.metadata import entry_points
 
 import insideout
 from vtkmodules.vtkCommonCore import vtkVersion
@@ -32,5 +33,6 @@ assert insideout.__file__.startswith(sys.prefix), insideout.__file__
 result = insideout.tetrahedralize(sys.argv[1])
 assert abs(result.statistics["Volume"] - 1.75) < 1e-12, result.statistics
 assert insideout.check_solid("solid.vtu").solid.GetNumberOfCells() == len(result.solid.cells)
+assert [entry.value for entry in entry_points(group="pyvista.accessors")] == ["insideout.accessors"]
 print("The wheel works with VTK", vtkVersion.GetVTKVersion())
 END

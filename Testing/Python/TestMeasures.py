@@ -10,6 +10,7 @@ import subprocess
 import sys
 import types
 import unittest
+import warnings
 from pathlib import Path
 from unittest import mock
 
@@ -185,10 +186,57 @@ class Packages(unittest.TestCase):
                 np.testing.assert_array_equal(mesh.faces, result.boundary.triangles)
                 self.assertAlmostEqual(insideout.tetrahedralize(mesh).volume, 1, 12)
 
+    def test_open3d(self):
+        try:
+            import open3d
+        except ImportError:
+            self.skipTest("open3d is not installed")
+        result = insideout.tetrahedralize(surfaces.two_boxes())
+        for thing in (result, result.boundary):
+            mesh = thing.to_open3d()
+            self.assertIsInstance(mesh, open3d.geometry.TriangleMesh)
+            self.assertTrue(mesh.is_watertight())
+            np.testing.assert_array_equal(np.asarray(mesh.vertices), result.boundary.points)
+            np.testing.assert_array_equal(np.asarray(mesh.triangles), result.boundary.triangles)
+            self.assertAlmostEqual(insideout.tetrahedralize(mesh).volume, 15 / 8, 12)
+        with self.assertRaisesRegex(insideout.Error, "the surface is empty"):
+            insideout.check(open3d.geometry.TriangleMesh())
+
+    def test_numpy_stl(self):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # its own, of numpy
+                import stl
+        except ImportError:
+            self.skipTest("numpy-stl is not installed")
+        result = insideout.tetrahedralize(surfaces.two_boxes())
+        for thing in (result, result.boundary):
+            mesh = thing.to_stl()
+            self.assertIsInstance(mesh, stl.Mesh)
+            np.testing.assert_array_equal(mesh.vectors, result.boundary.points[result.boundary.triangles])
+            self.assertAlmostEqual(float(mesh.get_mass_properties()[0]), 15 / 8, 6)
+            again = insideout.tetrahedralize(mesh)
+            self.assertAlmostEqual(again.volume, 15 / 8, 12)
+            self.assertEqual(again.statistics["Points"], len(result.boundary.points), "points in one place are one")
+            self.assertAlmostEqual(insideout.boolean([mesh, surfaces.box()], "A - B").statistics["Volume"], 7 / 8, 12)
+        with self.assertRaisesRegex(insideout.Error, "takes several surfaces"):
+            insideout.boolean(mesh)
+
+    def test_what_only_looks_like_these_is_an_error(self):
+        for thing in (types.SimpleNamespace(vertices=1, triangles=2), types.SimpleNamespace(vectors=[[0, 1, 2]], normals=0)):
+            with self.assertRaises(insideout.Error):
+                insideout.check(thing)
+
     def test_a_package_that_is_not_there_is_named(self):
         result = insideout.tetrahedralize(surfaces.box())
-        for name, call in (("pyvista", result.to_pyvista), ("trimesh", result.to_trimesh), ("pandas", result.statistics.to_pandas)):
-            with mock.patch.dict(sys.modules, {name: None}), self.assertRaisesRegex(insideout.Error, f"^{name} is not installed: .*pip install {name}"):
+        for name, called, call in (
+            ("pyvista", "pyvista", result.to_pyvista),
+            ("trimesh", "trimesh", result.to_trimesh),
+            ("open3d", "open3d", result.to_open3d),
+            ("stl", "numpy-stl", result.to_stl),
+            ("pandas", "pandas", result.statistics.to_pandas),
+        ):
+            with mock.patch.dict(sys.modules, {name: None}), self.assertRaisesRegex(insideout.Error, f"^{name} is not installed: .*pip install {called}"):
                 call()
 
 

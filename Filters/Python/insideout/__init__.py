@@ -14,6 +14,7 @@ The solid, its boundary and the whole hull, as VTK data sets with numpy views::
     result.hull.points, result.hull.cells, result.hull.w
     insideout.write(result, "solid.msh")
     insideout.draw("broken.ply", result.hull, "picture.png")
+    insideout.draw("broken.ply", result.hull, "page.html")
 
 The solid in better cells, whose edges are at most so long::
 
@@ -63,7 +64,7 @@ SURFACES
     Each function takes a surface as a vtkPolyData of polygons or strips, as the name of a .ply, .obj, .off,
     .stl, .vtp, .glb or .3mf file (or one of these compressed, with .gz behind it), as a pair (points, triangles) of arrays
     with three columns each, as a meshio.Mesh, as an object that has arrays `vertices` and `faces`, such as a
-    trimesh.Trimesh, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
+    trimesh.Trimesh, as a TriangleMesh of Open3D, as a mesh.Mesh of numpy-stl, or as a VTK algorithm (or output port of one) that makes a vtkPolyData: it is updated.
     What comes back does not depend on that. Faces should run counterclockwise seen from outside.
     `scale` multiplies its coordinates first, for files have no unit. Solids are taken likewise: a
     vtkUnstructuredGrid of tetrahedra, the name of a .vtu, .msh, .inp or .mesh file, a pair (points, cells), and so on.
@@ -88,8 +89,9 @@ RESULTS
     picture where one can be drawn, and `plot()` shows this alone, in a window where there is no notebook. They, and
     the surfaces and tetrahedra in them, have `volume`, `is_watertight`, `components` and `split()`. `statistics` is a
     dict that is printed by groups, and `statistics.to_pandas()` a column of a table.
-    `write` puts them into files, for VTK, gmsh, CalculiX and others; `to_meshio()`, `to_pyvista()` and
-    `to_trimesh()` make what these packages have.
+    `write` puts them into files, for VTK, gmsh, CalculiX and others; `to_meshio()`, `to_pyvista()`,
+    `to_trimesh()`, `to_open3d()` and `to_stl()` (numpy-stl) make what these packages have. PyVista's own data sets have the functions, too, as
+    `mesh.insideout.tetrahedralize()`: see `insideout.accessors`.
 
 ERRORS
     What cannot be done is an `Error` with one line that names the culprit and, where it can, the remedy; an argument

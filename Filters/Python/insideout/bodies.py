@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData
 from .data import TriangleSurface, as_type
 from .errors import Error, text_of
 from .pipeline import run
-from .surfaces import AnySurface, as_surface
+from .surfaces import AnySurface, as_surface, is_stl
 
 AnyBodies = Union[AnySurface, Mapping[str, AnySurface]]
 """A surface, or several by their names, which are the bodies of one mesh."""
@@ -87,7 +87,7 @@ def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
 
 def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:
     """A surface as VTK holds it, warnings, and the array that says what are bodies: a mapping brings its own."""
-    if not isinstance(surface, Mapping):
+    if not isinstance(surface, Mapping) or is_stl(surface):
         return (*as_surface(surface, scale), array)
     if array is not None:
         raise Error("body_array names an array of one surface; several surfaces by their names are bodies already")

@@ -22,7 +22,7 @@ from .options import Options, Orientation, describe_options, in_words_of_python
 from .pipeline import Progress, add_statistic, run, statistics_of
 from .results import MeshResult, counted
 from .statistics import Statistics
-from .surfaces import AnySurface
+from .surfaces import AnySurface, is_stl
 from .vtkFiltersInsideOut import vtkWindingBoolean
 
 Operation = Literal["union", "intersection", "difference", "symmetric-difference"]
@@ -105,7 +105,7 @@ def boolean(
     algorithm.SetTetrahedra(switch("tetrahedra", tetrahedra))
     warnings: list[str] = []
     bodies: list[vtkPolyData] = []
-    if isinstance(surfaces, (str, os.PathLike, vtkPolyData)) or not hasattr(surfaces, "__iter__"):
+    if isinstance(surfaces, (str, os.PathLike, vtkPolyData)) or not hasattr(surfaces, "__iter__") or is_stl(surfaces):
         raise Error(f"surfaces is of type {type(surfaces).__name__}; a boolean takes several surfaces: a list, or a dict by names")
     try:
         named = list(surfaces.items()) if isinstance(surfaces, Mapping) else [("", surface) for surface in surfaces]

@@ -71,8 +71,9 @@ def quietly() -> Iterator[None]:
 def _check_arguments(name: str, signature: inspect.Signature, given: Sequence[Any], named: Mapping[str, Any]) -> None:
     """Raise `Error` for what the function does not have, with the nearest that it has."""
     names = list(signature.parameters)
+    hands_on = any(parameter.kind is parameter.VAR_KEYWORD for parameter in signature.parameters.values())
     for one in named:
-        if one not in names:
+        if one not in names and not hands_on:
             near = difflib.get_close_matches(one, names, 1)
             raise Error(f"{name} has no argument {one}" + (f"; the nearest is {near[0]}" if near else f"; it has {', '.join(names)}"))
     try:

@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 
-from .exporting import mesh_of, pyvista_of, trimesh_of
+from .exporting import mesh_of, open3d_of, pyvista_of, stl_of, trimesh_of
 from .measures import area, enclosed_volume, faces_of_one_cell, is_closed, joined_where_equal, labels_of_parts, volume_of_cells
 from .parts import part_of, points_as
 from .pipeline import Error, strings_of
@@ -103,6 +103,14 @@ class TriangleSurface(_Views, vtkPolyData):
     def to_trimesh(self) -> Any:
         """The same as a trimesh.Trimesh, without arrays."""
         return trimesh_of(self.points, self.triangles)
+
+    def to_open3d(self) -> Any:
+        """The same as an open3d.geometry.TriangleMesh, without arrays."""
+        return open3d_of(self.points, self.triangles)
+
+    def to_stl(self) -> Any:
+        """The same as a mesh.Mesh of numpy-stl, whose coordinates are of single precision."""
+        return stl_of(self.points, self.triangles)
 
     @property
     def tag_names(self) -> list[str]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces and solids as objects of other packages: meshio, trimesh and PyVista."""
+"""Surfaces and solids as objects of other packages: meshio, trimesh, Open3D, numpy-stl and PyVista."""
 
 from __future__ import annotations
 
@@ -39,6 +39,21 @@ def pyvista_of(data: Any) -> Any:
 def trimesh_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
     """A trimesh.Trimesh with the points as they are: none is merged."""
     return import_package("trimesh").Trimesh(vertices=points, faces=triangles, process=False)
+
+
+def open3d_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
+    """An open3d.geometry.TriangleMesh."""
+    open3d = import_package("open3d")
+    vectors = open3d.utility
+    return open3d.geometry.TriangleMesh(vectors.Vector3dVector(points), vectors.Vector3iVector(triangles.astype(np.int32)))
+
+
+def stl_of(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> Any:
+    """A stl.mesh.Mesh of numpy-stl, whose coordinates are of single precision."""
+    mesh = import_package("stl").Mesh
+    data = np.zeros(len(triangles), mesh.dtype)
+    data["vectors"] = points[triangles]
+    return mesh(data)
 
 
 def is_boundary_alone(solid: vtkUnstructuredGrid, boundary: Optional[vtkPolyData]) -> bool:

@@ -8,7 +8,15 @@ from typing import Any
 
 from .errors import Error
 
-OF_DEBIAN = {"meshio": "python3-meshio", "h5py": "python3-h5py", "pandas": "python3-pandas"}
+OF_DEBIAN = {
+    "meshio": "python3-meshio",
+    "h5py": "python3-h5py",
+    "pandas": "python3-pandas",
+    "open3d": "python3-open3d",
+    "stl": "python3-stl",
+}
+OF_PIP = {"stl": "numpy-stl"}
+"""Where it is not the module's name."""
 
 
 def import_package(name: str, why: str = "") -> Any:
@@ -17,4 +25,4 @@ def import_package(name: str, why: str = "") -> Any:
         return import_module(name)
     except ImportError:
         debian = f"apt-get install {OF_DEBIAN[name]}, or " if name in OF_DEBIAN else ""
-        raise Error(f"{name}{why} is not installed: {debian}pip install {name}") from None
+        raise Error(f"{name}{why} is not installed: {debian}pip install {OF_PIP.get(name, name)}") from None

@@ -106,10 +106,21 @@ class MeshResult(Result):
 
     def to_trimesh(self) -> Any:
         """The boundary or the surface as a trimesh.Trimesh, without arrays."""
+        return self._surface_for("a trimesh.Trimesh").to_trimesh()
+
+    def to_open3d(self) -> Any:
+        """The boundary or the surface as an open3d.geometry.TriangleMesh, without arrays."""
+        return self._surface_for("an Open3D TriangleMesh").to_open3d()
+
+    def to_stl(self) -> Any:
+        """The boundary or the surface as a mesh.Mesh of numpy-stl, whose coordinates are of single precision."""
+        return self._surface_for("a mesh.Mesh of numpy-stl").to_stl()
+
+    def _surface_for(self, kind: str) -> Any:
         found = self._first_of("boundary", "surface")
         if isinstance(found, Polylines):
-            raise Error("the result lies in a plane: a trimesh.Trimesh has triangles in space")
-        return found.to_trimesh()
+            raise Error(f"the result lies in a plane: {kind} has triangles in space")
+        return found
 
     def _first_of(self, *names: str) -> Any:
         """The first of some fields that it has and that is not empty; else the last that it has."""

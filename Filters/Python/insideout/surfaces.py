@@ -50,12 +50,29 @@ class Trimesh(Protocol):
     def faces(self) -> Any: ...
 
 
+class Open3DMesh(Protocol):
+    """An open3d.geometry.TriangleMesh."""
+
+    @property
+    def vertices(self) -> Any: ...
+
+    @property
+    def triangles(self) -> Any: ...
+
+
+class StlMesh(Protocol):
+    """A stl.mesh.Mesh of numpy-stl."""
+
+    @property
+    def vectors(self) -> Any: ...
+
+
 PointsAndTriangles = Tuple[ArrayLike, ArrayLike]
 
-AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Algorithm, AlgorithmOutput]
+AnySurface = Union[PolyData, Path, PointsAndTriangles, MeshioMesh, Trimesh, Open3DMesh, StlMesh, Algorithm, AlgorithmOutput]
 """What every function takes for a surface: a vtkPolyData of polygons or strips; the name of a .ply, .obj, .off,
 .stl, .vtp, .glb or .3mf file; a pair (points, triangles) of arrays with three columns; a meshio.Mesh; an object with
-`vertices` and `faces`, as a trimesh.Trimesh; or a VTK algorithm, or an output port of one, which is updated."""
+`vertices` and `faces`, as a trimesh.Trimesh; a TriangleMesh of Open3D, or a mesh.Mesh of numpy-stl; or a VTK algorithm, or an output port of one, which is updated."""
 
 _POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
 """How meshio's types of cells that are one begin, and how many corners they have; behind these are midpoints."""
@@ -94,6 +111,10 @@ def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
             return of_foreign(_surface_of_meshio, surface, "meshio.Mesh")
         if has(surface, "vertices", "faces"):
             return of_foreign(_surface_of_trimesh, surface, "trimesh.Trimesh")
+        if has(surface, "vertices", "triangles"):
+            return of_foreign(_surface_of_open3d, surface, "open3d.geometry.TriangleMesh")
+        if is_stl(surface):
+            return of_foreign(_surface_of_stl, surface, "stl.mesh.Mesh")
     kind = type(surface).__name__
     if isinstance(surface, Tetrahedra) or has(surface, "boundary", "solid"):
         raise Error(f"the surface is of type {kind}, which has tetrahedra; it can be a vtkPolyData such as its boundary")
@@ -105,6 +126,23 @@ def _as_surface(surface: Any) -> tuple[vtkPolyData, list[str]]:
 
 def _surface_of_trimesh(mesh: Any) -> tuple[TriangleSurface, list[str]]:
     return make_surface(mesh.vertices, mesh.faces, names=("vertices", "faces")), []
+
+
+def is_stl(thing: Any) -> bool:
+    """Whether it is a stl.mesh.Mesh, which is a mapping, too, from nothing that has a name."""
+    return has(thing, "vectors", "normals")
+
+
+def _surface_of_open3d(mesh: Any) -> tuple[TriangleSurface, list[str]]:
+    return make_surface(mesh.vertices, mesh.triangles, names=("vertices", "triangles")), []
+
+
+def _surface_of_stl(mesh: Any) -> tuple[TriangleSurface, list[str]]:
+    """Each triangle has points of its own; those with equal coordinates are one later."""
+    corners = np.asarray(mesh.vectors)
+    if corners.ndim != 3 or corners.shape[1:] != (3, 3):
+        raise Error(f"vectors is {' x '.join(map(str, corners.shape))}; it must have three points for each triangle")
+    return make_surface(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3), names=("vectors", "triangles")), []
 
 
 def make_surface(points: ArrayLike, *polygons: ArrayLike, names: tuple[str, str] = ARRAYS) -> TriangleSurface:

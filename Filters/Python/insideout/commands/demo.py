@@ -26,6 +26,7 @@ GRID, POINTS_ALONG_GRID = "grid.vti", 50
 COMMANDS = (
     ("insideout check broken.ply", "what is wrong, and whether it matters"),
     ("insideout draw broken.ply wrong.png --defects", "the same as a picture"),
+    ("insideout draw broken.ply page.html", "a page to turn and to cut, for any browser"),
     ("insideout repair broken.ply fixed.stl", "its watertight surface, to print"),
     ("insideout mesh broken.ply solid.vtu --plot solid.png", "its tetrahedra, and a picture of them"),
     ("insideout mesh inverted.stl both.vtu", "a part that is inside out is turned over"),
