@@ -50,6 +50,23 @@ protected:                                                                \
                                                                           \
 public:
 
+/**
+ * TouchTolerance: how far faces of two bodies may be apart that touch, in units of the input. They
+ * become one interface: points of the later body move onto the earlier one, and are counted. 0:
+ * only faces that touch exactly. Default -1: as far as rounding can part them, where all
+ * coordinates of both bodies are floats or decimals of up to 9 digits. Range -1 to infinity. No
+ * point of a single body moves. A warning names the bodies, the distance and the number of points;
+ * the statistics TouchingPairs and TouchMovedPoints count the pairs of bodies and all points.
+ */
+#define vtkInsideOutTouchToleranceMacro()                                  \
+  vtkInsideOutSetRangeMacro(TouchTolerance, double, -1.0, VTK_DOUBLE_MAX); \
+  vtkGetMacro(TouchTolerance, double);                                     \
+                                                                           \
+protected:                                                                 \
+  double TouchTolerance = -1.0;                                            \
+                                                                           \
+public:
+
 /** CountDuplicates: count a polygon as often as it is given, in a plane a segment. Default off:
  * copies count once per orientation, and opposite ones cancel. */
 #define vtkInsideOutCountDuplicatesMacro() \

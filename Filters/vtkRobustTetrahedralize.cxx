@@ -78,6 +78,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BlocksAreBodies: " << this->BlocksAreBodies << "\n";
   os << indent << "BlocksAtOnce: " << this->BlocksAtOnce << "\n";
   os << indent << "PartsApart: " << this->PartsApart << "\n";
+  os << indent << "TouchTolerance: " << this->TouchTolerance << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
   os << indent << "Priority: " << this->Priority << "\n";
   os << indent << "Refine: " << this->Refine << "\n";
@@ -271,6 +272,7 @@ HullMeshParameters HullParametersOf(vtkRobustTetrahedralize* filter)
 {
   HullMeshParameters parameters = vtkInsideOut::HullParametersOf(filter->GetWindingNumber());
   parameters.PartsApart = filter->GetPartsApart();
+  parameters.TouchTolerance = filter->GetTouchTolerance();
   return parameters;
 }
 

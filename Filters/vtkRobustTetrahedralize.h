@@ -75,7 +75,7 @@
 #define vtkRobustTetrahedralize_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
-#include "vtkInsideOutRange.h"         // for setters with a range
+#include "vtkInsideOutCounting.h"      // for TouchTolerance
 #include "vtkSmartPointer.h"           // for the stages
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -141,13 +141,13 @@ public:
   /**
    * An option of GetWindingNumber(). It closes gaps between bodies, with a warning for each kind. A
    * facet all of whose corners are that near to the plane of a facet of an earlier body is moved
-   * into it: faces that touch but for rounding need that; a warning names the tolerance, and the
-   * statistic NearTriangles counts these triangles. Cells between bodies that are nowhere farther
-   * from either become cells of the last in the order of Priority (statistics GapCells, GapVolume).
+   * into it. Cells between bodies that are nowhere farther from either become cells of the last in
+   * the order of Priority (statistics GapCells, GapVolume).
    */
   void SetMergeTolerance(double tolerance);
   double GetMergeTolerance();
   ///@}
+  vtkInsideOutTouchToleranceMacro() // vtkInsideOutCounting.h describes it
 
   ///@{
   /**

@@ -54,6 +54,7 @@ void vtkWindingBoolean::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tetrahedra: " << this->Tetrahedra << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "TouchTolerance: " << this->TouchTolerance << "\n";
   os << indent << "CountDuplicates: " << this->CountDuplicates << "\n";
 }
 
@@ -116,6 +117,7 @@ BodyParameters ParametersOf(vtkWindingBoolean* filter)
   BodyParameters parameters;
   parameters.Chain = vtkInsideOut::ChainParametersOf(filter);
   parameters.Orientation = vtkInsideOut::OrientationOf(filter);
+  parameters.TouchTolerance = filter->GetTouchTolerance();
   return parameters;
 }
 
@@ -206,7 +208,7 @@ Statistics FiguresOf(const ResolvedBodies& resolved, const std::vector<BoundaryT
   statistics.emplace_back("IntersectingPairs", resolved.IntersectingPairs);
   statistics.emplace_back("ResolvedPoints", surface.Points.size());
   statistics.emplace_back("ResolvedFacets", surface.NumberOfFacets());
-  statistics.emplace_back("NearTriangles", resolved.NearTriangles);
+  AddTouches(resolved, statistics);
   statistics.emplace_back("LeftOutFacets", surface.NumberOfFacets() - surface.NumberOfConstraints);
   statistics.emplace_back("BoundaryFaces", boundary.size());
   statistics.emplace_back("Volume", VolumeWithin(points, boundary));

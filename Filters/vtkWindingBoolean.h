@@ -113,13 +113,12 @@ public:
    * How each body is counted: vtkInsideOutCounting.h describes these options. MergeTolerance also
    * merges points of different bodies and closes gaps between these, with a warning for each kind.
    * A facet all of whose corners are that near to the plane of a facet of an earlier body is moved
-   * into it: faces that were turned, and touch but for rounding, need that; a warning names the
-   * tolerance, and the statistic NearTriangles counts these triangles. Gaps of uneven width, as
+   * into it. Gaps of uneven width, as
    * between round faces, are closed by tetrahedra that belong to the last body beside them; see the
    * statistics GapCells and GapVolume.
    */
   vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
-    vtkInsideOutCountDuplicatesMacro()
+    vtkInsideOutTouchToleranceMacro() vtkInsideOutCountDuplicatesMacro()
     ///@}
 
     /** The tetrahedra of the result, where they were made: output 1. */

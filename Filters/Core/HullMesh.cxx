@@ -141,7 +141,7 @@ HullMesh ResolveHull(
   const double diagonal = bodies.size() > 1 ? DiagonalOf(bodies) : 0;
   Stopwatch stopwatch;
   HullMesh hull{ ResolveBodies(std::move(bodies),
-                   { parameters.Chain, parameters.Orientation, parameters.Thicken }, monitor),
+                   { parameters.Chain, parameters.Orientation, parameters.Thicken, parameters.TouchTolerance }, monitor),
     {}, {}, {}, {}, {} };
   const double resolveSeconds = stopwatch.Lap() - hull.SecondsValidate;
   hull.Mesh.Points = hull.Surface.Points;
@@ -154,7 +154,7 @@ HullMesh ResolveHull(
   if (areNamed)
   {
     hull.Statistics.emplace_back("Bodies", hull.NumberOfBodies());
-    hull.Statistics.emplace_back("NearTriangles", hull.NearTriangles);
+    AddTouches(hull, hull.Statistics);
   }
   AddCounts(hull.Counts, hull.Statistics);
   AddUp(TakeTurns(shares, hull.Bodies), hull.Statistics);

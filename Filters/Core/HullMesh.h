@@ -16,6 +16,7 @@ struct HullMeshParameters
   ConstrainedDelaunayParameters Budgets;
   int QuadratureOrder = 1; ///< see WindingNumberOfCells
   bool PartsApart = false; ///< a hull for each part (TetrahedralizeApart.h); not of several bodies
+  double TouchTolerance = BodyParameters().TouchTolerance; ///< of several bodies
 };
 
 /** The convex hull of bodies in tetrahedra, or those of a body's parts, and the winding numbers in

@@ -3,12 +3,14 @@
 
 #include "Boolean/CloseGaps.h"
 #include "Boolean/NearBodies.h"
+#include "Boolean/TouchBodies.h"
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
 #include "Common/PartMonitor.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
+#include "Common/Vectors.h"
 #include "Resolve/FacetsNearOthers.h"
 #include "Resolve/FindIntersections.h"
 #include "Resolve/ResolveSelfIntersections.h"
@@ -112,8 +114,12 @@ private:
   ChainPoints PointsOfChains();
   FacetComplex Together();
   void TakeOwnCrossings(const std::vector<FacetSource>& places);
+  void TakeTouching(const std::vector<FacetSource>& places);
   void TakeResolved(FacetComplex resolved);
+  void FindGrids();
+  void Touch();
   void TellOfNearBodies();
+  std::vector<std::string> Names() const;
   Id BodyOf(Id chainFacet) const;
   void Warn(const Body& body, const std::vector<std::string>& warnings);
 
@@ -129,6 +135,8 @@ private:
   std::vector<std::vector<FacetEdge>> Edges; ///< of each chain, until it is oriented
   std::vector<Id> FirstFacet; ///< of each chain, if the facets of all are numbered in a row
   std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< by facets of each chain
+  std::vector<std::optional<CoordinateGrid>> Grids; ///< of each body; empty if none is asked for
+  TouchingFacets Touching; ///< facets of the chains in a row, later of all together
   KnownCrossings Known; ///< of all together, with a body for each facet
   ResolvedBodies Result;
 };
@@ -403,6 +411,7 @@ FacetComplex BodyResolver::Together()
   SetMultiplicity(multiplicity, together);
   SetSources(places, together);
   this->TakeOwnCrossings(places);
+  this->TakeTouching(places);
   together.NumberOfConstraints = together.NumberOfFacets();
   return together;
 }
@@ -419,6 +428,22 @@ void BodyResolver::TakeOwnCrossings(const std::vector<FacetSource>& places)
       this->Known.Pairs.push_back({ std::min(i, j), std::max(i, j) });
     }
   }
+}
+
+/** Says which facets of all touch. @param[in] places of the chains' facets */
+void BodyResolver::TakeTouching(const std::vector<FacetSource>& places)
+{
+  std::vector<std::array<Id, 2>> pairs;
+  for (const auto& [first, second] : this->Touching.Pairs)
+  {
+    const Id i = places[first].Triangle;
+    const Id j = places[second].Triangle;
+    if (i != j)
+    {
+      pairs.push_back({ std::min(i, j), std::max(i, j) });
+    }
+  }
+  this->Touching.Pairs = std::move(pairs);
 }
 
 /** Takes the resolved complex, and says of it in bodies and their triangles what it says in facets
@@ -469,19 +494,51 @@ void BodyResolver::TakeResolved(FacetComplex resolved)
   this->Result.Surface = std::move(resolved);
 }
 
-void BodyResolver::TellOfNearBodies()
+std::vector<std::string> BodyResolver::Names() const
 {
   std::vector<std::string> names;
   for (const Body& body : this->Given)
   {
     names.push_back(body.Name);
   }
+  return names;
+}
+
+/** As coordinates are given: those that were moved since are on no grid. */
+void BodyResolver::FindGrids()
+{
+  for (const Body& body : this->Given)
+  {
+    std::vector<Point> finite;
+    std::copy_if(body.Soup.Points.begin(), body.Soup.Points.end(), std::back_inserter(finite), [](const Point& p) { return IsFinite(p); });
+    this->Grids.push_back(FindCoordinateGrid(finite));
+  }
+}
+
+void BodyResolver::Touch()
+{
+  Touches touches = TouchBodies(
+    this->Chains, this->Grids, this->Parameters.TouchTolerance, this->OwnCrossings, this->Watch);
+  this->Touching = std::move(touches.Facets);
+  this->Result.TouchingPairs = static_cast<Id>(touches.Bodies.size());
+  for (const TouchingBodies& pair : touches.Bodies)
+  {
+    this->Result.TouchMovedPoints += pair.MovedPoints;
+  }
+  for (const std::string& line : WordsOf(touches.Bodies, this->Names()))
+  {
+    this->Result.Warnings.push_back(line);
+  }
+}
+
+void BodyResolver::TellOfNearBodies()
+{
   const std::vector<NearBodies> near = FindNearBodies(this->Result, this->Watch);
   for (const NearBodies& pair : near)
   {
     this->Result.NearTriangles += pair.Triangles;
   }
-  for (const std::string& line : WordsOf(near, names, this->Parameters.Chain.MergeTolerance))
+  for (const std::string& line : WordsOf(near, this->Names(), this->Parameters.Chain.MergeTolerance))
   {
     this->Result.Warnings.push_back(line);
   }
@@ -520,7 +577,8 @@ void BodyResolver::ResolveTogether()
     ? FacetsNearOthers(together.Points, together.Facets, this->Known.SetOf,
         SnappingRadius(LargestCoordinate(together.Points)))
     : std::vector<Id>();
-  Resolution resolution = ResolveSelfIntersections(together, this->Watch, this->Known, mayTouch);
+  Resolution resolution =
+    ResolveSelfIntersections(together, this->Watch, this->Known, this->Touching, mayTouch);
   this->Result.IntersectingPairs = static_cast<Id>(resolution.IntersectingPairs.size());
   this->TakeResolved(std::move(resolution.Surface));
   this->TellOfNearBodies();
@@ -530,6 +588,11 @@ ResolvedBodies BodyResolver::Resolve()
 {
   Stopwatch stopwatch;
   const bool areSeveral = this->Given.size() > 1;
+  const bool mayTouch = areSeveral && this->Parameters.TouchTolerance != 0;
+  if (mayTouch)
+  {
+    this->FindGrids();
+  }
   if (areSeveral && this->Parameters.Chain.MergeTolerance > 0)
   {
     this->MergeGivenPoints();
@@ -547,6 +610,10 @@ ResolvedBodies BodyResolver::Resolve()
     this->FindOwnCrossings();
   }
   this->OrientBodies();
+  if (mayTouch)
+  {
+    this->Touch();
+  }
   this->Result.SecondsValidate = stopwatch.Lap();
   std::sort(this->Result.DegenerateTriangles.begin(), this->Result.DegenerateTriangles.end());
   std::sort(this->Result.TurnedTriangles.begin(), this->Result.TurnedTriangles.end());
@@ -559,6 +626,13 @@ ResolvedBodies BodyResolver::Resolve()
   return std::move(this->Result);
 }
 } // namespace
+
+void AddTouches(const ResolvedBodies& bodies, Statistics& statistics)
+{
+  statistics.emplace_back("TouchingPairs", bodies.TouchingPairs);
+  statistics.emplace_back("TouchMovedPoints", bodies.TouchMovedPoints);
+  statistics.emplace_back("NearTriangles", bodies.NearTriangles);
+}
 
 ResolvedBodies ResolveBodies(
   std::vector<Body> bodies, const BodyParameters& parameters, Monitor& monitor)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boolean/Body.h"
+#include "Common/Statistics.h"
 #include "Orient/OrientFacets.h"
 #include "Orient/ThickenFacets.h"
 #include "Validate/CountedChain.h"
@@ -13,6 +14,10 @@ struct BodyParameters
   CountedChainParameters Chain; ///< points of different bodies are merged alike
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
   ThickenParameters Thicken;
+
+  /** How far the faces of two bodies may be apart that touch: 0 for exactly, -1 for as far as the
+   * rounding of their coordinates can part them (TouchBodies). */
+  double TouchTolerance = -1;
 };
 
 /** How often a facet counts for one body. */
@@ -50,6 +55,8 @@ struct ResolvedBodies
   std::vector<Id> TurnedTriangles;     ///< turned over; ascending
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
   Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
+  Id TouchingPairs = 0;                ///< of bodies that touched but for rounding (TouchBodies)
+  Id TouchMovedPoints = 0;             ///< so that they touch
   Id NearTriangles = 0;                ///< of bodies that touch but for rounding (FindNearBodies)
   double SecondsValidate = 0;          ///< until they met
   std::vector<std::string> Warnings;
@@ -69,6 +76,9 @@ inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
   }
   return 0;
 }
+
+/** What touches: the statistics TouchingPairs, TouchMovedPoints and NearTriangles. */
+void AddTouches(const ResolvedBodies& bodies, Statistics& statistics);
 
 /**
  * Stages validate and pre. Count and orient bodies, each as if it were alone (CountFacets,

@@ -189,8 +189,15 @@ ConstructedPoint ConstructedPoint::TwoEdges(
   const Edge a = EdgeBetween(first[0], first[1]);
   const Edge b = EdgeBetween(second[0], second[1]);
   const auto& [low, high] = std::minmax(a, b);
-  return { Type::TwoEdges, static_cast<signed char>(axis),
-    { { low[0], low[1], high[0], high[1] } } };
+  return OnFirstEdge(low, high, axis);
+}
+
+ConstructedPoint ConstructedPoint::OnFirstEdge(
+  const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis)
+{
+  const Edge a = EdgeBetween(first[0], first[1]);
+  const Edge b = EdgeBetween(second[0], second[1]);
+  return { Type::TwoEdges, static_cast<signed char>(axis), { { a[0], a[1], b[0], b[1] } } };
 }
 
 ConstructedPoint ConstructedPoint::ThreeFacets(Id a, Id b, Id c)

@@ -33,7 +33,7 @@ struct ConstructedPoint
   {
     Corner,      ///< point Ids[0]
     EdgeOnFacet, ///< where the edge from point Ids[0] to Ids[1] meets the plane of facet Ids[2]
-    TwoEdges,    ///< where, seen along Axis, edge Ids[0], Ids[1] crosses edge Ids[2], Ids[3]
+    TwoEdges,    ///< where, seen along Axis, edge Ids[0], Ids[1] crosses edge Ids[2], Ids[3]; on the first
     ThreeFacets  ///< where the planes of facets Ids[0], Ids[1] and Ids[2] meet
   };
 
@@ -44,6 +44,9 @@ struct ConstructedPoint
   static ConstructedPoint Corner(Id point);
   static ConstructedPoint EdgeOnFacet(const std::array<Id, 2>& edge, Id facet);
   static ConstructedPoint TwoEdges(
+    const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis);
+  /** The same, on the first as it is given. */
+  static ConstructedPoint OnFirstEdge(
     const std::array<Id, 2>& first, const std::array<Id, 2>& second, int axis);
   static ConstructedPoint ThreeFacets(Id a, Id b, Id c);
 

@@ -35,6 +35,7 @@ struct Slab
       x /= doubleArea;
     }
     this->Height = doubleArea / longest;
+    this->Area = doubleArea / 2;
   }
 
   /** Whether all corners of the other lie within `radius` of this one's plane. */
@@ -48,6 +49,7 @@ struct Slab
   std::array<Point, 3> Corners;
   Point Normal;
   double Height;
+  double Area;
 };
 
 /** Whether facets of these slabs are layers if they overlap. */
@@ -154,6 +156,57 @@ std::vector<std::vector<Id>> SpreadOverLayers(const FacetList& surface, std::vec
   }
   return groups;
 }
+
+/** Facets that are meant to coincide, and an axis along which all can be seen well. */
+struct TouchingGroup
+{
+  int Axis;
+  std::vector<Id> Facets;
+};
+
+/**
+ * Groups of facets that pairs join. The largest facet of a group tells its axis; facets that turn
+ * their sides to that, as one too thin to have a plane may, go without what they touch, to the next
+ * groups.
+ */
+std::vector<TouchingGroup> GroupTouching(
+  const FacetList& surface, std::vector<std::array<Id, 2>> pairs)
+{
+  std::vector<TouchingGroup> groups;
+  while (!pairs.empty())
+  {
+    DisjointSets sets(surface.Facets.size());
+    std::map<Id, Slab> slabs;
+    for (const auto& [f, g] : pairs)
+    {
+      sets.Join(f, g);
+      slabs.emplace(f, Slab(surface, f));
+      slabs.emplace(g, Slab(surface, g));
+    }
+    std::map<Id, std::vector<Id>> byLowest;
+    for (const auto& facet : slabs)
+    {
+      byLowest[sets.Find(facet.first)].push_back(facet.first);
+    }
+    std::vector<char> isLeft(surface.Facets.size(), 0);
+    for (auto& group : byLowest)
+    {
+      std::vector<Id>& facets = group.second;
+      const Id largest = *std::max_element(facets.begin(), facets.end(),
+        [&](Id f, Id g) { return slabs.at(f).Area < slabs.at(g).Area; });
+      const int axis = ProjectionAxis(CornersOf(surface, largest));
+      const auto turned = std::stable_partition(facets.begin(), facets.end(),
+        [&](Id f) { return std::abs(slabs.at(f).Normal[axis]) >= LeastAlongAxis; });
+      std::for_each(turned, facets.end(), [&](Id f) { isLeft[f] = 1; });
+      facets.erase(turned, facets.end());
+      groups.push_back({ axis, std::move(facets) });
+    }
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                  [&](const std::array<Id, 2>& pair) { return !isLeft[pair[0]] || !isLeft[pair[1]]; }),
+      pairs.end());
+  }
+  return groups;
+}
 } // namespace
 
 std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::vector<Id>& among,
@@ -205,6 +258,17 @@ std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
   const double nanosecondsPerGroup = 8000;
   ParallelLoop(static_cast<Id>(groups.size()), nanosecondsPerGroup, monitor, progress,
     [&](Id i) { subdivisions[i] = SubdividePlane(surface, groups[i], {}); });
+  return subdivisions;
+}
+
+std::vector<PlanarSubdivision> CutTouching(const FacetList& surface,
+  const std::vector<std::array<Id, 2>>& pairs, Monitor& monitor, const ProgressRange& progress)
+{
+  const std::vector<TouchingGroup> groups = GroupTouching(surface, pairs);
+  std::vector<PlanarSubdivision> subdivisions(groups.size());
+  const double nanosecondsPerGroup = 8000;
+  ParallelLoop(static_cast<Id>(groups.size()), nanosecondsPerGroup, monitor, progress,
+    [&](Id i) { subdivisions[i] = SubdivideAlong(groups[i].Axis, surface, groups[i].Facets); });
   return subdivisions;
 }
 } // namespace insideout

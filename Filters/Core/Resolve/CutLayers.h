@@ -34,4 +34,15 @@ std::vector<std::array<Id, 2>> FindLayers(const FacetList& surface, const std::v
 std::vector<PlanarSubdivision> CutLayers(const FacetList& surface,
   const std::vector<std::array<Id, 2>>& pairs, double radius, Monitor& monitor,
   const ProgressRange& progress);
+
+/**
+ * Cuts facets that are meant to coincide, however far they are apart, as CutLayers does. Where two
+ * edges cross the point is put on the one of the lower facet.
+ *
+ * @param[in] pairs facets that lie on each other
+ * @return one subdivision for every group of such facets that can be seen along one axis
+ * @throws Error (Stopped)
+ */
+std::vector<PlanarSubdivision> CutTouching(const FacetList& surface,
+  const std::vector<std::array<Id, 2>>& pairs, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

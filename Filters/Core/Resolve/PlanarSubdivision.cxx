@@ -46,6 +46,9 @@ class Subdivider
 public:
   Subdivider(const FacetList& surface, Id host);
 
+  /** Edges that cross do so on the one that was added before. */
+  Subdivider(const FacetList& surface, Id host, int axis);
+
   void AddFacet(Id facet);
   void AddCut(const Cut& cut);
   PlanarSubdivision Subdivide();
@@ -68,6 +71,7 @@ private:
   const FacetList& Surface;
   const Id Host; ///< the facet whose plane this is
   const int Axis;
+  const bool PrefersFirst = false;
   Triangulation Cells;
   std::deque<PlanarSite> Sites;
   std::map<ConstructedPoint, VertexHandle> Vertices;
@@ -104,6 +108,14 @@ Subdivider::Subdivider(const FacetList& surface, Id host)
   : Surface(surface)
   , Host(host)
   , Axis(ProjectionAxis(CornersOf(surface, host)))
+{
+}
+
+Subdivider::Subdivider(const FacetList& surface, Id host, int axis)
+  : Surface(surface)
+  , Host(host)
+  , Axis(axis)
+  , PrefersFirst(true)
 {
 }
 
@@ -234,7 +246,7 @@ void Subdivider::AddCrossing(Id first, Id last)
   const SitePoint& s = b.Last->point();
   if (Orient(r, s, p) * Orient(r, s, q) < 0 && Orient(p, q, r) * Orient(p, q, s) < 0)
   {
-    this->AddPoint(this->NameOfCrossing(a, b), { first, last });
+    this->AddPoint(first < last ? this->NameOfCrossing(a, b) : this->NameOfCrossing(b, a), { first, last });
   }
 }
 
@@ -243,6 +255,10 @@ ConstructedPoint Subdivider::NameOfCrossing(const Constraint& a, const Constrain
   if (a.Facet != None && b.Facet != None)
   {
     return ConstructedPoint::ThreeFacets(this->Host, a.Facet, b.Facet);
+  }
+  if (this->PrefersFirst)
+  {
+    return ConstructedPoint::OnFirstEdge(a.Edge, b.Edge, this->Axis);
   }
   if (a.Facet == None && b.Facet == None)
   {
@@ -453,6 +469,16 @@ PlanarSubdivision SubdividePlane(
   for (const Cut& cut : cuts)
   {
     subdivider.AddCut(cut);
+  }
+  return subdivider.Subdivide();
+}
+
+PlanarSubdivision SubdivideAlong(int axis, const FacetList& surface, const std::vector<Id>& facets)
+{
+  Subdivider subdivider(surface, facets[0], axis);
+  for (const Id facet : facets)
+  {
+    subdivider.AddFacet(facet);
   }
   return subdivider.Subdivide();
 }

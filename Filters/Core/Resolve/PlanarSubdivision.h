@@ -56,4 +56,11 @@ struct PlanarSubdivision
  */
 PlanarSubdivision SubdividePlane(
   const FacetList& surface, const std::vector<Id>& facets, const std::vector<Cut>& cuts);
+
+/**
+ * The same of facets that are meant to coincide, as they look along an axis to which none turns its
+ * side. The point where two edges cross is on that of the lower facet.
+ */
+PlanarSubdivision SubdivideAlong(
+  int axis, const FacetList& surface, const std::vector<Id>& facets);
 } // namespace insideout

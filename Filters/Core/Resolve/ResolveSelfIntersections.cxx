@@ -66,19 +66,23 @@ class Resolver
 {
 public:
   Resolver(const FacetComplex& surface, Monitor& monitor);
-  Resolution Resolve(const KnownCrossings& known, const std::vector<Id>& mayTouch);
+  Resolution Resolve(const KnownCrossings& known, const TouchingFacets& touching,
+    const std::vector<Id>& mayTouch);
 
 private:
   void CutRepeatedly();
   void Cut(const ProgressRange& progress);
+  void MergeTouching(const TouchingFacets& touching);
   void MergeLayers(const std::vector<std::array<Id, 2>>& pairs);
+  void TakeAlike(const std::vector<PlanarSubdivision>& subdivisions, double radius);
   std::vector<std::vector<Id>> TakePieces(
     const std::vector<PlanarSubdivision>& subdivisions, double radius);
   void PrepareSnapping(const std::vector<char>& isCut, double radius);
   std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
   void MergePoints(const std::vector<Id>& candidates);
-  void Collapse(const std::vector<Id>& candidates);
+  void Collapse(const std::vector<Id>& candidates) { this->Collapse(candidates, SnappingRadius(this->Size)); }
+  void Collapse(const std::vector<Id>& candidates, double radius);
   std::vector<MeantFacet> PlacedPieces(const std::vector<PlanarSubdivision>& subdivisions,
     const std::vector<std::vector<Id>>& ids) const;
 
@@ -100,7 +104,8 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
 {
 }
 
-Resolution Resolver::Resolve(const KnownCrossings& known, const std::vector<Id>& mayTouch)
+Resolution Resolver::Resolve(const KnownCrossings& known, const TouchingFacets& touching,
+  const std::vector<Id>& mayTouch)
 {
   if (known.SetOf.empty())
   {
@@ -114,13 +119,14 @@ Resolution Resolver::Resolve(const KnownCrossings& known, const std::vector<Id>&
   resolution.IntersectingPairs = this->Now.Crossings;
   const std::vector<std::array<Id, 2>> layers = FindLayers({ this->Now.Points, this->Now.Facets },
     mayTouch, SnappingRadius(this->Size), this->Watch, { Stages::Resolving, 0, 0 });
-  if (!this->Now.Crossings.empty() || !layers.empty())
+  if (!this->Now.Crossings.empty() || !layers.empty() || !touching.Pairs.empty())
   {
     this->Positions.Reserve(2 * this->Now.Points.size());
     for (Id p = 0; p < static_cast<Id>(this->Now.Points.size()); ++p)
     {
       this->Positions.Add(this->Now.Points[p], p);
     }
+    this->MergeTouching(touching);
     this->MergeLayers(layers);
     this->CutRepeatedly();
   }
@@ -181,17 +187,37 @@ void Resolver::MergeLayers(const std::vector<std::array<Id, 2>>& pairs)
       { Stages::Resolving, 0, 0 });
   if (!subdivisions.empty())
   {
-    const std::vector<std::vector<Id>> ids = this->TakePieces(subdivisions, radius);
-    std::vector<EdgeChain> chains;
-    for (std::size_t s = 0; s < subdivisions.size(); ++s)
-    {
-      const std::vector<EdgeChain> more = ChainsOf(subdivisions[s], ids[s]);
-      chains.insert(chains.end(), more.begin(), more.end());
-    }
-    this->Now.Apply(SplitAlike(this->Now.Points, this->Now.Facets, chains));
+    this->TakeAlike(subdivisions, radius);
     this->Collapse(this->Now.DegenerateFacets());
     this->Now.FindCrossings(this->Watch);
   }
+}
+
+/** Puts pieces in the places of facets, and splits the facets along their edges alike. */
+void Resolver::TakeAlike(const std::vector<PlanarSubdivision>& subdivisions, double radius)
+{
+  const std::vector<std::vector<Id>> ids = this->TakePieces(subdivisions, radius);
+  std::vector<EdgeChain> chains;
+  for (std::size_t s = 0; s < subdivisions.size(); ++s)
+  {
+    const std::vector<EdgeChain> more = ChainsOf(subdivisions[s], ids[s]);
+    chains.insert(chains.end(), more.begin(), more.end());
+  }
+  this->Now.Apply(SplitAlike(this->Now.Points, this->Now.Facets, chains));
+}
+
+/** Makes facets one that are meant to coincide. */
+void Resolver::MergeTouching(const TouchingFacets& touching)
+{
+  if (touching.Pairs.empty())
+  {
+    return;
+  }
+  this->TakeAlike(CutTouching({ this->Now.Points, this->Now.Facets }, touching.Pairs, this->Watch,
+                    { Stages::Resolving, 0, 0 }),
+    touching.Radius);
+  this->Collapse(this->Now.UncheckedFacets(), touching.Radius);
+  this->Now.FindCrossings(this->Watch);
 }
 
 /** Cuts the facets that cross. */
@@ -396,20 +422,19 @@ void Resolver::MergePoints(const std::vector<Id>& candidates)
 }
 
 /** Collapses slivers among some facets. */
-void Resolver::Collapse(const std::vector<Id>& candidates)
+void Resolver::Collapse(const std::vector<Id>& candidates, double radius)
 {
   if (candidates.empty())
   {
     return;
   }
-  this->Now.Apply(
-    CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, SnappingRadius(this->Size)));
+  this->Now.Apply(CollapseSlivers(this->Now.Points, this->Now.Facets, candidates, radius));
 }
 } // namespace
 
 Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
-  const KnownCrossings& known, const std::vector<Id>& mayTouch)
+  const KnownCrossings& known, const TouchingFacets& touching, const std::vector<Id>& mayTouch)
 {
-  return Resolver(surface, monitor).Resolve(known, mayTouch);
+  return Resolver(surface, monitor).Resolve(known, touching, mayTouch);
 }
 } // namespace insideout

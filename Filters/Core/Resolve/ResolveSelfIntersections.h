@@ -23,6 +23,13 @@ struct KnownCrossings
   std::vector<std::array<Id, 2>> Pairs;
 };
 
+/** Facets that are meant to coincide where they lie on each other. */
+struct TouchingFacets
+{
+  std::vector<std::array<Id, 2>> Pairs;
+  double Radius = 0; ///< how far they are apart at most
+};
+
 /**
  * Stage pre: cut facets where they meet other than in shared points and edges, so that none do any
  * more (the pre-processing of thesis, chapter 8). Cutting is exact; then new points are rounded to
@@ -37,10 +44,13 @@ struct KnownCrossings
  *
  * @param[in] surface a validated complex
  * @param[in] known is not searched again
+ * @param[in] touching facets become one along each other's edges, as if they were in one plane.
+ *   Points of the surface stay; of a pair the first has its shape, and the second is bent to it
  * @param[in] mayTouch facets that become one where they coincide up to rounding also if none of
  *   them cross; they take a search of their own
  * @throws Error TooLarge where facets coincide more often than a multiplicity can count, Stopped
  */
 Resolution ResolveSelfIntersections(const FacetComplex& surface, Monitor& monitor,
-  const KnownCrossings& known = {}, const std::vector<Id>& mayTouch = {});
+  const KnownCrossings& known = {}, const TouchingFacets& touching = {},
+  const std::vector<Id>& mayTouch = {});
 } // namespace insideout

@@ -104,6 +104,13 @@ Id WorkingSurface::AddPoint(const Point& p, Id root)
   return static_cast<Id>(this->Points.size() - 1);
 }
 
+std::vector<Id> WorkingSurface::UncheckedFacets() const
+{
+  std::vector<Id> unchecked(this->Facets.size() - this->FirstUnchecked);
+  std::iota(unchecked.begin(), unchecked.end(), this->FirstUnchecked);
+  return unchecked;
+}
+
 /** The facets that rounding made degenerate: they come right out of a cut. */
 std::vector<Id> WorkingSurface::DegenerateFacets() const
 {

@@ -63,6 +63,9 @@ public:
   void FindCrossingsBetween(
     const std::vector<Id>& setOf, const std::vector<std::array<Id, 2>>& known, Monitor& monitor);
 
+  /** The facets that were not searched for crossings yet. */
+  std::vector<Id> UncheckedFacets() const;
+
   /** The degenerate ones among the facets that were not searched for crossings yet. */
   std::vector<Id> DegenerateFacets() const;
 

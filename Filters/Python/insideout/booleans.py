@@ -77,6 +77,7 @@ def boolean(
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[Length] = None,
+    touch_tolerance: Optional[Length] = None,
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> Boolean:

@@ -73,7 +73,7 @@ RULES = (
     ),
     Rule(("thicken_all",), lambda asked: not asked.has("thicken"), "it takes --thicken"),
     Rule(("seeded_regions",), lambda asked: not asked.has("seeds"), "it takes --seeds"),
-    Rule(("priority", "region_rule"), lambda asked: not asked.has_bodies(), "it takes several bodies, by --together or --body-array"),
+    Rule(("priority", "region_rule", "touch_tolerance"), lambda asked: not asked.has_bodies(), "it takes several bodies, by --together or --body-array"),
     Rule(("body_array",), lambda asked: asked.has("together"), "--together makes a body of each surface"),
     Rule(("format",), lambda asked: "-" not in asked.surfaces, "it is for standard input, and goes with - as SURFACE"),
     Rule(

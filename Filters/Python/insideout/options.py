@@ -54,6 +54,7 @@ class BodiesOptions:
     body_array: Optional[str] = None
     priority: Union[str, Sequence[str], None] = None
     region_rule: RegionRule = "by-priority"
+    touch_tolerance: Optional[Length] = None
 
 
 @dataclass(frozen=True)
@@ -176,7 +177,7 @@ _OWN: dict[str, Option] = {
 }
 """Those that are no properties, or take more than these."""
 
-LENGTHS = ("merge_tolerance", "thicken", "edge_length", "surface_tolerance")
+LENGTHS = ("merge_tolerance", "touch_tolerance", "thicken", "edge_length", "surface_tolerance")
 """Those that can be shares of the diagonal."""
 
 _KINDS: dict[str, type[Option]] = {

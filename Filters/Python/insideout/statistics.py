@@ -11,7 +11,7 @@ from .packages import import_package
 GROUPS = {
     "input": "Input|Points$|Facets$|Segments$|Dimension|Scale|Diagonal|Planar|Bodies|Places",
     "defects": "Open|NonManifoldEdges|Inconsistent|Unbalanced|Intersecting|Merged|Near|Degenerate|Duplicate|Cancelled|TwoSided"
-    "|NonParticipating|Crossings|TJunctions|Gap",
+    "|NonParticipating|Crossings|TJunctions|Gap|Touch",
     "shells": "Components$|Closed$|.*Shells$|Sheet|Cavities$|EnclosedVolume|OverlapVolume|Turned|Disagreeing|Undecided|Thickened",
     "resolved surface": "Resolved|LeftOut",
     "mesh of the hull": "Rung|Hull|.*Steiner|Lost(Facets|Segments)|PartsApart|Tetrahedra$",

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <optional>
+#include <vector>
+
+namespace insideout
+{
+/** The grid that coordinates were rounded to: floats, or decimals of few digits. */
+class CoordinateGrid
+{
+public:
+  /** The grid of floats. */
+  CoordinateGrid() = default;
+
+  /** Decimals with this many significant digits, and this many digits behind the point. */
+  CoordinateGrid(int digits, int decimals)
+    : Digits(digits)
+    , Decimals(decimals)
+  {
+  }
+
+  /** Half of the grid's spacing at a coordinate: how far rounding moves it at most. */
+  double RoundingAt(double coordinate) const;
+
+private:
+  int Digits = 0; ///< 0 for floats
+  int Decimals = 0;
+};
+
+/**
+ * Find the grid of a body's coordinates. Floats are those that are all floats; decimals are those
+ * that need 6 to 9 significant digits, many of them all of these. Coordinates that need fewer
+ * digits are taken for floats: nothing tells whether they were rounded.
+ *
+ * @param[in] points finite
+ * @return nothing where some coordinate needs the digits of a double
+ */
+std::optional<CoordinateGrid> FindCoordinateGrid(const std::vector<Point>& points);
+} // namespace insideout

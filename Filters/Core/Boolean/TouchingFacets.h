@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/FacetComplex.h"
+#include "Common/Monitor.h"
+
+namespace insideout
+{
+/** Two facets of different bodies that lie on each other, but for a gap. */
+struct TouchingPair
+{
+  Id First; ///< of the earlier body
+  Id Second;
+  double Distance; ///< the widest gap where they lie on each other
+};
+
+/**
+ * Find pairs of facets of different bodies that lie on each other, nowhere farther apart there than
+ * their tolerance, in an area wider than that. Neither the thinnest facets nor the ends of others
+ * need to be in one plane.
+ *
+ * @param[in] bodyOf of each facet
+ * @param[in] tolerances per facet, negative for those that touch none; that of a pair is the sum
+ * @return by first, then by second
+ * @throws Error (Stopped)
+ */
+std::vector<TouchingPair> FindTouchingFacets(const std::vector<Point>& points,
+  const std::vector<Triangle>& facets, const std::vector<Id>& bodyOf,
+  const std::vector<double>& tolerances, Monitor& monitor);
+} // namespace insideout
