@@ -149,14 +149,14 @@ public:
   ///@}
   vtkInsideOutTouchToleranceMacro() // vtkInsideOutCounting.h describes it
 
-  ///@{
-  /**
-   * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
-   * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells join
-   * all around what touches, as around two cavities, only the boundary has several points at one
-   * location, whose cells share one; a warning counts them.
-   */
-  void SetGamma(double gamma);
+    ///@{
+    /**
+     * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
+     * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells
+     * join all around what touches, as around two cavities, only the boundary has several points at
+     * one location, whose cells share one; a warning counts them.
+     */
+    void SetGamma(double gamma);
   double GetGamma();
   void SetConstrainFacets(bool constrain);
   bool GetConstrainFacets();

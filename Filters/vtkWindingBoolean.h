@@ -117,8 +117,8 @@ public:
    * between round faces, are closed by tetrahedra that belong to the last body beside them; see the
    * statistics GapCells and GapVolume.
    */
-  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro()
-    vtkInsideOutTouchToleranceMacro() vtkInsideOutCountDuplicatesMacro()
+  vtkInsideOutOrientationMacro() vtkInsideOutMergeToleranceMacro() vtkInsideOutTouchToleranceMacro()
+    vtkInsideOutCountDuplicatesMacro()
     ///@}
 
     /** The tetrahedra of the result, where they were made: output 1. */

@@ -140,9 +140,12 @@ HullMesh ResolveHull(
   const std::vector<double> shares = SharesOf(bodies);
   const double diagonal = bodies.size() > 1 ? DiagonalOf(bodies) : 0;
   Stopwatch stopwatch;
-  HullMesh hull{ ResolveBodies(std::move(bodies),
-                   { parameters.Chain, parameters.Orientation, parameters.Thicken, parameters.TouchTolerance }, monitor),
-    {}, {}, {}, {}, {} };
+  HullMesh hull{
+    ResolveBodies(std::move(bodies),
+      { parameters.Chain, parameters.Orientation, parameters.Thicken, parameters.TouchTolerance },
+      monitor),
+    {}, {}, {}, {}, {}
+  };
   const double resolveSeconds = stopwatch.Lap() - hull.SecondsValidate;
   hull.Mesh.Points = hull.Surface.Points;
   hull.Mesh.Origins = hull.Surface.Origins;

@@ -34,14 +34,15 @@ struct HullArrays
  * not be missing here. */
 inline auto AsTuple(const insideout::HullMeshParameters& parameters, const HullArrays& names)
 {
-  const auto& [chain, orientation, thicken, budgets, quadratureOrder, partsApart, touchTolerance] = parameters;
+  const auto& [chain, orientation, thicken, budgets, quadratureOrder, partsApart, touchTolerance] =
+    parameters;
   const auto& [mergeTolerance, countDuplicates] = chain;
   const auto& [width, all] = thicken;
   const auto& [seconds, mebibytes, engine] = budgets;
   const auto& [nonParticipating, bodies, blockNames, blocksTime] = names;
   return std::make_tuple(mergeTolerance, countDuplicates, orientation, width, all, seconds,
-    mebibytes, engine, quadratureOrder, partsApart, touchTolerance, nonParticipating, bodies, blockNames,
-    blocksTime);
+    mebibytes, engine, quadratureOrder, partsApart, touchTolerance, nonParticipating, bodies,
+    blockNames, blocksTime);
 }
 
 /** Stages validate to w of a surface. */

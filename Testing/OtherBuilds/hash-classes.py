@@ -114,6 +114,7 @@ TETRAHEDRALIZE = [
     *[("SurfaceOnly", [True], {"MergeCoplanarPieces": True}), ("TagArrayName", ["Part"], {}), ("PartsApart", [True], {}), ("PartsApart", [True], REFINE)],
     *[("BodyArrayName", ["Part"], {}), ("RegionRule", [1], BODIES), ("Priority", ["two,one"], BODIES)],
     *[("Hull", [True], BODIES), ("SeedsData", ["@seeds"], BODIES), ("MergeTolerance", [Length(1 / 128)], BODIES), ("Topology", [2], BODIES)],
+    ("TouchTolerance", [0, Length(1 / 128)], BODIES),
     *[("LargestRegions", [1], BODIES), ("TagArrayName", ["Part"], BODIES), ("SurfaceOnly", [True], BODIES), ("ConstrainFacets", [True], BODIES)],
     *[("NonManifold", [1, 2], BODIES), ("Refine", [True], BODIES), ("SurfaceTreatment", [1, 2], {**BODIES, **REFINE_SHORT})],
     *[("BlocksAtOnce", [2], {}), ("BlocksAreBodies", [True], {}), ("RegionRule", [1], BLOCKS)],
@@ -121,7 +122,7 @@ TETRAHEDRALIZE = [
 ]
 BOOLEAN = [
     *[("Operation", [1, 2, 3], {}), ("Operation", [0, 1, 2, 3], {"Tetrahedra": True}), ("Expression", ["B - A", "(A + B", "#1 ^ #2"], {})],
-    *[("AddBodyName", ["first"], {}), *ORIENTATION, *MERGING],
+    *[("AddBodyName", ["first"], {}), *ORIENTATION, *MERGING, ("TouchTolerance", [0, Length(1 / 128)], {})],
 ]
 QUERY = [*ORIENTATION, *COUNTING, ("AreaArrayName", ["Weight"], {})]
 PROBE = [

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Several bodies in one mesh, from Python, as blocks and on the command line; and the example in Examples/Bodies."""
 
+import importlib
 import json
 import re
 import subprocess
@@ -18,6 +19,8 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
 ROOT = Path(__file__).resolve().parent.parent.parent
+sys.path.append(str(ROOT / "Testing" / "Judge"))
+touching = importlib.import_module("judge-touching")
 
 
 def box(low, high):
@@ -183,6 +186,21 @@ class TestBodies(unittest.TestCase):
             result = insideout.tetrahedralize({"lower": LEFT, "upper": upper}, merge_tolerance=tolerance)
             self.assertEqual(len(result.tags.get("lower|upper", ())), count)
 
+    def test_faces_that_touch_but_for_the_rounding_of_their_coordinates_are_one(self):
+        for name in touching.ASSEMBLIES:
+            for grid in touching.GRIDS:
+                for kind, turn, wrong in touching.judged(name, grid, 2, 3):
+                    self.assertEqual(wrong, "", (name, grid, kind, turn))
+        case = touching.turned(touching.tee(None), "floats", np.random.default_rng(4))
+        result = insideout.tetrahedralize(case.bodies)
+        self.assertRegex("".join(result.warnings), r"bodies \w+ and \w+ touch within \S+, closed: \d+ points? of \w+ moved")
+        self.assertEqual(result.statistics["TouchingPairs"], 1)
+        self.assertGreater(result.statistics["TouchMovedPoints"], 0)
+        self.assertEqual(insideout.tetrahedralize(case.bodies, touch_tolerance=0).statistics["TouchMovedPoints"], 0)
+        union = insideout.boolean(case.bodies, "bar | leg")
+        self.assertEqual(union.statistics["TouchingPairs"], 1)
+        self.assertAlmostEqual(union.statistics["Volume"] / case.scale**3, 40 * 10 * 8 + 10 * 10 * 20, 2)
+
     def test_faces_that_touch_but_for_rounding_are_told_of_and_close_as_advised(self):
         told = 0
         for seed in range(12):
@@ -192,9 +210,9 @@ class TestBodies(unittest.TestCase):
             self.assertEqual(len(lines), apart.statistics["NearTriangles"] > 0)
             if lines:
                 told += 1
-                match = re.fullmatch(r"bodies lower and upper nearly touch: (\d+) triangles .* merge_tolerance (\S+) makes.*", lines[0])
+                match = re.fullmatch(r"bodies lower and upper nearly touch: (\d+) triangles .* touch_tolerance (\S+) makes.*", lines[0])
                 self.assertEqual(int(match[1]), apart.statistics["NearTriangles"])
-                touching = insideout.tetrahedralize({"lower": lower, "upper": upper}, merge_tolerance=float(match[2]))
+                touching = insideout.tetrahedralize({"lower": lower, "upper": upper}, touch_tolerance=float(match[2]))
                 self.assertEqual(touching.statistics["NearTriangles"], 0)
                 self.assertFalse(any("nearly touch" in line for line in touching.warnings))
                 self.assertAlmostEqual(area_of(touching.boundary, touching.tags["lower|upper"]), 1, 12)

@@ -21,6 +21,10 @@ namespace
 /** So many pairs of bodies are named one by one: nobody reads more. */
 constexpr std::size_t MostNamed = 10;
 
+/** Other facets of the two bodies are apart by some more roundings of doubles than those that are
+ * found. */
+constexpr double Margin = 16;
+
 /** What is found of two bodies. */
 struct Contact
 {
@@ -115,8 +119,9 @@ std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& mo
   for (auto& [pair, contact] : contacts)
   {
     SortUniquely(contact.Triangles);
-    near.push_back({ pair[0], pair[1], static_cast<Id>(contact.Triangles.size()),
-      std::max(contact.Distance, spacing) });
+    const double distance = std::max(contact.Distance, spacing);
+    near.push_back({ pair[0], pair[1], static_cast<Id>(contact.Triangles.size()), distance,
+      PowerOfTenFrom(Margin * distance) });
   }
   return near;
 }
@@ -133,10 +138,9 @@ std::vector<std::string> WordsOf(
     line << "bodies " << names[pair.First] << " and " << names[pair.Second]
          << " nearly touch: " << pair.Triangles << " triangles are within " << pair.Distance
          << " of the other's";
-    const double enough = PowerOfTenFrom(pair.Distance);
-    if (tolerance < enough)
+    if (tolerance < pair.Tolerance)
     {
-      line << "; MergeTolerance " << enough << " makes them one interface";
+      line << "; TouchTolerance " << pair.Tolerance << " makes them one interface";
     }
     lines.push_back(line.str());
   }

@@ -13,8 +13,9 @@ struct NearBodies
 {
   Id First;
   Id Second;
-  Id Triangles;    ///< of the input, of either body
-  double Distance; ///< at most, up to rounding
+  Id Triangles;     ///< of the input, of either body
+  double Distance;  ///< at most, up to rounding
+  double Tolerance; ///< a touch tolerance that makes them one interface
 };
 
 /**
@@ -29,7 +30,7 @@ struct NearBodies
 std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor);
 
 /**
- * A line for each pair of bodies, of many for the first: which they are, and the merge tolerance
+ * A line for each pair of bodies, of many for the first: which they are, and the touch tolerance
  * that makes them touch where a larger one than was used does.
  *
  * @param[in] names of all bodies

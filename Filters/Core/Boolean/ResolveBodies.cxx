@@ -135,9 +135,9 @@ private:
   std::vector<std::vector<FacetEdge>> Edges; ///< of each chain, until it is oriented
   std::vector<Id> FirstFacet; ///< of each chain, if the facets of all are numbered in a row
   std::vector<std::vector<std::array<Id, 2>>> OwnCrossings; ///< by facets of each chain
-  std::vector<std::optional<CoordinateGrid>> Grids; ///< of each body; empty if none is asked for
+  std::vector<std::optional<CoordinateGrid>> Grids;         ///< of each of several bodies
   TouchingFacets Touching; ///< facets of the chains in a row, later of all together
-  KnownCrossings Known; ///< of all together, with a body for each facet
+  KnownCrossings Known;    ///< of all together, with a body for each facet
   ResolvedBodies Result;
 };
 
@@ -510,7 +510,8 @@ void BodyResolver::FindGrids()
   for (const Body& body : this->Given)
   {
     std::vector<Point> finite;
-    std::copy_if(body.Soup.Points.begin(), body.Soup.Points.end(), std::back_inserter(finite), [](const Point& p) { return IsFinite(p); });
+    std::copy_if(body.Soup.Points.begin(), body.Soup.Points.end(), std::back_inserter(finite),
+      [](const Point& p) { return IsFinite(p); });
     this->Grids.push_back(FindCoordinateGrid(finite));
   }
 }
@@ -533,12 +534,19 @@ void BodyResolver::Touch()
 
 void BodyResolver::TellOfNearBodies()
 {
-  const std::vector<NearBodies> near = FindNearBodies(this->Result, this->Watch);
-  for (const NearBodies& pair : near)
+  std::vector<NearBodies> near = FindNearBodies(this->Result, this->Watch);
+  for (NearBodies& pair : near)
   {
     this->Result.NearTriangles += pair.Triangles;
+    if (this->Grids[pair.First] && this->Grids[pair.Second])
+    {
+      const double size = LargestCoordinate(this->Result.Surface.Points);
+      const double rounding =
+        this->Grids[pair.First]->RoundingAt(size) + this->Grids[pair.Second]->RoundingAt(size);
+      pair.Tolerance = std::max(pair.Tolerance, TouchToleranceOf(rounding));
+    }
   }
-  for (const std::string& line : WordsOf(near, this->Names(), this->Parameters.Chain.MergeTolerance))
+  for (const std::string& line : WordsOf(near, this->Names(), this->Parameters.TouchTolerance))
   {
     this->Result.Warnings.push_back(line);
   }
@@ -589,7 +597,7 @@ ResolvedBodies BodyResolver::Resolve()
   Stopwatch stopwatch;
   const bool areSeveral = this->Given.size() > 1;
   const bool mayTouch = areSeveral && this->Parameters.TouchTolerance != 0;
-  if (mayTouch)
+  if (areSeveral)
   {
     this->FindGrids();
   }

@@ -97,8 +97,8 @@ double BodyToucher::ToleranceOf(Id body, const Triangle& corners) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      rounding[axis] = std::max(
-        rounding[axis], this->Grids[body]->RoundingAt(this->Chains[body].Points[p][axis]));
+      rounding[axis] =
+        std::max(rounding[axis], this->Grids[body]->RoundingAt(this->Chains[body].Points[p][axis]));
     }
   }
   return Slack * Length(rounding);
@@ -128,8 +128,7 @@ std::map<Id, std::vector<Support>> BodyToucher::SupportsOf(Id body) const
 }
 
 /** A place on an edge of a body, put onto the facet of the earliest body that is near. */
-Point BodyToucher::OntoEarlier(
-  const Point& p, const std::vector<Support>& supports, Id body) const
+Point BodyToucher::OntoEarlier(const Point& p, const std::vector<Support>& supports, Id body) const
 {
   Point to = p;
   double nearest = 0;
@@ -138,7 +137,8 @@ Point BodyToucher::OntoEarlier(
     const Id earlier = this->BodyOf[support.Facet];
     const Point there = NearestPointOf(this->CornersOf(support.Facet), p);
     const double distance = Distance(there, p);
-    if (distance <= support.Tolerance && (earlier < body || (earlier == body && distance < nearest)))
+    if (distance <= support.Tolerance &&
+      (earlier < body || (earlier == body && distance < nearest)))
     {
       body = earlier;
       to = there;
@@ -148,8 +148,7 @@ Point BodyToucher::OntoEarlier(
   return to;
 }
 
-std::optional<Move> BodyToucher::MoveOf(
-  const Point& p, const std::vector<Support>& supports) const
+std::optional<Move> BodyToucher::MoveOf(const Point& p, const std::vector<Support>& supports) const
 {
   std::optional<Move> nearest;
   const auto look = [&](const std::array<Point, 3>& place, const Support& support)
@@ -329,8 +328,8 @@ Touches BodyToucher::Touch()
   {
     const TouchingPair& pair = this->Pairs[i];
     touches.Facets.Pairs.push_back({ pair.First, pair.Second });
-    touches.Facets.Radius = std::max(
-      touches.Facets.Radius, this->Tolerances[pair.First] + this->Tolerances[pair.Second]);
+    touches.Facets.Radius =
+      std::max(touches.Facets.Radius, this->Tolerances[pair.First] + this->Tolerances[pair.Second]);
   }
   for (const auto& [bodies, contact] : this->Contacts)
   {
@@ -345,6 +344,13 @@ Touches TouchBodies(std::vector<FacetComplex>& chains,
   std::vector<std::vector<std::array<Id, 2>>>& crossings, Monitor& monitor)
 {
   return BodyToucher(chains, grids, tolerance, crossings, monitor).Touch();
+}
+
+double TouchToleranceOf(double roundings)
+{
+  const double enough = Slack * std::sqrt(3.0) * roundings;
+  const double unit = std::pow(10, std::floor(std::log10(enough)));
+  return std::ceil(enough / unit) * unit;
 }
 
 std::vector<std::string> WordsOf(

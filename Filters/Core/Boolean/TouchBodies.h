@@ -15,7 +15,7 @@ struct TouchingBodies
 {
   Id First;
   Id Second;
-  Id MovedPoints = 0; ///< of the second, onto the first
+  Id MovedPoints = 0;  ///< of the second, onto the first
   double Distance = 0; ///< between their faces, and how far points moved: the most
 };
 
@@ -43,6 +43,10 @@ struct Touches
 Touches TouchBodies(std::vector<FacetComplex>& chains,
   const std::vector<std::optional<CoordinateGrid>>& grids, double tolerance,
   std::vector<std::vector<std::array<Id, 2>>>& crossings, Monitor& monitor);
+
+/** A tolerance that surely closes what is apart by a rounding of each of two coordinates, of which
+ * the sum is given. */
+double TouchToleranceOf(double roundings);
 
 /** A line for each pair of bodies, of many for the first. @param[in] names of all bodies */
 std::vector<std::string> WordsOf(

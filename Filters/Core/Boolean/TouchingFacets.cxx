@@ -46,8 +46,8 @@ struct SeenTriangle
     double sum = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const double weight = std::max(
-        0.0, this->AreaAt(p, this->Places[(k + 1) % 3], this->Places[(k + 2) % 3]) / this->DoubleArea);
+      const double weight = std::max(0.0,
+        this->AreaAt(p, this->Places[(k + 1) % 3], this->Places[(k + 2) % 3]) / this->DoubleArea);
       height += weight * this->Heights[k];
       sum += weight;
     }
@@ -182,8 +182,9 @@ std::vector<TouchingPair> FindTouchingFacets(const std::vector<Point>& points,
       });
   }
   std::sort(pairs.begin(), pairs.end(),
-    [](const TouchingPair& a, const TouchingPair& b)
-    { return std::array<Id, 2>{ a.First, a.Second } < std::array<Id, 2>{ b.First, b.Second }; });
+    [](const TouchingPair& a, const TouchingPair& b) {
+      return std::array<Id, 2>{ a.First, a.Second } < std::array<Id, 2>{ b.First, b.Second };
+    });
   return pairs;
 }
 } // namespace insideout

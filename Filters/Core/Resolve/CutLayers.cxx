@@ -201,8 +201,9 @@ std::vector<TouchingGroup> GroupTouching(
       facets.erase(turned, facets.end());
       groups.push_back({ axis, std::move(facets) });
     }
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                  [&](const std::array<Id, 2>& pair) { return !isLeft[pair[0]] || !isLeft[pair[1]]; }),
+    pairs.erase(
+      std::remove_if(pairs.begin(), pairs.end(),
+        [&](const std::array<Id, 2>& pair) { return !isLeft[pair[0]] || !isLeft[pair[1]]; }),
       pairs.end());
   }
   return groups;

@@ -246,7 +246,8 @@ void Subdivider::AddCrossing(Id first, Id last)
   const SitePoint& s = b.Last->point();
   if (Orient(r, s, p) * Orient(r, s, q) < 0 && Orient(p, q, r) * Orient(p, q, s) < 0)
   {
-    this->AddPoint(first < last ? this->NameOfCrossing(a, b) : this->NameOfCrossing(b, a), { first, last });
+    this->AddPoint(
+      first < last ? this->NameOfCrossing(a, b) : this->NameOfCrossing(b, a), { first, last });
   }
 }
 

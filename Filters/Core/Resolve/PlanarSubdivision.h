@@ -61,6 +61,5 @@ PlanarSubdivision SubdividePlane(
  * The same of facets that are meant to coincide, as they look along an axis to which none turns its
  * side. The point where two edges cross is on that of the lower facet.
  */
-PlanarSubdivision SubdivideAlong(
-  int axis, const FacetList& surface, const std::vector<Id>& facets);
+PlanarSubdivision SubdivideAlong(int axis, const FacetList& surface, const std::vector<Id>& facets);
 } // namespace insideout

@@ -66,8 +66,8 @@ class Resolver
 {
 public:
   Resolver(const FacetComplex& surface, Monitor& monitor);
-  Resolution Resolve(const KnownCrossings& known, const TouchingFacets& touching,
-    const std::vector<Id>& mayTouch);
+  Resolution Resolve(
+    const KnownCrossings& known, const TouchingFacets& touching, const std::vector<Id>& mayTouch);
 
 private:
   void CutRepeatedly();
@@ -81,7 +81,10 @@ private:
   std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
   void MergePoints(const std::vector<Id>& candidates);
-  void Collapse(const std::vector<Id>& candidates) { this->Collapse(candidates, SnappingRadius(this->Size)); }
+  void Collapse(const std::vector<Id>& candidates)
+  {
+    this->Collapse(candidates, SnappingRadius(this->Size));
+  }
   void Collapse(const std::vector<Id>& candidates, double radius);
   std::vector<MeantFacet> PlacedPieces(const std::vector<PlanarSubdivision>& subdivisions,
     const std::vector<std::vector<Id>>& ids) const;
@@ -104,8 +107,8 @@ Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
 {
 }
 
-Resolution Resolver::Resolve(const KnownCrossings& known, const TouchingFacets& touching,
-  const std::vector<Id>& mayTouch)
+Resolution Resolver::Resolve(
+  const KnownCrossings& known, const TouchingFacets& touching, const std::vector<Id>& mayTouch)
 {
   if (known.SetOf.empty())
   {

@@ -197,7 +197,7 @@ TYPED_TEST(OptionsOfTetrahedra, AreThoseOfTheStages)
 TEST(OptionsOfHulls, AreThoseOfTheStages)
 {
   vtkNew<vtkGeneralizedWindingNumber> filter;
-  const auto [chain, orientation, thicken, budgets, quadratureOrder, partsApart] =
+  const auto [chain, orientation, thicken, budgets, quadratureOrder, partsApart, touchTolerance] =
     HullMeshParameters();
   EXPECT_EQ(filter->GetMergeTolerance(), chain.MergeTolerance);
   EXPECT_EQ(filter->GetCountDuplicates(), chain.CountDuplicates);
@@ -210,6 +210,7 @@ TEST(OptionsOfHulls, AreThoseOfTheStages)
   EXPECT_EQ(filter->GetEngine(), static_cast<int>(budgets.Engine));
   EXPECT_EQ(filter->GetQuadratureOrder(), quadratureOrder);
   EXPECT_EQ(vtkNew<vtkRobustTetrahedralize>()->GetPartsApart(), partsApart);
+  EXPECT_EQ(vtkNew<vtkRobustTetrahedralize>()->GetTouchTolerance(), touchTolerance);
 
   const auto takesOrder = [](int order)
   { return IsTaken([&]() { TetrahedronQuadrature(order); }); };

@@ -21,7 +21,7 @@ ResolvedBodies Resolved(const std::vector<TriangleSoup>& soups, double tolerance
 {
   Monitor monitor;
   BodyParameters parameters;
-  parameters.Chain.MergeTolerance = tolerance;
+  parameters.TouchTolerance = tolerance;
   return ResolveBodies(BodiesOf(soups), parameters, monitor);
 }
 
@@ -83,7 +83,7 @@ TriangleSoup FineBox(const Point& low, const Point& high)
 /** The tolerance that a warning advises. */
 double AdvisedIn(const std::string& warning)
 {
-  const std::string before = "MergeTolerance ";
+  const std::string before = "TouchTolerance ";
   const std::size_t at = warning.find(before);
   return at == std::string::npos ? 0 : std::stod(warning.substr(at + before.size()));
 }
@@ -151,14 +151,14 @@ TEST(NearBodies, AreNotThoseThatTouchCrossOrAreFartherApart)
 TEST(NearBodies, AreNamedAsLongAsTheyAreFew)
 {
   const std::vector<std::string> names = { "foot", "leg", "knee" };
-  const std::vector<NearBodies> near(12, { 0, 2, 4, 3e-16 });
+  const std::vector<NearBodies> near(12, { 0, 2, 4, 3e-16, 1e-14 });
   std::vector<std::string> lines = WordsOf(near, names, 0);
   ASSERT_EQ(lines.size(), 11u);
   EXPECT_EQ(lines[9],
     "bodies foot and knee nearly touch: 4 triangles are within 3e-16 of the other's; "
-    "MergeTolerance 1e-15 makes them one interface");
+    "TouchTolerance 1e-14 makes them one interface");
   EXPECT_EQ(lines[10], "2 more pairs of bodies nearly touch");
-  lines = WordsOf({ { 1, 2, 7, 3e-16 } }, names, 1e-15); // it did not
+  lines = WordsOf({ { 1, 2, 7, 3e-16, 1e-15 } }, names, 1e-15); // it did not
   EXPECT_EQ(lines,
     std::vector<std::string>(
       { "bodies leg and knee nearly touch: 7 triangles are within 3e-16 of the other's" }));
