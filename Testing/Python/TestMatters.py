@@ -30,6 +30,7 @@ class Refused(CommandLine):
             (("mesh", "a.ply", vtu, "--seeded-regions"), "--seeded-regions", "--seeds"),
             (("mesh", "a.ply", vtu, "--priority", "a"), "--priority", "several bodies"),
             (("mesh", "a.ply", vtu, "--region-rule", "all"), "--region-rule", "several bodies"),
+            (("mesh", "a.ply", vtu, "--touch-tolerance", "0"), "--touch-tolerance", "several bodies"),
             (("mesh", "--together", "a.ply", "b.ply", vtu, "--body-array", "B"), "--body-array", "--together makes a body"),
             (("mesh", "a.ply", vtu, "--format", "ply"), "--format", "standard input"),
             (("mesh", "a.ply", vtu, "--msh-version", "2.2"), "--msh-version", ".msh"),

@@ -379,7 +379,7 @@ class Python(unittest.TestCase):
                     self.assertEqual(option.used_by(made, None), option.least)
                     getattr(owner_of(made, option.vtk_property), "Set" + option.vtk_property)(-HUGE)
                     self.assertEqual(option.used_by(made, None), option.least)
-                    for bad in (math.nextafter(option.least, -1), math.inf, math.nan, "much"):
+                    for bad in (math.nextafter(option.least, -math.inf), math.inf, math.nan, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(made)
 
@@ -450,7 +450,7 @@ class Python(unittest.TestCase):
 
 BODIES = {"body_array": "Part"}
 TAKEN_BY = {
-    **{"thicken_all": {"thicken": 0.5}, "priority": BODIES, "region_rule": BODIES, "seeded_regions": {"seeds": "seeds.csv"}},
+    **{"thicken_all": {"thicken": 0.5}, "priority": BODIES, "region_rule": BODIES, "touch_tolerance": BODIES, "seeded_regions": {"seeds": "seeds.csv"}},
     **dict.fromkeys(("surface_tolerance", "feature_angle"), {"surface_treatment": "remeshed"}),
 }
 """The options without which others cannot matter."""

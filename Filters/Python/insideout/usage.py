@@ -269,7 +269,7 @@ insideout draw solid.vtu angles.png
 """,
         first=(
             *("defects", "marked", "report", "scale", "orientation", "merge_tolerance", "gamma"),
-            *("constrain_facets", "non_manifold", "refine", "edge_length", "timeout", "quiet"),
+            *("constrain_facets", "refine", "edge_length", "timeout", "quiet"),
         ),
     ),
 }
