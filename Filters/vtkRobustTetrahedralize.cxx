@@ -420,7 +420,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(inputVector);
       if (!names.Bodies.empty())
       {
-        PriorityOf(vtkInsideOut::ReadTags(input, names.Bodies, {}).Names,
+        PriorityOf(vtkInsideOut::NamesOfBodies(input, names.Bodies),
           vtkInsideOut::SplitNames(this->Priority)); // it throws before the work begins
       }
       const vtkInsideOut::Tags tags =

@@ -48,9 +48,8 @@
  * components): the regions behind and before it, -1 for outside. BoundaryTag is by both, as in
  * "bone|fat" and "fat|outside", unless TagArrayName says what lies outside. Facets that no cell of
  * their own bodies touches are outliers. The seeds' point array Body (a string or a number) names
- * their body; seeds that are to be outside may name none, and are outside all. LargestRegions and
- * Topology hold for each body alone. MergeCoplanarPieces, SplitSeams, SeparateOverlaps and
- * NONMANIFOLD_SPLIT are errors. The statistic Bodies counts the bodies.
+ * their body; seeds outside may name none. LargestRegions and Topology hold for each body alone.
+ * MergeCoplanarPieces, SplitSeams, SeparateOverlaps and NONMANIFOLD_SPLIT are errors.
  *
  * The filter keeps the hull of its input: a change of the segmentation, its seeds or the refinement
  * does not mesh again. ReleaseDataFlagOn() saves that memory.
@@ -263,9 +262,10 @@ public:
   ///@{
   /**
    * Cell array of the input that says which body each cell belongs to, one integer or string per
-   * cell. All bodies become one mesh, with a region for each. Default empty: all is one body.
-   * Bodies are numbered and called as tags are: those of an OBJ file by GroupIds, of an STL file of
-   * several solids too.
+   * cell, or which two it lies between. All become one mesh, with a region for each. Default empty:
+   * all is one body. Bodies are numbered and called as tags are: by GroupIds those of an OBJ or STL
+   * file. Two integers are the bodies behind a cell and before it, 0 for none (BoundaryLabels of
+   * vtkSurfaceNets3D); cells that disagree with their neighbors on that are turned over.
    */
   vtkSetStdStringFromCharMacro(BodyArrayName);
   vtkGetCharFromStdStringMacro(BodyArrayName);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "In/Bodies.h"
 
+#include "Boolean/AgreeOnSides.h"
 #include "Common/Error.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
@@ -58,6 +59,84 @@ std::vector<Id> BodiesOfSeeds(vtkPointSet* points, const std::vector<std::string
     bodies[p] = name.empty() ? None : static_cast<Id>(found - names.begin());
   }
   return bodies;
+}
+
+/** Keep the triangles that have different labels on their sides. @return these labels */
+std::vector<Sides> KeepInterfaces(Surface& surface, const Tags& sides, const std::string& arrayName)
+{
+  std::vector<Sides> kept;
+  TriangleSoup& soup = surface.Soup;
+  for (std::size_t t = 0; t < soup.Triangles.size(); ++t)
+  {
+    const vtkIdType cell = surface.CellOfTriangle[t];
+    const Sides ofCell = { { sides.OfCell[2 * cell], sides.OfCell[2 * cell + 1] } };
+    if (ofCell[0] == ofCell[1])
+    {
+      continue;
+    }
+    const std::size_t k = kept.size();
+    kept.push_back(ofCell);
+    soup.Triangles[k] = soup.Triangles[t];
+    surface.CellOfTriangle[k] = cell;
+    if (!soup.Multiplicity.empty())
+    {
+      soup.Multiplicity[k] = soup.Multiplicity[t];
+    }
+    if (!soup.NonParticipating.empty())
+    {
+      soup.NonParticipating[k] = soup.NonParticipating[t];
+    }
+  }
+  if (kept.empty())
+  {
+    throw Error(ErrorCode::EmptySurface,
+      "the cell array " + arrayName + " has no triangle with different labels on its two sides");
+  }
+  if (const std::size_t leftOut = soup.Triangles.size() - kept.size())
+  {
+    surface.Warnings.push_back(std::to_string(leftOut) + " triangles have the same label of " +
+      arrayName + " on both sides, and are left out");
+  }
+  soup.Triangles.resize(kept.size());
+  surface.CellOfTriangle.resize(kept.size());
+  soup.Multiplicity.resize(soup.Multiplicity.empty() ? 0 : kept.size());
+  soup.NonParticipating.resize(soup.NonParticipating.empty() ? 0 : kept.size());
+  return kept;
+}
+
+/** Replace each triangle between two bodies by one for each. @return the body of each triangle */
+std::vector<Id> GiveToBothSides(Surface& surface, const std::vector<Sides>& sides)
+{
+  const TriangleSoup given = surface.Soup;
+  const std::vector<vtkIdType> cells = surface.CellOfTriangle;
+  const std::vector<unsigned char> turned = AgreeOnSides(given, sides);
+  surface.Soup = { given.Points, {} };
+  surface.CellOfTriangle.clear();
+  std::vector<Id> ofTriangle;
+  for (std::size_t t = 0; t < sides.size(); ++t)
+  {
+    const auto [a, b, c] = given.Triangles[t];
+    for (int side = 0; side < 2; ++side)
+    {
+      if (sides[t][side] == None)
+      {
+        continue;
+      }
+      const bool isReversed = (side == 1) != (turned[t] != 0);
+      ofTriangle.push_back(sides[t][side]);
+      surface.Soup.Triangles.push_back(isReversed ? Triangle{ { a, c, b } } : given.Triangles[t]);
+      surface.CellOfTriangle.push_back(cells[t]);
+      if (!given.Multiplicity.empty())
+      {
+        surface.Soup.Multiplicity.push_back(given.Multiplicity[t]);
+      }
+      if (!given.NonParticipating.empty())
+      {
+        surface.Soup.NonParticipating.push_back(given.NonParticipating[t]);
+      }
+    }
+  }
+  return ofTriangle;
 }
 
 /** An array of a component per body, which have the bodies' names. */
@@ -144,15 +223,31 @@ vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::
   return joined;
 }
 
-Bodies ReadBodies(const Surface& surface, const std::string& arrayName)
+std::vector<std::string> NamesOfBodies(vtkPolyData* surface, const std::string& arrayName)
+{
+  if (arrayName.empty())
+  {
+    return {};
+  }
+  const std::optional<Tags> sides = ReadSides(surface, arrayName);
+  return sides ? sides->Names : ReadTags(surface, arrayName, {}).Names;
+}
+
+Bodies ReadBodies(Surface& surface, const std::string& arrayName)
 {
   Bodies bodies;
   if (arrayName.empty())
   {
     return bodies;
   }
-  Tags tags = ReadTags(surface.Input, arrayName, {});
-  bodies.Names = std::move(tags.Names);
+  const std::optional<Tags> sides = ReadSides(surface.Input, arrayName);
+  const Tags tags = sides ? *sides : ReadTags(surface.Input, arrayName, {});
+  bodies.Names = tags.Names;
+  if (sides)
+  {
+    bodies.OfTriangle = GiveToBothSides(surface, KeepInterfaces(surface, tags, arrayName));
+    return bodies;
+  }
   for (const vtkIdType cell : surface.CellOfTriangle)
   {
     bodies.OfTriangle.push_back(tags.OfCell[cell]);

@@ -41,8 +41,17 @@ constexpr const char* BodyIds = "BodyIds";
  */
 vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::string>& warnings);
 
-/** The bodies by a cell array, as ReadTags reads it; none where the name is empty. */
-Bodies ReadBodies(const Surface& surface, const std::string& arrayName);
+/** What the bodies by a cell array are called; none where its name is empty. */
+std::vector<std::string> NamesOfBodies(vtkPolyData* surface, const std::string& arrayName);
+
+/**
+ * The bodies by a cell array, as ReadTags or ReadSides reads it; none where its name is empty.
+ *
+ * @param[in,out] surface by sides each triangle between two bodies is there twice then, a copy for
+ *   each, turned outward; what lies in one body on both sides, or in none, is left out with a
+ *   warning
+ */
+Bodies ReadBodies(Surface& surface, const std::string& arrayName);
 
 /** Names that are parted by commas; what follows a backslash is part of a name. */
 std::vector<std::string> SplitNames(const std::string& names);

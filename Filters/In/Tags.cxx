@@ -29,7 +29,7 @@ namespace
 {
 /** Arrays that tell what a cell belongs to, where the user names none. The last is that of VTK's
  * STL reader; its OBJ reader has GroupIds and MaterialIds, too. */
-constexpr const char* KnownArrays[] = { "BoundaryTag", "GroupIds", "MaterialIds",
+constexpr const char* KnownArrays[] = { BoundaryTag, "GroupIds", "MaterialIds",
   "STLSolidLabeling" };
 
 /** Numbers names in the order in which they come. They may be in any encoding: VTK's readers take
@@ -55,11 +55,11 @@ private:
   std::map<std::string, int> Numbers;
 };
 
-/** A cell array of one value per cell; nullptr where there is none of this name. */
-vtkAbstractArray* FindArray(vtkPolyData* input, const std::string& name)
+/** A cell array with a number of values per cell; nullptr where there is none of this name. */
+vtkAbstractArray* FindArray(vtkPolyData* input, const std::string& name, int components = 1)
 {
   vtkAbstractArray* array = input->GetCellData()->GetAbstractArray(name.c_str());
-  const bool fits = array && array->GetNumberOfComponents() == 1 &&
+  const bool fits = array && array->GetNumberOfComponents() == components &&
     array->GetNumberOfTuples() == input->GetNumberOfCells();
   return fits ? array : nullptr;
 }
@@ -67,11 +67,8 @@ vtkAbstractArray* FindArray(vtkPolyData* input, const std::string& name)
 /** The field array of the names of what an array numbers; nullptr where there is none. */
 vtkStringArray* FindNames(vtkPolyData* input, const std::string& name)
 {
-  const std::string ids = "Ids";
-  const bool isIds = name.size() > ids.size() && name.substr(name.size() - ids.size()) == ids;
-  const std::string stem = isIds ? name.substr(0, name.size() - ids.size()) : name;
   return vtkStringArray::SafeDownCast(
-    input->GetFieldData()->GetAbstractArray((stem + "Names").c_str()));
+    input->GetFieldData()->GetAbstractArray(NameOfNames(name).c_str()));
 }
 
 /** The whole number that a value is, also where it is stored as a float, as VTK's readers do. */
@@ -89,11 +86,12 @@ std::optional<long long> WholeNumber(const vtkVariant& value)
   return isTooLarge ? std::nullopt : std::optional(number);
 }
 
-std::optional<long long> NumberAt(vtkDataArray* array, vtkIdType cell)
+std::optional<long long> NumberAt(vtkDataArray* array, vtkIdType value)
 {
+  const int components = array->GetNumberOfComponents();
   return WholeNumber(array->GetDataType() == VTK_BIT
-      ? vtkVariant(array->GetComponent(cell, 0)) // vtkBitArray knows no variants
-      : array->GetVariantValue(cell));
+      ? vtkVariant(array->GetComponent(value / components, static_cast<int>(value % components)))
+      : array->GetVariantValue(value)); // vtkBitArray knows no variants
 }
 
 /** What a number is called. */
@@ -106,29 +104,35 @@ std::string NameOf(vtkStringArray* names, long long number)
 
 using Cells = std::vector<vtkIdType>;
 
+/** What a number says at a place among an array's values. */
+long long TagNumberAt(vtkDataArray* array, vtkIdType value)
+{
+  const std::optional<long long> number = NumberAt(array, value);
+  if (!number)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      std::string("the cell array ") + array->GetName() + " has the value " +
+        array->GetVariantValue(value).ToString() + " at cell " +
+        std::to_string(value / array->GetNumberOfComponents()) + ": tags are integers or strings");
+  }
+  return *number;
+}
+
 Tags TagsOfNumbers(vtkDataArray* array, vtkStringArray* names, const Cells& cells)
 {
   std::map<long long, int> tagOf;
   std::vector<long long> values;
   for (const vtkIdType cell : cells)
   {
-    const std::optional<long long> number = NumberAt(array, cell);
-    if (!number)
-    {
-      throw Error(ErrorCode::InvalidParameter,
-        std::string("the cell array ") + array->GetName() + " has the value " +
-          array->GetVariantValue(cell).ToString() + " at cell " + std::to_string(cell) +
-          ": tags are integers or strings");
-    }
-    values.push_back(*number);
-    tagOf.insert({ *number, 0 });
+    values.push_back(TagNumberAt(array, cell));
+    tagOf.insert({ values.back(), 0 });
   }
   TagNumbers numbers;
   for (auto& [number, tag] : tagOf)
   {
     tag = numbers.Of(NameOf(names, number));
   }
-  Tags tags{ std::vector<int>(array->GetNumberOfTuples(), -1), numbers.Names };
+  Tags tags{ std::vector<int>(array->GetNumberOfValues(), -1), numbers.Names };
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     tags.OfCell[cells[i]] = tagOf.at(values[i]);
@@ -202,11 +206,11 @@ Tags AutomaticTags(vtkPolyData* input, const Blocks& blocks, const Cells& cells)
   {
     return TagsOfBlock(input, blocks);
   }
-  return first ? *first : Tags{ std::vector<int>(input->GetNumberOfCells(), 0), { "surface" } };
+  return first ? *first : Tags{ std::vector<int>(input->GetNumberOfCells(), 0), { NoTag } };
 }
-} // namespace
 
-Tags ReadTags(vtkPolyData* surface, const std::string& name, const Blocks& blocks)
+/** Those that are tagged: polygons and strips, or lines where there are none. */
+Cells TaggedCells(vtkPolyData* surface)
 {
   const bool arePolygons = surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
   const vtkIdType lines = surface->GetNumberOfVerts(); // what is flat may be lines alone
@@ -214,7 +218,78 @@ Tags ReadTags(vtkPolyData* surface, const std::string& name, const Blocks& block
   const vtkIdType first = arePolygons ? polygons : lines;
   Cells cells((arePolygons ? surface->GetNumberOfCells() : polygons) - first);
   std::iota(cells.begin(), cells.end(), first);
+  return cells;
+}
+} // namespace
+
+std::string NameOfNames(const std::string& array)
+{
+  const std::string ids = "Ids";
+  const bool isIds = array.size() > ids.size() && array.substr(array.size() - ids.size()) == ids;
+  return (isIds ? array.substr(0, array.size() - ids.size()) : array) + "Names";
+}
+
+Tags ReadTags(vtkPolyData* surface, const std::string& name, const Blocks& blocks)
+{
+  const Cells cells = TaggedCells(surface);
   return name.empty() ? AutomaticTags(surface, blocks, cells) : TagsOf(surface, name, cells);
+}
+
+std::optional<Tags> ReadSides(vtkPolyData* surface, const std::string& name)
+{
+  auto* labels = vtkDataArray::SafeDownCast(FindArray(surface, name, 2));
+  if (!labels)
+  {
+    return std::nullopt;
+  }
+  Cells values;
+  for (const vtkIdType cell : TaggedCells(surface))
+  {
+    for (const vtkIdType value : { 2 * cell, 2 * cell + 1 })
+    {
+      if (TagNumberAt(labels, value) != 0)
+      {
+        values.push_back(value);
+      }
+    }
+  }
+  return TagsOfNumbers(labels, FindNames(surface, name), values);
+}
+
+std::vector<std::string> FindTagArrays(vtkPolyData* surface)
+{
+  std::vector<std::string> found;
+  for (int i = 0; i < surface->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    const char* given = surface->GetCellData()->GetArrayName(i);
+    const std::string name = given ? given : "";
+    const auto* known = std::find(std::begin(KnownArrays), std::end(KnownArrays), name);
+    const bool isTag = known != std::end(KnownArrays) || FindNames(surface, name) ||
+      vtkStringArray::SafeDownCast(FindArray(surface, name));
+    try
+    {
+      if (isTag)
+      {
+        TagsOf(surface, name, TaggedCells(surface));
+        found.push_back(name);
+      }
+    }
+    catch (const Error&)
+    {
+      continue; // something else that is called so
+    }
+  }
+  return found;
+}
+
+std::string NewName(const std::string& name, const std::vector<std::string>& others)
+{
+  std::string result = name;
+  for (int k = 2; std::find(others.begin(), others.end(), result) != others.end(); ++k)
+  {
+    result = name + "_" + std::to_string(k);
+  }
+  return result;
 }
 
 void AddTags(const Tags& tags, vtkPolyData* boundary)
@@ -232,14 +307,9 @@ void AddTags(const Tags& tags, vtkPolyData* boundary)
   }
   if (hasHole)
   {
-    std::string name = "hole";
-    for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
-    {
-      name = "hole_" + std::to_string(k);
-    }
-    names.push_back(name);
+    names.push_back(NewName("hole", names));
   }
-  boundary->GetCellData()->AddArray(MakeArray<vtkIntArray>("BoundaryTag", tagOf));
+  boundary->GetCellData()->AddArray(MakeArray<vtkIntArray>(BoundaryTag, tagOf));
   boundary->GetFieldData()->AddArray(MakeStrings("BoundaryTagNames", names));
 }
 

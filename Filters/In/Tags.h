@@ -9,6 +9,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ class vtkPolyData;
 
 namespace vtkInsideOut
 {
+/** The array of tags that this house makes. */
+constexpr const char* BoundaryTag = "BoundaryTag";
+
+/** The tag of a surface that says nothing. */
+constexpr const char* NoTag = "surface";
+
 /** Tags are numbers from 0, which have names. */
 struct Tags
 {
@@ -39,6 +46,24 @@ struct Tags
  * @throws insideout::Error when the surface has no such array, or it holds something else
  */
 Tags ReadTags(vtkPolyData* surface, const std::string& name, const Blocks& blocks);
+
+/**
+ * The tags that a cell array of two integers gives to both sides of each polygon: two for each
+ * cell, behind it and before it, where its normal points. 0 is the background, and has the tag -1.
+ * Nothing where the surface has no such array.
+ *
+ * @throws insideout::Error as ReadTags does
+ */
+std::optional<Tags> ReadSides(vtkPolyData* surface, const std::string& name);
+
+/** The cell arrays that tag cells: those of ReadTags, integers with names, and strings. */
+std::vector<std::string> FindTagArrays(vtkPolyData* surface);
+
+/** What the field array is called that names an array's integers. */
+std::string NameOfNames(const std::string& array);
+
+/** A name that no other has: itself, or with a number from 2 on behind it. */
+std::string NewName(const std::string& name, const std::vector<std::string>& others);
 
 /** Tag the triangles of a boundary by its vtkOriginalCellIds: the cell array BoundaryTag, and the
  * field array BoundaryTagNames. Those that lie on no cell close a hole, and have a tag of their

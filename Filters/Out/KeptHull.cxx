@@ -22,8 +22,8 @@ vtkSmartPointer<vtkPolyData> ShallowCopyOf(vtkPolyData* input)
 
 KeptHull::KeptHull(vtkPolyData* input, const HullArrays& names)
   : Surface(ReadSurface(ShallowCopyOf(input), names.NonParticipating))
-  , Outputs(this->Surface)
   , Bodies(ReadBodies(this->Surface, names.Bodies))
+  , Outputs(this->Surface)
 {
 }
 

@@ -62,8 +62,8 @@ struct KeptHull
   void MakeGrid();
 
   vtkInsideOut::Surface Surface;
-  MakeOutputs Outputs; ///< to be copied: each run has warnings of its own
   vtkInsideOut::Bodies Bodies;
+  MakeOutputs Outputs; ///< to be copied: each run has warnings of its own
   insideout::HullMesh Hull;
   bool IsFilled = false;
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< null until made

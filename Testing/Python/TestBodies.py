@@ -109,6 +109,40 @@ class TestBodies(unittest.TestCase):
         self.assertEqual({name: round(volume, 12) for name, volume in result.bodies.items()}, {"spleen": 8, "liver": 12})
         self.assertEqual(insideout.tetrahedralize(surface).bodies, {})
 
+    def test_two_labels_per_triangle_are_bodies_however_they_stand(self):
+        left, right = box((0, 0, 0), (1, 1, 1)), box((1, 0, 0), (2, 1, 1))
+        random = np.random.default_rng(2)
+        surface = (np.vstack([left[0], right[0]]), np.vstack([left[1], right[1] + 8]))
+        labels = np.array([(3, 0)] * 12 + [(7, 0)] * 12)
+        middles = surface[0][surface[1]].mean(axis=1)
+        labels[:12][middles[:12, 0] == 1] = (3, 7)
+        once = ~((middles[:, 0] == 1) & (np.arange(24) >= 12))  # the face between them is there once
+        for turned in (np.zeros(24, bool), np.ones(24, bool), random.random(24) < 0.5):
+            triangles = np.where(turned[:, None], surface[1][:, ::-1], surface[1])
+            given = polygons((surface[0], triangles[once]))
+            array = numpy_to_vtk(labels[once].astype(np.int16), deep=True)
+            array.SetName("BoundaryLabels")
+            given.GetCellData().AddArray(array)
+            result = insideout.tetrahedralize(given, body_array="BoundaryLabels", priority="7")
+            self.assertEqual([(region.bodies, volume_of(region)) for region in result.regions], [(("3",), 1), (("7",), 1)])
+            self.assertEqual({name: round(area_of(result.boundary, of), 12) for name, of in result.tags.items()}, {"3|outside": 5, "3|7": 1, "7|outside": 5})
+            self.assertEqual(len(result.outliers.triangles), 0)
+
+    def test_labels_that_part_nothing_are_left_out_or_an_error(self):
+        given = polygons((np.vstack([LEFT[0], RIGHT[0]]), np.vstack([LEFT[1], RIGHT[1] + 8])))
+        array = numpy_to_vtk(np.array([(1, 0)] * 12 + [(1, 1)] * 12), deep=True)
+        array.SetName("Labels")
+        given.GetCellData().AddArray(array)
+        result = insideout.tetrahedralize(given, body_array="Labels")
+        self.assertEqual({name: round(volume, 12) for name, volume in result.bodies.items()}, {"1": 8})
+        self.assertIn("12 triangles have the same label of Labels on both sides, and are left out", result.warnings)
+        for value, message in ((1, "the cell array Labels has no triangle with different labels on its two sides"), (0.5, "the cell array Labels has the value 0.5 at cell 0")):
+            array = numpy_to_vtk(np.full((24, 2), value), deep=True)
+            array.SetName("Labels")
+            given.GetCellData().AddArray(array)
+            with self.assertRaisesRegex(insideout.Error, message):
+                insideout.tetrahedralize(given, body_array="Labels")
+
     def test_blocks_are_bodies_or_surfaces_by_themselves(self):
         blocks = blocks_of({"left": polygons(LEFT), "right": polygons(RIGHT)})
         made = insideout.vtkRobustTetrahedralize()
