@@ -13,6 +13,7 @@
 #include "In/StageParameters.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"
+#include "Output/MergePieces.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/RunFilter.h"
 
@@ -52,6 +53,7 @@ void vtkWindingBoolean::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "Tetrahedra: " << this->Tetrahedra << "\n";
+  os << indent << "MergeCoplanarPieces: " << this->MergeCoplanarPieces << "\n";
   os << indent << "Orientation: " << this->Orientation << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "TouchTolerance: " << this->TouchTolerance << "\n";
@@ -264,16 +266,28 @@ int vtkWindingBoolean::RequestData(vtkInformation* vtkNotUsed(request),
           resolved, NamesIn(expression, names), expression, this->MergeTolerance, monitor);
       }
 
-      vtkInsideOut::Attributes::RenameArrays(
-        inputs.Surface.Input->GetPointData(), false, { "BodyId" }, inputs.Surface.Warnings);
       vtkInsideOut::MakeOutputs outputs(inputs.Surface);
-      const auto& boundary = surface ? surface->Boundary : cells->Boundary;
       const auto& points = cells ? cells->Mesh.Points : resolved.Surface.Points;
       const auto& origins = cells ? cells->Mesh.Origins : resolved.Surface.Origins;
-      output->ShallowCopy(outputs.MakeBoundary(
-        points, origins, boundary, resolved.TurnedTriangles, { "Turned", "BodyId" }));
+      auto& boundary = surface ? surface->Boundary : cells->Boundary;
+      if (this->MergeCoplanarPieces)
+      {
+        boundary =
+          MergePieces(boundary, TrianglesInMesh(inputs.Surface.Soup, resolved.MergedInto, origins),
+            monitor, { Stages::Extracting, 0, 1 });
+      }
+      output->ShallowCopy(
+        outputs.MakeBoundary(points, origins, boundary, resolved.TurnedTriangles, {}));
       SplitIds("vtkOriginalCellIds", inputs.FirstCell, output->GetCellData());
       SplitIds("vtkOriginalPointIds", inputs.FirstPoint, output->GetPointData());
+      for (const vtkInsideOut::SharedTags& tags : inputs.Tags)
+      {
+        if (tags.Names)
+        {
+          output->GetFieldData()->AddArray(tags.Names);
+        }
+      }
+      vtkInsideOut::TagHoles(inputs.Tags, output);
       output->GetFieldData()->AddArray(vtkInsideOut::MakeStrings("BodyNames", names));
       Statistics statistics = FiguresOf(resolved, boundary, points);
       statistics.emplace_back("Tetrahedra", cells ? 1 : 0);

@@ -24,9 +24,20 @@
  * lowest that faces outward there; -1 where a hole was closed), vtkOriginalCellIds (the cell of
  * that body's input; -1 likewise) and Turned (unsigned char, 1 where the orientation turned the
  * input's cell over; what a difference cuts out is not counted). Points carry BodyId and
- * vtkOriginalPointIds (-1 for a new one). Point and cell data of all inputs are passed on: an array
- * that a body has not is NaN there, 0 in arrays of integers. Field data: Statistics, named by
- * StatisticsNames; BodyNames, by BodyId.
+ * vtkOriginalPointIds (-1 for a new one). Field data: Statistics, named by StatisticsNames;
+ * BodyNames, by BodyId.
+ *
+ * Point and cell data of all inputs are passed on: an array that a body has not is NaN there, 0 in
+ * arrays of integers. Arrays of one name that are of strings and numbers, or have different numbers
+ * of components, stay apart as BODY/ARRAY, with a warning. Arrays of an earlier result that this
+ * one has of its own are replaced, so that chained operations gain no arrays.
+ *
+ * Tags stay with their triangles: BoundaryTag (int) is what each body says of its cells, by its own
+ * BoundaryTag, groups, materials or solids, or else the body's name; BoundaryTagNames in the field
+ * data names each. So do GroupIds, MaterialIds, cell arrays of strings, and those of integers that
+ * a field array names (PartNames for Part or PartIds): a body without the array is called by its
+ * name there. A name that several bodies use has the body's before it: cut/floor. Triangles that
+ * close a hole are called hole.
  *
  * Output 1 is the tetrahedra of the result where they were made, else it is empty: with the cell
  * array RegionId (int), which numbers the parts that faces connect, the point arrays as above, NaN
@@ -110,6 +121,17 @@ public:
 
   ///@{
   /**
+   * Join the pieces of an input triangle on the surface where all of it lies there. Default off:
+   * pieces stay as they were cut. They stay where another triangle needs the points between. The
+   * surface stays watertight; where tetrahedra are made its triangles are then no faces of these.
+   */
+  vtkSetMacro(MergeCoplanarPieces, bool);
+  vtkGetMacro(MergeCoplanarPieces, bool);
+  vtkBooleanMacro(MergeCoplanarPieces, bool);
+  ///@}
+
+  ///@{
+  /**
    * How each body is counted: vtkInsideOutCounting.h describes these options. MergeTolerance also
    * merges points of different bodies and closes gaps between these, with a warning for each kind.
    * A facet all of whose corners are that near to the plane of a facet of an earlier body is moved
@@ -141,6 +163,7 @@ protected:
   int Operation;
   std::vector<std::string> BodyNames;
   bool Tetrahedra = false;
+  bool MergeCoplanarPieces = false;
 
 private:
   vtkWindingBoolean(const vtkWindingBoolean&) = delete;

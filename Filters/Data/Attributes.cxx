@@ -138,6 +138,25 @@ bool Attributes::AreMadeHere(vtkDataSet* data)
   return data->GetFieldData()->HasArray("StatisticsNames") != 0;
 }
 
+std::string Attributes::RenameArray(
+  vtkFieldData* data, const std::string& from, const std::string& to)
+{
+  std::string renamed = to;
+  for (int k = 2; data->HasArray(renamed.c_str()); ++k)
+  {
+    renamed = to + "_" + std::to_string(k);
+  }
+  vtkAbstractArray* array = data->GetAbstractArray(from.c_str());
+  vtkSmartPointer<vtkAbstractArray> clone;
+  clone.TakeReference(array->NewInstance());
+  RequireMemory(static_cast<vtkIdType>(array->GetActualMemorySize()) << 10);
+  clone->DeepCopy(array);
+  clone->SetName(renamed.c_str());
+  data->RemoveArray(from.c_str());
+  data->AddArray(clone);
+  return renamed;
+}
+
 void Attributes::RenameArrays(vtkFieldData* data, bool areMadeHere,
   std::initializer_list<const char*> names, Warnings& warnings)
 {
@@ -148,20 +167,14 @@ void Attributes::RenameArrays(vtkFieldData* data, bool areMadeHere,
     {
       data->RemoveArray(name);
     }
-    if (vtkAbstractArray* array = data->GetAbstractArray(name))
+    if (data->HasArray(name))
     {
       std::string renamed = std::string("Input_") + name;
       while (data->HasArray(renamed.c_str()))
       {
         renamed = "Input_" + renamed;
       }
-      vtkSmartPointer<vtkAbstractArray> clone;
-      clone.TakeReference(array->NewInstance());
-      RequireMemory(static_cast<vtkIdType>(array->GetActualMemorySize()) << 10);
-      clone->DeepCopy(array);
-      clone->SetName(renamed.c_str());
-      data->RemoveArray(name);
-      data->AddArray(clone);
+      Attributes::RenameArray(data, name, renamed);
       if (!areMadeHere)
       {
         WarnOnce(std::string("the input's array ") + name + " is passed on as " + renamed +
@@ -403,6 +416,72 @@ bool FitTogether(vtkAbstractArray* a, vtkAbstractArray* b)
     (areNumbers || a->GetDataType() == b->GetDataType());
 }
 
+using DataOfInputs = std::vector<vtkSmartPointer<vtkDataSetAttributes>>;
+
+/** The names of arrays of several inputs, each once. */
+std::vector<std::string> NamesOfArrays(const DataOfInputs& inputs)
+{
+  std::vector<std::string> names;
+  for (vtkDataSetAttributes* input : inputs)
+  {
+    for (int k = 0; k < input->GetNumberOfArrays(); ++k)
+    {
+      const char* name = input->GetAbstractArray(k)->GetName();
+      if (name && std::find(names.begin(), names.end(), name) == names.end())
+      {
+        names.emplace_back(name);
+      }
+    }
+  }
+  return names;
+}
+
+/** Call an array otherwise that may be active, and stays so. */
+std::string RenameActive(vtkDataSetAttributes* data, const std::string& from, const std::string& to)
+{
+  std::vector<int> activeAs;
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    if (data->GetAbstractAttribute(type) == data->GetAbstractArray(from.c_str()))
+    {
+      activeAs.push_back(type);
+    }
+  }
+  const std::string renamed = Attributes::RenameArray(data, from, to);
+  for (const int type : activeAs)
+  {
+    data->SetActiveAttribute(renamed.c_str(), type);
+  }
+  return renamed;
+}
+
+/** Give arrays of one name that are no one array the names of their inputs, too. */
+void KeepApart(
+  const DataOfInputs& inputs, const std::vector<std::string>& inputNames, Warnings& warnings)
+{
+  for (const std::string& name : NamesOfArrays(inputs))
+  {
+    vtkAbstractArray* first = nullptr;
+    bool areOne = true;
+    for (vtkDataSetAttributes* input : inputs)
+    {
+      vtkAbstractArray* array = input->GetAbstractArray(name.c_str());
+      first = first ? first : array;
+      areOne = areOne && (!array || FitTogether(first, array));
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+    {
+      if (!areOne && inputs[i]->HasArray(name.c_str()))
+      {
+        const std::string renamed = RenameActive(inputs[i], name, inputNames[i] + "/" + name);
+        WarnOnce("body " + inputNames[i] + ": the array " + name + " is passed on as " + renamed +
+            ", for another body's has another type or number of components",
+          warnings);
+      }
+    }
+  }
+}
+
 /** The first input with tuples that is not among the owners, which ascend; else their number. */
 std::size_t FirstWithout(
   const std::vector<std::size_t>& owners, const std::vector<vtkIdType>& first)
@@ -419,36 +498,23 @@ std::size_t FirstWithout(
 } // namespace
 
 void Attributes::Append(const std::vector<vtkDataSetAttributes*>& inputs,
-  const std::vector<vtkIdType>& first, vtkDataSetAttributes* output, Warnings& warnings)
+  const std::vector<std::string>& names, const std::vector<vtkIdType>& first,
+  vtkDataSetAttributes* output, Warnings& warnings)
 {
   std::vector<vtkSmartPointer<vtkDataSetAttributes>> usable;
-  std::vector<std::string> names;
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     usable.push_back(UsableArrays(inputs[i], first[i + 1] - first[i], false, {}, warnings));
-    for (int k = 0; k < usable[i]->GetNumberOfArrays(); ++k)
-    {
-      const char* name = usable[i]->GetAbstractArray(k)->GetName();
-      if (name && std::find(names.begin(), names.end(), name) == names.end())
-      {
-        names.emplace_back(name);
-      }
-    }
   }
-  for (const std::string& name : names)
+  KeepApart(usable, names, warnings);
+  for (const std::string& name : NamesOfArrays(usable))
   {
     std::vector<vtkAbstractArray*> arrays;
     std::vector<std::size_t> owners;
     for (std::size_t i = 0; i < usable.size(); ++i)
     {
       vtkAbstractArray* array = usable[i]->GetAbstractArray(name.c_str());
-      if (array && !arrays.empty() && !FitTogether(arrays.front(), array))
-      {
-        WarnOnce("the array " + name + " of input " + std::to_string(i + 1) +
-            " has another type or number of components than an earlier one's: it is left out",
-          warnings);
-      }
-      else if (array)
+      if (array)
       {
         arrays.push_back(array);
         owners.push_back(i);

@@ -29,6 +29,13 @@ namespace Attributes
 bool AreMadeHere(vtkDataSet* data);
 
 /**
+ * Call an array otherwise: by a copy, for others may have it, too.
+ *
+ * @return the name that it has now, with a number from 2 on behind it where another has that name
+ */
+std::string RenameArray(vtkFieldData* data, const std::string& from, const std::string& to);
+
+/**
  * Make way for arrays that an output adds: those of their names are removed where they were made
  * here, and else get another name, Input_NAME.
  *
@@ -98,14 +105,17 @@ std::vector<insideout::Id> AlikePoints(
 /**
  * The data of several data sets, one behind the other. An array that one of them has not is NaN
  * there (0 in integer arrays, empty in others), except for active normals, which are left out
- * with a warning; numbers of different types become doubles. What is active in the first that has
- * it is active.
+ * with a warning; numbers of different types become doubles. Arrays of one name that are of strings
+ * and numbers, or have different numbers of components, stay apart as DATA/ARRAY. What is active in
+ * the first that has it is active.
  *
+ * @param[in] names of the data sets
  * @param[in] first the first tuple of each, and the end
- * @param[in,out] warnings gains a line per array that is left out: it has not one tuple per point
- * or cell, or as many components as one of the same name
+ * @param[in,out] warnings gains a line per array that is called otherwise or left out: it has not
+ * one tuple per point or cell
  */
-void Append(const std::vector<vtkDataSetAttributes*>& inputs, const std::vector<vtkIdType>& first,
-  vtkDataSetAttributes* output, std::vector<std::string>& warnings);
+void Append(const std::vector<vtkDataSetAttributes*>& inputs, const std::vector<std::string>& names,
+  const std::vector<vtkIdType>& first, vtkDataSetAttributes* output,
+  std::vector<std::string>& warnings);
 } // namespace Attributes
 } // namespace vtkInsideOut

@@ -13,6 +13,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <initializer_list>
+
 namespace vtkInsideOut
 {
 using insideout::Error;
@@ -92,6 +94,33 @@ void Append(const Surface& body, Inputs& bodies)
   bodies.FirstCell.push_back(bodies.FirstCell.back() + body.Input->GetNumberOfCells());
 }
 
+/**
+ * A surface with the same data but for arrays that the result has of its own. Those of an earlier
+ * result tell of bodies that are not here; those of a user get another name.
+ */
+vtkSmartPointer<vtkPolyData> CopyOwnData(vtkPolyData* surface, std::vector<std::string>& warnings)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(surface);
+  const bool isMadeHere = Attributes::AreMadeHere(surface);
+  for (vtkDataSetAttributes* data :
+    std::initializer_list<vtkDataSetAttributes*>{ copy->GetPointData(), copy->GetCellData() })
+  {
+    const bool areCells = data == copy->GetCellData();
+    const char* ids = areCells ? "vtkOriginalCellIds" : "vtkOriginalPointIds";
+    if (isMadeHere)
+    {
+      data->RemoveArray(ids);
+    }
+    Attributes::RenameArrays(data, isMadeHere, { ids, "BodyId" }, warnings);
+    if (areCells)
+    {
+      Attributes::RenameArrays(data, isMadeHere, { "Turned", "FacetMultiplicity" }, warnings);
+    }
+  }
+  return copy;
+}
+
 /** A data set of the bodies' point and cell data, with as many points and cells, but no geometry.
  */
 vtkSmartPointer<vtkPolyData> DataOf(const std::vector<NamedSurface>& surfaces, Inputs& bodies)
@@ -106,16 +135,23 @@ vtkSmartPointer<vtkPolyData> DataOf(const std::vector<NamedSurface>& surfaces, I
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, vtkNew<vtkIdTypeArray>());
   data->SetPolys(cells);
-  std::vector<vtkDataSetAttributes*> pointData;
-  std::vector<vtkDataSetAttributes*> cellData;
+  std::vector<std::string>& warnings = bodies.Surface.Warnings;
+  std::vector<vtkSmartPointer<vtkPolyData>> copies;
   for (const NamedSurface& surface : surfaces)
   {
-    pointData.push_back(surface.Data->GetPointData());
-    cellData.push_back(surface.Data->GetCellData());
+    copies.push_back(CopyOwnData(surface.Data, warnings));
   }
-  std::vector<std::string>& warnings = bodies.Surface.Warnings;
-  Attributes::Append(pointData, bodies.FirstPoint, data->GetPointData(), warnings);
-  Attributes::Append(cellData, bodies.FirstCell, data->GetCellData(), warnings);
+  const std::vector<std::string> names = bodies.Names();
+  bodies.Tags = ShareTags(names, copies, warnings);
+  std::vector<vtkDataSetAttributes*> pointData;
+  std::vector<vtkDataSetAttributes*> cellData;
+  for (vtkPolyData* copy : copies)
+  {
+    pointData.push_back(copy->GetPointData());
+    cellData.push_back(copy->GetCellData());
+  }
+  Attributes::Append(pointData, names, bodies.FirstPoint, data->GetPointData(), warnings);
+  Attributes::Append(cellData, names, bodies.FirstCell, data->GetCellData(), warnings);
   return data;
 }
 } // namespace

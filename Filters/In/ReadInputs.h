@@ -7,6 +7,7 @@
 
 #include "Boolean/Body.h"
 #include "In/ReadSurface.h"
+#include "In/TagsOfBodies.h"
 
 class vtkInformationVector;
 
@@ -26,8 +27,9 @@ std::vector<NamedSurface> FindInputs(vtkInformationVector* inputs);
 struct Inputs
 {
   /** Its Input has the point and cell data of all: an array that a body has not is NaN there, 0 in
-   * integer arrays. Only the data are there, no geometry. */
+   * integer arrays, and of tags the body's name. Only the data are there, no geometry. */
   vtkInsideOut::Surface Surface;
+  std::vector<SharedTags> Tags; ///< the cell arrays that tag, BoundaryTag the first
 
   std::vector<insideout::Body> Bodies;
   std::vector<insideout::Id> BodyOfTriangle;

@@ -177,8 +177,8 @@ vtkSmartPointer<vtkPolyData> MakeOutputs::MakeSeamedBoundary(const insideout::Hu
     return this->MakeBoundary(hull, hull.Mesh, boundary); // nothing differs anywhere
   }
   const insideout::SeamedSurface seamed = SplitSeams(boundary, this->Surface->Soup,
-    TrianglesInMesh(this->Surface->Soup, hull.MergedInto, hull.Mesh), this->AlikePoints(hull),
-    hull.Mesh, monitor, progress);
+    TrianglesInMesh(this->Surface->Soup, hull.MergedInto, hull.Mesh.Origins),
+    this->AlikePoints(hull), hull.Mesh, monitor, progress);
   std::vector<insideout::Point> points;
   for (const Id place : seamed.Places)
   {

@@ -47,8 +47,8 @@ std::vector<BoundaryTriangle> MergedIfAsked(const KeptHull& kept,
 {
   const HullMesh& hull = kept.Hull;
   return options.MergePieces
-    ? MergePieces(boundary, TrianglesInMesh(kept.Surface.Soup, hull.MergedInto, hull.Mesh), monitor,
-        { Stages::Extracting, 0.1, 0.2 })
+    ? MergePieces(boundary, TrianglesInMesh(kept.Surface.Soup, hull.MergedInto, hull.Mesh.Origins),
+        monitor, { Stages::Extracting, 0.1, 0.2 })
     : boundary;
 }
 

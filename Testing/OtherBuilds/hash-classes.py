@@ -122,7 +122,7 @@ TETRAHEDRALIZE = [
 ]
 BOOLEAN = [
     *[("Operation", [1, 2, 3], {}), ("Operation", [0, 1, 2, 3], {"Tetrahedra": True}), ("Expression", ["B - A", "(A + B", "#1 ^ #2"], {})],
-    *[("AddBodyName", ["first"], {}), *ORIENTATION, *MERGING, ("TouchTolerance", [0, Length(1 / 128)], {})],
+    *[("AddBodyName", ["first"], {}), ("MergeCoplanarPieces", [True], {}), *ORIENTATION, *MERGING, ("TouchTolerance", [0, Length(1 / 128)], {})],
 ]
 QUERY = [*ORIENTATION, *COUNTING, ("AreaArrayName", ["Weight"], {})]
 PROBE = [

@@ -46,16 +46,16 @@ double VolumeWithin(
   return static_cast<double>(sixfold / 6);
 }
 
-std::vector<Triangle> TrianglesInMesh(
-  const TriangleSoup& soup, const std::vector<Id>& mergedInto, const TetrahedralMesh& mesh)
+std::vector<Triangle> TrianglesInMesh(const TriangleSoup& soup, const std::vector<Id>& mergedInto,
+  const std::vector<PointOrigin>& origins)
 {
   std::vector<Id> place(soup.Points.size(), None);
-  for (Id p = 0; p < static_cast<Id>(mesh.Points.size()); ++p)
+  for (Id p = 0; p < static_cast<Id>(origins.size()); ++p)
   {
     // Rounding may put a new point, which comes later, in the same place.
-    if (mesh.Origins[p].IsInput() && place[mesh.Origins[p].Points[0]] == None)
+    if (origins[p].IsInput() && place[origins[p].Points[0]] == None)
     {
-      place[mesh.Origins[p].Points[0]] = p;
+      place[origins[p].Points[0]] = p;
     }
   }
   std::vector<Triangle> triangles = soup.Triangles;

@@ -34,8 +34,9 @@ double VolumeWithin(
  * The input triangles by points of the mesh.
  *
  * @param[in] mergedInto as CountedChain's
+ * @param[in] origins of the mesh's points
  * @return one per input triangle, with None for points that no facet uses
  */
-std::vector<Triangle> TrianglesInMesh(
-  const TriangleSoup& soup, const std::vector<Id>& mergedInto, const TetrahedralMesh& mesh);
+std::vector<Triangle> TrianglesInMesh(const TriangleSoup& soup, const std::vector<Id>& mergedInto,
+  const std::vector<PointOrigin>& origins);
 } // namespace insideout

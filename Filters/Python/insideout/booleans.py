@@ -74,6 +74,7 @@ def boolean(
     *,
     operation: Operation = "union",
     tetrahedra: bool = False,
+    merge_coplanar_pieces: bool = False,
     scale: Optional[float] = None,
     orientation: Orientation = "automatic",
     merge_tolerance: Optional[Length] = None,

@@ -19,7 +19,8 @@ CHECK_OPTIONS = ("scale", "orientation", "merge_tolerance")
 WINDING_OPTIONS = (*CHECK_OPTIONS, "count_duplicates")
 """Those that make sense without a mesh: of `check`, and of `winding_number`."""
 
-BOOLEAN_OPTIONS = ("boundary", "msh_version", *WINDING_OPTIONS)
+SET_OPTIONS = (*WINDING_OPTIONS, "merge_coplanar_pieces")
+BOOLEAN_OPTIONS = ("boundary", "msh_version", *SET_OPTIONS)
 """Those that make sense of set operations."""
 
 _UNITS = ("from", "to")

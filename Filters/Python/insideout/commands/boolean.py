@@ -12,7 +12,7 @@ from ..interruption import work_on
 from ..pipeline import Error
 from ..stages import TETRAHEDRALIZE, WRITING
 from ..summary import boolean_summary
-from ..usage import WINDING_OPTIONS
+from ..usage import SET_OPTIONS
 from ..vtkFiltersInsideOut import vtkWindingBoolean
 from ..writing import WRITABLE_GRIDS, check_format, write_solid
 from .job import Job
@@ -27,7 +27,7 @@ class BooleanJob(Job):
     def check_parameters(self) -> dict[str, Any]:
         if not self.options.expression.strip():
             raise Error(f"{self.options.called} is given no expression; A | B is the union of two surfaces")
-        return {"expression": self.options.expression, **self.parameters_of(WINDING_OPTIONS, vtkWindingBoolean())}
+        return {"expression": self.options.expression, **self.parameters_of(SET_OPTIONS, vtkWindingBoolean())}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {"output": WRITABLE_GRIDS + WRITABLE_SURFACES, "boundary": WRITABLE_SURFACES}
@@ -35,6 +35,7 @@ class BooleanJob(Job):
     def check(self) -> None:
         super().check()
         check_format(self.files.output or "")
+        self.check_merging()
 
     def goes_without_cells(self) -> bool:
         """Whether the result's surface is written alone."""
@@ -44,7 +45,7 @@ class BooleanJob(Job):
         with self.reading():
             surfaces = self.read_bodies()
         takes_cells = not self.goes_without_cells()
-        options = {name: getattr(self.settings, name) for name in WINDING_OPTIONS}
+        options = {name: getattr(self.settings, name) for name in SET_OPTIONS}
         result = boolean(surfaces, self.options.expression, tetrahedra=takes_cells, progress=self.show_progress, **options)
         self.bars.finish()
         self.warnings = self.warnings + result.warnings

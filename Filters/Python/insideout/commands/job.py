@@ -28,6 +28,7 @@ from ..progress import StageBars
 from ..stages import READING
 from ..verdict import verdict
 from ..version import __version__
+from ..writing import WRITABLE_SOLIDS
 
 SUCCESS, FAILURE = 0, 1
 """The exit status; beside USAGE_ERROR, and those of signals."""
@@ -107,6 +108,12 @@ class Job:
                 check_output(path, endings)
         self.check_last_name()
         self.is_working = True
+
+    def check_merging(self) -> None:
+        """Raise `Error` where the solid's file takes a boundary whose triangles are no faces of its tetrahedra any more."""
+        output = self.files.output or ""
+        if self.settings.merge_coplanar_pieces and ending(output) in WRITABLE_SOLIDS:
+            raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
 
     def naming(self, error: str) -> str:
         """The error of the work, with the surface's name before it where it names no file."""

@@ -26,7 +26,7 @@ from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from ..usage import CHECK_OPTIONS
 from ..verdict import verdict
 from ..vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
-from ..writing import WRITABLE_GRIDS, WRITABLE_SOLIDS, MshVersion, check_format, check_holds_triangles, write_solid
+from ..writing import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, write_solid
 from .job import Job
 
 
@@ -59,8 +59,7 @@ class MeshJob(Job):
     def check(self) -> None:
         super().check()
         output = self.files.output or ""
-        if self.settings.merge_coplanar_pieces and ending(output) in WRITABLE_SOLIDS:
-            raise Error(f"{output}: after --merge-coplanar-pieces the boundary's triangles are no faces of tetrahedra, which such a file needs")
+        self.check_merging()
         for path in (output, self.files.hull or ""):
             check_format(path)
         if input_ending(self.files.surface) == CURVE or str(self.settings.dimension) == "2":

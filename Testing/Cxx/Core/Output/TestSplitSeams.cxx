@@ -58,7 +58,7 @@ Solid MakeSolid(const TriangleSoup& soup)
   }
   solid.Boundary = BoundaryTriangles(solid.Hull.Surface, solid.Hull.Mesh,
     BoundaryFaces(solid.Hull.Mesh, inside, monitor, All), monitor, All);
-  solid.Given = TrianglesInMesh(soup, solid.Hull.MergedInto, solid.Hull.Mesh);
+  solid.Given = TrianglesInMesh(soup, solid.Hull.MergedInto, solid.Hull.Mesh.Origins);
   return solid;
 }
 

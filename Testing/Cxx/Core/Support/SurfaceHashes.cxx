@@ -185,7 +185,7 @@ void AddOutputs(const TriangleSoup& soup, Hashes& hashes)
 
   const std::vector<BoundaryTriangle> boundary =
     BoundaryTriangles(hull.Surface, mesh, faces, monitor, Progress);
-  const std::vector<Triangle> given = TrianglesInMesh(soup, hull.MergedInto, mesh);
+  const std::vector<Triangle> given = TrianglesInMesh(soup, hull.MergedInto, mesh.Origins);
   AddHash("merged pieces", hashes, MergePieces(boundary, given, monitor, Progress));
   std::vector<Id> alike(soup.Points.size());
   std::iota(alike.begin(), alike.end(), 0);
