@@ -211,8 +211,8 @@ public:
   ///@{
   /**
    * Join the pieces of an input triangle on the boundary where all of it lies there. Default off:
-   * the triangles of the boundary are faces of cells. Pieces stay where another triangle needs the
-   * points between. The boundary stays watertight.
+   * the triangles of the boundary are faces of the cells, where there are cells. Pieces stay where
+   * another triangle needs the points between. The boundary stays watertight.
    */
   vtkSetMacro(MergeCoplanarPieces, bool);
   vtkGetMacro(MergeCoplanarPieces, bool);

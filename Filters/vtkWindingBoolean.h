@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Join the pieces of an input triangle on the surface where all of it lies there. Default off:
-   * pieces stay as they were cut. They stay where another triangle needs the points between. The
-   * surface stays watertight; where tetrahedra are made its triangles are then no faces of these.
+   * Join the pieces of an input triangle on the boundary where all of it lies there. Default off:
+   * the triangles of the boundary are faces of the cells, where there are cells. Pieces stay where
+   * another triangle needs the points between. The boundary stays watertight.
    */
   vtkSetMacro(MergeCoplanarPieces, bool);
   vtkGetMacro(MergeCoplanarPieces, bool);

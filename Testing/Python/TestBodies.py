@@ -129,7 +129,7 @@ class TestBodies(unittest.TestCase):
             self.assertEqual(len(result.outliers.triangles), 0)
 
     def test_labels_that_part_nothing_are_left_out_or_an_error(self):
-        given = polygons((np.vstack([LEFT[0], RIGHT[0]]), np.vstack([LEFT[1], RIGHT[1] + 8])))
+        given = polygons((np.vstack([LEFT[0], RIGHT[0] + (3, 0, 0)]), np.vstack([LEFT[1], RIGHT[1] + 8])))
         array = numpy_to_vtk(np.array([(1, 0)] * 12 + [(1, 1)] * 12), deep=True)
         array.SetName("Labels")
         given.GetCellData().AddArray(array)
