@@ -15,12 +15,13 @@
  * vtkConstrainedDelaunay3D) and TurnedCellIds: input cells that the orientation turned over.
  *
  * Statistics of the orientation: Shells (sets of facets that face one way together), of these
- * ClosedShells, HoledShells and SheetShells (which enclose nothing; SheetShare is their share of
- * the area, with facets that count 0) and Cavities (that face inward); TurnedShells and
- * TurnedFacets (that were turned over), TurnedShare (of the area), DisagreeingFacets (that were
- * given against their shells), UndecidedShells (that might as well face the other way);
- * EnclosedVolume (of all, holes capped) and OverlapVolume (of it, where w is 2 or more), the latter
- * from samples.
+ * ClosedShells, HoledShells, SheetShells (which enclose nothing; SheetShare is their share of
+ * the area, with facets that count 0), Membranes (sheets attached to the solid or within it, which
+ * do not count; MembraneFacets, MembraneShare of the area) and Cavities (that face inward);
+ * TurnedShells and TurnedFacets (that were turned over), TurnedShare (of the area),
+ * DisagreeingFacets (that were given against their shells), UndecidedShells (that might as well
+ * face the other way); EnclosedVolume (of all, holes capped) and OverlapVolume (of it, where w is 2
+ * or more), the latter from samples.
  *
  * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
  *

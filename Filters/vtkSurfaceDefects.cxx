@@ -138,6 +138,7 @@ std::vector<TriangleDefects> DefectsOfCells(
     cell.TwoSided |= triangle.TwoSided;
     cell.Turned |= triangle.Turned;
     cell.Sheet |= triangle.Sheet;
+    cell.Membrane |= triangle.Membrane;
   }
   return result;
 }
@@ -154,6 +155,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
   const auto twoSided = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("TwoSided", size);
   const auto turned = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Turned", size);
   const auto sheet = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Sheet", size);
+  const auto membrane = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("Membrane", size);
   const auto color = vtkInsideOut::MakeArray<vtkUnsignedCharArray>("DefectColor", size, 3);
   for (vtkIdType c = 0; c < size; ++c)
   {
@@ -167,6 +169,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
     twoSided->SetValue(c, cell.TwoSided);
     turned->SetValue(c, cell.Turned);
     sheet->SetValue(c, cell.Sheet);
+    membrane->SetValue(c, cell.Membrane);
     SetColor(color, c,
       cell.SelfIntersections > 0 ? CrossingColor
         : cell.Turned            ? TurnedColor
@@ -181,6 +184,7 @@ void MarkCells(const std::vector<TriangleDefects>& cells, vtkCellData* data)
   data->AddArray(twoSided);
   data->AddArray(turned);
   data->AddArray(sheet);
+  data->AddArray(membrane);
   data->AddArray(color);
 }
 
@@ -292,8 +296,9 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
         given.Soup, this->MergeTolerance, vtkInsideOut::OrientationOf(this), monitor);
 
       vtkInsideOut::MakeOutputs outputs(given);
-      const auto surface = outputs.CopySurface({ "ComponentId", "ShellId", "SelfIntersections",
-        "Degenerate", "Duplicate", "Inconsistent", "TwoSided", "Turned", "Sheet", "DefectColor" });
+      const auto surface =
+        outputs.CopySurface({ "ComponentId", "ShellId", "SelfIntersections", "Degenerate",
+          "Duplicate", "Inconsistent", "TwoSided", "Turned", "Sheet", "Membrane", "DefectColor" });
       MarkCells(DefectsOfCells(defects, given.CellOfTriangle, input->GetNumberOfCells()),
         surface->GetCellData());
       surface->GetFieldData()->AddArray(

@@ -65,6 +65,10 @@ struct FacetComplex
   std::vector<PointOrigin> Origins; ///< one per point
   std::vector<Triangle> Facets;
   std::vector<std::int16_t> Multiplicity; ///< one per facet
+
+  /** After validation, one per facet: how many pairs of opposite copies cancel; else empty. */
+  std::vector<std::int16_t> Opposed = {};
+
   std::vector<Id> SourceOffsets = { 0 };  ///< one per facet, and the end
   std::vector<FacetSource> Sources;       ///< sorted by triangle within a facet
 

@@ -182,6 +182,7 @@ void MarkTriangles(const FacetComplex& surface, const FacetComponents& component
     facet.Shell = defects.Turns.Shell[f];
     facet.Turned = defects.Turns.Turned[f];
     facet.Sheet = defects.Turns.IsSheet[f];
+    facet.Membrane = defects.Turns.IsMembrane[f];
     for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
     {
       facet.Duplicate = s > surface.SourceOffsets[f];

@@ -6,12 +6,18 @@
 namespace insideout
 {
 EnclosedVolumes MeasureShells(const std::vector<ShellChain>& chains,
-  const std::vector<char>& turned, const std::vector<ShellRegion>& regions)
+  const std::vector<char>& turned, const std::vector<ShellRole>& roles,
+  const std::vector<ShellRegion>& regions)
 {
   EnclosedVolumes volumes;
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
     const ShellChain& chain = chains[shell];
+    if (roles[shell] != ShellRole::Counts)
+    {
+      volumes.SheetShells += roles[shell] == ShellRole::Beside;
+      continue;
+    }
     volumes.ClosedShells += chain.Kind == ShellKind::Closed;
     volumes.HoledShells += chain.Kind == ShellKind::Holed;
     volumes.SheetShells += chain.Kind == ShellKind::Sheet;
@@ -27,7 +33,8 @@ EnclosedVolumes MeasureShells(const std::vector<ShellChain>& chains,
     int w = 0;
     for (const ShellWinding& winding : region.Windings)
     {
-      w += turned[winding.Shell] ? -winding.W : winding.W;
+      const int turn = turned[winding.Shell] ? -1 : 1;
+      w += roles[winding.Shell] == ShellRole::Counts ? turn * winding.W : 0;
     }
     volumes.Solid += (std::clamp(w, 0, 1) - w) * region.Volume;
     volumes.Overlap += w > 1 ? region.Volume : 0;

@@ -5,6 +5,7 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Orient/ChooseTurns.h"
+#include "Orient/Membranes.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -36,14 +37,13 @@ struct ChosenTurns
 
 /** Which shells to turn by the law of ChooseTurns.h. */
 ChosenTurns ChooseAutomatically(
-  const std::vector<Point>& points, const std::vector<ShellChain>& chains, Monitor& monitor)
+  const std::vector<ShellChain>& chains, const RegionSampler& sampler, Monitor& monitor)
 {
   std::vector<Id> facets;
   for (const ShellChain& chain : chains)
   {
-    facets.push_back(chain.Facets);
+    facets.push_back(static_cast<Id>(chain.Facets.size()));
   }
-  const RegionSampler sampler(points, chains);
   Id lines = FirstLines(chains);
   ChosenTurns chosen;
   for (int doublings = 0; doublings <= MostDoublings; ++doublings, lines *= 2)
@@ -62,7 +62,7 @@ ChosenTurns ChooseAutomatically(
   return chosen;
 }
 
-ChosenTurns ChooseAsTold(const std::vector<Point>& points, const std::vector<ShellChain>& chains,
+ChosenTurns ChooseAsTold(const std::vector<ShellChain>& chains, const RegionSampler& sampler,
   Orientation orientation, Monitor& monitor)
 {
   ChosenTurns chosen;
@@ -73,8 +73,7 @@ ChosenTurns ChooseAsTold(const std::vector<Point>& points, const std::vector<She
     chosen.Turns.Turned.push_back(outward ? facesInward : orientation == Orientation::Reverse);
   }
   chosen.Turns.Undecided.assign(chains.size(), 0);
-  chosen.Regions =
-    RegionSampler(points, chains).Sample(FirstLines(chains), monitor, { Stages::Orienting, 0, 1 });
+  chosen.Regions = sampler.Sample(FirstLines(chains), monitor, { Stages::Orienting, 0, 1 });
   return chosen;
 }
 
@@ -122,6 +121,44 @@ double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
   return areas[1] > 0 ? areas[1] / (areas[0] + areas[1]) : 0;
 }
 
+/** Which facets are turned over, and how often each counts in the end: the sum of its copies. */
+void TurnCopies(const FacetComplex& surface, const Shells& shells,
+  const std::vector<ShellChain>& chains, const std::vector<char>& shellTurned,
+  const std::vector<ShellRole>& roles, Orientation orientation, FacetTurns& turns)
+{
+  const bool makeAgree =
+    orientation == Orientation::Automatic || orientation == Orientation::Outward;
+  const std::size_t facets = surface.Facets.size();
+  turns.Turned.assign(facets, orientation == Orientation::Reverse);
+  turns.IsSheet.assign(facets, 1);
+  turns.IsMembrane.assign(facets, 0);
+  turns.Multiplicity.assign(facets, 0);
+  const auto add = [&](Id f, Id shell, int sign, bool disagrees)
+  {
+    const bool turned = (makeAgree && disagrees) != (shellTurned[shell] != 0);
+    const bool counts = roles[shell] == ShellRole::Counts;
+    turns.IsSheet[f] &= chains[shell].Kind == ShellKind::Sheet || !counts;
+    turns.IsMembrane[f] |= roles[shell] == ShellRole::Membrane;
+    if (counts)
+    {
+      const int count = turned ? -sign : sign;
+      turns.Multiplicity[f] = static_cast<std::int16_t>(turns.Multiplicity[f] + count);
+    }
+    return turned;
+  };
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    if (shells.Shell[f] != None)
+    {
+      turns.Turned[f] = add(f, shells.Shell[f], shells.Sign[f], shells.Turned[f] != 0);
+    }
+  }
+  for (const ShellCopy& copy : shells.MoreCopies)
+  {
+    add(copy.Facet, copy.Shell, copy.Sign, copy.Turned != 0);
+  }
+}
+
 /** Find shells, and choose which facets to turn. */
 FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
   Orientation orientation, Monitor& monitor, Crossings crossings)
@@ -131,20 +168,36 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   const std::vector<Point> points = ScaledPoints(surface.Points, -exponent);
   const std::vector<ShellChain> chains = CloseShells(surface, shells, points);
   const bool automatic = orientation == Orientation::Automatic;
-  const bool makeAgree = automatic || orientation == Orientation::Outward;
-  const ChosenTurns chosen = makeAgree && crossings == Crossings::Absent && IsPlain(shells, chains)
-    ? TurnOutward(chains.front())
-    : automatic ? ChooseAutomatically(points, chains, monitor)
-                : ChooseAsTold(points, chains, orientation, monitor);
+  ChosenTurns chosen;
+  std::vector<ShellRole> roles(chains.size(), ShellRole::Counts);
+  if ((automatic || orientation == Orientation::Outward) && crossings == Crossings::Absent &&
+    IsPlain(shells, chains))
+  {
+    chosen = TurnOutward(chains.front());
+  }
+  else
+  {
+    const RegionSampler sampler(points, chains);
+    chosen = automatic ? ChooseAutomatically(chains, sampler, monitor)
+                       : ChooseAsTold(chains, sampler, orientation, monitor);
+    roles = FindMembranes(points, chains, chosen.Turns.Turned, sampler, monitor);
+    for (std::size_t shell = 0; shell < chains.size(); ++shell)
+    {
+      const bool counts = roles[shell] == ShellRole::Counts;
+      chosen.Turns.Turned[shell] &= counts || orientation == Orientation::Reverse;
+      chosen.Turns.Undecided[shell] &= counts;
+    }
+  }
   const auto countOf = [](const std::vector<char>& marks)
   { return static_cast<Id>(std::count(marks.begin(), marks.end(), char(1))); };
 
   FacetTurns turns;
   turns.Shells = shells.Count;
+  turns.Membranes = static_cast<Id>(std::count(roles.begin(), roles.end(), ShellRole::Membrane));
   turns.TurnedShells = countOf(chosen.Turns.Turned);
   turns.UndecidedShells = countOf(chosen.Turns.Undecided);
   turns.DisagreeingFacets = countOf(shells.Turned);
-  turns.Enclosed = MeasureShells(chains, chosen.Turns.Turned, chosen.Regions);
+  turns.Enclosed = MeasureShells(chains, chosen.Turns.Turned, roles, chosen.Regions);
   turns.Enclosed.Solid = std::ldexp(turns.Enclosed.Solid, 3 * exponent);
   turns.Enclosed.Overlap = std::ldexp(turns.Enclosed.Overlap, 3 * exponent);
 
@@ -152,26 +205,17 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
     const double volume = std::ldexp(chains[shell].Volume, 3 * exponent);
-    turns.ShellVolumes.push_back(chains[shell].Kind == ShellKind::Sheet ? 0
-        : chosen.Turns.Turned[shell]                                    ? -volume
-                                                                        : volume);
+    turns.ShellVolumes.push_back(
+      chains[shell].Kind == ShellKind::Sheet || roles[shell] != ShellRole::Counts ? 0
+        : chosen.Turns.Turned[shell]                                              ? -volume
+                                                                                  : volume);
   }
-
-  turns.Turned.assign(shells.Turned.size(), orientation == Orientation::Reverse);
-  turns.IsSheet.assign(shells.Turned.size(), 1);
-  for (std::size_t f = 0; f < turns.Turned.size(); ++f)
-  {
-    const Id shell = shells.Shell[f];
-    if (shell != None)
-    {
-      const bool disagrees = makeAgree && shells.Turned[f] != 0;
-      turns.Turned[f] = disagrees != (chosen.Turns.Turned[shell] != 0);
-      turns.IsSheet[f] = chains[shell].Kind == ShellKind::Sheet;
-    }
-  }
+  TurnCopies(surface, shells, chains, chosen.Turns.Turned, roles, orientation, turns);
   turns.TurnedFacets = countOf(turns.Turned);
+  turns.MembraneFacets = countOf(turns.IsMembrane);
   turns.TurnedShare = ShareOf(turns.Turned, points, surface.Facets);
   turns.SheetShare = ShareOf(turns.IsSheet, points, surface.Facets);
+  turns.MembraneShare = ShareOf(turns.IsMembrane, points, surface.Facets);
   return turns;
 }
 
@@ -220,6 +264,13 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
   {
     turns.Warnings = WarningsAbout(turns);
   }
+  if (turns.Membranes > 0)
+  {
+    turns.Warnings.push_back(std::to_string(turns.Membranes) +
+      (turns.Membranes == 1 ? " membrane (" : " membranes (") +
+      std::to_string(turns.MembraneFacets) + " facets, " + AsPercentage(turns.MembraneShare) +
+      " of the area), attached to the solid or within it, shape the mesh and do not count");
+  }
   monitor.Check(Stages::Orienting, 1);
   return turns;
 }
@@ -232,13 +283,13 @@ FacetTurns OrientFacets(FacetComplex& surface, const std::vector<FacetEdge>& edg
   {
     if (turns.Turned[f])
     {
-      surface.Multiplicity[f] = static_cast<std::int16_t>(-surface.Multiplicity[f]);
       for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
       {
         surface.Sources[s].Reversed = !surface.Sources[s].Reversed;
       }
     }
   }
+  surface.Multiplicity = turns.Multiplicity;
   return turns;
 }
 
@@ -263,6 +314,9 @@ void AddTurns(const FacetTurns& turns, Statistics& statistics)
   statistics.emplace_back("HoledShells", turns.Enclosed.HoledShells);
   statistics.emplace_back("SheetShells", turns.Enclosed.SheetShells);
   statistics.emplace_back("SheetShare", turns.SheetShare);
+  statistics.emplace_back("Membranes", turns.Membranes);
+  statistics.emplace_back("MembraneFacets", turns.MembraneFacets);
+  statistics.emplace_back("MembraneShare", turns.MembraneShare);
   statistics.emplace_back("Cavities", turns.Enclosed.Cavities);
   statistics.emplace_back("EnclosedVolume", turns.Enclosed.Solid);
   statistics.emplace_back("OverlapVolume", turns.Enclosed.Overlap);

@@ -27,20 +27,25 @@ enum class Crossings
 /** What was turned over, and how the surface is made up. A shell is what Shells.h says. */
 struct FacetTurns
 {
-  std::vector<char> Turned;  ///< one per facet
-  std::vector<char> IsSheet; ///< one per facet: of a shell that encloses nothing, or counts 0
-  std::vector<Id> Shell;     ///< one per facet, None for those that count 0
+  std::vector<std::int16_t> Multiplicity; ///< one per facet: how often it counts in the end
+  std::vector<char> Turned;               ///< one per facet; of several copies the first one tells
+  std::vector<char> IsSheet;    ///< one per facet: of a shell that encloses nothing, or counts 0
+  std::vector<char> IsMembrane; ///< one per facet: of a membrane (Membranes.h)
+  std::vector<Id> Shell; ///< one per facet, None for those that count 0; of several the first
 
   /** What each shell encloses in the end, holes capped: negative for a cavity, 0 for a sheet. */
   std::vector<double> ShellVolumes;
 
   Id Shells = 0;
+  Id Membranes = 0; ///< shells that do not count
+  Id MembraneFacets = 0;
   Id TurnedFacets = 0;
   Id TurnedShells = 0;      ///< as a whole
   Id DisagreeingFacets = 0; ///< that were given against their shells
   Id UndecidedShells = 0;   ///< that might as well face the other way
   double TurnedShare = 0;   ///< of the surface's area
   double SheetShare = 0;    ///< of the surface's area
+  double MembraneShare = 0; ///< of the surface's area
   EnclosedVolumes Enclosed; ///< in the end, if facets agree with their shells
   std::vector<std::string> Warnings;
 };
@@ -52,8 +57,8 @@ struct FacetTurns
  *
  * Automatic first makes the facets of each shell agree (Shells.h), then chooses which shells to
  * turn (ChooseTurns.h) by the volumes that they enclose, holes capped (ShellChains.h,
- * SampleRegions.h). Sheets are not turned, and turn nothing else. The choice does not depend on the
- * number of threads.
+ * SampleRegions.h). Sheets are not turned, and turn nothing else. Membranes (Membranes.h) do not
+ * count, whatever the orientation. No choice depends on the number of threads.
  *
  * @param[in] edges those of surface.Facets
  * @param[in] crossings where there are none it is quicker

@@ -4,7 +4,6 @@
 #include "Common/BoxTree.h"
 #include "Common/ChunkedLoop.h"
 #include "Common/Vectors.h"
-#include "Orient/RandomNumbers.h"
 #include "WindingNumber/Pi.h"
 
 #include <algorithm>
@@ -243,6 +242,32 @@ RegionSampler::RegionSampler(
 }
 
 RegionSampler::~RegionSampler() = default;
+
+std::vector<ShellWinding> RegionSampler::At(const Point& point, RandomNumbers& random) const
+{
+  std::vector<Crossing> crossings;
+  for (int tries = 0; tries < MostTries; ++tries)
+  {
+    if (this->Shells->Cross({ point, random.OnSphere() }, crossings))
+    {
+      std::map<Id, int> windings;
+      for (const Crossing& crossing : crossings)
+      {
+        windings[crossing.Shell] += crossing.At < 0 ? crossing.Rise : 0;
+      }
+      std::vector<ShellWinding> found;
+      for (const auto& [shell, w] : windings)
+      {
+        if (w != 0)
+        {
+          found.push_back({ shell, w });
+        }
+      }
+      return found;
+    }
+  }
+  return {};
+}
 
 std::vector<ShellRegion> RegionSampler::Sample(
   Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const

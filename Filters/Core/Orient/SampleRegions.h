@@ -3,6 +3,7 @@
 
 #include "Common/Monitor.h"
 #include "Common/ProgressRange.h"
+#include "Orient/RandomNumbers.h"
 #include "Orient/ShellChains.h"
 
 #include <memory>
@@ -56,6 +57,10 @@ public:
    */
   std::vector<ShellRegion> Sample(
     Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const;
+
+  /** By how much shells wind around a point, by a random line through it. Empty where no line of
+   * several tells: then nearly all meet edges. */
+  std::vector<ShellWinding> At(const Point& point, RandomNumbers& random) const;
 
 private:
   class Scene;

@@ -9,12 +9,6 @@ namespace insideout
 {
 namespace
 {
-/**
- * The largest share of the facets' area that caps may have. On the cap of half a sphere, whose
- * share is 1/2, w is 1/2: a shell that is more open than that and a little has no inside.
- */
-constexpr double LargestCaps = 0.6;
-
 double AreaOf(const std::vector<Point>& points, const Triangle& t)
 {
   const Point normal = NormalOf(points[t[0]], points[t[1]], points[t[2]]);
@@ -107,26 +101,41 @@ void Close(ShellChain& shell, PointsInUse& points)
       {
         area += AreaOf(points.Points, triangle.Corners);
       }
+      shell.Caps.insert(shell.Caps.end(), cap.begin(), cap.end());
     }
     shell.Kind = area > LargestCaps * shell.Area ? ShellKind::Sheet : ShellKind::Holed;
     shell.Triangles = CloseChain(std::move(shell.Triangles), caps);
   }
   shell.Volume = VolumeOf(points.Points, shell.Triangles);
   points.Restore(shell.Triangles);
+  points.Restore(shell.Caps);
 }
 } // namespace
 
 std::vector<ShellChain> CloseShells(
   const FacetComplex& surface, const Shells& shells, const std::vector<Point>& points)
 {
-  const Buckets<Id> facets(static_cast<std::size_t>(shells.Count),
+  struct Copy
+  {
+    Id Facet;
+    int Count;
+  };
+  const Buckets<Copy> copies(static_cast<std::size_t>(shells.Count),
     [&](auto visit)
     {
+      std::size_t more = 0;
       for (Id f = 0; f < surface.NumberOfFacets(); ++f)
       {
         if (shells.Shell[f] != None)
         {
-          visit(static_cast<std::size_t>(shells.Shell[f]), f);
+          visit(static_cast<std::size_t>(shells.Shell[f]),
+            Copy{ f, shells.Turned[f] ? -shells.Sign[f] : shells.Sign[f] });
+        }
+        for (; more < shells.MoreCopies.size() && shells.MoreCopies[more].Facet == f; ++more)
+        {
+          const ShellCopy& copy = shells.MoreCopies[more];
+          visit(
+            static_cast<std::size_t>(copy.Shell), Copy{ f, copy.Turned ? -copy.Sign : copy.Sign });
         }
       }
     });
@@ -135,14 +144,14 @@ std::vector<ShellChain> CloseShells(
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
     ShellChain& chain = chains[shell];
-    chain.Triangles.reserve(facets[shell].Size());
-    for (const Id f : facets[shell])
+    chain.IsLoose = shells.IsLoose[shell] != 0;
+    chain.Facets.reserve(copies[shell].Size());
+    for (const Copy& copy : copies[shell])
     {
-      const int count = shells.Turned[f] ? -surface.Multiplicity[f] : surface.Multiplicity[f];
-      chain.Triangles.push_back({ surface.Facets[f], count });
-      chain.Area += AreaOf(points, surface.Facets[f]);
+      chain.Facets.push_back({ surface.Facets[copy.Facet], copy.Count });
+      chain.Area += AreaOf(points, surface.Facets[copy.Facet]);
     }
-    chain.Facets = static_cast<Id>(chain.Triangles.size());
+    chain.Triangles = chain.Facets;
     Close(chain, inUse);
   }
   return chains;

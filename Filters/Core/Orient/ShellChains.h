@@ -6,6 +6,12 @@
 
 namespace insideout
 {
+/**
+ * The largest share of the facets' area that caps may have. On the cap of half a sphere, whose
+ * share is 1/2, w is 1/2: a shell that is more open than that and a little has no inside.
+ */
+constexpr double LargestCaps = 0.6;
+
 enum class ShellKind
 {
   Closed,
@@ -18,8 +24,10 @@ struct ShellChain
 {
   ShellKind Kind;
   std::vector<CountedTriangle> Triangles; ///< facets that agree, and caps; without boundary
-  Id Facets = 0;
-  double Area = 0;   ///< of the facets
+  std::vector<CountedTriangle> Caps;      ///< those that close the holes
+  std::vector<CountedTriangle> Facets;    ///< that agree
+  bool IsLoose = false;                   ///< without it the others fit (LoosePatches.h)
+  double Area = 0;                        ///< of the facets
   double Volume = 0; ///< enclosed by the chain; negative where the shell faces inward
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Orient/Shells.h"
 
-#include "Common/DisjointSets.h"
-#include "Common/Vectors.h"
-#include "Orient/SurfacePatches.h"
+#include "Common/ScaledPoints.h"
+#include "Orient/JoinCopies.h"
+#include "Orient/LoosePatches.h"
+#include "Orient/ShellChains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,83 +23,49 @@ struct Relation
   double Weight;  ///< length of edges: above 0 to stay as they are, below to be turned
 };
 
-/** A patch at an edge, and how often it runs along it, less the other way. */
-struct PatchAtEdge
+/** The seams of some patches: what these ask of one another, and where they are joined in pairs. */
+struct SeamsOfPatches
 {
-  Id Patch;
-  int Sum;
+  std::vector<Relation> Relations;
+  std::vector<PatchSeam> Balanced;
+  std::vector<Id> Cancelling; ///< patches whose copies nothing else is joined with
 };
 
-/** The facets that count, patch by patch, of one edge; those that balance there are left out. */
-void UnbalancedAt(const FacetEdge* first, const FacetEdge* last, const FacetComplex& surface,
-  const SurfacePatches& patches, std::vector<PatchAtEdge>& unbalanced)
+void AddSeam(const PatchSeam& seam, const SeamedPatches& patches, SeamsOfPatches& seams)
 {
-  unbalanced.clear();
-  for (const FacetEdge* edge = first; edge != last; ++edge)
-  {
-    unbalanced.push_back(
-      { patches.Patch[edge->Facet], edge->Direction * surface.Multiplicity[edge->Facet] });
-  }
-  std::sort(unbalanced.begin(), unbalanced.end(),
-    [](const PatchAtEdge& a, const PatchAtEdge& b) { return a.Patch < b.Patch; });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < unbalanced.size();)
-  {
-    PatchAtEdge sum = { unbalanced[i].Patch, 0 };
-    for (; i < unbalanced.size() && unbalanced[i].Patch == sum.Patch; ++i)
-    {
-      sum.Sum += unbalanced[i].Sum;
-    }
-    if (sum.Sum != 0)
-    {
-      unbalanced[kept++] = sum;
-    }
-  }
-  unbalanced.resize(kept);
-}
-
-void AddRelations(const std::vector<PatchAtEdge>& unbalanced, bool branching, double length,
-  std::vector<Relation>& relations)
-{
+  std::vector<PatchAtSeam> counting;
+  std::vector<Id> opposed;
   int sum = 0;
-  for (const PatchAtEdge& at : unbalanced)
+  for (const PatchAtSeam& at : seam.Patches)
   {
-    sum += at.Sum;
+    if (patches.Count[at.Patch] > 0)
+    {
+      counting.push_back(at);
+      sum += at.Direction * patches.Count[at.Patch];
+    }
+    if (patches.Opposed[at.Patch] > 0)
+    {
+      opposed.push_back(at.Patch);
+    }
   }
-  const auto add = [&](std::size_t i, double weight) {
-    relations.push_back({ unbalanced[i - 1].Patch, unbalanced[i].Patch, branching, weight });
-  };
-  if (unbalanced.size() == 2 && std::abs(unbalanced[0].Sum) == std::abs(unbalanced[1].Sum))
+  const auto run = [&](int i)
+  { return std::abs(counting[i].Direction) * patches.Count[counting[i].Patch]; };
+  if (counting.size() == 2 && run(0) == run(1) && (sum != 0 || opposed.empty()))
   {
-    add(1, sum == 0 ? length : -length);
+    seams.Relations.push_back({ counting[0].Patch, counting[1].Patch, seam.Counting > 2,
+      sum == 0 ? seam.Length : -seam.Length });
   }
   else if (sum == 0)
   {
-    for (std::size_t i = 1; i < unbalanced.size(); ++i)
-    {
-      add(i, length);
-    }
+    seams.Balanced.push_back(seam);
+    return;
   }
+  seams.Cancelling.insert(seams.Cancelling.end(), opposed.begin(), opposed.end());
 }
 
-/** One of each pair of patches, strongest first. */
-std::vector<Relation> RelationsOfPatches(
-  const FacetComplex& surface, const std::vector<FacetEdge>& edges, const SurfacePatches& patches)
+/** One relation of each pair of patches, strongest first. */
+void SortRelations(std::vector<Relation>& relations)
 {
-  std::vector<Relation> relations;
-  std::vector<PatchAtEdge> unbalanced;
-  ForEachEdge(edges,
-    [&](const FacetEdge* first, const FacetEdge* last)
-    {
-      const Id patch = patches.Patch[first->Facet];
-      if (last - first < 2 || (last - first == 2 && patch == patches.Patch[first[1].Facet]))
-      {
-        return;
-      }
-      UnbalancedAt(first, last, surface, patches, unbalanced);
-      AddRelations(unbalanced, last - first > 2,
-        Distance(surface.Points[first->Low], surface.Points[first->High]), relations);
-    });
   const auto key = [](const Relation& r) { return std::tie(r.Low, r.High, r.Branching); };
   std::stable_sort(relations.begin(), relations.end(),
     [&](const Relation& a, const Relation& b) { return key(a) < key(b); });
@@ -119,58 +86,75 @@ std::vector<Relation> RelationsOfPatches(
       return std::make_tuple(a.Branching, -std::abs(a.Weight), a.Low, a.High) <
         std::make_tuple(b.Branching, -std::abs(b.Weight), b.Low, b.High);
     });
-  return relations;
 }
 
-/** Sets of patches, in which each is turned against the set's representative or not. */
-class TurnedSets
+/** Join the copies of patches that are loose, or of those that are not. */
+void JoinPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  const SeamedPatches& patches, const PatchCopies& copies, const std::vector<char>& isLoose,
+  char loose, TurnedSets& sets)
+{
+  SeamsOfPatches seams;
+  for (const PatchSeam& seam : patches.Seams)
+  {
+    PatchSeam some = seam;
+    some.Patches.clear();
+    std::copy_if(seam.Patches.begin(), seam.Patches.end(), std::back_inserter(some.Patches),
+      [&](const PatchAtSeam& at) { return isLoose[at.Patch] == loose; });
+    if (!some.Patches.empty())
+    {
+      AddSeam(some, patches, seams);
+    }
+  }
+  SortRelations(seams.Relations);
+  for (const Relation& relation : seams.Relations)
+  {
+    const Id each = std::min(copies.Along(relation.Low), copies.Along(relation.High));
+    for (Id i = 0; relation.Weight != 0 && i < each; ++i)
+    {
+      sets.Join(
+        copies.First(relation.Low) + i, copies.First(relation.High) + i, relation.Weight < 0);
+    }
+  }
+  JoinCopies(surface, edges, seams.Balanced, patches, copies, sets);
+  for (const Id patch : seams.Cancelling)
+  {
+    for (Id i = 0; i < copies.Against(patch); ++i)
+    {
+      sets.Join(copies.First(patch) + i, copies.First(patch) + copies.Along(patch) + i, false);
+    }
+  }
+}
+
+/** A shell of copies, in which pairs of one facet cancel. */
+class CopiesLeft
 {
 public:
-  explicit TurnedSets(Id count)
-    : Parents(count)
-    , AgainstParent(count, 0)
+  CopiesLeft(const SeamedPatches& patches, const PatchCopies& copies, TurnedSets& sets)
+    : Left(copies.Count(), 1)
   {
-    for (Id i = 0; i < count; ++i)
+    for (Id p = 0; p < static_cast<Id>(patches.Count.size()); ++p)
     {
-      this->Parents[i] = i;
+      const Id first = copies.First(p);
+      const Id against = first + copies.Along(p);
+      for (Id i = against; i < first + copies.Size(p); ++i)
+      {
+        for (Id j = first; j < against && this->Left[i]; ++j)
+        {
+          const TurnedSets::Place a = sets.Find(i);
+          const TurnedSets::Place b = sets.Find(j);
+          if (this->Left[j] && a.Set == b.Set && a.Turned == b.Turned)
+          {
+            this->Left[i] = this->Left[j] = 0;
+          }
+        }
+      }
     }
   }
 
-  struct Place
-  {
-    Id Set;
-    char Turned;
-  };
-
-  Place Find(Id i)
-  {
-    Place place = { i, 0 };
-    while (this->Parents[place.Set] != place.Set)
-    {
-      // Halve the way, as DisjointSets does.
-      const Id parent = this->Parents[place.Set];
-      this->AgainstParent[place.Set] ^= this->AgainstParent[parent];
-      this->Parents[place.Set] = this->Parents[parent];
-      place.Turned ^= this->AgainstParent[place.Set];
-      place.Set = this->Parents[place.Set];
-    }
-    return place;
-  }
-
-  void Join(Id i, Id j, bool turned)
-  {
-    const Place a = this->Find(i);
-    const Place b = this->Find(j);
-    if (a.Set != b.Set)
-    {
-      this->Parents[b.Set] = a.Set;
-      this->AgainstParent[b.Set] = static_cast<char>(a.Turned ^ b.Turned ^ turned);
-    }
-  }
+  bool operator[](Id copy) const { return this->Left[copy] != 0; }
 
 private:
-  std::vector<Id> Parents;
-  std::vector<char> AgainstParent;
+  std::vector<char> Left;
 };
 
 /** Turn over the fewer of each shell. */
@@ -186,64 +170,145 @@ void TurnTheFewer(Shells& shells)
       turned[shells.Shell[f]] += shells.Turned[f];
     }
   }
+  for (const ShellCopy& copy : shells.MoreCopies)
+  {
+    ++size[copy.Shell];
+    turned[copy.Shell] += copy.Turned;
+  }
+  const auto turnsMore = [&](Id shell)
+  { return 2 * static_cast<std::int64_t>(turned[shell]) > size[shell]; };
   for (std::size_t f = 0; f < shells.Shell.size(); ++f)
   {
-    const Id shell = shells.Shell[f];
-    if (shell != None && 2 * static_cast<std::int64_t>(turned[shell]) > size[shell])
-    {
-      shells.Turned[f] ^= 1;
-    }
+    shells.Turned[f] ^= shells.Shell[f] != None && turnsMore(shells.Shell[f]);
+  }
+  for (ShellCopy& copy : shells.MoreCopies)
+  {
+    copy.Turned ^= turnsMore(copy.Shell);
   }
 }
-} // namespace
 
-Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+/** Number shells, and say of which each facet is. */
+Shells NumberShells(const FacetComplex& surface, const SeamedPatches& patches,
+  const PatchCopies& copies, const std::vector<char>& isLoose, TurnedSets& sets)
 {
-  const std::vector<std::int16_t>& counts = surface.Multiplicity;
-  const bool allCount = std::find(counts.begin(), counts.end(), 0) == counts.end();
-  std::vector<FacetEdge> some;
-  if (!allCount)
-  {
-    std::copy_if(edges.begin(), edges.end(), std::back_inserter(some),
-      [&](const FacetEdge& edge) { return counts[edge.Facet] != 0; });
-  }
-  const std::vector<FacetEdge>& counted = allCount ? edges : some;
-  const SurfacePatches patches = FindPatches(surface, counted);
-  TurnedSets sets(patches.Count);
-  for (const Relation& relation : RelationsOfPatches(surface, counted, patches))
-  {
-    if (relation.Weight != 0)
-    {
-      sets.Join(relation.Low, relation.High, relation.Weight < 0);
-    }
-  }
-
   Shells shells;
-  shells.Patches = patches.Count;
+  shells.Patches = patches.Patches.Count;
   shells.Shell.assign(surface.Facets.size(), None);
+  shells.Sign.assign(surface.Facets.size(), 1);
   shells.Turned.assign(surface.Facets.size(), 0);
+  const CopiesLeft left(patches, copies, sets);
   struct Seen
   {
     Id Shell = None;
     char Turned = 0; // the shell's lowest facet against the representative
   };
-  std::vector<Seen> seen(patches.Count);
+  std::vector<Seen> seen(copies.Count());
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
-    if (surface.Multiplicity[f] == 0)
+    const Id patch = patches.Patches.Patch[f];
+    const Id first = copies.First(patch);
+    const int sign = SignOfCount(surface.Multiplicity[f]);
+    for (Id copy = first; copy < first + copies.Size(patch); ++copy)
     {
-      continue;
+      if (!left[copy])
+      {
+        continue;
+      }
+      const TurnedSets::Place place = sets.Find(copy);
+      Seen& shell = seen[place.Set];
+      if (shell.Shell == None)
+      {
+        shell = { shells.Count++, place.Turned };
+        shells.IsLoose.push_back(isLoose[patch]);
+      }
+      const int along = copy < first + copies.Along(patch) ? sign : -sign;
+      const char turned = static_cast<char>(place.Turned ^ shell.Turned);
+      if (shells.Shell[f] == None)
+      {
+        shells.Shell[f] = shell.Shell;
+        shells.Sign[f] = static_cast<char>(along);
+        shells.Turned[f] = turned;
+      }
+      else
+      {
+        shells.MoreCopies.push_back({ f, shell.Shell, along, turned });
+      }
     }
-    const TurnedSets::Place place = sets.Find(patches.Patch[f]);
-    Seen& shell = seen[place.Set];
-    if (shell.Shell == None)
-    {
-      shell = { shells.Count++, place.Turned };
-    }
-    shells.Shell[f] = shell.Shell;
-    shells.Turned[f] = static_cast<char>(place.Turned ^ shell.Turned);
   }
   TurnTheFewer(shells);
+  return shells;
+}
+
+/** One per patch: whether its facets are turned over. */
+std::vector<char> TurnedPatches(const Shells& shells, const SeamedPatches& patches)
+{
+  std::vector<char> turned(patches.Count.size(), 0);
+  for (std::size_t f = 0; f < shells.Turned.size(); ++f)
+  {
+    turned[patches.Patches.Patch[f]] = shells.Turned[f];
+  }
+  return turned;
+}
+
+/** One per patch: the volume that it encloses once it is turned and its holes are capped. */
+std::vector<double> VolumesOfPatches(
+  const FacetComplex& surface, const SeamedPatches& patches, const Shells& shells)
+{
+  Shells each;
+  each.Count = patches.Patches.Count;
+  each.IsLoose.assign(patches.Count.size(), 0);
+  each.Turned = shells.Turned;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    each.Shell.push_back(surface.Multiplicity[f] == 0 ? None : patches.Patches.Patch[f]);
+    each.Sign.push_back(static_cast<char>(SignOfCount(surface.Multiplicity[f])));
+  }
+  const std::vector<Point> points = ScaledPoints(surface.Points, -LargestExponent(surface.Points));
+  std::vector<double> volumes;
+  for (const ShellChain& chain : CloseShells(surface, each, points))
+  {
+    volumes.push_back(chain.Volume);
+  }
+  return volumes;
+}
+} // namespace
+
+Shells FindShells(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+{
+  const auto isThere = [&](Id f)
+  { return surface.Multiplicity[f] != 0 || (!surface.Opposed.empty() && surface.Opposed[f] != 0); };
+  bool allAre = true;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    allAre = allAre && isThere(f);
+  }
+  std::vector<FacetEdge> some;
+  if (!allAre)
+  {
+    std::copy_if(edges.begin(), edges.end(), std::back_inserter(some),
+      [&](const FacetEdge& edge) { return isThere(edge.Facet); });
+  }
+  const std::vector<FacetEdge>& used = allAre ? edges : some;
+  const SeamedPatches patches = FindSeams(surface, used);
+  const PatchCopies copies(patches);
+  std::vector<char> loose(patches.Count.size(), 0);
+  const auto join = [&]()
+  {
+    TurnedSets sets(copies.Count());
+    JoinPatches(surface, used, patches, copies, loose, 0, sets);
+    JoinPatches(surface, used, patches, copies, loose, 1, sets);
+    return NumberShells(surface, patches, copies, loose, sets);
+  };
+  Shells shells = join();
+  const std::vector<char> turned = TurnedPatches(shells, patches);
+  if (!AllSeamsBalance(patches, turned))
+  {
+    loose = FindLoosePatches(patches, turned, VolumesOfPatches(surface, patches, shells));
+    if (std::find(loose.begin(), loose.end(), 1) != loose.end())
+    {
+      shells = join();
+    }
+  }
   return shells;
 }
 } // namespace insideout

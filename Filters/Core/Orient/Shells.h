@@ -6,24 +6,42 @@
 
 namespace insideout
 {
+/** A further copy of a facet that counts several times, or cancels: shells that share it have one
+ * each. */
+struct ShellCopy
+{
+  Id Facet;
+  Id Shell;
+  int Sign; ///< along the facet's own orientation or against it, before it is turned
+  char Turned;
+};
+
 /** Facets that face one way or the other together, and which of them were given against the rest.
  */
 struct Shells
 {
-  std::vector<Id> Shell;    ///< one per facet; None for those that count 0
+  std::vector<Id> Shell;    ///< one per facet, of its first copy; None for those that count 0
+  std::vector<char> Sign;   ///< one per facet: of its first copy, as ShellCopy::Sign
   std::vector<char> Turned; ///< one per facet: 1 where it has to be turned over to agree
-  Id Patches = 0;           ///< of the surface (SurfacePatches.h)
-  Id Count = 0;             ///< of shells, numbered by their lowest facet
+  std::vector<ShellCopy> MoreCopies; ///< by facet
+  std::vector<char> IsLoose;         ///< one per shell: without it the others fit (LoosePatches.h)
+  Id Patches = 0;                    ///< of the surface (SurfacePatches.h)
+  Id Count = 0;                      ///< of shells, numbered by their lowest facet
 };
 
 /**
- * Shells: patches put together again at the edges where they can agree which way to run.
+ * Shells: patches put together again at the seams where they can agree which way to run.
  *
- * Where two patches meet in an edge, and no other does that is not balanced there by itself, they
- * are to run opposite ways along it: as they do already, or once one of them is turned over. The
- * patches of an edge that is balanced by more than two are joined as they are. What patches ask of
- * one another may be at odds, as on a surface with one side only: then edges of two facets go
- * before others, and what a greater length of edges asks for before less.
+ * Where two patches meet at a seam, and no other does that is not balanced there by itself, they
+ * are to run opposite ways along it: as they do already, or once one of them is turned over. What
+ * patches ask of one another may be at odds, as on a surface with one side only: then edges of two
+ * facets go before others, and what a greater length of edges asks for before less.
+ *
+ * Where more patches balance, each is joined with another that runs against it (JoinCopies.h). A
+ * facet that counts n times, or cancels, has copies there: so n closed surfaces that share facets
+ * are n shells.
+ *
+ * Loose patches are joined with each other alone.
  *
  * In each shell the fewer facets are Turned, of as many those that the lowest facet is not of.
  *

@@ -9,12 +9,19 @@ namespace insideout
 SurfacePatches FindPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {
   DisjointSets sets(surface.Facets.size());
-  const auto count = [&](const FacetEdge& edge)
-  { return edge.Direction * surface.Multiplicity[edge.Facet]; };
+  const auto opposed = [&](const FacetEdge& edge)
+  { return surface.Opposed.empty() ? 0 : surface.Opposed[edge.Facet]; };
+  const auto run = [&](const FacetEdge& a, const FacetEdge& b)
+  {
+    const int sum =
+      a.Direction * surface.Multiplicity[a.Facet] + b.Direction * surface.Multiplicity[b.Facet];
+    return sum == 0 && opposed(a) == opposed(b) &&
+      (opposed(a) == 0 || surface.Multiplicity[a.Facet] != 0 || a.Direction != b.Direction);
+  };
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     {
-      if (last - first == 2 && count(first[0]) + count(first[1]) == 0)
+      if (last - first == 2 && run(first[0], first[1]))
       {
         sets.Join(first[0].Facet, first[1].Facet);
       }

@@ -16,7 +16,8 @@ struct SurfacePatches
 
 /**
  * Patches: the largest sets of facets that are joined through edges where exactly two facets meet,
- * which run along the edge opposite ways and count as often. On a resolved surface nothing else
+ * which run along the edge opposite ways and count as often, and of whose copies as many cancel
+ * (FacetComplex::Opposed). On a resolved surface nothing else
  * comes near such an edge, so that the winding number just beside a patch changes by no jump along
  * it, on either side (Zhou, Grinspun, Zorin and Jacobson 2016, section 4).
  *

@@ -9,6 +9,7 @@
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Validate/CoarseCoordinates.h"
+#include "Validate/CountCopies.h"
 #include "Validate/FacetEdges.h"
 #include "Validate/MergePoints.h"
 #include "Validate/TwoSidedComponents.h"
@@ -117,41 +118,70 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
 
+/** How often each facet is given by triangles that participate, and how many of them there are. */
+struct GivenFacets
+{
+  std::vector<FacetCopies> Copies;
+  std::vector<Id> Participants;
+};
+
+GivenFacets FacetsAsGiven(const TriangleSoup& soup, const FacetComplex& surface)
+{
+  GivenFacets given;
+  given.Copies.resize(surface.Facets.size());
+  given.Participants.resize(surface.Facets.size(), 0);
+  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
+  {
+    for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
+    {
+      const auto [triangle, reversed] = surface.Sources[s];
+      if (Participates(soup, triangle))
+      {
+        FacetCopies& copies = given.Copies[f];
+        (reversed ? copies.Against : copies.Along) +=
+          soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangle];
+        ++given.Participants[f];
+      }
+    }
+  }
+  return given;
+}
+
 /** How often each facet counts, by its sources. */
 void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& chain)
 {
   FacetComplex& surface = chain.Surface;
   SurfaceCounts& counts = chain.Counts;
   counts.DegenerateFacets = static_cast<Id>(chain.DegenerateTriangles.size());
+  const GivenFacets given = FacetsAsGiven(soup, surface);
+  const bool chooses = soup.Multiplicity.empty() && !countDuplicates;
+  const std::vector<FacetCopies> counted =
+    chooses ? CountCopies(surface, chain.Edges, given.Copies) : given.Copies;
   surface.Multiplicity.reserve(surface.Facets.size());
-  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  surface.Opposed.assign(surface.Facets.size(), 0);
+  for (std::size_t f = 0; f < surface.Facets.size(); ++f)
   {
     const Id first = surface.SourceOffsets[f];
-    const Id last = surface.SourceOffsets[f + 1];
-    std::array<long, 2> count{ { 0, 0 } }; // along the facet's orientation, and against it
-    Id participants = 0;
-    for (Id s = first; s < last; ++s)
-    {
-      const auto [triangle, reversed] = surface.Sources[s];
-      if (Participates(soup, triangle))
-      {
-        count[reversed] += soup.Multiplicity.empty() ? 1 : soup.Multiplicity[triangle];
-        ++participants;
-      }
-    }
-    const bool oncePerOrientation = soup.Multiplicity.empty() && !countDuplicates;
-    const long multiplicity =
-      oncePerOrientation ? (count[0] > 0) - (count[1] > 0) : count[0] - count[1];
-    if (std::abs(multiplicity) > std::numeric_limits<std::int16_t>::max())
+    const Id copies = surface.SourceOffsets[f + 1] - first;
+    const std::int32_t multiplicity = counted[f].Along - counted[f].Against;
+    constexpr std::int32_t most = std::numeric_limits<std::int16_t>::max();
+    if (std::abs(multiplicity) > most)
     {
       throw Error(ErrorCode::TooLarge,
         "triangle " + std::to_string(surface.Sources[first].Triangle) + " is given " +
-          std::to_string(last - first) + " times, more than can be counted");
+          std::to_string(copies) + " times, more than can be counted");
     }
     surface.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
-    counts.DuplicateFacets += last - first - 1;
-    counts.CancelledFacets += participants > 1 && multiplicity == 0;
-    counts.NonParticipatingFacets += participants == 0;
+    counts.DuplicateFacets += copies - 1;
+    counts.CancelledFacets += given.Participants[f] > 1 && multiplicity == 0;
+    counts.NonParticipatingFacets += given.Participants[f] == 0;
+    if (chooses)
+    {
+      surface.Opposed[f] =
+        static_cast<std::int16_t>(std::min({ counted[f].Along, counted[f].Against, most }));
+      counts.SharedFacets +=
+        std::max(counted[f].Along - 1, 0) + std::max(counted[f].Against - 1, 0);
+    }
   }
 }
 
@@ -213,6 +243,7 @@ TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetC
   {
     part.Facets.push_back(surface.Facets[f]);
     part.Multiplicity.push_back(surface.Multiplicity[f]);
+    part.Opposed.push_back(surface.Opposed[f]);
   }
   const std::vector<FacetEdge> edges = SortedFacetEdges(part.Facets);
   const TwoSidedComponents twoSided =
@@ -220,6 +251,7 @@ TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetC
   for (std::size_t i = 0; i < facets.size(); ++i)
   {
     surface.Multiplicity[facets[i]] = part.Multiplicity[i];
+    surface.Opposed[facets[i]] = part.Opposed[i];
   }
   return twoSided;
 }
@@ -279,7 +311,6 @@ CountedChain CountFacets(
 
   monitor.Check(Stages::Validating, 0.4);
   CollectFacets(soup, merged, chain);
-  CountSources(soup, parameters.CountDuplicates, chain);
   if (chain.Surface.Facets.empty())
   {
     throw Error(ErrorCode::AllDegenerate,
@@ -291,6 +322,7 @@ CountedChain CountFacets(
 
   monitor.Check(Stages::Validating, 0.7);
   chain.Edges = SortedFacetEdges(chain.Surface.Facets);
+  CountSources(soup, parameters.CountDuplicates, chain);
   const std::vector<FacetEdge>& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
@@ -329,6 +361,7 @@ void AddCounts(const SurfaceCounts& counts, Statistics& statistics)
   statistics.emplace_back("MergedPoints", counts.MergedPoints);
   statistics.emplace_back("DegenerateFacets", counts.DegenerateFacets);
   statistics.emplace_back("DuplicateFacets", counts.DuplicateFacets);
+  statistics.emplace_back("SharedFacets", counts.SharedFacets);
   statistics.emplace_back("CancelledFacets", counts.CancelledFacets);
   statistics.emplace_back("TwoSidedSolids", counts.TwoSidedSolids);
   statistics.emplace_back("TwoSidedSheets", counts.TwoSidedSheets);

@@ -14,7 +14,7 @@ struct CountedChainParameters
 {
   /** Points at most this far apart become one, in units of the surface. 0: only equal points do. */
   double MergeTolerance = 0;
-  /** Count a triangle as often as it is given, instead of once per orientation. */
+  /** Count a triangle as often as it is given, instead of as often as closed shells need it. */
   bool CountDuplicates = false;
 };
 
@@ -29,6 +29,7 @@ struct SurfaceCounts
   Id MergedPoints = 0;           ///< input points that became one with a point of lower id
   Id DegenerateFacets = 0;       ///< left out: two equal corners, or all three on a line
   Id DuplicateFacets = 0;        ///< input triangles whose three points an earlier one has
+  Id SharedFacets = 0;           ///< of these: count again, for several closed shells have them
   Id CancelledFacets = 0;        ///< facets given in both orientations, which count 0
   Id OpenEdges = 0;              ///< edges of exactly one facet
   double OpenLength = 0;         ///< of these edges, all together
@@ -55,7 +56,8 @@ struct CountedChain
  *
  * Points with equal coordinates become one (-0 equals +0; the lowest id's bits stay). Degenerate
  * triangles are left out. Triangles with the same three points become one facet, whose multiplicity
- * counts them once per orientation, opposite ones cancelling; it stays a constraint at 0. Where a
+ * counts them as often as closed shells need them (CountCopies.h), else once per orientation,
+ * opposite ones cancelling; it stays a constraint at 0. Where a
  * whole component cancels, it is two-sided: if it closes a volume when kept once, it is, turned
  * outward. None of this is for a soup that comes with multiplicities: those of equal triangles add.
  *

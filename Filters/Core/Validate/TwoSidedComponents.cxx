@@ -166,6 +166,10 @@ TwoSidedComponents KeepTwoSidedSolids(
   std::vector<char> isSolid(components.Count, 0);
   for (Id f = 0; f < numberOfFacets; ++f)
   {
+    if (twoSided[components.Component[f]])
+    {
+      surface.Opposed[f] = 0;
+    }
     if (const int sign = outward[patches.Patch[f]])
     {
       surface.Multiplicity[f] = static_cast<std::int16_t>(patches.Turned[f] ? -sign : sign);

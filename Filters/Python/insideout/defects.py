@@ -49,7 +49,7 @@ DEFECTS = (
     ),
     Defect("IntersectingPairs", "intersecting pair", "intersecting pairs", "facets are cut where they meet, exactly"),
     Defect("NonManifoldEdges", "non-manifold edge", "non-manifold edges", "edges may have any number of facets"),
-    Defect("DuplicateFacets", "duplicate facet", "duplicate facets", "facets count once per orientation"),
+    Defect("DuplicateFacets", "duplicate facet", "duplicate facets", "copies count where closed shells need them"),
     Defect(
         *("CancelledFacets", "facet cancelled by its opposite", "facets cancelled by their opposites"),
         "such facets shape the mesh but bound nothing, like walls within a solid",

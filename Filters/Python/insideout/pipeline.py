@@ -38,7 +38,7 @@ STATISTICS, STATISTICS_NAMES = "Statistics", "StatisticsNames"
 
 MEASURED = (
     *("Seconds", "Energy", "MinimumW", "MaximumW", "NearDistance", "PeakMemory", "Scale", "Diagonal", "EnclosedVolume", "OpenLength"),
-    *("OverlapVolume", "GapVolume", "LostShare", "SheetShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
+    *("OverlapVolume", "GapVolume", "LostShare", "SheetShare", "MembraneShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
     *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area", "MinAngle", "Angle1Percent", "MaxAngle"),
     *("DroppedVolume", "FilledVolume", "Genus"),

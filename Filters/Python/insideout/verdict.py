@@ -46,6 +46,8 @@ def _verdict_by_shells(statistics: Mapping[str, float]) -> str:
         sentence += f" after turning {counted(statistics['TurnedFacets'], 'facet')} over"
     if statistics["HoledShells"] > 0:
         sentence += ", once its holes are closed"
+    if statistics.get("Membranes", 0) > 0:
+        sentence += f", parted by {counted(statistics['Membranes'], 'membrane')}"
     if statistics["SheetShells"] > 0:
         verb = "encloses" if statistics["SheetShells"] == 1 else "enclose"
         sentence += f"; {sheets} {verb} nothing"
@@ -66,10 +68,11 @@ def verdict_in_a_plane(statistics: Mapping[str, float]) -> str:
 
 def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
     """More about the solid and what is none, one line each."""
+    kinds = (("ClosedShells", "closed"), ("HoledShells", "with holes"), ("Membranes", "membrane"), ("SheetShells", "sheet"))
     shells = [
-        f"{int(statistics[name]):,} {words}"
-        for name, words in (("ClosedShells", "closed"), ("HoledShells", "with holes"), ("SheetShells", "sheets" if statistics["SheetShells"] != 1 else "sheet"))
-        if statistics[name] > 0
+        f"{int(statistics[name]):,} {words}{'s' if words in ('membrane', 'sheet') and statistics[name] != 1 else ''}"
+        for name, words in kinds
+        if statistics.get(name, 0) > 0
     ]
     if len(shells) == 1:
         shells = [shells[0].split(" ", 1)[1]]

@@ -161,6 +161,7 @@ TEST(OrientFacets, LetsAnOpenSheetTurnNothingElse)
     const Oriented oriented = Orient(Join(cubes, ground));
     EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
     EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 1);
+    EXPECT_EQ(oriented.Turns.Membranes, 0);
     EXPECT_EQ(Orient(Join(Reversed(cubes), ground)).Turns.TurnedFacets, 24);
   }
 }

@@ -159,20 +159,39 @@ TEST(Shells, AreSeveralWhereCubesTouchInAnEdge)
   EXPECT_EQ(std::count(shells.Turned.begin(), shells.Turned.end(), 1), 0);
 }
 
-TEST(Shells, AreJoinedWherePatchesNeedEachOtherToBeBalanced)
+TEST(Shells, AreAsManyAsClosedSurfacesThatShareFacets)
 {
-  // Three patches: the outsides of two cubes that share a square, and the square counted 0.
-  TriangleSoup two = Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 1, 0, 0 }, { 2, 1, 1 }));
-  const FacetComplex surface = Chain(two);
+  // The outsides of two cubes, and the square that they share, which cancels.
+  const TriangleSoup cube = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const TriangleSoup beside = Box({ 1, 0, 0 }, { 2, 1, 1 });
+  const FacetComplex surface = Chain(Join(cube, beside));
   EXPECT_EQ(std::count(surface.Multiplicity.begin(), surface.Multiplicity.end(), 0), 2);
-  EXPECT_EQ(ShellsOf(surface).Count, 1);
-  // Where one of them is turned over the square counts 2, and all belong together, too.
-  const TriangleSoup turned =
-    Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Reversed(Box({ 1, 0, 0 }, { 2, 1, 1 })));
-  CountedChainParameters parameters;
-  parameters.CountDuplicates = true;
-  Monitor monitor;
-  EXPECT_EQ(ShellsOf(CountFacets(turned, parameters, monitor).Surface).Count, 1);
+  const Shells shells = ShellsOf(surface);
+  EXPECT_EQ(shells.Count, 2);
+  EXPECT_EQ(shells.MoreCopies.size(), 2u);
+  // Where one of them is turned over the square counts 2.
+  const FacetComplex turned = Chain(Join(cube, Reversed(beside)));
+  EXPECT_EQ(std::count(turned.Multiplicity.begin(), turned.Multiplicity.end(), 2), 2);
+  EXPECT_EQ(ShellsOf(turned).Count, 2);
+  // Three on one base, and one below it.
+  TriangleSoup plates = Box({ 0, 0, -1 }, { 1, 1, 0 });
+  for (const double height : { 0.1, 0.2, 0.3 })
+  {
+    plates = Join(plates, Box({ 0, 0, 0 }, { 1, 1, height }));
+  }
+  EXPECT_EQ(ShellsOf(Chain(plates)).Count, 4);
+}
+
+TEST(Shells, AreLooseWhereTheOthersFitWithoutThem)
+{
+  // A wall across two cubes, given once, on whose two sides they agree.
+  TriangleSoup two = Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 1, 0, 0 }, { 2, 1, 1 }));
+  two.Triangles.erase(two.Triangles.begin() + 20, two.Triangles.begin() + 22);
+  const Shells shells = ShellsOf(Chain(two));
+  ASSERT_EQ(shells.Count, 2);
+  EXPECT_EQ(std::count(shells.IsLoose.begin(), shells.IsLoose.end(), 1), 1);
+  const Id loose = shells.IsLoose[0] ? 0 : 1;
+  EXPECT_EQ(std::count(shells.Shell.begin(), shells.Shell.end(), loose), 2);
 }
 
 TEST(ShellChains, TellClosedFromHoledFromSheet)
@@ -205,9 +224,9 @@ TEST(ShellChains, HaveTheVolumeAndAreaOfTheirShell)
   ASSERT_EQ(chains.size(), 2u);
   EXPECT_DOUBLE_EQ(chains[0].Volume, 8);
   EXPECT_DOUBLE_EQ(chains[0].Area, 24);
-  EXPECT_EQ(chains[0].Facets, 12);
+  EXPECT_EQ(chains[0].Facets.size(), 12u);
   EXPECT_DOUBLE_EQ(chains[1].Volume, -1);
   EXPECT_DOUBLE_EQ(chains[1].Area, 5.5);
-  EXPECT_EQ(chains[1].Facets, 11);
+  EXPECT_EQ(chains[1].Facets.size(), 11u);
 }
 } // namespace

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Orient/PatchSeams.h"
+#include "Orient/TurnedSets.h"
+
+namespace insideout
+{
+/** The copies of patches, numbered patch by patch: those along the patch, then those against it. */
+class PatchCopies
+{
+public:
+  explicit PatchCopies(const SeamedPatches& patches);
+
+  Id First(Id patch) const { return this->Firsts[patch]; }
+  Id Along(Id patch) const { return this->Alongs[patch]; }
+  Id Against(Id patch) const { return this->Size(patch) - this->Alongs[patch]; }
+  Id Size(Id patch) const { return this->Firsts[patch + 1] - this->Firsts[patch]; }
+  Id Count() const { return this->Firsts.back(); }
+
+private:
+  std::vector<Id> Firsts;
+  std::vector<Id> Alongs;
+};
+
+/**
+ * Join copies of patches in pairs at seams where as many run along as against.
+ *
+ * Copies that are of one set already are a pair. Where two are left they are the next, and so on
+ * from seam to seam. Where more are left, at the longest seam first, those are a pair that bound
+ * the same solid wedge at the seam: the one behind which it begins, going around, and the next
+ * behind which it ends.
+ *
+ * @param[in] seams that balance
+ * @param[in,out] sets of copies
+ */
+void JoinCopies(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
+  const std::vector<PatchSeam>& seams, const SeamedPatches& patches, const PatchCopies& copies,
+  TurnedSets& sets);
+} // namespace insideout
