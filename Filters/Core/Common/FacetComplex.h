@@ -69,8 +69,8 @@ struct FacetComplex
   /** After validation, one per facet: how many pairs of opposite copies cancel; else empty. */
   std::vector<std::int16_t> Opposed = {};
 
-  std::vector<Id> SourceOffsets = { 0 };  ///< one per facet, and the end
-  std::vector<FacetSource> Sources;       ///< sorted by triangle within a facet
+  std::vector<Id> SourceOffsets = { 0 }; ///< one per facet, and the end
+  std::vector<FacetSource> Sources;      ///< sorted by triangle within a facet
 
   /**
    * Facets from here on could not be resolved: they are no constraints (they may cross others), but

@@ -33,9 +33,8 @@ struct ConstructedPoint
   {
     Corner,      ///< point Ids[0]
     EdgeOnFacet, ///< where the edge from point Ids[0] to Ids[1] meets the plane of facet Ids[2]
-    TwoEdges,   ///< where, seen along Axis, edge Ids[0], Ids[1] crosses edge Ids[2], Ids[3]; on the
-                ///< first
-    ThreeFacets ///< where the planes of facets Ids[0], Ids[1] and Ids[2] meet
+    TwoEdges,    ///< on edge Ids[0], Ids[1] where, seen along Axis, edge Ids[2], Ids[3] crosses it
+    ThreeFacets  ///< where the planes of facets Ids[0], Ids[1] and Ids[2] meet
   };
 
   Type Kind = Type::Corner;

@@ -199,7 +199,11 @@ std::vector<TouchingGroup> GroupTouching(
         [&](Id f) { return std::abs(slabs.at(f).Normal[axis]) >= LeastAlongAxis; });
       std::for_each(turned, facets.end(), [&](Id f) { isLeft[f] = 1; });
       facets.erase(turned, facets.end());
-      groups.push_back({ axis, std::move(facets) });
+      isLeft[largest] = 0; // also if doubles do not tell its plane: then nothing touches it
+      if (facets.size() > 1)
+      {
+        groups.push_back({ axis, std::move(facets) });
+      }
     }
     pairs.erase(
       std::remove_if(pairs.begin(), pairs.end(),
