@@ -238,7 +238,7 @@ OneSurface ReadInput(vtkRobustTetrahedralize* filter, vtkDataObject* given)
 {
   OneSurface input = { nullptr,
     { filter->GetNonParticipatingArrayName(), filter->GetBodyArrayName(), {},
-      vtkInsideOut::LastChange(given) },
+      vtkPolyData::SafeDownCast(given) ? 0 : vtkInsideOut::LastChange(given) },
     {} };
   if (filter->GetBlocksAreBodies())
   {

@@ -15,7 +15,6 @@ EnclosedVolumes MeasureShells(const std::vector<ShellChain>& chains,
     const ShellChain& chain = chains[shell];
     if (roles[shell] != ShellRole::Counts)
     {
-      volumes.SheetShells += roles[shell] == ShellRole::Beside;
       continue;
     }
     volumes.ClosedShells += chain.Kind == ShellKind::Closed;

@@ -15,15 +15,15 @@ namespace
 {
 /** Places on a shell and on its caps, fewer where there are many shells. */
 constexpr Id LeastPlaces = 8;
-constexpr Id MostPlaces = 64;
-constexpr Id PlacesOfAll = 1 << 11;
+constexpr Id MostPlaces = 256;
+constexpr Id PlacesOfAll = 1 << 12;
 
 /** So far beside a place, in units of the surface's size, it is asked whether the solid is there:
  * a sheet on the solid's surface is in it. */
 constexpr double Beside = 0x1p-24;
 
 /** A part of its area up to which a shell that lies in the solid may be outside. */
-constexpr double OutsideByChance = 0.04;
+constexpr double OutsideByChance = 0.2;
 
 /** Halfway between a flat sheet, 0, and half a sphere, which has between 1/4 and 0.35. */
 constexpr double LeastWinding = 0.25;
@@ -89,14 +89,17 @@ public:
   std::vector<ShellRole> Find(Monitor& monitor)
   {
     std::vector<Id> candidates;
+    Id solids = 0;
     for (Id shell = 0; shell < static_cast<Id>(this->Chains.size()); ++shell)
     {
-      if (!this->Bounds(shell))
+      const bool bounds = this->Bounds(shell);
+      if (!bounds && (this->Chains[shell].Kind == ShellKind::Sheet || this->Chains[shell].IsLoose))
       {
         candidates.push_back(shell);
       }
+      solids += bounds;
     }
-    if (!candidates.empty() && candidates.size() < this->Chains.size())
+    if (!candidates.empty() && solids > 0)
     {
       const Id count = static_cast<Id>(candidates.size());
       const Id places = std::clamp(PlacesOfAll / count, LeastPlaces, MostPlaces);
@@ -120,7 +123,7 @@ private:
 
   bool Bounds(Id shell) const
   {
-    return this->Chains[shell].Kind != ShellKind::Sheet && !this->Chains[shell].IsLoose;
+    return this->Chains[shell].Kind == ShellKind::Closed && !this->Chains[shell].IsLoose;
   }
 
   bool IsInSolid(const Place& place, RandomNumbers& random) const
@@ -167,32 +170,47 @@ private:
     Sheet sheet = { shell, this->OutsideOf(facets, random) };
     const double places = static_cast<double>(count);
     const double shareOutside = static_cast<double>(sheet.Outside.size()) / places;
-    const bool isAttached = chain.IsLoose || shareOutside < 1;
-    this->Roles[shell] = isAttached ? ShellRole::Membrane : ShellRole::Beside;
+    if (shareOutside == 1 && !chain.IsLoose)
+    {
+      return; // a sheet beside the solid adds to w as all sheets do
+    }
+    this->Roles[shell] = ShellRole::Membrane;
     if (shareOutside > OutsideByChance)
     {
       const Places caps = PlacesOn(this->Points, chain.Caps, count, random);
       const double capsOutside =
         caps.Area * static_cast<double>(this->OutsideOf(caps, random).size()) / places;
-      if (capsOutside > LargestCaps * shareOutside * facets.Area)
-      {
-        outside.push_back(std::move(sheet));
-      }
-      else
+      if (capsOutside <= LargestCaps * shareOutside * facets.Area)
       {
         this->Roles[shell] = ShellRole::Counts;
+      }
+      else if (shareOutside > 0.5)
+      {
+        outside.push_back(std::move(sheet));
       }
     }
   }
 
-  /** The winding number of sheets, not capped. */
+  /** The winding number of sheets, and of shells with holes, not capped. */
   SurfaceWindingNumber WindingNumberOf(const std::vector<Sheet>& sheets, Monitor& monitor) const
   {
     FacetComplex surface;
     std::vector<Id> index(this->Points.size(), None);
+    std::vector<Id> shells;
     for (const Sheet& sheet : sheets)
     {
-      for (const CountedTriangle& triangle : this->Chains[sheet.Shell].Facets)
+      shells.push_back(sheet.Shell);
+    }
+    for (Id shell = 0; shell < static_cast<Id>(this->Chains.size()); ++shell)
+    {
+      if (this->Chains[shell].Kind == ShellKind::Holed && !this->Chains[shell].IsLoose)
+      {
+        shells.push_back(shell);
+      }
+    }
+    for (const Id shell : shells)
+    {
+      for (const CountedTriangle& triangle : this->Chains[shell].Facets)
       {
         Triangle facet = triangle.Corners;
         for (Id& p : facet)
@@ -205,7 +223,8 @@ private:
           p = index[p];
         }
         surface.Facets.push_back(facet);
-        surface.Multiplicity.push_back(static_cast<std::int16_t>(triangle.Count));
+        const int count = this->Turned[shell] ? -triangle.Count : triangle.Count;
+        surface.Multiplicity.push_back(static_cast<std::int16_t>(count));
       }
     }
     surface.NumberOfConstraints = surface.NumberOfFacets();
@@ -215,7 +234,7 @@ private:
   void KeepThoseThatBoundTogether(std::vector<Sheet> sheets, Monitor& monitor)
   {
     std::size_t before = 0;
-    for (int round = 0; round < MostRounds && sheets.size() > 1 && sheets.size() != before; ++round)
+    for (int round = 0; round < MostRounds && !sheets.empty() && sheets.size() != before; ++round)
     {
       before = sheets.size();
       const SurfaceWindingNumber w = this->WindingNumberOf(sheets, monitor);
@@ -232,7 +251,7 @@ private:
     }
     for (const Sheet& sheet : sheets)
     {
-      this->Roles[sheet.Shell] = sheets.size() > 1 ? ShellRole::Counts : this->Roles[sheet.Shell];
+      this->Roles[sheet.Shell] = ShellRole::Counts;
     }
   }
 

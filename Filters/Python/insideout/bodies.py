@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Mapping, Optional, Union
+from typing import Mapping, Optional, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,7 +88,7 @@ def _keep_array(data: vtkDataSetAttributes, name: str) -> list[str]:
 def as_bodies(surface: AnyBodies, scale: float, array: Optional[str]) -> tuple[vtkPolyData, list[str], Optional[str]]:
     """A surface as VTK holds it, warnings, and the array that says what are bodies: a mapping brings its own."""
     if not isinstance(surface, Mapping) or is_stl(surface):
-        return (*as_surface(surface, scale), array)
+        return (*as_surface(cast(AnySurface, surface), scale), array)
     if array is not None:
         raise Error("body_array names an array of one surface; several surfaces by their names are bodies already")
     return (*join(surface, scale), BODY_IDS)

@@ -91,7 +91,8 @@ TEST(ResolveBodies, ChangesNoBodysWindingNumber)
     Monitor monitor;
     for (Id b = 0; b < 4; ++b)
     {
-      const CountedChain alone = CountFacets(soups[b], {}, monitor);
+      CountedChain alone = CountFacets(soups[b], {}, monitor);
+      OrientFacets(alone.Surface, alone.Edges, Orientation::AsGiven, monitor); // membranes
       const SurfaceWindingNumber expected(alone.Surface, {}, monitor);
       const SurfaceWindingNumber w(ComplexOfBody(bodies, b), {}, monitor);
       for (int i = 0; i < 20; ++i)

@@ -100,8 +100,8 @@ TriangleSoup Tube(double radius, double from, double to, bool closed)
 TEST(Membranes, LeaveTheWindingNumberOfAClosedSurfaceAsItIs)
 {
   std::mt19937 random(45);
-  std::uniform_real_distribution<double> anywhere(-4, 4);
-  for (int sheets = 1; sheets <= 24; ++sheets)
+  std::uniform_real_distribution<double> anywhere(-0.6, 0.6);
+  for (int sheets = 1; sheets <= 12; ++sheets)
   {
     TriangleSoup soup = Box({ -1.5, -1, -1 }, { 1, 1.5, 1 });
     for (int i = 0; i < sheets; ++i)
