@@ -146,16 +146,15 @@ public:
   void SetMergeTolerance(double tolerance);
   double GetMergeTolerance();
   ///@}
-  vtkInsideOutTouchToleranceMacro() // vtkInsideOutCounting.h describes it
 
-    ///@{
-    /**
-     * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
-     * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells
-     * join all around what touches, as around two cavities, only the boundary has several points at
-     * one location, whose cells share one; a warning counts them.
-     */
-    void SetGamma(double gamma);
+  ///@{
+  /**
+   * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
+   * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells join
+   * all around what touches, as around two cavities, only the boundary has several points at one
+   * location, whose cells share one; a warning counts them.
+   */
+  void SetGamma(double gamma);
   double GetGamma();
   void SetConstrainFacets(bool constrain);
   bool GetConstrainFacets();
@@ -351,9 +350,9 @@ public:
 
   /** The latest change of the filter and of its stages. */
   vtkMTimeType GetMTime() override;
+  vtkInsideOutTouchToleranceMacro() // described in vtkInsideOutCounting.h
 
-protected:
-  vtkRobustTetrahedralize();
+    protected : vtkRobustTetrahedralize();
   ~vtkRobustTetrahedralize() override;
 
   void ReportReferences(vtkGarbageCollector* collector) override;

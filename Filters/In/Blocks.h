@@ -50,7 +50,7 @@ Blocks FindBlocks(vtkAlgorithm* algorithm);
  * is not composite. */
 std::vector<vtkDataObject*> BlocksFromHere(vtkAlgorithm* algorithm);
 
-/** What there is of the partitions of a partitioned data set; what is not one is its only one. */
+/** The partitions of a partitioned data set that are there; other data are their only one. */
 std::vector<vtkDataObject*> PartitionsOf(vtkDataObject* block);
 
 /** When a data set, or the last of its blocks and partitions, was modified. */

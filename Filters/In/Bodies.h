@@ -41,7 +41,7 @@ constexpr const char* BodyIds = "BodyIds";
  */
 vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::string>& warnings);
 
-/** What the bodies by a cell array are called; none where its name is empty. */
+/** The names of the bodies by a cell array; none where its name is empty. */
 std::vector<std::string> NamesOfBodies(vtkPolyData* surface, const std::string& arrayName);
 
 /**

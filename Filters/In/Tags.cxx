@@ -104,7 +104,7 @@ std::string NameOf(vtkStringArray* names, long long number)
 
 using Cells = std::vector<vtkIdType>;
 
-/** What a number says at a place among an array's values. */
+/** The whole number at a place among an array's values. */
 long long TagNumberAt(vtkDataArray* array, vtkIdType value)
 {
   const std::optional<long long> number = NumberAt(array, value);

@@ -59,7 +59,7 @@ std::optional<Tags> ReadSides(vtkPolyData* surface, const std::string& name);
 /** The cell arrays that tag cells: those of ReadTags, integers with names, and strings. */
 std::vector<std::string> FindTagArrays(vtkPolyData* surface);
 
-/** What the field array is called that names an array's integers. */
+/** The name of the field array that names an array's integers. */
 std::string NameOfNames(const std::string& array);
 
 /** A name that no other has: itself, or with a number from 2 on behind it. */

@@ -40,7 +40,7 @@ struct ArrayOfBodies
   }
 };
 
-/** What a body says that has no such array: of BoundaryTag what it says by others, or its name. */
+/** The tags of a body without the array: for BoundaryTag by its other arrays, else its name. */
 Tags ReadOtherwise(const ArrayOfBodies& array, std::size_t body)
 {
   vtkPolyData* surface = array.Bodies[body];
@@ -78,7 +78,7 @@ Tags ReadBody(const ArrayOfBodies& array, std::size_t body, std::vector<std::str
   return ReadOtherwise(array, body);
 }
 
-/** Of each body, without any where there are no polygons. */
+/** The tags of each body; a body without polygons has none. */
 std::vector<Tags> ReadAll(const ArrayOfBodies& array, std::vector<std::string>& warnings)
 {
   std::vector<Tags> tags;
@@ -199,7 +199,7 @@ SharedTags Write(const ArrayOfBodies& array, const std::vector<Tags>& tags)
   return { array.Name, areStrings ? nullptr : MakeStrings(NameOfNames(array.Name).c_str(), all) };
 }
 
-/** Of arrays that stay: those of the first body that has any. */
+/** The names of an array that stays: those of the first body that has it. */
 vtkSmartPointer<vtkStringArray> FirstNames(const ArrayOfBodies& array)
 {
   for (std::size_t b = 0; b < array.Bodies.size(); ++b)

@@ -4,7 +4,7 @@
     python3 judge-touching.py [--turns N] [--seed N] [--only NAME]
 
 Ten assemblies are each turned and moved at random, and rounded to floats and to 6, 7 and 9 digits, or left in doubles, in
-a random order, each face triangulated at random. What has to hold: each interface has the area that it has unrounded, but for
+a random order, each face triangulated at random. Each interface has to have the area that it has unrounded, but for
 rounding ("touch"; "advised": with the tolerance that a warning advises, where it warns); no facet is left out or lost; and
 bodies that are ten roundings apart stay so ("apart"). A line for each assembly and grid says in how many turns that holds. Exit
 status 0 if in all.
@@ -236,7 +236,7 @@ def areas_by_tag(boundary) -> dict[str, float]:
 
 
 def wrong(case: Turned, apart: bool, **options) -> str:
-    """What is wrong with the mesh of a case; empty if nothing is."""
+    """The first fault of the mesh of a case; empty if there is none."""
     result = insideout.tetrahedralize(case.bodies, priority=case.assembly.priority, **options)
     found = areas_by_tag(result.boundary)
     statistics = result.statistics

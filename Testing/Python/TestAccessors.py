@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What PyVista's data sets can do under the name `insideout`.
+"""The functions of PyVista's data sets under the name `insideout`.
 
 PyVista is no package of Debian 12. A stand-in of ours has what is used of it, by what version 0.48 says of its mechanism: data sets
 that are VTK's; a lookup of an attribute that fails asks the entry points of the group `pyvista.accessors`, imports the module that one of the
@@ -106,7 +106,7 @@ class Accessors(unittest.TestCase):
         modules.start()
         self.addCleanup(modules.stop)
         self.addCleanup(self.forget)
-        # What a wheel has beside the package, by what the project says.
+        # The metadata that a wheel has beside the package, as the project declares them.
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         metadata = os.path.join(folder.name, "insideout-0.dist-info")

@@ -16,24 +16,16 @@ g inlet\nf 1 5 7 3\ng outlet\nf 2 4 8 6\ng wall\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5
 """A block of 2 x 3 x 4."""
 
 SIDES = ("floor", "floor", "roof", "roof", *["wall"] * 8)
-"""Of surfaces.box: z = 0, z = 1, and the others."""
+"""The sides of surfaces.box: z = 0, z = 1, and the others."""
 
 TAGS = ("BoundaryTag", "BoundaryTagNames"), ("GroupIds", "GroupNames"), ("MaterialIds", "MaterialNames"), ("Part", "PartNames")
-
-
-def strings(name: str, values) -> vtkStringArray:
-    array = vtkStringArray()
-    array.SetName(name)
-    for value in values:
-        array.InsertNextValue(value)
-    return array
 
 
 def tagged(surface: vtkPolyData, of_cell, array: str = "GroupIds", names: str = "GroupNames") -> vtkPolyData:
     """A surface whose cells have tags by name, numbered in the order of these names."""
     all_names = sorted(set(of_cell))
     surfaces.add_array(surface.GetCellData(), array, np.array([all_names.index(name) for name in of_cell], np.int32))
-    surface.GetFieldData().AddArray(strings(names, all_names))
+    surface.GetFieldData().AddArray(surfaces.strings(names, all_names))
     return surface
 
 
@@ -48,7 +40,7 @@ def triangle_areas(surface: vtkPolyData) -> np.ndarray:
 
 
 def called(surface: vtkPolyData, array: str = "BoundaryTag", names: str = "BoundaryTagNames") -> list[str]:
-    """What each cell is called by an array."""
+    """The name of each cell by an array."""
     data, fields = surface.GetCellData().GetAbstractArray(array), surface.GetFieldData().GetAbstractArray(names)
     if isinstance(data, vtkStringArray):
         return [data.GetValue(cell) for cell in range(data.GetNumberOfValues())]
@@ -132,13 +124,13 @@ class Names(CommandLine):
         surfaces.add_array(cut.GetCellData(), "GroupIds", numbers + 10)
         made = insideout.boolean({"pipe": pipe, "cut": cut}, "pipe - cut").surface  # they tell all apart as they are
         self.assertEqual(sorted(set(surfaces.cell_array(made, "GroupIds").tolist())), [0, 2, 4, 10, 14])
-        pipe.GetCellData().AddArray(strings("Face", SIDES))
+        pipe.GetCellData().AddArray(surfaces.strings("Face", SIDES))
         made = insideout.boolean({"pipe": pipe, "cut": cut}, "pipe - cut").surface
         self.assertEqual(areas(made, "Face"), {"floor": 16, "roof": 7, "wall": 52, "cut": 21})
 
     def test_what_closes_a_hole_is_called_so(self):
         lid_less = tagged(surfaces.open_box(), [*SIDES[:2], *SIDES[4:]])
-        lid_less.GetCellData().AddArray(strings("Face", [*SIDES[:2], *SIDES[4:]]))
+        lid_less.GetCellData().AddArray(surfaces.strings("Face", [*SIDES[:2], *SIDES[4:]]))
         surfaces.add_array(lid_less.GetCellData(), "MaterialIds", np.array([0, 0, *[5] * 8]))
         for bodies in ([lid_less], [lid_less, surfaces.box((3, 3, 3))]):
             made = insideout.boolean(bodies).surface
@@ -231,7 +223,7 @@ class Law(unittest.TestCase):
             return [None] * body.GetNumberOfCells()
         of_cell = random.choice(["floor", "wall", "roof", "A", "B", "1"], body.GetNumberOfCells()).tolist()
         if random.random() < 0.3:
-            body.GetCellData().AddArray(strings(array, of_cell))
+            body.GetCellData().AddArray(surfaces.strings(array, of_cell))
         else:
             tagged(body, of_cell, array, names)
         return of_cell

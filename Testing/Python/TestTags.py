@@ -12,25 +12,17 @@ import surfaces
 from insideout.files import read_surface, write_surface
 from surfaces import cell_array, polydata
 from command import CommandLine, run
-from vtkmodules.vtkCommonCore import vtkBitArray, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 
 FACES = ("bottom", "top", "front", "back", "right", "left")
 """Of surfaces.BOX_FACETS, two triangles each."""
 
 
-def strings(name: str, values) -> vtkStringArray:
-    array = vtkStringArray()
-    array.SetName(name)
-    for value in values:
-        array.InsertNextValue(value)
-    return array
-
-
 def tagged(surface: vtkPolyData, values, name: str = "Part") -> vtkPolyData:
     """The surface with a cell array of strings or numbers."""
     if isinstance(values[0], str):
-        surface.GetCellData().AddArray(strings(name, values))
+        surface.GetCellData().AddArray(surfaces.strings(name, values))
     else:
         surfaces.add_array(surface.GetCellData(), name, values)
     return surface
@@ -118,14 +110,14 @@ class OfArrays(Tags):
     def test_a_field_array_may_name_them_and_one_name_is_one_tag(self):
         for name, names in (("Part", "PartNames"), ("PartIds", "PartNames")):
             surface = tagged(surfaces.box(), np.array([0, 1, 2, 3, 4, 5] * 2), name)
-            surface.GetFieldData().AddArray(strings(names, ["wall", "inlet", "wall", "", "outlet"]))
+            surface.GetFieldData().AddArray(surfaces.strings(names, ["wall", "inlet", "wall", "", "outlet"]))
             result = insideout.tetrahedralize(surface, tag_array=name)
             self.check(result, ["wall", "inlet", "wall", "3", "outlet", "5"] * 2)
             self.assertEqual(names_of(result.boundary), ["wall", "inlet", "3", "outlet", "5"])
 
     def test_names_are_utf_8_whatever_they_were(self):
         surface = surfaces.box()
-        surface.GetCellData().AddArray(strings("Part", [b"Geh\xe4use", "Gehäuse", "Deckel"] * 4))
+        surface.GetCellData().AddArray(surfaces.strings("Part", [b"Geh\xe4use", "Gehäuse", "Deckel"] * 4))
         result = insideout.tetrahedralize(surface, tag_array="Part")
         self.check(result, ["Gehäuse", "Gehäuse", "Deckel"] * 4)
 
@@ -168,7 +160,7 @@ class OfArrays(Tags):
         order = ("STLSolidLabeling", "MaterialIds", "GroupIds", "BoundaryTag")
         for shift, name in enumerate(order):
             tagged(surface, (np.arange(12) + shift) // 6, name)
-            surface.GetFieldData().AddArray(strings({"STLSolidLabeling": "None"}.get(name, name.replace("Ids", "") + "Names"), "xyz"))
+            surface.GetFieldData().AddArray(surfaces.strings({"STLSolidLabeling": "None"}.get(name, name.replace("Ids", "") + "Names"), "xyz"))
             known[name] = names_of(insideout.tetrahedralize(surface).boundary)
         self.assertEqual(known["STLSolidLabeling"], ["0", "1"])
         self.assertEqual(known["MaterialIds"], ["x", "y", "z"][: len(set((np.arange(12) + 1) // 6))])

@@ -6,12 +6,10 @@ from __future__ import annotations
 import base64
 import json
 import os
-import select
 import shutil
 import signal
 import subprocess
 import tempfile
-import time
 from typing import Any, Optional
 
 import numpy as np
@@ -24,7 +22,7 @@ _FLAGS = (
     *("--headless=new", "--no-sandbox", "--no-first-run", "--disable-background-networking", "--disable-component-update"),
     *("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--remote-debugging-pipe"),
 )
-_PATIENCE = 300.0  # seconds, for what hangs
+_MOST_FRAMES = 20_000  # that a condition may take; pages under test are done within a few
 
 _COMPLAINTS = ("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded")
 
@@ -78,7 +76,6 @@ class Browser:
 
     def _read(self) -> dict[str, Any]:
         while b"\0" not in self._received:
-            assert select.select([self._from], [], [], _PATIENCE)[0], "the browser does not answer"
             some = os.read(self._from, 1 << 20)
             assert some, "the browser ended"
             self._received += some
@@ -93,10 +90,12 @@ class Browser:
         self.wait(f"document.body && ({until})")
 
     def wait(self, condition: str) -> None:
-        end = time.monotonic() + _PATIENCE
-        while not self.evaluate(condition):
-            assert time.monotonic() < end, f"never: {condition}"
-            time.sleep(0.02)
+        """Draw frame by frame until a condition holds."""
+        for _ in range(_MOST_FRAMES):
+            if self.evaluate(condition):
+                return
+            self.evaluate("new Promise(done => requestAnimationFrame(() => done(1)))")
+        raise AssertionError(f"never: {condition}")
 
     def evaluate(self, expression: str) -> Any:
         answer = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -101,6 +101,14 @@ def add_array(data, name: str, values):
     array = numpy_to_vtk(np.asarray(values), deep=True)
     array.SetName(name)
     data.AddArray(array)
+    return array
+
+
+def strings(name: str, values) -> vtkStringArray:
+    array = vtkStringArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
     return array
 
 

@@ -74,7 +74,8 @@ BodyRegions RegionsOfAll(
   }
   return result;
 }
-/** Of each body those that have cells, all of which are its own, but not all of these. */
+
+/** The bodies nested in each body: their cells are all cells of that body, which has more. */
 std::vector<std::vector<Id>> FindNested(const std::vector<std::vector<unsigned char>>& inside)
 {
   std::vector<std::size_t> cells(inside.size(), 0);

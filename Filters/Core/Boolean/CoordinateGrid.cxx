@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Boolean/CoordinateGrid.h"
 
+#include "Common/Floats.h"
 #include "Common/SortUniquely.h"
 
 #include <algorithm>
@@ -44,11 +45,6 @@ DecimalNumber ShortestDecimal(Real x)
     std::count_if(written.begin(), written.begin() + static_cast<std::ptrdiff_t>(exponentAt),
       [](char c) { return c >= '0' && c <= '9'; }));
   return { digits, digits - 1 - std::atoi(written.c_str() + exponentAt + 1) };
-}
-
-bool IsFloat(double x)
-{
-  return static_cast<double>(static_cast<float>(x)) == x;
 }
 
 /** The decimal grid of absolute coordinates, if they are on one. */

@@ -130,7 +130,7 @@ private:
   std::vector<std::size_t> Place; ///< of each body in the order that was given
 };
 
-/** What the order takes of a body where that is more than half of its volume. */
+/** A warning where the order takes more than half of a body's volume; else nothing. */
 std::string WarningOfOrder(Id body, const std::vector<Id>& owners, const TetrahedralMesh& mesh,
   const std::vector<std::string>& names, const Words& words)
 {

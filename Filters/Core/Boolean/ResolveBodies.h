@@ -77,7 +77,7 @@ inline int CountFor(const ResolvedBodies& bodies, Id facet, Id body)
   return 0;
 }
 
-/** What touches: the statistics TouchingPairs, TouchMovedPoints and NearTriangles. */
+/** Add the statistics TouchingPairs, TouchMovedPoints and NearTriangles. */
 void AddTouches(const ResolvedBodies& bodies, Statistics& statistics);
 
 /**

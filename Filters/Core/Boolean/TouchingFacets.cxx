@@ -39,7 +39,7 @@ struct SeenTriangle
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
   }
 
-  /** Of a place in the triangle; one that rounding put beside it is as high as the edge. */
+  /** The height at a place in the triangle; beside it, by rounding, the height of the edge. */
   double HeightAt(const PlanarPlace& p) const
   {
     double height = 0;
@@ -59,7 +59,7 @@ struct SeenTriangle
   double DoubleArea;
 };
 
-/** What two triangles have in common: the first, cut along the edges of the second. */
+/** The intersection of two triangles: the first, cut along the edges of the second. */
 std::vector<PlanarPlace> CommonPolygon(const SeenTriangle& first, const SeenTriangle& second)
 {
   std::vector<PlanarPlace> polygon(first.Places.begin(), first.Places.end());

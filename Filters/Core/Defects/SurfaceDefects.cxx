@@ -7,7 +7,6 @@
 #include "Defects/JoinSegments.h"
 #include "Defects/NearPoints.h"
 #include "Resolve/FindIntersections.h"
-#include "Validate/CoarseCoordinates.h"
 #include "Validate/FacetEdges.h"
 
 #include <algorithm>
@@ -246,10 +245,9 @@ SurfaceDefects FindSurfaceDefects(
   {
     defects.Warnings.push_back(AdviceOnNearPoints(near));
   }
-  const CoarseCoordinates coarse = FindCoarseCoordinates(surface.Points, edges);
-  if (coarse.AreTooCoarse())
+  if (chain.Coordinates.AreTooCoarse())
   {
-    defects.Warnings.push_back(WarningAbout(coarse));
+    defects.Warnings.push_back(WarningAbout(chain.Coordinates));
   }
   return defects;
 }

@@ -27,12 +27,14 @@ struct CopyAtSeam
 class AnglesAround
 {
 public:
-  AnglesAround(const FacetComplex& surface, const FacetEdge& edge)
-    : Surface(surface)
+  AnglesAround(
+    const std::vector<Point>& points, const std::vector<Triangle>& facets, const FacetEdge& edge)
+    : Points(points)
+    , Facets(facets)
     , Low(edge.Low)
     , High(edge.High)
   {
-    const Point axis = Difference(surface.Points[edge.High], surface.Points[edge.Low]);
+    const Point axis = Difference(points[edge.High], points[edge.Low]);
     int least = 0;
     for (int i = 1; i < 3; ++i)
     {
@@ -51,11 +53,11 @@ public:
 
   double Of(Id facet) const
   {
-    for (const Id p : this->Surface.Facets[facet])
+    for (const Id p : this->Facets[facet])
     {
       if (p != this->Low && p != this->High)
       {
-        const Point to = Difference(this->Surface.Points[p], this->Surface.Points[this->Low]);
+        const Point to = Difference(this->Points[p], this->Points[this->Low]);
         return std::atan2(Dot(to, this->Y), Dot(to, this->X));
       }
     }
@@ -63,7 +65,8 @@ public:
   }
 
 private:
-  const FacetComplex& Surface;
+  const std::vector<Point>& Points;
+  const std::vector<Triangle>& Facets;
   Id Low;
   Id High;
   Point X;
@@ -145,7 +148,7 @@ public:
   {
     const FacetEdge* const first = this->Edges.data() + seam.Longest[0];
     const FacetEdge* const last = this->Edges.data() + seam.Longest[1];
-    const AnglesAround angles(this->Surface, *first);
+    const AnglesAround angles(this->Patches.Points, this->Surface.Facets, *first);
     std::vector<std::tuple<double, int, std::size_t>> around;
     for (std::size_t i = 0; i < left.size(); ++i)
     {

@@ -112,7 +112,7 @@ public:
 private:
   std::int64_t RunOf(const PatchAtSeam& at) const
   {
-    const std::int64_t run = static_cast<std::int64_t>(at.Direction) * this->Given.Count[at.Patch];
+    const std::int64_t run = this->Given.RunOf(at);
     return this->Turned[at.Patch] ? -run : run;
   }
 

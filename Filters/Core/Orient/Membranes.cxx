@@ -18,14 +18,14 @@ constexpr Id LeastPlaces = 8;
 constexpr Id MostPlaces = 256;
 constexpr Id PlacesOfAll = 1 << 12;
 
-/** So far beside a place, in units of the surface's size, it is asked whether the solid is there:
- * a sheet on the solid's surface is in it. */
+/** Distance from a place, in units of the surface's size, at which the solid is looked for on both
+ * sides: a sheet on the solid's surface is in it. */
 constexpr double Beside = 0x1p-24;
 
-/** A part of its area up to which a shell that lies in the solid may be outside. */
+/** The largest share of its area that a shell within the solid may have outside. */
 constexpr double OutsideByChance = 0.2;
 
-/** Halfway between a flat sheet, 0, and half a sphere, which has between 1/4 and 0.35. */
+/** The least of half a sphere, on which it is 1/4 to 0.35; on a flat sheet it is 0. */
 constexpr double LeastWinding = 0.25;
 
 constexpr int MostRounds = 8;

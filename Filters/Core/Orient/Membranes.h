@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** What a shell is beside the others. */
+/** Whether a shell counts beside the others. */
 enum class ShellRole : char
 {
   Counts,
@@ -13,23 +13,22 @@ enum class ShellRole : char
 };
 
 /**
- * Which shells do not count: sheets that bound nothing, attached to a solid, across it or within
- * it.
+ * Find the shells that do not count: sheets that bound nothing, attached to a solid, across it or
+ * within it.
  *
- * Sheets that are not altogether outside, and shells that are loose (LoosePatches.h), are held
- * against the solid of closed shells. These do not count:
+ * Sheets that are not altogether outside, and loose shells (LoosePatches.h), are held against the
+ * solid of closed shells. A shell does not count if it lies in that solid. Nor does it if its part
+ * outside seals off no space: the caps of its holes, as far as they are outside, have more than
+ * `LargestCaps` of its area there. A dome or a chimney on the solid counts, for the solid closes
+ * its foot.
  *
- *   1. those that lie in that solid, and
- *   2. those whose part outside it seals off no space: the caps of its holes, where they are
- * outside too, have more than `LargestCaps` of its area. A dome or a chimney that stands on the
- * solid is none, for the solid closes its foot. Nor is
- *   3. a sheet that lies mostly outside and bounds space together with other open shells, as walls
- *      that stand in a slab: on the average their winding number has to differ by `LeastWinding`
- *      from the 0 that it is on a lone flat one, the mean of both sides. Sheets for which it does
- *      not are taken away, until those that are left support each other.
+ * Sheets mostly outside that bound space together with other open shells count, too, such as walls
+ * that stand in a slab: their winding number on the sheet, the mean of both sides, differs from 0
+ * by `LeastWinding` on the average. Sheets for which it does not are taken away, until those that
+ * are left support each other.
  *
- * Areas and means are found at random places, the same for any number of threads. Where no
- * shell is closed all count.
+ * Areas and means are found at random places, the same for any number of threads. All shells count
+ * if none is closed.
  *
  * @param[in] points those of the surface, scaled as for the sampler
  * @param[in] turned one per shell

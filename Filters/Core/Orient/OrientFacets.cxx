@@ -133,7 +133,7 @@ void TurnCopies(const FacetComplex& surface, const Shells& shells,
   turns.IsSheet.assign(facets, 1);
   turns.IsMembrane.assign(facets, 0);
   turns.Multiplicity.assign(facets, 0);
-  const auto add = [&](Id f, Id shell, int sign, bool disagrees)
+  const auto add = [&](Id f, Id shell, int multiplicity, bool disagrees)
   {
     const bool turned = (makeAgree && disagrees) != (shellTurned[shell] != 0);
     const bool counts = roles[shell] == ShellRole::Counts;
@@ -141,7 +141,7 @@ void TurnCopies(const FacetComplex& surface, const Shells& shells,
     turns.IsMembrane[f] |= roles[shell] == ShellRole::Membrane;
     if (counts)
     {
-      const int count = turned ? -sign : sign;
+      const int count = turned ? -multiplicity : multiplicity;
       turns.Multiplicity[f] = static_cast<std::int16_t>(turns.Multiplicity[f] + count);
     }
     return turned;
@@ -150,12 +150,12 @@ void TurnCopies(const FacetComplex& surface, const Shells& shells,
   {
     if (shells.Shell[f] != None)
     {
-      turns.Turned[f] = add(f, shells.Shell[f], shells.Sign[f], shells.Turned[f] != 0);
+      turns.Turned[f] = add(f, shells.Shell[f], shells.Multiplicity[f], shells.Turned[f] != 0);
     }
   }
   for (const ShellCopy& copy : shells.MoreCopies)
   {
-    add(copy.Facet, copy.Shell, copy.Sign, copy.Turned != 0);
+    add(copy.Facet, copy.Shell, copy.Multiplicity, copy.Turned != 0);
   }
 }
 
@@ -266,10 +266,12 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
   }
   if (turns.Membranes > 0)
   {
+    const bool isOne = turns.Membranes == 1;
     turns.Warnings.push_back(std::to_string(turns.Membranes) +
-      (turns.Membranes == 1 ? " membrane (" : " membranes (") +
-      std::to_string(turns.MembraneFacets) + " facets, " + AsPercentage(turns.MembraneShare) +
-      " of the area), attached to the solid or within it, shape the mesh and do not count");
+      (isOne ? " membrane (" : " membranes (") + std::to_string(turns.MembraneFacets) +
+      " facets, " + AsPercentage(turns.MembraneShare) +
+      " of the area), attached to the solid or within it, " +
+      (isOne ? "shapes the mesh and does not count" : "shape the mesh and do not count"));
   }
   monitor.Check(Stages::Orienting, 1);
   return turns;

@@ -2,6 +2,7 @@
 #include "Orient/PatchSeams.h"
 
 #include "Common/FacetComplex.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -12,6 +13,10 @@ namespace insideout
 {
 namespace
 {
+/** Copies of a facet that are told apart. More, as a surface may claim that was resolved before,
+ * are one that counts as often. */
+constexpr int MostCopies = 64;
+
 /** The patches at an edge that do not balance there by themselves. */
 void PatchesAt(const FacetEdge* first, const FacetEdge* last, const FacetComplex& surface,
   const SurfacePatches& patches, std::vector<PatchAtSeam>& found)
@@ -91,16 +96,22 @@ SeamedPatches FindSeams(const FacetComplex& surface, const std::vector<FacetEdge
   found.Patches = FindPatches(surface, edges);
   const std::vector<Id>& patch = found.Patches.Patch;
   found.Count.resize(found.Patches.Count);
+  found.Weight.resize(found.Patches.Count, 1);
   found.Opposed.resize(found.Patches.Count, 0);
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
-    found.Count[patch[f]] = std::abs(surface.Multiplicity[f]);
-    found.Opposed[patch[f]] = surface.Opposed.empty() ? 0 : surface.Opposed[f];
+    const int count = std::abs(surface.Multiplicity[f]);
+    const int opposed = surface.Opposed.empty() ? 0 : surface.Opposed[f];
+    const bool areFew = count + opposed <= MostCopies;
+    found.Count[patch[f]] = areFew ? count : std::min(count, 1);
+    found.Weight[patch[f]] = areFew ? 1 : std::max(count, 1);
+    found.Opposed[patch[f]] = areFew ? opposed : 0;
   }
   if (found.Patches.Count == 1)
   {
     return found;
   }
+  found.Points = ScaledPoints(surface.Points, -LargestExponent(surface.Points));
   std::vector<PatchAtSeam> patches;
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
@@ -118,7 +129,7 @@ SeamedPatches FindSeams(const FacetComplex& surface, const std::vector<FacetEdge
       DirectAlongFirst(patches);
       const auto counts = [&](const FacetEdge& e) { return surface.Multiplicity[e.Facet] != 0; };
       found.Seams.push_back(
-        { patches, Distance(surface.Points[first->Low], surface.Points[first->High]),
+        { patches, Distance(found.Points[first->Low], found.Points[first->High]),
           { static_cast<Id>(first - edges.data()), static_cast<Id>(last - edges.data()) },
           static_cast<Id>(std::count_if(first, last, counts)) });
     });

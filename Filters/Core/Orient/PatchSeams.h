@@ -4,6 +4,7 @@
 #include "Orient/SurfacePatches.h"
 
 #include <array>
+#include <cstdint>
 
 namespace insideout
 {
@@ -23,9 +24,9 @@ struct PatchAtSeam
 struct PatchSeam
 {
   std::vector<PatchAtSeam> Patches; ///< by patch
-  double Length;
-  std::array<Id, 2> Longest; ///< range in the sorted edges: the facets at the longest edge
-  Id Counting;               ///< of these facets: that do not count 0
+  double Length;                    ///< of scaled points
+  std::array<Id, 2> Longest;        ///< range in the sorted edges: the facets at the longest edge
+  Id Counting;                      ///< of these facets: that do not count 0
 };
 
 /** Patches, how often their facets count, and the seams between them. */
@@ -33,9 +34,17 @@ struct SeamedPatches
 {
   SurfacePatches Patches;
 
-  std::vector<int> Count;   ///< one per patch: of each of its facets, at least 0
+  std::vector<int> Count;   ///< one per patch: copies of each of its facets that count, at least 0
+  std::vector<int> Weight;  ///< one per patch: how often each copy counts; 1 but for very many
   std::vector<int> Opposed; ///< one per patch: pairs of copies that cancel, of each of its facets
   std::vector<PatchSeam> Seams; ///< empty where there is one patch
+  std::vector<Point> Points; ///< of the surface, scaled to below 1; empty where there is one patch
+
+  /** How often a patch runs along a seam, counted, less the other way. */
+  std::int64_t RunOf(const PatchAtSeam& at) const
+  {
+    return static_cast<std::int64_t>(at.Direction) * this->Count[at.Patch] * this->Weight[at.Patch];
+  }
 };
 
 /**

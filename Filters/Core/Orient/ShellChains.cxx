@@ -129,13 +129,13 @@ std::vector<ShellChain> CloseShells(
         if (shells.Shell[f] != None)
         {
           visit(static_cast<std::size_t>(shells.Shell[f]),
-            Copy{ f, shells.Turned[f] ? -shells.Sign[f] : shells.Sign[f] });
+            Copy{ f, shells.Turned[f] ? -shells.Multiplicity[f] : shells.Multiplicity[f] });
         }
         for (; more < shells.MoreCopies.size() && shells.MoreCopies[more].Facet == f; ++more)
         {
           const ShellCopy& copy = shells.MoreCopies[more];
-          visit(
-            static_cast<std::size_t>(copy.Shell), Copy{ f, copy.Turned ? -copy.Sign : copy.Sign });
+          visit(static_cast<std::size_t>(copy.Shell),
+            Copy{ f, copy.Turned ? -copy.Multiplicity : copy.Multiplicity });
         }
       }
     });

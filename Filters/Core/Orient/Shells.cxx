@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Orient/Shells.h"
 
-#include "Common/ScaledPoints.h"
 #include "Orient/JoinCopies.h"
 #include "Orient/LoosePatches.h"
 #include "Orient/ShellChains.h"
@@ -35,21 +34,20 @@ void AddSeam(const PatchSeam& seam, const SeamedPatches& patches, SeamsOfPatches
 {
   std::vector<PatchAtSeam> counting;
   std::vector<Id> opposed;
-  int sum = 0;
+  std::int64_t sum = 0;
   for (const PatchAtSeam& at : seam.Patches)
   {
     if (patches.Count[at.Patch] > 0)
     {
       counting.push_back(at);
-      sum += at.Direction * patches.Count[at.Patch];
+      sum += patches.RunOf(at);
     }
     if (patches.Opposed[at.Patch] > 0)
     {
       opposed.push_back(at.Patch);
     }
   }
-  const auto run = [&](int i)
-  { return std::abs(counting[i].Direction) * patches.Count[counting[i].Patch]; };
+  const auto run = [&](int i) { return std::abs(patches.RunOf(counting[i])); };
   if (counting.size() == 2 && run(0) == run(1) && (sum != 0 || opposed.empty()))
   {
     seams.Relations.push_back({ counting[0].Patch, counting[1].Patch, seam.Counting > 2,
@@ -194,7 +192,7 @@ Shells NumberShells(const FacetComplex& surface, const SeamedPatches& patches,
   Shells shells;
   shells.Patches = patches.Patches.Count;
   shells.Shell.assign(surface.Facets.size(), None);
-  shells.Sign.assign(surface.Facets.size(), 1);
+  shells.Multiplicity.assign(surface.Facets.size(), 1);
   shells.Turned.assign(surface.Facets.size(), 0);
   const CopiesLeft left(patches, copies, sets);
   struct Seen
@@ -207,7 +205,7 @@ Shells NumberShells(const FacetComplex& surface, const SeamedPatches& patches,
   {
     const Id patch = patches.Patches.Patch[f];
     const Id first = copies.First(patch);
-    const int sign = SignOfCount(surface.Multiplicity[f]);
+    const int sign = SignOfCount(surface.Multiplicity[f]) * patches.Weight[patch];
     for (Id copy = first; copy < first + copies.Size(patch); ++copy)
     {
       if (!left[copy])
@@ -221,17 +219,17 @@ Shells NumberShells(const FacetComplex& surface, const SeamedPatches& patches,
         shell = { shells.Count++, place.Turned };
         shells.IsLoose.push_back(isLoose[patch]);
       }
-      const int along = copy < first + copies.Along(patch) ? sign : -sign;
+      const int count = copy < first + copies.Along(patch) ? sign : -sign;
       const char turned = static_cast<char>(place.Turned ^ shell.Turned);
       if (shells.Shell[f] == None)
       {
         shells.Shell[f] = shell.Shell;
-        shells.Sign[f] = static_cast<char>(along);
+        shells.Multiplicity[f] = static_cast<std::int16_t>(count);
         shells.Turned[f] = turned;
       }
       else
       {
-        shells.MoreCopies.push_back({ f, shell.Shell, along, turned });
+        shells.MoreCopies.push_back({ f, shell.Shell, count, turned });
       }
     }
   }
@@ -261,11 +259,10 @@ std::vector<double> VolumesOfPatches(
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
     each.Shell.push_back(surface.Multiplicity[f] == 0 ? None : patches.Patches.Patch[f]);
-    each.Sign.push_back(static_cast<char>(SignOfCount(surface.Multiplicity[f])));
+    each.Multiplicity.push_back(static_cast<std::int16_t>(SignOfCount(surface.Multiplicity[f])));
   }
-  const std::vector<Point> points = ScaledPoints(surface.Points, -LargestExponent(surface.Points));
   std::vector<double> volumes;
-  for (const ShellChain& chain : CloseShells(surface, each, points))
+  for (const ShellChain& chain : CloseShells(surface, each, patches.Points))
   {
     volumes.push_back(chain.Volume);
   }

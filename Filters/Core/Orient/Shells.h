@@ -12,7 +12,7 @@ struct ShellCopy
 {
   Id Facet;
   Id Shell;
-  int Sign; ///< along the facet's own orientation or against it, before it is turned
+  int Multiplicity; ///< along the facet's own orientation, before it is turned
   char Turned;
 };
 
@@ -20,9 +20,9 @@ struct ShellCopy
  */
 struct Shells
 {
-  std::vector<Id> Shell;    ///< one per facet, of its first copy; None for those that count 0
-  std::vector<char> Sign;   ///< one per facet: of its first copy, as ShellCopy::Sign
-  std::vector<char> Turned; ///< one per facet: 1 where it has to be turned over to agree
+  std::vector<Id> Shell; ///< one per facet, of its first copy; None for those that count 0
+  std::vector<std::int16_t> Multiplicity; ///< one per facet: of its first copy
+  std::vector<char> Turned;          ///< one per facet: 1 where it has to be turned over to agree
   std::vector<ShellCopy> MoreCopies; ///< by facet
   std::vector<char> IsLoose;         ///< one per shell: without it the others fit (LoosePatches.h)
   Id Patches = 0;                    ///< of the surface (SurfacePatches.h)

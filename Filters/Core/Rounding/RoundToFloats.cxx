@@ -3,6 +3,7 @@
 
 #include "Common/Box.h"
 #include "Common/Edge.h"
+#include "Common/Floats.h"
 #include "Common/PointPredicates.h"
 #include "Common/SortUniquely.h"
 #include "Common/SortedTriangle.h"
@@ -32,13 +33,6 @@ constexpr double Reach = 2.0;
 
 /** A pass over all that crosses helps the next one; few are needed. */
 constexpr int MaximumPasses = 4;
-
-/** The nearest float. GCC 12 leaves the conversion out where it vectorizes: hence volatile. */
-double InFloat(double x)
-{
-  const volatile auto single = static_cast<float>(x);
-  return double(single) + 0.0; // -0 is 0
-}
 
 std::vector<Point> InFloats(std::vector<Point> points)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Validate/CoarseCoordinates.h"
 
+#include "Common/Floats.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -12,12 +13,6 @@ namespace insideout
 {
 namespace
 {
-bool IsFloat(double x)
-{
-  return std::abs(x) <= std::numeric_limits<float>::max() &&
-    static_cast<double>(static_cast<float>(x)) == x;
-}
-
 /** From a float to the next one away from zero. */
 double StepAt(double x)
 {
@@ -26,7 +21,7 @@ double StepAt(double x)
     static_cast<double>(single);
 }
 
-/** Of the largest coordinates along an axis, where one of them is an odd multiple; else 0. */
+/** The step at the largest coordinate along an axis, where one is an odd multiple of it; else 0. */
 double StepAlong(int axis, const std::vector<Point>& points)
 {
   const auto [least, most] = std::minmax_element(points.begin(), points.end(),

@@ -4,6 +4,7 @@
 #include "Common/Buckets.h"
 #include "Common/DisjointSets.h"
 #include "Common/FacetComplex.h"
+#include "Common/ScaledPoints.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ bool IsGivenAgain(const FacetCopies& given)
 
 FacetCopies OncePerOrientation(const FacetCopies& given)
 {
-  return { std::min(given.Along, 1), std::min(given.Against, 1) };
+  return { given.Along > 0, given.Against > 0 };
 }
 
 /** How often one more copy of a set's facets runs along an edge. */
@@ -59,7 +60,8 @@ public:
     for (std::size_t set = 0; set < start.size(); ++set)
     {
       const FacetCopies once = OncePerOrientation(this->Given[set]);
-      const int more = (start[set].Along - once.Along) - (start[set].Against - once.Against);
+      const std::int64_t more =
+        (start[set].Along - once.Along) - (start[set].Against - once.Against);
       this->Add(set, more, sums);
     }
     bool changed = true;
@@ -69,7 +71,8 @@ public:
       for (std::size_t set = 0; set < start.size(); ++set)
       {
         const FacetCopies once = OncePerOrientation(this->Given[set]);
-        const auto change = [&](std::int32_t& count, int least, int most, int sign)
+        const auto change = [&](
+                              std::int64_t& count, std::int64_t least, std::int64_t most, int sign)
         {
           while (count + step >= least && count + step <= most &&
             this->Gain(set, sign * step, sums) > LeastGain * this->Lengths[set])
@@ -131,6 +134,8 @@ private:
   void FindEdges(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
     const std::vector<FacetCopies>& given)
   {
+    const std::vector<Point> points =
+      ScaledPoints(surface.Points, -LargestExponent(surface.Points));
     this->Lengths.assign(this->Given.size(), 0);
     std::vector<std::pair<Id, SetAtEdge>> boundary;
     ForEachEdge(edges,
@@ -165,8 +170,7 @@ private:
         if (boundary.size() > before)
         {
           this->Sums.push_back(sum);
-          this->EdgeLengths.push_back(
-            Distance(surface.Points[first->Low], surface.Points[first->High]));
+          this->EdgeLengths.push_back(Distance(points[first->Low], points[first->High]));
         }
       });
     this->Boundary = Buckets<SetAtEdge>(this->Given.size(),
@@ -184,7 +188,7 @@ private:
   }
 
   /** By how much the open boundary shrinks when a set counts that much more. */
-  double Gain(std::size_t set, int more, const std::vector<std::int64_t>& sums) const
+  double Gain(std::size_t set, std::int64_t more, const std::vector<std::int64_t>& sums) const
   {
     double gain = 0;
     for (const SetAtEdge& at : this->Boundary[set])
@@ -196,11 +200,11 @@ private:
     return gain;
   }
 
-  void Add(std::size_t set, int more, std::vector<std::int64_t>& sums) const
+  void Add(std::size_t set, std::int64_t more, std::vector<std::int64_t>& sums) const
   {
     for (const SetAtEdge& at : this->Boundary[set])
     {
-      sums[at.Edge] += static_cast<std::int64_t>(more) * at.Direction;
+      sums[at.Edge] += more * at.Direction;
     }
   }
 

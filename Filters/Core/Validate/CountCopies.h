@@ -12,8 +12,8 @@ struct FacetComplex;
 /** How often a facet is given, or counts, along its own orientation and against it. */
 struct FacetCopies
 {
-  std::int32_t Along = 0;
-  std::int32_t Against = 0;
+  std::int64_t Along = 0;
+  std::int64_t Against = 0;
 
   bool operator==(const FacetCopies& other) const
   {

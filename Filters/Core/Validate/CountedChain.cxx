@@ -8,7 +8,6 @@
 #include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
-#include "Validate/CoarseCoordinates.h"
 #include "Validate/CountCopies.h"
 #include "Validate/FacetEdges.h"
 #include "Validate/MergePoints.h"
@@ -163,8 +162,8 @@ void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& 
   {
     const Id first = surface.SourceOffsets[f];
     const Id copies = surface.SourceOffsets[f + 1] - first;
-    const std::int32_t multiplicity = counted[f].Along - counted[f].Against;
-    constexpr std::int32_t most = std::numeric_limits<std::int16_t>::max();
+    const std::int64_t multiplicity = counted[f].Along - counted[f].Against;
+    constexpr std::int64_t most = std::numeric_limits<std::int16_t>::max();
     if (std::abs(multiplicity) > most)
     {
       throw Error(ErrorCode::TooLarge,
@@ -179,8 +178,8 @@ void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& 
     {
       surface.Opposed[f] =
         static_cast<std::int16_t>(std::min({ counted[f].Along, counted[f].Against, most }));
-      counts.SharedFacets +=
-        std::max(counted[f].Along - 1, 0) + std::max(counted[f].Against - 1, 0);
+      counts.SharedFacets += static_cast<Id>(
+        counted[f].Along - (counted[f].Along > 0) + counted[f].Against - (counted[f].Against > 0));
     }
   }
 }
@@ -338,10 +337,10 @@ CountedChain CountFacets(
     chain.Counts.TwoSidedSheets = twoSided.Sheets;
   }
   chain.Warnings = WarningsAbout(chain.Counts);
-  const CoarseCoordinates coarse = FindCoarseCoordinates(chain.Surface.Points, edges);
-  if (coarse.AreTooCoarse())
+  chain.Coordinates = FindCoarseCoordinates(chain.Surface.Points, edges);
+  if (chain.Coordinates.AreTooCoarse())
   {
-    chain.Warnings.push_back(WarningAbout(coarse));
+    chain.Warnings.push_back(WarningAbout(chain.Coordinates));
   }
   monitor.Check(Stages::Validating, 1);
   return chain;

@@ -4,6 +4,7 @@
 #include "Common/FacetComplex.h"
 #include "Common/Monitor.h"
 #include "Common/Statistics.h"
+#include "Validate/CoarseCoordinates.h"
 #include "Validate/FacetEdges.h"
 
 #include <string>
@@ -46,6 +47,7 @@ struct CountedChain
   FacetComplex Surface;         ///< only points that a facet uses, in the input's order
   std::vector<FacetEdge> Edges; ///< those of Surface.Facets
   SurfaceCounts Counts;
+  CoarseCoordinates Coordinates;
   std::vector<std::string> Warnings;
   std::vector<Id> MergedInto;          ///< per point of the soup the one that it became, or itself
   std::vector<Id> DegenerateTriangles; ///< of the soup: left out; ascending
@@ -57,9 +59,9 @@ struct CountedChain
  * Points with equal coordinates become one (-0 equals +0; the lowest id's bits stay). Degenerate
  * triangles are left out. Triangles with the same three points become one facet, whose multiplicity
  * counts them as often as closed shells need them (CountCopies.h), else once per orientation,
- * opposite ones cancelling; it stays a constraint at 0. Where a
- * whole component cancels, it is two-sided: if it closes a volume when kept once, it is, turned
- * outward. None of this is for a soup that comes with multiplicities: those of equal triangles add.
+ * opposite ones cancelling; it stays a constraint at 0. Where a whole component cancels, it is
+ * two-sided: if it closes a volume when kept once, it is, turned outward. None of this is for a
+ * soup that comes with multiplicities: those of equal triangles add.
  *
  * Triangles that do not participate (thesis, section 8.7) become constraints like the others, but
  * add nothing: they neither cancel one that does, nor join components, nor make one two-sided.

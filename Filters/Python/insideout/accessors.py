@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What PyVista's data sets can do under the name `insideout`, with PyVista's data sets out::
+"""Accessors: PyVista's data sets have the functions under the name `insideout`, with PyVista's data sets out::
 
     import pyvista
     mesh = pyvista.read("broken.ply")
@@ -34,7 +34,7 @@ NAME = "insideout"
 
 
 class SurfaceAccessor:
-    """Of a pyvista.PolyData."""
+    """The accessor of a pyvista.PolyData."""
 
     def __init__(self, mesh: Any):
         self._mesh = mesh
@@ -46,7 +46,7 @@ class SurfaceAccessor:
 
     @for_users
     def check(self, **options: Any) -> Any:
-        """What is wrong, as a pyvista.PolyData with the surface and the lines of its defects among its cells: see `insideout.check`.
+        """The defects, as a pyvista.PolyData with the surface and the lines of its defects among its cells: see `insideout.check`.
 
         The array `DefectColor` has the color of each, and the field data `Verdict` and `Findings` say it in words.
         """
@@ -68,12 +68,12 @@ class SurfaceAccessor:
 
     @for_users
     def boolean(self, other: AnySurface, expression: str = "A - B", **options: Any) -> Any:
-        """What a set expression makes of this surface, A, and another, B, as a pyvista.PolyData: see `insideout.boolean`."""
+        """The result of a set expression of this surface, A, and another, B, as a pyvista.PolyData: see `insideout.boolean`."""
         return boolean([self._mesh, other], expression, **options).surface.to_pyvista()
 
 
 class SolidAccessor:
-    """Of a pyvista.UnstructuredGrid of tetrahedra."""
+    """The accessor of a pyvista.UnstructuredGrid of tetrahedra."""
 
     def __init__(self, grid: Any):
         self._grid = grid

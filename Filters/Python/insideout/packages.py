@@ -16,7 +16,7 @@ OF_DEBIAN = {
     "stl": "python3-stl",
 }
 OF_PIP = {"stl": "numpy-stl"}
-"""Where it is not the module's name."""
+"""The names of packages that differ from their module's."""
 
 
 def import_package(name: str, why: str = "") -> Any:

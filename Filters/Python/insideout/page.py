@@ -33,13 +33,13 @@ from .view import View
 from .worst import Place, segments_of, worst_places
 
 LEVEL = 6
-"""Of compression."""
+"""The level of compression."""
 
 SMALLER = 0.6
-"""Than in pictures is a panel, and are its lines."""
+"""The size of a panel, and the width of its lines, relative to those of pictures."""
 
 COLOURS_OF_W = 256
-"""From the least w that has a color of its own to the largest."""
+"""Colors from the least w that has one of its own to the largest."""
 
 
 def page_of(checked: Check, hull: Optional[vtkUnstructuredGrid], solid: Optional[vtkUnstructuredGrid], title: str, up: Optional[str]) -> bytes:
@@ -75,7 +75,7 @@ def page_of(checked: Check, hull: Optional[vtkUnstructuredGrid], solid: Optional
 
 
 class Scene:
-    """What is drawn: arrays, and how the viewer is to show them."""
+    """The arrays that are drawn, and how the viewer is to show them."""
 
     def __init__(self, marked: vtkPolyData, lines: vtkPolyData, up: Optional[str]):
         self.marked, self.lines = marked, lines
@@ -89,7 +89,7 @@ class Scene:
 
     def _add_surface(self) -> None:
         kinds = kinds_of_facets(self.marked)
-        # Of several in one place the first is drawn: a duplicate before what it repeats.
+        # The first facet in a place is drawn: a duplicate before the facet that it repeats.
         triangles, order = rows_by_least(corners_of(self.marked.GetPolys(), 3), len(FACETS) - kinds)
         self.add("surfacePoints", "floats", self._places(self.marked))
         self.add("surface", "ids", relative(triangles))
@@ -208,7 +208,7 @@ def _css(colour: Colour) -> str:
 
 
 def _panel(name: str, heading: str, beneath: str) -> str:
-    """One drawing. What is beneath is markup."""
+    """One drawing, and markup beneath it."""
     return (
         f'<figure id="{name}"><figcaption>{heading}<button class="enlarge" aria-label="enlarge, or make small again">&#x2922;</button></figcaption>'
         f'<canvas tabindex="0" aria-label="{heading}"></canvas><div class="beneath">{beneath}</div></figure>'
@@ -216,7 +216,7 @@ def _panel(name: str, heading: str, beneath: str) -> str:
 
 
 def _scale() -> str:
-    """What color stands for which w."""
+    """The scale of colors for w."""
     least, most = colours_of_w().GetRange()
     colours = ", ".join(map(_css, _colours_of_w(25)))
     numbers = "".join(f"<span>{w:g}</span>" for w in np.arange(least, most + 0.25, 0.5))
@@ -224,7 +224,7 @@ def _scale() -> str:
 
 
 def _cut(view: View) -> str:
-    """What moves the plane: at first across the view's axis, in the middle."""
+    """The controls of the plane, at first across the view's axis, in the middle."""
     first = int(np.abs(view.slice_normal).argmax())
     axes = "".join(
         f'<label><input type="radio" name="axis" value="{k}"{" checked" * (k == first)}> {name}</label>' for k, name in enumerate("xyz")

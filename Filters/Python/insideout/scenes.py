@@ -65,7 +65,7 @@ WIDTH, THIN, MANY_LINES = 5, 2.5, 2000
 """Of these lines, in pixels; many are thin, or they would hide the surface."""
 
 FACETS: Sequence[Colour] = (SOUND, CROSSING_FACETS, TURNED, DUPLICATE)
-"""Of several that a facet is, the last is drawn."""
+"""The colors of facets; a facet of several kinds has the last."""
 
 FAINT = 0.3
 """How much is seen of lines that are behind something."""

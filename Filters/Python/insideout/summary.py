@@ -200,7 +200,7 @@ def summary(
 def lines_about_solid(
     statistics: Mapping[str, float], volumes: Sequence[float] = (), tags: Mapping[str, int] = {}, regions: Sequence[str] = ()
 ) -> list[str]:
-    """What became of the surface, without times."""
+    """The solid in lines, without times."""
     return [
         *_cells(statistics),
         *_topology(statistics),

@@ -93,7 +93,7 @@ void TurnOver(Triangle& triangle)
   std::swap(triangle[1], triangle[2]);
 }
 
-/** What the triangles around each label enclose. */
+/** The volumes that the triangles around each label enclose. */
 std::map<Id, double> VolumesOf(const Voxels& voxels, const std::vector<unsigned char>& turned)
 {
   std::map<Id, std::vector<BoundaryTriangle>> around;

@@ -19,25 +19,7 @@ using namespace testmeshes;
 
 ResolvedBodies Resolved(const std::vector<TriangleSoup>& soups, double tolerance = 0)
 {
-  Monitor monitor;
-  BodyParameters parameters;
-  parameters.TouchTolerance = tolerance;
-  return ResolveBodies(BodiesOf(soups), parameters, monitor);
-}
-
-/** The area of facets that count for two bodies. */
-double InterfaceOf(const ResolvedBodies& bodies)
-{
-  double area = 0;
-  for (Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
-  {
-    if (bodies.CountOffsets[f + 1] - bodies.CountOffsets[f] == 2)
-    {
-      const auto [a, b, c] = CornersOf(bodies.Surface.Points, bodies.Surface.Facets[f]);
-      area += Length(NormalOf(a, b, c)) / 2;
-    }
-  }
-  return area;
+  return ResolveTouching(soups, tolerance);
 }
 
 /** Box with sides of four by four squares. */

@@ -28,6 +28,18 @@ struct Oriented
   }
 };
 
+TriangleSoup Scaled(TriangleSoup soup, double factor)
+{
+  for (Point& p : soup.Points)
+  {
+    p = { factor * p[0], factor * p[1], factor * p[2] };
+  }
+  return soup;
+}
+
+/** Sizes at which products of coordinates over- or underflow, too. */
+constexpr double Sizes[] = { 1e-200, 1, 1e200 };
+
 Oriented Orient(const TriangleSoup& soup)
 {
   Monitor monitor;
@@ -161,6 +173,10 @@ TEST(Membranes, AttachedFromWallToWallDoNotCount)
       EXPECT_NEAR(oriented.At({ 0.4, 0.3, z }), 1, 1e-9) << facing << " at " << z;
     }
     EXPECT_NEAR(oriented.At({ 0.4, 0.3, 1.1 }), 0, 1e-9);
+    for (const double size : Sizes)
+    {
+      EXPECT_EQ(Orient(Scaled(open, size)).Turns.Membranes, 4) << facing << " of size " << size;
+    }
   }
 }
 
@@ -286,6 +302,10 @@ TEST(CopiesOfFacets, CountAsOftenAsClosedShellsNeedThem)
       ASSERT_EQ(std::lround(oriented.At(p)) > 0, inside > 0) << "trial " << trial;
     }
     EXPECT_EQ(oriented.Turns.Shells, 3) << trial;
+    for (const double size : Sizes)
+    {
+      EXPECT_EQ(Orient(Scaled(soup, size)).Turns.Shells, 3) << trial << " of size " << size;
+    }
   }
 }
 

@@ -182,6 +182,25 @@ TEST(Shells, AreAsManyAsClosedSurfacesThatShareFacets)
   EXPECT_EQ(ShellsOf(Chain(plates)).Count, 4);
 }
 
+TEST(Shells, ThatCountVeryOftenAreOne)
+{
+  TriangleSoup cube = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  for (const int count : { 2, 64, 65, 30000 })
+  {
+    cube.Multiplicity.assign(12, static_cast<std::int16_t>(count));
+    const FacetComplex surface = Chain(cube);
+    const Shells shells = ShellsOf(surface);
+    EXPECT_EQ(shells.Count, count > 64 ? 1 : count);
+    int sum = 0;
+    for (const ShellChain& chain : CloseShells(surface, shells, surface.Points))
+    {
+      EXPECT_EQ(chain.Kind, ShellKind::Closed);
+      sum += chain.Triangles.front().Count;
+    }
+    EXPECT_EQ(sum, count);
+  }
+}
+
 TEST(Shells, AreLooseWhereTheOthersFitWithoutThem)
 {
   // A wall across two cubes, given once, on whose two sides they agree.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Boolean/Body.h"
+#include "Boolean/ResolveBodies.h"
+#include "Common/Vectors.h"
 
 #include <string>
 #include <vector>
@@ -22,5 +23,30 @@ inline std::vector<insideout::Body> BodiesOf(const std::vector<insideout::Triang
     triangles += static_cast<insideout::Id>(soup.Triangles.size());
   }
   return bodies;
+}
+
+/** Such bodies resolved together. */
+inline insideout::ResolvedBodies ResolveTouching(
+  const std::vector<insideout::TriangleSoup>& soups, double touchTolerance)
+{
+  insideout::Monitor monitor;
+  insideout::BodyParameters parameters;
+  parameters.TouchTolerance = touchTolerance;
+  return ResolveBodies(BodiesOf(soups), parameters, monitor);
+}
+
+/** The area of facets that count for two bodies. */
+inline double InterfaceOf(const insideout::ResolvedBodies& bodies)
+{
+  double area = 0;
+  for (insideout::Id f = 0; f < bodies.Surface.NumberOfFacets(); ++f)
+  {
+    if (bodies.CountOffsets[f + 1] - bodies.CountOffsets[f] == 2)
+    {
+      const auto [a, b, c] = insideout::CornersOf(bodies.Surface.Points, bodies.Surface.Facets[f]);
+      area += insideout::Length(insideout::NormalOf(a, b, c)) / 2;
+    }
+  }
+  return area;
 }
 } // namespace testmeshes

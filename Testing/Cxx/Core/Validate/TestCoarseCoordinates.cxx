@@ -15,7 +15,7 @@ using namespace insideout;
 
 namespace
 {
-/** A sphere of radius 10 in so many bands, whose edges are 62 / bands long, in map coordinates. */
+/** A sphere of radius 10 in map coordinates; its edges are 62 / bands long. */
 TriangleSoup InMap(int bands, const Point& origin, bool inFloats)
 {
   TriangleSoup soup;
@@ -49,7 +49,7 @@ TriangleSoup InMap(int bands, const Point& origin, bool inFloats)
   return soup;
 }
 
-/** What is said of single precision when it is counted, and when it is checked. */
+/** The warnings about single precision when a surface is counted, and when it is checked. */
 std::vector<std::string> WordsAbout(const TriangleSoup& soup)
 {
   Monitor silent;
