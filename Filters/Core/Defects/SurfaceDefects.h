@@ -20,7 +20,7 @@ struct TriangleDefects
   bool TwoSided = false;     ///< of a component that is given in both orientations everywhere
   bool Turned = false;       ///< to be turned over (OrientFacets.h)
   bool Sheet = false;        ///< of what encloses nothing (OrientFacets.h)
-  bool Membrane = false;     ///< of a sheet attached to the solid or within it (Membranes.h)
+  bool Membrane = false;     ///< of a sheet within the solid or across it (Membranes.h)
 };
 
 enum class DefectType

@@ -180,7 +180,7 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
     const RegionSampler sampler(points, chains);
     chosen = automatic ? ChooseAutomatically(chains, sampler, monitor)
                        : ChooseAsTold(chains, sampler, orientation, monitor);
-    roles = FindMembranes(points, chains, chosen.Turns.Turned, sampler, monitor);
+    roles = FindMembranes(points, chains, chosen.Turns.Turned, sampler);
     for (std::size_t shell = 0; shell < chains.size(); ++shell)
     {
       const bool counts = roles[shell] == ShellRole::Counts;
@@ -270,7 +270,7 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
     turns.Warnings.push_back(std::to_string(turns.Membranes) +
       (isOne ? " membrane (" : " membranes (") + std::to_string(turns.MembraneFacets) +
       " facets, " + AsPercentage(turns.MembraneShare) +
-      " of the area), attached to the solid or within it, " +
+      " of the area), within the solid or across it, " +
       (isOne ? "shapes the mesh and does not count" : "shape the mesh and do not count"));
   }
   monitor.Check(Stages::Orienting, 1);

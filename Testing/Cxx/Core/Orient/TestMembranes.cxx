@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -131,7 +132,7 @@ TEST(Membranes, LeaveTheWindingNumberOfAClosedSurfaceAsItIs)
   }
 }
 
-TEST(Membranes, AttachedFromWallToWallDoNotCount)
+TEST(Membranes, FromWallToWallDoNotCount)
 {
   // Floors of one tower, given once, facing up or down, at whose edges the walls are cut.
   for (unsigned facing = 0; facing < 16; ++facing)
@@ -178,6 +179,22 @@ TEST(Membranes, AttachedFromWallToWallDoNotCount)
       EXPECT_EQ(Orient(Scaled(open, size)).Turns.Membranes, 4) << facing << " of size " << size;
     }
   }
+}
+
+TEST(Membranes, AreNoPadsOnTheSolid)
+{
+  // A thin cover without a back, a hair's breadth above the body, whose rim is within it.
+  const TriangleSoup body = Box({ -2, -2, -2 }, { 2, 2, 0 });
+  TriangleSoup pad = Box({ -1, -1, -0.05 }, { 1, 1, 0.2 });
+  pad.Triangles.erase(
+    std::remove_if(pad.Triangles.begin(), pad.Triangles.end(),
+      [&](const Triangle& t)
+      { return std::all_of(t.begin(), t.end(), [&](Id p) { return pad.Points[p][2] < 0; }); }),
+    pad.Triangles.end());
+  EXPECT_EQ(pad.Triangles.size(), 10u);
+  const Oriented oriented = Orient(Join(body, pad));
+  EXPECT_EQ(oriented.Turns.Membranes, 0);
+  EXPECT_GT(oriented.At({ 0.1, 0.2, 0.1 }), 0.5);
 }
 
 TEST(Membranes, AreNoTubesAndDomesThatStandOnTheSolid)
