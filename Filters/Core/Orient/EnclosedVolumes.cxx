@@ -13,6 +13,7 @@ EnclosedVolumes MeasureShells(const std::vector<ShellChain>& chains,
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
     const ShellChain& chain = chains[shell];
+    volumes.SheetShells += roles[shell] == ShellRole::Sheet;
     if (roles[shell] != ShellRole::Counts)
     {
       continue;

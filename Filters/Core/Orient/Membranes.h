@@ -9,20 +9,24 @@ namespace insideout
 enum class ShellRole : char
 {
   Counts,
-  Membrane ///< does not count: within the solid of closed shells, or across it
+  Membrane, ///< does not count: a sheet within the solid, or across it
+  Sheet     ///< does not count: mostly outside, where it seals off no space
 };
 
 /**
- * Find the shells that do not count: sheets that bound nothing, within a solid or across it.
+ * Find the shells that do not count: sheets that seal off no space.
  *
- * Sheets, and loose shells (LoosePatches.h), are held against the solid of closed shells. A shell
- * does not count if it lies in that solid, or if the lesser part of it that is outside seals off no
- * space: the caps of its holes, as far as they are outside, have more than `LargestCaps` of its
- * area there. A shell mostly outside counts: it may bound space with the solid or with other
- * sheets.
+ * Sheets, and loose shells (LoosePatches.h), are held against the other shells. One within closed
+ * shells does not count. Where it is outside of these, the mean winding number along it decides,
+ * half way between its two sides. One that shells with holes wind around by more than `MostInside`
+ * does not count: it is within them, and 1/2 is on their caps, where a lid lies. The others are
+ * looked at together: the *seal* of each is the mean of shells with holes, of all the others and of
+ * what the solid closes of their caps. A flat sheet alone has a seal of 0, a dome on a body 1/2.
+ * The one with the lowest seal goes, if that is below `LeastSeal`, and the others are judged
+ * without it.
  *
- * Areas are found at random places, the same for any number of threads. All shells count if none is
- * closed.
+ * Means are those over random lines, the same for any number of threads. All shells count if there
+ * is no solid.
  *
  * @param[in] points those of the surface, scaled as for the sampler
  * @param[in] turned one per shell

@@ -213,6 +213,7 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   TurnCopies(surface, shells, chains, chosen.Turns.Turned, roles, orientation, turns);
   turns.TurnedFacets = countOf(turns.Turned);
   turns.MembraneFacets = countOf(turns.IsMembrane);
+  turns.UncountedSheets = static_cast<Id>(std::count(roles.begin(), roles.end(), ShellRole::Sheet));
   turns.TurnedShare = ShareOf(turns.Turned, points, surface.Facets);
   turns.SheetShare = ShareOf(turns.IsSheet, points, surface.Facets);
   turns.MembraneShare = ShareOf(turns.IsMembrane, points, surface.Facets);
@@ -264,15 +265,19 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
   {
     turns.Warnings = WarningsAbout(turns);
   }
-  if (turns.Membranes > 0)
+  const auto warn = [&](Id count, const std::string& word, const std::string& more)
   {
-    const bool isOne = turns.Membranes == 1;
-    turns.Warnings.push_back(std::to_string(turns.Membranes) +
-      (isOne ? " membrane (" : " membranes (") + std::to_string(turns.MembraneFacets) +
-      " facets, " + AsPercentage(turns.MembraneShare) +
-      " of the area), within the solid or across it, " +
-      (isOne ? "shapes the mesh and does not count" : "shape the mesh and do not count"));
-  }
+    if (count > 0)
+    {
+      turns.Warnings.push_back(std::to_string(count) + " " + word + (count == 1 ? "" : "s") + more +
+        (count == 1 ? ", shapes the mesh and does not count"
+                    : ", shape the mesh and do not count"));
+    }
+  };
+  warn(turns.Membranes, "membrane",
+    " (" + std::to_string(turns.MembraneFacets) + " facets, " + AsPercentage(turns.MembraneShare) +
+      " of the area), within the solid or across it");
+  warn(turns.UncountedSheets, "sheet", ", outside of the solid where no space is sealed off");
   monitor.Check(Stages::Orienting, 1);
   return turns;
 }

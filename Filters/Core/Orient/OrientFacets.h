@@ -39,6 +39,7 @@ struct FacetTurns
   Id Shells = 0;
   Id Membranes = 0; ///< shells that do not count
   Id MembraneFacets = 0;
+  Id UncountedSheets = 0; ///< outside, which do not count
   Id TurnedFacets = 0;
   Id TurnedShells = 0;      ///< as a whole
   Id DisagreeingFacets = 0; ///< that were given against their shells

@@ -45,13 +45,7 @@ struct Line
   }
 };
 
-/** Where a line crosses a triangle of a shell. */
-struct Crossing
-{
-  double At; ///< along the line
-  Id Shell;
-  int Rise; ///< of the shell's winding number
-};
+using Crossing = CrossedLine::Crossing;
 
 /** Part of a line in one region. */
 struct Stretch
@@ -243,30 +237,36 @@ RegionSampler::RegionSampler(
 
 RegionSampler::~RegionSampler() = default;
 
-std::vector<ShellWinding> RegionSampler::At(const Point& point, RandomNumbers& random) const
+CrossedLine RegionSampler::Through(const Point& point, RandomNumbers& random) const
 {
-  std::vector<Crossing> crossings;
+  CrossedLine line;
   for (int tries = 0; tries < MostTries; ++tries)
   {
-    if (this->Shells->Cross({ point, random.OnSphere() }, crossings))
+    line.Direction = random.OnSphere();
+    if (this->Shells->Cross({ point, line.Direction }, line.Crossings))
     {
-      std::map<Id, int> windings;
-      for (const Crossing& crossing : crossings)
-      {
-        windings[crossing.Shell] += crossing.At < 0 ? crossing.Rise : 0;
-      }
-      std::vector<ShellWinding> found;
-      for (const auto& [shell, w] : windings)
-      {
-        if (w != 0)
-        {
-          found.push_back({ shell, w });
-        }
-      }
-      return found;
+      return line;
     }
   }
   return {};
+}
+
+std::vector<ShellWinding> RegionSampler::At(const Point& point, RandomNumbers& random) const
+{
+  std::map<Id, int> windings;
+  for (const Crossing& crossing : this->Through(point, random).Crossings)
+  {
+    windings[crossing.Shell] += crossing.At < 0 ? crossing.Rise : 0;
+  }
+  std::vector<ShellWinding> found;
+  for (const auto& [shell, w] : windings)
+  {
+    if (w != 0)
+    {
+      found.push_back({ shell, w });
+    }
+  }
+  return found;
 }
 
 std::vector<ShellRegion> RegionSampler::Sample(

@@ -29,6 +29,20 @@ struct ShellRegion
   double Volume;
 };
 
+/** A line, and where it crosses triangles of shells. */
+struct CrossedLine
+{
+  struct Crossing
+  {
+    double At; ///< along the line
+    Id Shell;
+    int Rise; ///< of the shell's winding number
+  };
+
+  Point Direction = { 0, 0, 0 }; ///< of length 1
+  std::vector<Crossing> Crossings;
+};
+
 /**
  * The regions into which shells cut space, and their volumes, found along random straight lines.
  *
@@ -58,8 +72,11 @@ public:
   std::vector<ShellRegion> Sample(
     Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const;
 
-  /** By how much shells wind around a point, by a random line through it. Empty where no line of
-   * several tells: then nearly all meet edges. */
+  /** A random line through a point, which is at 0. It has no crossings where none of several lines
+   * tells: then nearly all meet edges. */
+  CrossedLine Through(const Point& point, RandomNumbers& random) const;
+
+  /** By how much shells wind around a point, by a random line through it. */
   std::vector<ShellWinding> At(const Point& point, RandomNumbers& random) const;
 
 private:

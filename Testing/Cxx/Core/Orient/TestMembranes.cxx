@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Orient/OrientFacets.h"
 
+#include "Common/Vectors.h"
 #include "Support/TestMeshes.h"
 #include "Validate/CountedChain.h"
 #include "WindingNumber/SurfaceWindingNumber.h"
@@ -55,10 +56,19 @@ TriangleSoup Sheet(const Point& at, std::mt19937& random)
 {
   std::normal_distribution<double> normal;
   std::array<Point, 3> frame;
-  for (Point& axis : frame)
+  for (int k = 0; k < 3; ++k)
   {
+    Point& axis = frame[k];
     axis = { normal(random), normal(random), normal(random) };
-    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    for (int i = 0; i < k; ++i)
+    {
+      const double along = Dot(axis, frame[i]);
+      for (int j = 0; j < 3; ++j)
+      {
+        axis[j] -= along * frame[i][j];
+      }
+    }
+    const double length = Length(axis);
     axis = { axis[0] / length, axis[1] / length, axis[2] / length };
   }
   TriangleSoup sheet;
@@ -129,6 +139,41 @@ TEST(Membranes, LeaveTheWindingNumberOfAClosedSurfaceAsItIs)
     EXPECT_EQ(oriented.Turns.Enclosed.ClosedShells, 1);
     EXPECT_EQ(oriented.Turns.Membranes + oriented.Turns.Enclosed.SheetShells, sheets);
     EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
+  }
+}
+
+TEST(Membranes, OutsideThatSealOffNoSpaceAreSheetsThatDoNotCount)
+{
+  std::mt19937 random(46);
+  std::uniform_real_distribution<double> anywhere(-6, 6);
+  const TriangleSoup closed = Box({ -1, -1, -1 }, { 1, 1, 1 });
+  TriangleSoup open = closed;
+  open.Triangles.resize(10); // without its last side
+  for (const TriangleSoup& body : { closed, open })
+  {
+    Id given = 0;
+    Id counting = 0; // two that face each other closely are a slab with an open rim
+    for (int trial = 0; trial < 20; ++trial)
+    {
+      TriangleSoup soup = body;
+      const int sheets = 1 + 2 * trial;
+      for (int i = 0; i < sheets; ++i)
+      {
+        Point at;
+        do // one near the hole may be its lid
+        {
+          at = { anywhere(random), anywhere(random), anywhere(random) };
+        } while (Length(at) < 4);
+        soup = Join(soup, Sheet(at, random));
+      }
+      const FacetTurns turns = Orient(soup).Turns;
+      EXPECT_EQ(turns.Enclosed.SheetShells, sheets);
+      EXPECT_EQ(turns.TurnedFacets, 0);
+      EXPECT_EQ(turns.Warnings.size(), 1u);
+      given += sheets;
+      counting += sheets - turns.UncountedSheets;
+    }
+    EXPECT_LE(counting, given / 50);
   }
 }
 
@@ -231,6 +276,30 @@ TEST(Membranes, AreNoWallsThatBoundSpaceTogether)
   EXPECT_EQ(oriented.Turns.Membranes, 0);
   EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 6);
   EXPECT_NEAR(oriented.At({ 0.5, 0.5, 0.5 }), 1, 0.01);
+}
+
+TEST(Membranes, AreNoLids)
+{
+  // Five sides of a box, and a lid apart in its hole, a hundredth above or below it.
+  TriangleSoup open = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  std::stable_partition(open.Triangles.begin(), open.Triangles.end(),
+    [&](const Triangle& t)
+    { return std::any_of(t.begin(), t.end(), [&](Id p) { return open.Points[p][2] < 1; }); });
+  TriangleSoup lid = open;
+  lid.Triangles.erase(lid.Triangles.begin(), lid.Triangles.begin() + 10);
+  open.Triangles.resize(10);
+  EXPECT_LT(Orient(open).At({ 0.5, 0.5, 0.9 }), 0.7);
+  for (const double z : { 0.99, 1.0, 1.01 })
+  {
+    TriangleSoup moved = lid;
+    for (Point& p : moved.Points)
+    {
+      p = { 0.99 * p[0] + 0.005, 0.99 * p[1] + 0.005, z };
+    }
+    const Oriented oriented = Orient(Join(open, moved));
+    EXPECT_EQ(oriented.Turns.Membranes + oriented.Turns.UncountedSheets, 0) << z;
+    EXPECT_GT(oriented.At({ 0.5, 0.5, 0.9 }), 0.9) << z;
+  }
 }
 
 TEST(Membranes, AreNoneWhereNothingElseBoundsASolid)
