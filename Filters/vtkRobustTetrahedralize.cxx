@@ -81,6 +81,7 @@ void vtkRobustTetrahedralize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TouchTolerance: " << this->TouchTolerance << "\n";
   os << indent << "RegionRule: " << this->RegionRule << "\n";
   os << indent << "Priority: " << this->Priority << "\n";
+  os << indent << "MembranesSeparateRegions: " << this->MembranesSeparateRegions << "\n";
   os << indent << "Refine: " << this->Refine << "\n";
   os << indent << "WindingNumber:\n";
   this->WindingNumber->PrintSelf(os, indent.GetNextIndent());
@@ -283,7 +284,7 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   vtkInsideOut::SolidOptions options;
   options.Segment = { vtkInsideOut::SegmentParametersOf(filter->GetSegmentation()),
     filter->GetConstrainedFacetsArrayName(), static_cast<RegionRule>(filter->GetRegionRule()),
-    filter->GetPriority(), filter->GetMergeTolerance() };
+    filter->GetPriority(), filter->GetMergeTolerance(), filter->GetMembranesSeparateRegions() };
   options.SplitPoints = filter->GetNonManifold() == vtkGraphCutSegmentation::NONMANIFOLD_SPLIT;
   options.SeparateOverlaps = filter->GetSeparateOverlaps();
   options.Boundary = { filter->GetMergeCoplanarPieces(), filter->GetSplitSeams(),
@@ -355,7 +356,13 @@ void vtkRobustTetrahedralize::CheckBodies()
     throw Error(ErrorCode::InvalidParameter,
       "PartsApart takes one body, and " + option + " makes several of the input");
   }
-  if (areThere && (this->MergeCoplanarPieces || this->SplitSeams || this->PartsSolid()))
+  if (areThere && this->MembranesSeparateRegions)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "MembranesSeparateRegions takes one body, and " + option + " makes regions of several");
+  }
+  if ((areThere || this->MembranesSeparateRegions) &&
+    (this->MergeCoplanarPieces || this->SplitSeams || this->PartsSolid()))
   {
     const std::string parting =
       this->SeparateOverlaps ? "SeparateOverlaps" : "NonManifold of the kind Split";
@@ -363,7 +370,8 @@ void vtkRobustTetrahedralize::CheckBodies()
       (this->MergeCoplanarPieces ? "MergeCoplanarPieces"
           : this->SplitSeams     ? "SplitSeams"
                                  : parting) +
-        " takes one body: it would part interfaces from their cells");
+        (areThere ? " takes one body" : " excludes MembranesSeparateRegions") +
+        ": it would part interfaces from their cells");
   }
 }
 

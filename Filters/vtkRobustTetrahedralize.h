@@ -137,23 +137,19 @@ public:
   ///@}
 
   ///@{
-  /**
-   * An option of GetWindingNumber(). It closes gaps between bodies, with a warning for each kind. A
-   * facet all of whose corners are that near to the plane of a facet of an earlier body is moved
+  /** An option of GetWindingNumber(). It closes gaps between bodies, with a warning for each kind.
+   * A facet all of whose corners are that near to the plane of a facet of an earlier body is moved
    * into it. Cells between bodies that are nowhere farther from either become cells of the last in
-   * the order of Priority (statistics GapCells, GapVolume).
-   */
+   * the order of Priority (statistics GapCells, GapVolume). */
   void SetMergeTolerance(double tolerance);
   double GetMergeTolerance();
   ///@}
 
   ///@{
-  /**
-   * Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
-   * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells join
-   * all around what touches, as around two cavities, only the boundary has several points at one
-   * location, whose cells share one; a warning counts them.
-   */
+  /** Options of GetSegmentation(), described there. NONMANIFOLD_SPLIT requires one body and, with
+   * Refine, SurfaceTreatment KEPT; it excludes MergeCoplanarPieces and SplitSeams. Where cells
+   * join all around what touches, as around two cavities, only the boundary has several points at
+   * one location, whose cells share one; a warning counts them. */
   void SetGamma(double gamma);
   double GetGamma();
   void SetConstrainFacets(bool constrain);
@@ -188,11 +184,11 @@ public:
 
   ///@{
   /**
-   * Give each of two layers of the solid that overlap cells of its own, so that a limb can be
-   * pulled out of another. Default off: the solid fills every place once. Layers overlap where w is
-   * near 2. Both have the arrays of the cells that they are copies of. Overlaps of more layers, and
-   * those whose faces do not tell the layers apart, stay glued; a warning counts them. Requires one
-   * body and, with Refine, SurfaceTreatment KEPT; excludes MergeCoplanarPieces and SplitSeams.
+   * Give each of two layers of the solid that overlap (w near 2) cells of its own, so that a limb
+   * can be pulled out of another. Default off: the solid fills every place once. Both have the
+   * arrays of the cells that they copy. Overlaps of more layers, and layers that their faces do not
+   * tell apart, stay glued; a warning counts them. Requires one body and, with Refine,
+   * SurfaceTreatment KEPT; excludes MergeCoplanarPieces and SplitSeams.
    */
   vtkSetMacro(SeparateOverlaps, bool);
   vtkGetMacro(SeparateOverlaps, bool);
@@ -208,23 +204,19 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Join the pieces of an input triangle on the boundary where all of it lies there. Default off:
+  /** Join the pieces of an input triangle on the boundary where all of it lies there. Default off:
    * the triangles of the boundary are faces of the cells, where there are cells. Pieces stay where
-   * another triangle needs the points between. The boundary stays watertight.
-   */
+   * another triangle needs the points between. The boundary stays watertight. */
   vtkSetMacro(MergeCoplanarPieces, bool);
   vtkGetMacro(MergeCoplanarPieces, bool);
   vtkBooleanMacro(MergeCoplanarPieces, bool);
   ///@}
 
   ///@{
-  /**
-   * Give the boundary a point for each of the input's texture coordinates and normals at one
+  /** Give the boundary a point for each of the input's texture coordinates and normals at one
    * location. Default off: one point, with the data of the lowest id. Every triangle of the
    * boundary then has the data of the input triangle that it lies on; it is watertight by
-   * coordinates, not by ids. The statistic SeamPoints counts such points of the input.
-   */
+   * coordinates, not by ids. The statistic SeamPoints counts such points of the input. */
   vtkSetMacro(SplitSeams, bool);
   vtkGetMacro(SplitSeams, bool);
   vtkBooleanMacro(SplitSeams, bool);
@@ -236,9 +228,9 @@ public:
    * speed of resolving self-intersections. Default off. Output 0 has no cells then. Tetrahedra are
    * made all the same where the input is open, has facets that could not be resolved or nothing
    * inside; for bodies, GenerateHull, Refine, seeds, ConstrainFacets, NonManifold,
-   * SeparateOverlaps, a choice of regions, FillCavities, Topology and DataTerm; and for a Gamma or
-   * Sigma above the default. The statistic Tetrahedra says which way was taken (1 or 0). Without
-   * tetrahedra the statistics are those of the input and of the boundary, and Volume.
+   * SeparateOverlaps, MembranesSeparateRegions, a choice of regions, FillCavities, Topology and
+   * DataTerm; and for a Gamma or Sigma above the default. The statistic Tetrahedra is 1 or 0.
+   * Without tetrahedra the statistics are those of the input and of the boundary, and Volume.
    */
   vtkSetMacro(SurfaceOnly, bool);
   vtkGetMacro(SurfaceOnly, bool);
@@ -246,14 +238,13 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Cell array of the input that tags the boundary, one integer or string per cell. Default empty:
-   * its groups, materials or solids do, or the blocks of a composite input. Strings are numbered in
-   * the order of their first cells, integers in their own order. Integers are called by the field
-   * array of strings that goes with the array (GroupNames with GroupIds, PartNames with Part), or
-   * else as they are written; floats have to be whole numbers. Empty is the first of BoundaryTag,
-   * GroupIds, MaterialIds and STLSolidLabeling that tells polygons apart, or the blocks.
-   */
+  /** Cell array of the input that tags the boundary, one integer or string per cell. Default
+   * empty: its groups, materials or solids do, or the blocks of a composite input. Strings are
+   * numbered in the order of their first cells, integers in their own order. Integers are called
+   * by the field array of strings that goes with the array (GroupNames with GroupIds, PartNames
+   * with Part), or else as they are written; floats have to be whole numbers. Empty is the first
+   * of BoundaryTag, GroupIds, MaterialIds and STLSolidLabeling that tells polygons apart, or the
+   * blocks. */
   vtkSetStdStringFromCharMacro(TagArrayName);
   vtkGetCharFromStdStringMacro(TagArrayName);
   ///@}
@@ -273,9 +264,9 @@ public:
   ///@{
   /**
    * Make one mesh of a composite input, whose blocks are the bodies. Default off: each block
-   * becomes its own solid. vtkOriginalPointIds then count the points of all blocks, one block after
-   * the other, and vtkOriginalCellIds their cells: vertices of all blocks, then lines, polygons and
-   * strips. The partitions of a vtkPartitionedDataSet are one block, always, and are counted so.
+   * becomes its own solid. vtkOriginalPointIds then count the points of one block after the other,
+   * and vtkOriginalCellIds the vertices of all blocks, then lines, polygons and strips. The
+   * partitions of a vtkPartitionedDataSet are one block.
    */
   void SetBlocksAreBodies(bool blocksAreBodies);
   vtkGetMacro(BlocksAreBodies, bool);
@@ -283,12 +274,10 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Number of blocks of a composite data set that are meshed at once, each by one thread. Default
+  /** Number of blocks of a composite data set that are meshed at once, each by one thread. Default
    * 1. Range 1 to infinity. The solids are the same, bit by bit. Limited to the threads that may
    * work (OMP_NUM_THREADS). Each block takes the memory that it takes alone, and eight hulls per
-   * thread wait for their turn. Without effect on a single surface and with BlocksAreBodies.
-   */
+   * thread wait for their turn. Without effect on a single surface and with BlocksAreBodies. */
   vtkInsideOutSetRangeMacro(BlocksAtOnce, int, 1, VTK_INT_MAX);
   vtkGetMacro(BlocksAtOnce, int);
   ///@}
@@ -296,13 +285,12 @@ public:
   ///@{
   /**
    * Tetrahedralize parts of the surface whose bounding boxes do not meet apart, by several threads
-   * at once, without cells between them. The solid of a closed surface is the same, in other
-   * tetrahedra. Default off. All pieces with open edges or in a plane are one part. The statistic
-   * PartsApart counts the parts. The boundary of a closed surface has the same triangles, except
-   * where the statistic SurfaceSteinerPoints counts points added on them; tetrahedra, the order of
-   * regions and points, and energies are different. Where the surface is open, nothing beyond the
-   * hulls of the parts (output 3) is inside; a warning tells of seeds there. TimeBudget is for all
-   * parts, MemoryBudget for each. Requires one body and TOPOLOGY_ANY.
+   * at once, without cells between them. Default off. All pieces with open edges or in a plane are
+   * one part. The statistic PartsApart counts the parts. The solid and boundary of a closed surface
+   * are the same, except for points added on it (SurfaceSteinerPoints); tetrahedra, energies and
+   * the order of regions and points are different. Beyond the hulls of an open surface's parts
+   * (output 3) nothing is inside; a warning tells of seeds there. TimeBudget is for all parts,
+   * MemoryBudget for each. Requires one body and TOPOLOGY_ANY.
    */
   vtkSetMacro(PartsApart, bool);
   vtkGetMacro(PartsApart, bool);
@@ -317,24 +305,29 @@ public:
   };
 
   ///@{
-  /**
-   * Regions that bodies become. BY_PRIORITY: one for each body; where several overlap, the first in
-   * Priority has the cell. ALL: one for each combination of bodies that occurs. Default
-   * BY_PRIORITY. With ALL the field array RegionBodies says which bodies a region is of.
-   */
+  /** Regions that bodies become. BY_PRIORITY: one for each body; where several overlap, the first
+   * in Priority has the cell. ALL: one for each combination of bodies that occurs. Default
+   * BY_PRIORITY. With ALL the field array RegionBodies says which bodies a region is of. */
   vtkInsideOutSetRangeMacro(RegionRule, int, BY_PRIORITY, ALL);
   vtkGetMacro(RegionRule, int);
   ///@}
 
   ///@{
-  /**
-   * Names of bodies from the one that has cells before all others, separated by commas. Default
+  /** Names of bodies from the one that has cells before all others, separated by commas. Default
    * empty: none is named. Bodies that are not named follow, the inner of two nested ones first,
-   * else in their own order; a warning says where nesting decides. A comma within a name is written
-   * \, and a backslash \\. Naming what is no body, or one twice, is an error.
-   */
+   * else in their own order; a warning says where nesting decides. A comma within a name is
+   * written \, and a backslash \\. Naming what is no body, or one twice, is an error. */
   vtkSetStdStringFromCharMacro(Priority);
   vtkGetCharFromStdStringMacro(Priority);
+  ///@}
+
+  ///@{
+  /** Let membranes, and other facets that count 0, separate regions, as horizons do the layers of a
+   * block. Default off. Output 1 has their interfaces behind the boundary, with RegionIds. Requires
+   * one body; excludes MergeCoplanarPieces, SplitSeams, SeparateOverlaps, NONMANIFOLD_SPLIT. */
+  vtkSetMacro(MembranesSeparateRegions, bool);
+  vtkGetMacro(MembranesSeparateRegions, bool);
+  vtkBooleanMacro(MembranesSeparateRegions, bool);
   ///@}
 
   ///@{
@@ -381,6 +374,7 @@ public:
   bool PartsApart;
   int RegionRule = BY_PRIORITY;
   std::string Priority;
+  bool MembranesSeparateRegions = false;
   bool Refine = false;
 
 private:

@@ -361,8 +361,7 @@ void AddBodies(const Bodies& bodies, const std::vector<std::vector<unsigned char
     "RegionBodies", RegionsOfBodies(regions.Bodies, bodies.Names.size()), bodies.Names));
 }
 
-void AddRegionTags(const RegionBoundaries& boundaries, const std::vector<std::string>& regionNames,
-  const Tags* tags, vtkPolyData* boundary)
+void AddRegionIds(const RegionBoundaries& boundaries, vtkPolyData* boundary)
 {
   const auto size = static_cast<vtkIdType>(boundaries.Regions.size());
   auto regionIds = MakeArray<vtkIntArray>("RegionIds", size, 2);
@@ -373,7 +372,12 @@ void AddRegionTags(const RegionBoundaries& boundaries, const std::vector<std::st
     regionIds->SetTypedTuple(i, boundaries.Regions[i].data());
   }
   boundary->GetCellData()->AddArray(regionIds);
+}
 
+void AddRegionTags(const RegionBoundaries& boundaries, const std::vector<std::string>& regionNames,
+  const Tags* tags, vtkPolyData* boundary)
+{
+  const auto size = static_cast<vtkIdType>(boundaries.Regions.size());
   std::vector<std::string> names;
   std::vector<int> tagOf(boundaries.Regions.size(), 0);
   if (tags)

@@ -81,17 +81,28 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const KeptHull& kept,
                 : MakeBoundary(kept, boundary, options.SplitSeams, outputs, monitor);
 }
 
-/** The boundary of several bodies and the interfaces between their regions, with tags. */
-vtkSmartPointer<vtkPolyData> MakeBoundaryOfBodies(const HullMesh& hull, const BodyRegions& regions,
-  const std::vector<std::string>& names, const Tags* tags, MakeOutputs& outputs, Monitor& monitor)
+/** The boundary of the solid and the interfaces between its regions, tagged by the surface, or by
+ * the bodies that regions are of. */
+vtkSmartPointer<vtkPolyData> MakeBoundaryOfRegions(const KeptHull& kept, const BodyRegions& regions,
+  bool tagBodies, const Tags& tags, MakeOutputs& outputs, Monitor& monitor)
 {
+  const HullMesh& hull = kept.Hull;
   const RegionBoundaries boundaries =
     FindRegionBoundaries(hull.Mesh, regions.Regions, monitor, { Stages::Extracting, 0, 0.1 });
   vtkSmartPointer<vtkPolyData> boundary = outputs.MakeBoundary(hull.Mesh.Points, hull.Mesh.Origins,
     BoundaryTriangles(
       hull.Surface, hull.Mesh, boundaries.Faces, monitor, { Stages::Extracting, 0.1, 0.2 }),
     hull.TurnedTriangles, { "Turned", "BoundaryTag", "RegionIds" });
-  AddRegionTags(boundaries, NamesOfRegions(regions, names), tags, boundary);
+  AddRegionIds(boundaries, boundary);
+  if (kept.Bodies.AreNamed())
+  {
+    AddRegionTags(boundaries, NamesOfRegions(regions, kept.Bodies.Names),
+      tagBodies ? &tags : nullptr, boundary);
+  }
+  else
+  {
+    AddTags(tags, boundary);
+  }
   return boundary;
 }
 
@@ -122,21 +133,21 @@ SolidSurfaces MakeSolidSurfaces(const KeptHull& kept, const SegmentedHull& segme
   AppendTopology(
     FindTopology(hull.Mesh, inside, faces, monitor, { Stages::Extracting, 0.05, 0.05 }),
     surfaces.Counts);
-  std::vector<OutlierPiece> outliers;
-  if (kept.Bodies.AreNamed())
+  if (segmented.HasInterfaces)
   {
-    surfaces.Boundary = MakeBoundaryOfBodies(hull, segmented.Regions, kept.Bodies.Names,
-      options.TagBodies ? &tags : nullptr, outputs, monitor);
-    outliers = OutlierPieces(hull.Surface, hull.Mesh,
-      IsInOwnBody(hull, kept.Bodies, segmented.InBodies), monitor, findingOutliers);
+    surfaces.Boundary =
+      MakeBoundaryOfRegions(kept, segmented.Regions, options.TagBodies, tags, outputs, monitor);
   }
   else
   {
     surfaces.Boundary =
       MakeBoundary(kept, faces, parted, options, outputs, surfaces.Counts, monitor);
     AddTags(tags, surfaces.Boundary);
-    outliers = OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, findingOutliers);
   }
+  const std::vector<OutlierPiece> outliers = kept.Bodies.AreNamed()
+    ? OutlierPieces(hull.Surface, hull.Mesh, IsInOwnBody(hull, kept.Bodies, segmented.InBodies),
+        monitor, findingOutliers)
+    : OutlierPieces(hull.Surface, hull.Mesh, inside, monitor, findingOutliers);
   AddOutliers(hull, outliers, outputs, monitor, surfaces);
   return surfaces;
 }

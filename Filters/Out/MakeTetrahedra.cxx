@@ -112,8 +112,8 @@ bool TakesTetrahedra(const KeptHull& kept, bool hasSeeds, const SolidOptions& op
 {
   const SegmentMeshParameters& segment = options.Segment.Parameters;
   return kept.Bodies.AreNamed() || hasSeeds || options.GenerateHull || options.Refine ||
-    options.SeparateOverlaps || options.SplitPoints || segment.ConstrainFacets ||
-    segment.FillNonManifold || !segment.Topology.ChangeNothing() ||
+    options.SeparateOverlaps || options.SplitPoints || options.Segment.MembranesSeparateRegions ||
+    segment.ConstrainFacets || segment.FillNonManifold || !segment.Topology.ChangeNothing() ||
     !IsCutByWholeNumbers(segment.Cut);
 }
 

@@ -6,11 +6,35 @@
 #include "Boolean/SegmentBodies.h"
 #include "Common/Stages.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vtkInsideOut
 {
 using namespace insideout;
+
+namespace
+{
+/** The number of facets that count 0 and have the same region on both sides of a piece. */
+Id FacetsThatSeparateNothing(const HullMesh& hull, const SolidRegions& regions)
+{
+  std::vector<char> separates(hull.Surface.Facets.size(), 1);
+  for (Id cell = 0; cell < hull.Mesh.NumberOfCells(); ++cell)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id facet = hull.Mesh.Facets[cell][k];
+      const Id beyond = hull.Mesh.Neighbors[cell][k];
+      if (facet != None && beyond != None && hull.Surface.Multiplicity[facet] == 0 &&
+        regions.OfCell[cell] != None && regions.OfCell[cell] == regions.OfCell[beyond])
+      {
+        separates[facet] = 0;
+      }
+    }
+  }
+  return static_cast<Id>(std::count(separates.begin(), separates.end(), 0));
+}
+} // namespace
 
 SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<Seed>& given, vtkPointSet* points,
   const SegmentOptions& options, Monitor& monitor)
@@ -20,12 +44,24 @@ SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<Seed>& given, 
     ReadChosenFacets(kept.Surface, options.ConstrainedArray, hull.Surface);
   const ProgressRange findingRegions = { Stages::Extracting, 0, 0 };
   SegmentedHull segmented;
+  segmented.HasInterfaces = kept.Bodies.AreNamed() || options.MembranesSeparateRegions;
   if (!kept.Bodies.AreNamed())
   {
     segmented.All = SegmentMesh(
       hull.Mesh, hull.W, PiecesOfFacets(hull.Mesh, chosen), given, options.Parameters, monitor);
+    if (!options.MembranesSeparateRegions)
+    {
+      segmented.Regions.Regions =
+        FindRegions(hull.Mesh, segmented.All.Inside, monitor, findingRegions);
+      return segmented;
+    }
     segmented.Regions.Regions =
-      FindRegions(hull.Mesh, segmented.All.Inside, monitor, findingRegions);
+      FindSeparatedRegions(hull.Surface, hull.Mesh, segmented.All.Inside, monitor, findingRegions);
+    if (const Id facets = FacetsThatSeparateNothing(hull, segmented.Regions.Regions); facets > 0)
+    {
+      segmented.All.Warnings.push_back("MembranesSeparateRegions: " + std::to_string(facets) +
+        " facets that count 0 have one region on both sides, for cells connect around their edges");
+    }
     return segmented;
   }
   const std::vector<std::string>& names = kept.Bodies.Names;

@@ -20,7 +20,8 @@ struct SegmentOptions
   std::string ConstrainedArray; ///< the cell array that chooses which facets are kept
   insideout::RegionRule Rule;   ///< of several bodies, as all below
   std::string Priority;
-  double MergeTolerance; ///< narrower gaps between them are filled
+  double MergeTolerance;         ///< narrower gaps between them are filled
+  bool MembranesSeparateRegions; ///< of one body
 };
 
 /** What is inside, and the regions of that. */
@@ -29,6 +30,7 @@ struct SegmentedHull
   insideout::MeshSegmentation All;                  ///< inside any body
   std::vector<std::vector<unsigned char>> InBodies; ///< where bodies are named
   insideout::BodyRegions Regions;
+  bool HasInterfaces; ///< whether regions may have faces in common
 };
 
 /**

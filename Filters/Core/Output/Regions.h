@@ -16,4 +16,12 @@ namespace insideout
  */
 SolidRegions FindRegions(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress);
+
+/**
+ * The same, but facets that count 0 separate regions: membranes, facets that do not participate and
+ * copies that cancel. Only those that part the cells whole do: cells around the rim of a facet are
+ * one region.
+ */
+SolidRegions FindSeparatedRegions(const FacetComplex& surface, const TetrahedralMesh& mesh,
+  const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

@@ -72,6 +72,7 @@ class SegmentationOptions:
 class TopologyOptions:
     non_manifold: NonManifold = "keep"
     separate_overlaps: bool = False
+    membranes_separate_regions: bool = False
     topology: Topology = "any"
     fill_cavities: bool = False
     largest_regions: Optional[int] = None
