@@ -264,7 +264,7 @@ double AreaInAPlane(vtkPolyData* input, PlanarHullParameters parameters, Monitor
   AtTheEnd monitor(caller);
   const vtkInsideOut::Curve curve = vtkInsideOut::ReadCurve(input, parameters.Orientation, "");
   parameters.Orientation = insideout::Orientation::AsGiven; // they were turned when read
-  return EnclosedArea(MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor));
+  return MeshPlanarHull(curve.Soup, curve.Plane, parameters, monitor).Areas.Winding;
 }
 } // namespace
 

@@ -129,7 +129,8 @@ MarkedCurve MarkCurve(const Curve& curve, const insideout::PlanarHullParameters&
   AddCounts(defects.Counts, statistics);
   statistics.emplace_back("IntersectingPairs", defects.IntersectingPairs);
   statistics.emplace_back("TurnedSegments", defects.TurnedSegments.size());
-  statistics.emplace_back("Area", defects.Area);
+  statistics.emplace_back("Area", defects.Areas.Winding);
+  AddAreas(defects.Areas, statistics);
   for (const auto& [type, key] : { std::pair(CurveDefect::Crossing, "Crossings"),
          std::pair(CurveDefect::TJunction, "TJunctions") })
   {

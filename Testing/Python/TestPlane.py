@@ -52,7 +52,28 @@ def grid_in(path):
     return reader.GetOutput()
 
 
+def hole_across_outline() -> vtkPolyData:
+    """A rectangle of 100 by 80, and a hole of 40 by 30 of which 40 by 8.8 are outside of it."""
+    points = [(0, 0, 0), (100, 0, 0), (100, 80, 0), (0, 80, 0), (30, 58.8, 0), (30, 88.8, 0), (70, 88.8, 0), (70, 58.8, 0)]
+    curve = surfaces.polydata(points, [])
+    curve.SetLines(surfaces.polydata([], [(0, 1, 2, 3, 0), (4, 5, 6, 7, 4)]).GetPolys())
+    return curve
+
+
 class Function(unittest.TestCase):
+    def test_a_hole_across_its_outline_is_told_of_by_three_rules(self):
+        rules = "8352 by the winding number, 7504 by even-odd"
+        found = insideout.check(hole_across_outline())
+        self.assertEqual(found.verdict, f"bounds an area of 8352 in a plane after turning 4 of 8 segments over: {rules}, 7152 as given")
+        self.assertTrue(any(f"{rules} and 7152 as given" in line for line in found.warnings))
+        made = insideout.tetrahedralize(hole_across_outline())
+        self.assertAlmostEqual(made.statistics["Area"], 8352)
+        self.assertAlmostEqual(made.statistics["AreaByEvenOdd"], 7504)
+        self.assertAlmostEqual(made.statistics["AreaAsGiven"], 7152)
+        self.assertTrue(any(f"{rules} and 7152 as given" in line for line in made.warnings))
+        self.assertAlmostEqual(insideout.tetrahedralize(hole_across_outline(), orientation="as-given").statistics["Area"], 7152)
+        self.assertNotIn("AreaByEvenOdd", insideout.check(two_squares()).statistics)
+
     def test_lines_become_triangles_with_views(self):
         result = insideout.tetrahedralize(two_squares())
         self.assertEqual(len(result.warnings), 1)

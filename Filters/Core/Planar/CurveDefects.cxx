@@ -89,7 +89,7 @@ CurveDefects FindCurveDefects(const SegmentSoup& soup, const Plane& plane,
 
   CurveDefects defects;
   defects.TurnedSegments = hull.TurnedSegments;
-  defects.Area = EnclosedArea(hull);
+  defects.Areas = hull.Areas;
   defects.Warnings = hull.Warnings;
   defects.Counts = counted.Counts;
   defects.IntersectingPairs = meetings.Pairs;

@@ -37,7 +37,7 @@ struct CurveDefects
   CurveCounts Counts;
   std::size_t IntersectingPairs = 0;
   std::vector<Id> TurnedSegments; ///< of the soup: turned over as the orientation asks; ascending
-  double Area = 0;                ///< enclosed then (EnclosedArea)
+  AreaReadings Areas;             ///< enclosed then
   std::vector<std::string> Warnings;
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace insideout
 {
@@ -30,6 +31,52 @@ void AddWarnings(PlanarHull& hull, Id leftOut)
     hull.Warnings.push_back(std::to_string(leftOut) +
       " segments still cross others after rounding: they count, but do not shape the mesh");
   }
+}
+
+bool IsInside(double w)
+{
+  return w > 0.5;
+}
+
+bool IsOdd(double w)
+{
+  return std::lround(w) % 2 != 0;
+}
+
+/** @param[in] given winding numbers before segments were turned over
+ * @param[in] crosses whether segments meet beyond their ends */
+AreaReadings ReadAreas(const PlanarHull& hull, const std::vector<double>& given, bool crosses)
+{
+  AreaReadings areas;
+  bool differ = false;
+  for (std::size_t c = 0; c < hull.W.size(); ++c)
+  {
+    const auto& [p, q, r] = hull.Mesh.Cells[c];
+    const double area =
+      AreaOf(hull.Curve.Points[p], hull.Curve.Points[q], hull.Curve.Points[r], hull.Plane.Metric);
+    areas.EvenOdd += IsOdd(hull.W[c]) ? area : 0;
+    areas.Winding += IsInside(hull.W[c]) ? area : 0;
+    areas.AsGiven += IsInside(given[c]) ? area : 0;
+    differ = differ || IsOdd(hull.W[c]) != IsInside(hull.W[c]) ||
+      IsInside(hull.W[c]) != IsInside(given[c]);
+  }
+  const auto [least, most] = std::minmax_element(given.begin(), given.end());
+  areas.Differ = differ && crosses && *least < -0.5 && IsInside(*most);
+  for (double* area : { &areas.EvenOdd, &areas.Winding, &areas.AsGiven })
+  {
+    *area = std::ldexp(*area, 2 * hull.Plane.Exponent);
+  }
+  return areas;
+}
+
+std::string WarningAbout(const AreaReadings& areas)
+{
+  char text[200];
+  std::snprintf(text, sizeof(text),
+    "the lines enclose an area of %.6g by the winding number, %.6g by even-odd and %.6g as given: "
+    "Orientation chooses",
+    areas.Winding, areas.EvenOdd, areas.AsGiven);
+  return text;
 }
 } // namespace
 
@@ -61,6 +108,7 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   statistics.emplace_back("HullCells", hull.Mesh.NumberOfCells());
   const double meshSeconds = stopwatch.Lap();
 
+  const std::vector<std::int16_t> given = hull.Curve.Multiplicity;
   const CurveTurns turns =
     OrientCurves(counted.Curve, parameters.Orientation, plane, hull.Mesh, hull.Curve, monitor);
   hull.TurnedSegments = turns.Segments;
@@ -69,6 +117,23 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   const double orientSeconds = stopwatch.Lap();
 
   hull.W = WindingNumberOfTriangles(hull.Curve, hull.Mesh, plane.Metric, monitor);
+  const bool crosses = resolved.IntersectingPairs > 0;
+  if (turns.Segments.empty() || !crosses)
+  {
+    hull.Areas = ReadAreas(hull, hull.W, crosses);
+  }
+  else
+  {
+    SegmentComplex asGiven = hull.Curve;
+    asGiven.Multiplicity = given;
+    hull.Areas =
+      ReadAreas(hull, WindingNumberOfTriangles(asGiven, hull.Mesh, plane.Metric, monitor), crosses);
+  }
+  if (hull.Areas.Differ)
+  {
+    hull.Warnings.push_back(WarningAbout(hull.Areas));
+  }
+  AddAreas(hull.Areas, statistics);
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());
   statistics.emplace_back("Closed", NumberOfOpenEnds(hull.Curve) == 0);
   statistics.emplace_back("MinimumW", *least);
@@ -80,16 +145,13 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   return hull;
 }
 
-double EnclosedArea(const PlanarHull& hull)
+void AddAreas(const AreaReadings& areas, Statistics& statistics)
 {
-  double area = 0;
-  for (std::size_t c = 0; c < hull.W.size(); ++c)
+  if (areas.Differ)
   {
-    const auto& [p, q, r] = hull.Mesh.Cells[c];
-    area += hull.W[c] > 0.5
-      ? AreaOf(hull.Curve.Points[p], hull.Curve.Points[q], hull.Curve.Points[r], hull.Plane.Metric)
-      : 0;
+    statistics.emplace_back("AreaByEvenOdd", areas.EvenOdd);
+    statistics.emplace_back("AreaByWindingNumber", areas.Winding);
+    statistics.emplace_back("AreaAsGiven", areas.AsGiven);
   }
-  return std::ldexp(area, 2 * hull.Plane.Exponent);
 }
 } // namespace insideout

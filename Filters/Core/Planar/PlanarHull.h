@@ -14,6 +14,18 @@ struct PlanarHullParameters
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
 };
 
+/** What a curve encloses by three rules, in the units of the input. */
+struct AreaReadings
+{
+  double EvenOdd = 0; ///< where the winding number is odd
+  double Winding = 0; ///< where it is above 1/2
+  double AsGiven = 0; ///< where it is above 1/2 if no segment is turned over; known where Differ
+
+  /** The rules differ, segments cross, and part of the curve runs clockwise around what no other
+   * part encloses: a hole that crosses its outline. */
+  bool Differ = false;
+};
+
 /** The convex hull of a curve in triangles, and the curve's winding number in each. */
 struct PlanarHull
 {
@@ -25,6 +37,7 @@ struct PlanarHull
   std::vector<Id> MergedInto;         ///< as CountedCurve's
   std::vector<Id> DegenerateSegments; ///< as CountedCurve's
   std::vector<Id> TurnedSegments;     ///< of the soup: turned over; ascending
+  AreaReadings Areas;
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };
@@ -38,6 +51,6 @@ struct PlanarHull
 PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   const PlanarHullParameters& parameters, Monitor& monitor);
 
-/** The area where w is above 1/2, in the units of the input. */
-double EnclosedArea(const PlanarHull& hull);
+/** The three areas under their names, for `statistics`, where they differ. */
+void AddAreas(const AreaReadings& areas, Statistics& statistics);
 } // namespace insideout

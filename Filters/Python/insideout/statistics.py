@@ -17,7 +17,7 @@ GROUPS = {
     "mesh of the hull": "Rung|Hull|.*Steiner|Lost(Facets|Segments)|PartsApart|Tetrahedra$",
     "winding number and cut": "MinimumW|MaximumW|Energy|Forced|Changed|Unsatisfied|Seed|Shared",
     "topology, as asked for": "Dropped|Filled|Joined|NonManifoldPoints|Overlaps$|Separated|Copied|SplitPoints",
-    "solid": "Inside|Regions|Volume|Area$|CenterOfMass|Inertia|Cells$|Negative|Flat|Crowded|Overlapping|Contact|Conforms",
+    "solid": "Inside|Regions|Volume|Area|CenterOfMass|Inertia|Cells$|Negative|Flat|Crowded|Overlapping|Contact|Conforms",
     "boundary": "BoundaryFaces|Seam|Tags",
     "shape of the solid": "Solid(Components|Tunnels|Cavities|EulerCharacteristic)|Boundary|Genus",
     "outliers": "Outlier|LostShare",

@@ -63,7 +63,9 @@ def verdict_in_a_plane(statistics: Mapping[str, float]) -> str:
         sentence += f" after turning {int(statistics['TurnedSegments']):,} of {counted(statistics['InputSegments'], 'segment')} over"
     if statistics["OpenEnds"] > 0:
         sentence += ", once its gaps are closed"
-    return sentence
+    rules = (("AreaByWindingNumber", "by the winding number"), ("AreaByEvenOdd", "by even-odd"), ("AreaAsGiven", "as given"))
+    told = [f"{statistics[name]:.6g} {rule}" for name, rule in rules if name in statistics]
+    return f"{sentence}: {', '.join(told)}" if told else sentence
 
 
 def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:

@@ -31,7 +31,7 @@ TEST(CurveDefects, FindsNothingWrongWithASquare)
     DefectsOf(Lines({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, { { 0, 1, 2, 3, 0 } }));
   EXPECT_TRUE(defects.Points.empty());
   EXPECT_EQ(defects.IntersectingPairs, 0u);
-  EXPECT_EQ(defects.Area, 1);
+  EXPECT_EQ(defects.Areas.Winding, 1);
   EXPECT_TRUE(defects.TurnedSegments.empty());
   for (const SegmentDefects& segment : defects.Segments)
   {
@@ -71,7 +71,53 @@ TEST(CurveDefects, MeasuresWhatIsEnclosedOnceLinesAreTurned)
   const CurveDefects defects = DefectsOf(Lines({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 5, 0 },
                                                  { 5, 1 }, { 6, 1 }, { 6, 0 }, { 8, 0 }, { 9, 3 } },
     { { 0, 1, 2, 3, 0 }, { 4, 5, 6, 7, 4 }, { 8, 9 } }));
-  EXPECT_EQ(defects.Area, 17);
+  EXPECT_EQ(defects.Areas.Winding, 17);
   EXPECT_EQ(defects.TurnedSegments, (std::vector<Id>{ 4, 5, 6, 7 }));
+}
+TEST(CurveDefects, TellWhatAHoleAcrossItsOutlineMeansByThreeRules)
+{
+  // 100 by 80, and a hole of 40 by 30 of which 40 by 8.8 are outside.
+  SegmentSoup soup = Lines({ { 0, 0 }, { 100, 0 }, { 100, 80 }, { 0, 80 }, { 30, 58.8 },
+                             { 30, 88.8 }, { 70, 88.8 }, { 70, 58.8 } },
+    { { 0, 1, 2, 3, 0 }, { 4, 5, 6, 7, 4 } });
+  const auto expect = [&](Orientation orientation, double winding, double asGiven)
+  {
+    Monitor monitor;
+    PlanarHullParameters parameters;
+    parameters.Orientation = orientation;
+    const CurveDefects defects =
+      FindCurveDefects(soup, FindPlane(soup.Points), parameters, monitor);
+    EXPECT_NEAR(defects.Areas.Winding, winding, 1e-9);
+    EXPECT_NEAR(defects.Areas.EvenOdd, 7504, 1e-9);
+    EXPECT_NEAR(defects.Areas.AsGiven, asGiven, 1e-9);
+    return defects;
+  };
+  const CurveDefects automatic = expect(Orientation::Automatic, 8352, 7152);
+  EXPECT_TRUE(automatic.Areas.Differ);
+  ASSERT_EQ(automatic.Warnings.size(), 2u);
+  EXPECT_EQ(automatic.Warnings[1],
+    "the lines enclose an area of 8352 by the winding number, 7504 by even-odd and 7152 as given: "
+    "Orientation chooses");
+  EXPECT_TRUE(expect(Orientation::AsGiven, 7152, 7152).Areas.Differ);
+  // Two outlines that overlap are one area; that all run clockwise is no hole.
+  std::swap(soup.Points[5], soup.Points[7]);
+  EXPECT_FALSE(expect(Orientation::Automatic, 8352, 8352).Areas.Differ);
+  for (Segment& segment : soup.Segments)
+  {
+    std::swap(segment[0], segment[1]);
+  }
+  EXPECT_FALSE(expect(Orientation::Automatic, 8352, 0).Areas.Differ);
+}
+
+TEST(CurveDefects, TellNothingOfAHoleWithinItsOutline)
+{
+  const CurveDefects defects = DefectsOf(
+    Lines({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 } },
+      { { 0, 1, 2, 3, 0 }, { 4, 5, 6, 7, 4 } }));
+  EXPECT_EQ(defects.Areas.Winding, 15);
+  EXPECT_EQ(defects.Areas.EvenOdd, 15);
+  EXPECT_EQ(defects.Areas.AsGiven, 15);
+  EXPECT_FALSE(defects.Areas.Differ);
+  EXPECT_TRUE(defects.Warnings.empty());
 }
 } // namespace

@@ -96,7 +96,7 @@ void AddPlane(const TriangleSoup& soup, Hashes& hashes)
     AddMesh(name, hull.Curve, hull.Mesh, hashes);
     AddHash(
       name + ", segments", hashes, hull.MergedInto, hull.DegenerateSegments, hull.TurnedSegments);
-    AddHash(name + ", w", hashes, hull.W, EnclosedArea(hull));
+    AddHash(name + ", w", hashes, hull.W, hull.Areas.Winding);
     AddHash(name + ", figures", hashes, hull.Statistics, hull.Warnings);
     AddHash(
       name + ", w at points", hashes, CurveWindingNumber(hull).At(soup.Points, monitor, Progress));
@@ -104,7 +104,7 @@ void AddPlane(const TriangleSoup& soup, Hashes& hashes)
 
     const CurveDefects defects = FindCurveDefects(curve, hull.Plane, {}, monitor);
     AddHash(name + ", defects", hashes, defects.Segments, defects.Points, defects.IntersectingPairs,
-      defects.TurnedSegments, defects.Area, defects.Warnings);
+      defects.TurnedSegments, defects.Areas.Winding, defects.Warnings);
 
     const Point middle = PointIn(soup, 0.5, 0.5, 0.5);
     const std::vector<Seed> seeds = { { { middle[0], middle[1], middle[0] / 2 }, false },
