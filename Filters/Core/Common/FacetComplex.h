@@ -72,6 +72,10 @@ struct FacetComplex
   std::vector<Id> SourceOffsets = { 0 }; ///< one per facet, and the end
   std::vector<FacetSource> Sources;      ///< sorted by triangle within a facet
 
+  /** After validation of a surface with edges of more than two facets, one per source: the part of
+   * the surface as it was given that its triangle is of (GivenParts.h). Else empty. */
+  std::vector<Id> SourceParts = {};
+
   /**
    * Facets from here on could not be resolved: they are no constraints (they may cross others), but
    * still count in the winding number. At most Facets.size(), and equal to it nearly always.

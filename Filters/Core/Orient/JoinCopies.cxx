@@ -23,6 +23,40 @@ struct CopyAtSeam
   Id Patch;
 };
 
+/** One per copy: its part as given (FacetComplex::SourceParts), None where that is not known. */
+std::vector<Id> PartsOfCopies(
+  const FacetComplex& surface, const SeamedPatches& patches, const PatchCopies& copies)
+{
+  std::vector<Id> parts(copies.Count(), None);
+  std::vector<char> isSeen(patches.Count.size(), 0);
+  for (Id f = 0; !surface.SourceParts.empty() && f < surface.NumberOfFacets(); ++f)
+  {
+    const Id patch = patches.Patches.Patch[f];
+    if (isSeen[patch])
+    {
+      continue;
+    }
+    isSeen[patch] = 1;
+    std::array<std::vector<Id>, 2> given; // along the patch, and against it
+    for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
+    {
+      const bool against =
+        surface.Sources[s].Reversed != (SignOfCount(surface.Multiplicity[f]) < 0);
+      given[against].push_back(surface.SourceParts[s]);
+    }
+    const std::array<Id, 2> sizes = { { copies.Along(patch), copies.Against(patch) } };
+    Id copy = copies.First(patch);
+    for (const int side : { 0, 1 })
+    {
+      std::sort(given[side].begin(), given[side].end());
+      const std::size_t known = std::min(given[side].size(), static_cast<std::size_t>(sizes[side]));
+      std::copy_n(given[side].begin(), known, parts.begin() + copy);
+      copy += sizes[side];
+    }
+  }
+  return parts;
+}
+
 /** The angle of each facet around an edge, counterclockwise seen against the edge's direction. */
 class AnglesAround
 {
@@ -82,6 +116,7 @@ public:
     , Edges(edges)
     , Patches(patches)
     , Copies(copies)
+    , Parts(PartsOfCopies(surface, patches, copies))
     , Sets(sets)
   {
   }
@@ -135,6 +170,30 @@ public:
       i = end;
     }
     return left;
+  }
+
+  /** Join those that are of one part as given, where others are at the seam, too. */
+  void JoinWithinParts(const PatchSeam& seam)
+  {
+    std::vector<CopyAtSeam> left = this->LeftAt(seam);
+    const auto partOf = [&](const CopyAtSeam& at) { return this->Parts[at.Copy]; };
+    std::stable_sort(left.begin(), left.end(),
+      [&](const CopyAtSeam& a, const CopyAtSeam& b) { return partOf(a) < partOf(b); });
+    for (std::size_t i = 0; i < left.size();)
+    {
+      std::vector<CopyAtSeam> ofPart;
+      int sum = 0;
+      const Id part = partOf(left[i]);
+      for (; i < left.size() && partOf(left[i]) == part; ++i)
+      {
+        ofPart.push_back(left[i]);
+        sum += left[i].Direction;
+      }
+      if (part != None && sum == 0 && ofPart.size() < left.size())
+      {
+        this->JoinByWedges(seam, ofPart);
+      }
+    }
   }
 
   void JoinPair(const CopyAtSeam& a, const CopyAtSeam& b)
@@ -192,6 +251,7 @@ private:
   const std::vector<FacetEdge>& Edges;
   const SeamedPatches& Patches;
   const PatchCopies& Copies;
+  const std::vector<Id> Parts; // per copy
   TurnedSets& Sets;
 };
 } // namespace
@@ -218,6 +278,10 @@ void JoinCopies(const FacetComplex& surface, const std::vector<FacetEdge>& edges
   }
   std::stable_sort(open.begin(), open.end(),
     [](const PatchSeam* a, const PatchSeam* b) { return a->Length > b->Length; });
+  for (const PatchSeam* seam : open)
+  {
+    joiner.JoinWithinParts(*seam);
+  }
   const bool follows = open.size() <= MostSeamsToFollow;
   const auto joinLastTwo = [&]()
   {

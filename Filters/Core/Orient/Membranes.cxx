@@ -272,10 +272,10 @@ private:
         for (int i = 0; i < lines; ++i)
         {
           const CrossedLine line = sampler.Through(place.At, shell.Random);
-          for (const auto& [at, chain, rise] : line.Crossings)
+          for (const auto& [at, error, chain, rise] : line.Crossings)
           {
             const OpenChain& crossed = open[chain];
-            if (std::abs(at) <= Beside ||
+            if (std::abs(at) <= std::max(Beside, error) ||
               (crossed.IsCap &&
                 !this->IsInSolid(
                   { PointOn(place, line, at), line.Direction }, ShellKind::Holed, shell.Random)))

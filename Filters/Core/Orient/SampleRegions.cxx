@@ -14,6 +14,9 @@ namespace insideout
 {
 namespace
 {
+/** The error of a few operations on coordinates below 1. */
+constexpr double Rounding = 0x1p-45;
+
 struct Line
 {
   Point Origin;
@@ -22,7 +25,6 @@ struct Line
   /** False only where the line certainly misses the box: coordinates are below 1. */
   bool MayMeet(const Box& box) const
   {
-    constexpr double Rounding = 0x1p-45;
     Point centre;
     Point half;
     for (int axis = 0; axis < 3; ++axis)
@@ -159,7 +161,7 @@ public:
         const double sum = weights[0] + weights[1] + weights[2];
         crossings.push_back({ (weights[0] / sum) * seen[0][2] + (weights[1] / sum) * seen[1][2] +
             (weights[2] / sum) * seen[2][2],
-          facet.Shell, sum > 0 ? -facet.Count : facet.Count });
+          ErrorOfCrossing(seen, sum), facet.Shell, sum > 0 ? -facet.Count : facet.Count });
       });
     return sure;
   }
@@ -186,8 +188,9 @@ public:
       {
         windings.erase(crossings[i].Shell);
       }
+      // Facets that coincide in part are crossed at one place, in an order that rounding decides.
       const double length = crossings[i + 1].At - crossings[i].At;
-      if (!windings.empty() && length > 0)
+      if (!windings.empty() && length > crossings[i].Error + crossings[i + 1].Error)
       {
         // The lines through a place have a solid angle of 2 pi.
         Stretch stretch = { {}, length / (2 * Pi * density) };
@@ -209,6 +212,18 @@ private:
     int Count;
     double AreaUpTo; ///< of the shell's facets up to this one
   };
+
+  /** Weights err by rounding, the more the flatter or thinner the line sees the facet. */
+  static double ErrorOfCrossing(const std::array<std::array<double, 3>, 3>& seen, double sum)
+  {
+    double across = 0;
+    for (const auto& corner : seen)
+    {
+      across = std::max({ across, std::abs(corner[0]), std::abs(corner[1]) });
+    }
+    const auto [first, last] = std::minmax({ seen[0][2], seen[1][2], seen[2][2] });
+    return Rounding * (1 + across * (last - first) / std::abs(sum));
+  }
 
   static std::array<Point, 2> FrameOf(const Point& direction)
   {

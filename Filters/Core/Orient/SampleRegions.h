@@ -34,7 +34,8 @@ struct CrossedLine
 {
   struct Crossing
   {
-    double At; ///< along the line
+    double At;    ///< along the line
+    double Error; ///< of that
     Id Shell;
     int Rise; ///< of the shell's winding number
   };

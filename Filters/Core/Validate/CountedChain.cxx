@@ -10,6 +10,7 @@
 #include "Common/Vectors.h"
 #include "Validate/CountCopies.h"
 #include "Validate/FacetEdges.h"
+#include "Validate/GivenParts.h"
 #include "Validate/MergePoints.h"
 #include "Validate/TwoSidedComponents.h"
 
@@ -326,6 +327,10 @@ CountedChain CountFacets(
   const FacetComponents components = ComponentsOfFacets(chain.Counts.Facets, edges);
   chain.Counts.Components = components.Count;
   CountEdges(chain.Surface.Points, edges, chain.Counts);
+  if (chain.Counts.NonManifoldEdges > 0)
+  {
+    chain.Surface.SourceParts = FindGivenParts(soup, chain.Surface, edges);
+  }
   const Box box = BoundingBox(chain.Surface.Points);
   chain.Counts.Diagonal = Distance(box.Low, box.High);
   if (soup.Multiplicity.empty())

@@ -395,6 +395,90 @@ TEST(CopiesOfFacets, CountAsOftenAsClosedShellsNeedThem)
   }
 }
 
+/** A block of 3 by 3 by 3 unit cubes without those of the middle column, in unit squares. */
+TriangleSoup BlockWithHole(const std::array<int, 3>& at)
+{
+  const auto isSolid = [](const std::array<int, 3>& c)
+  {
+    return std::all_of(c.begin(), c.end(), [](int i) { return i >= 0 && i < 3; }) &&
+      (c[0] != 1 || c[1] != 1);
+  };
+  TriangleSoup block;
+  for (int i = 0; i < 27; ++i)
+  {
+    const std::array<int, 3> cell = { { i % 3, i / 3 % 3, i / 9 } };
+    for (int side = 0; isSolid(cell) && side < 6; ++side)
+    {
+      const int axis = side / 2;
+      std::array<int, 3> beyond = cell;
+      beyond[axis] += side % 2 ? 1 : -1;
+      if (isSolid(beyond))
+      {
+        continue;
+      }
+      std::array<Id, 4> corners;
+      for (int k = 0; k < 4; ++k)
+      {
+        std::array<int, 3> p = cell;
+        p[axis] += side % 2;
+        p[(axis + 1) % 3] += k == 1 || k == 2;
+        p[(axis + 2) % 3] += k >= 2;
+        corners[side % 2 ? k : (4 - k) % 4] = static_cast<Id>(block.Points.size());
+        block.Points.push_back({ static_cast<double>(p[0] + at[0]),
+          static_cast<double>(p[1] + at[1]), static_cast<double>(p[2] + at[2]) });
+      }
+      block.Triangles.push_back({ corners[0], corners[1], corners[2] });
+      block.Triangles.push_back({ corners[0], corners[2], corners[3] });
+    }
+  }
+  return Merged(block);
+}
+
+TEST(CopiesOfFacets, AreOfOneShellEachWhereSurfacesCrossThatShareThem)
+{
+  const TriangleSoup block = BlockWithHole({ 0, 0, 0 });
+  for (int i = 0; i < 27; ++i)
+  {
+    const std::array<int, 3> step = { { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 } };
+    for (const bool inward : { false, true })
+    {
+      TriangleSoup other = BlockWithHole(step);
+      if (i == 13)
+      {
+        continue; // the same again
+      }
+      if (inward)
+      {
+        other = Reversed(other);
+      }
+      // By the points as given, and by the order of facets.
+      for (const TriangleSoup& both : { Join(block, other), Merged(Join(block, other)) })
+      {
+        const Oriented oriented = Orient(both);
+        EXPECT_EQ(oriented.Turns.Enclosed.ClosedShells, 2) << i;
+        EXPECT_EQ(oriented.Turns.Shells, 2) << i;
+        EXPECT_EQ(oriented.Turns.TurnedShells, inward) << i;
+      }
+    }
+  }
+}
+
+TEST(Cavities, StayWhereTheyShareParts)
+{
+  // Of facets, with the outer surface: the two cross a line at one place, but for rounding.
+  const Point low = { 0.1, 0.2, 0.3 };
+  for (const double scale : { 1., 0.7, 1 / 3. })
+  {
+    const TriangleSoup outer = Scaled(Box(low, { 1.1, 1.2, 1.3 }), scale);
+    const TriangleSoup inner = Scaled(Box(low, { 0.6, 0.7, 0.8 }), scale);
+    const Oriented oriented = Orient(Join(outer, Reversed(inner)));
+    EXPECT_EQ(oriented.Turns.TurnedFacets, 0) << scale;
+    EXPECT_EQ(oriented.Turns.Enclosed.Cavities, 1) << scale;
+    EXPECT_NEAR(oriented.At({ 0.3 * scale, 0.4 * scale, 0.5 * scale }), 0, 1e-9);
+    EXPECT_NEAR(oriented.At({ 0.9 * scale, 0.4 * scale, 0.5 * scale }), 1, 1e-9);
+  }
+}
+
 TEST(CopiesOfFacets, ThatAreStrayDoNotCount)
 {
   TriangleSoup cube = Box({ 0, 0, 0 }, { 1, 1, 1 });

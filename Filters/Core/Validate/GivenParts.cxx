@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Validate/GivenParts.h"
+
+#include "Common/DisjointSets.h"
+
+namespace insideout
+{
+namespace
+{
+/** An edge of a facet, and whether the facet runs along it. */
+struct RunAlong
+{
+  Id Edge;
+  int Direction;
+};
+
+std::vector<std::array<RunAlong, 3>> EdgesOfFacets(
+  Id facets, const std::vector<FacetEdge>& edges, Id& numberOfEdges)
+{
+  std::vector<std::array<RunAlong, 3>> found(facets);
+  std::vector<char> size(facets, 0);
+  numberOfEdges = 0;
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        found[edge->Facet][size[edge->Facet]++] = { numberOfEdges, edge->Direction };
+      }
+      ++numberOfEdges;
+    });
+  return found;
+}
+
+/** Numbers triangles by the run that they are of, in the order given. */
+class ClosedRuns
+{
+public:
+  ClosedRuns(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+    : Edges(EdgesOfFacets(surface.NumberOfFacets(), edges, this->NumberOfEdges))
+    , SumOfEdge(this->NumberOfEdges, 0)
+    , OfFacet(surface.Facets.size())
+  {
+  }
+
+  /** The run of the next triangle. */
+  Id Add(Id facet, bool reversed)
+  {
+    const Id run = this->Ended;
+    InRun& sum = this->OfFacet[facet];
+    sum = sum.Run == run ? sum : InRun{ run, 0 };
+    this->Uncancelled -= sum.Count != 0;
+    sum.Count += reversed ? -1 : 1;
+    this->Uncancelled += sum.Count != 0;
+    for (const RunAlong& along : this->Edges[facet])
+    {
+      Id& ofEdge = this->SumOfEdge[along.Edge];
+      this->OpenEdges -= ofEdge != 0;
+      ofEdge += reversed ? -along.Direction : along.Direction;
+      this->OpenEdges += ofEdge != 0;
+    }
+    if (this->OpenEdges == 0 && this->Uncancelled > 0)
+    {
+      ++this->Ended;
+      this->Uncancelled = 0;
+    }
+    return run;
+  }
+
+  Id NumberOfEnded() const { return this->Ended; }
+
+private:
+  struct InRun
+  {
+    Id Run = None;
+    Id Count = 0;
+  };
+
+  Id NumberOfEdges = 0;
+  std::vector<std::array<RunAlong, 3>> Edges; // per facet
+  std::vector<Id> SumOfEdge;                  // of all triangles up to here
+  std::vector<InRun> OfFacet;
+  Id OpenEdges = 0;
+  Id Uncancelled = 0; // facets of this run
+  Id Ended = 0;
+};
+
+std::vector<Id> PartsByPoints(const TriangleSoup& soup, const std::vector<FacetSource>& sources)
+{
+  DisjointSets parts(soup.Points.size());
+  for (const Triangle& triangle : soup.Triangles)
+  {
+    parts.Join(triangle[0], triangle[1]);
+    parts.Join(triangle[0], triangle[2]);
+  }
+  std::vector<Id> found;
+  found.reserve(sources.size());
+  for (const FacetSource& source : sources)
+  {
+    found.push_back(parts.Find(soup.Triangles[source.Triangle][0]));
+  }
+  return found;
+}
+} // namespace
+
+std::vector<Id> FindGivenParts(
+  const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+{
+  struct Place
+  {
+    Id Facet = None;
+    std::size_t Source = 0;
+  };
+  std::vector<Place> places(soup.Triangles.size());
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
+    {
+      places[surface.Sources[s].Triangle] = { f, static_cast<std::size_t>(s) };
+    }
+  }
+  ClosedRuns runs(surface, edges);
+  std::vector<Id> parts(surface.Sources.size());
+  for (const Place& place : places)
+  {
+    if (place.Facet != None)
+    {
+      parts[place.Source] = runs.Add(place.Facet, surface.Sources[place.Source].Reversed);
+    }
+  }
+  return runs.NumberOfEnded() > 1 ? parts : PartsByPoints(soup, surface.Sources);
+}
+} // namespace insideout
