@@ -3,6 +3,8 @@
 
 #include "Common/DisjointSets.h"
 
+#include <algorithm>
+
 namespace insideout
 {
 namespace
@@ -85,7 +87,46 @@ private:
   Id Ended = 0;
 };
 
-std::vector<Id> PartsByPoints(const TriangleSoup& soup, const std::vector<FacetSource>& sources)
+/** Take away parts that are not closed by themselves. */
+void KeepClosed(
+  const FacetComplex& surface, const std::vector<FacetEdge>& edges, std::vector<Id>& parts)
+{
+  std::vector<char> isOpen(
+    parts.empty() ? 0 : static_cast<std::size_t>(*std::max_element(parts.begin(), parts.end())) + 1,
+    0);
+  std::vector<std::array<Id, 2>> runs; // parts at an edge, and which way their triangles run
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      runs.clear();
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        for (Id s = surface.SourceOffsets[edge->Facet]; s < surface.SourceOffsets[edge->Facet + 1];
+             ++s)
+        {
+          runs.push_back(
+            { parts[s], surface.Sources[s].Reversed ? -edge->Direction : edge->Direction });
+        }
+      }
+      std::sort(runs.begin(), runs.end());
+      for (std::size_t i = 0; i < runs.size();)
+      {
+        const Id part = runs[i][0];
+        Id sum = 0;
+        for (; i < runs.size() && runs[i][0] == part; ++i)
+        {
+          sum += runs[i][1];
+        }
+        isOpen[part] |= sum != 0;
+      }
+    });
+  for (Id& part : parts)
+  {
+    part = isOpen[part] ? None : part;
+  }
+}
+
+std::vector<Id> PartsByPoints(const TriangleSoup& soup, const FacetComplex& surface)
 {
   DisjointSets parts(soup.Points.size());
   for (const Triangle& triangle : soup.Triangles)
@@ -94,40 +135,58 @@ std::vector<Id> PartsByPoints(const TriangleSoup& soup, const std::vector<FacetS
     parts.Join(triangle[0], triangle[2]);
   }
   std::vector<Id> found;
-  found.reserve(sources.size());
-  for (const FacetSource& source : sources)
+  found.reserve(surface.Sources.size());
+  for (const FacetSource& source : surface.Sources)
   {
     found.push_back(parts.Find(soup.Triangles[source.Triangle][0]));
   }
   return found;
 }
-} // namespace
 
-std::vector<Id> FindGivenParts(
+/** Runs of triangles that are closed by themselves; None behind the last. */
+std::vector<Id> PartsInOrder(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {
   struct Place
   {
     Id Facet = None;
-    std::size_t Source = 0;
+    Id Source = None;
   };
   std::vector<Place> places(soup.Triangles.size());
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)
   {
     for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
     {
-      places[surface.Sources[s].Triangle] = { f, static_cast<std::size_t>(s) };
+      places[surface.Sources[s].Triangle] = { f, s };
     }
   }
   ClosedRuns runs(surface, edges);
   std::vector<Id> parts(surface.Sources.size());
-  for (const Place& place : places)
+  for (const auto& [facet, source] : places)
   {
-    if (place.Facet != None)
+    if (facet != None)
     {
-      parts[place.Source] = runs.Add(place.Facet, surface.Sources[place.Source].Reversed);
+      parts[source] = runs.Add(facet, surface.Sources[source].Reversed);
     }
   }
-  return runs.NumberOfEnded() > 1 ? parts : PartsByPoints(soup, surface.Sources);
+  for (Id& part : parts)
+  {
+    part = part < runs.NumberOfEnded() ? part : None;
+  }
+  return parts;
+}
+} // namespace
+
+std::vector<Id> FindGivenParts(
+  const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+{
+  std::vector<Id> parts = PartsInOrder(soup, surface, edges);
+  const auto isOfFirst = [&](Id part) { return part == parts.front(); };
+  if (std::all_of(parts.begin(), parts.end(), isOfFirst))
+  {
+    parts = PartsByPoints(soup, surface);
+    KeepClosed(surface, edges, parts);
+  }
+  return parts;
 }
 } // namespace insideout

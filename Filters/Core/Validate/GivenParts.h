@@ -9,12 +9,12 @@ namespace insideout
 /**
  * The parts of a surface that was put together of several.
  *
- * Parts are the runs of triangles, in the order given, that are closed by themselves and do not
- * cancel. Where there are no two such runs they are what shares points as given, before points are
+ * Parts are closed by themselves. They are the runs of triangles, in the order given, that are so
+ * and do not cancel; where that tells nothing apart, what shares points as given, before points are
  * merged.
  *
  * @param[in] edges those of surface.Facets
- * @return one per source of the facets: equal for triangles of one part
+ * @return one per source of the facets: equal for triangles of one part, None for those of none
  */
 std::vector<Id> FindGivenParts(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges);

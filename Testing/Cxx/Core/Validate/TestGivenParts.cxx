@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace
@@ -56,13 +57,40 @@ TEST(GivenParts, AreTheClosedSurfacesThatWereAppended)
   }
 }
 
-TEST(GivenParts, AreWhatSharesPointsWhereOneIsOpen)
+TEST(GivenParts, AreWhatSharesPointsWhereTheOrderTellsNothing)
 {
-  TriangleSoup open = Join(High, Low);
-  open.Triangles.erase(open.Triangles.begin() + 3);
-  std::vector<Id> parts = PartsOf(open);
-  parts.insert(parts.begin() + 3, parts.front());
+  TriangleSoup mixed = Join(Low, High);
+  for (std::size_t t = 0; t < 12; t += 2)
+  {
+    std::swap(mixed.Triangles[t], mixed.Triangles[t + 12]);
+  }
+  std::vector<Id> parts = PartsOf(mixed);
+  for (std::size_t t = 0; t < 12; t += 2)
+  {
+    std::swap(parts[t], parts[t + 12]);
+  }
   EXPECT_TRUE(AreBoxes(parts));
+  const std::vector<Id> merged = PartsOf(Merged(mixed));
+  EXPECT_EQ(std::set<Id>(merged.begin(), merged.end()).size(), 1u);
+}
+
+TEST(GivenParts, AreClosed)
+{
+  TriangleSoup open = Join(Low, High);
+  open.Triangles.pop_back();
+  for (const TriangleSoup& soup : { open, Merged(open) })
+  {
+    std::vector<Id> parts = PartsOf(soup);
+    EXPECT_NE(parts.front(), None);
+    EXPECT_EQ(parts.back(), None);
+    parts.push_back(None);
+    EXPECT_TRUE(AreBoxes(parts));
+  }
+  // The open one first: only points tell.
+  std::rotate(open.Triangles.begin(), open.Triangles.begin() + 12, open.Triangles.end());
+  const std::vector<Id> parts = PartsOf(open);
+  EXPECT_EQ(parts.front(), None);
+  EXPECT_NE(parts.back(), None);
 }
 
 TEST(GivenParts, AreNoPairsThatCancel)
