@@ -21,10 +21,8 @@ from collections import defaultdict
 import insideout
 import numpy as np
 from insideout.data import corners_of
-from insideout.inputs import make_cells
 from insideout.surfaces import as_surface
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 
@@ -33,12 +31,7 @@ CHANGES = ("shells", "patches", "5 %", "30 %", "50 %")
 
 
 def surface_of(points, triangles) -> vtkPolyData:
-    made = vtkPolyData()
-    held = vtkPoints()
-    held.SetData(numpy_to_vtk(points, deep=True))
-    made.SetPoints(held)
-    made.SetPolys(make_cells(np.ascontiguousarray(triangles)))
-    return made
+    return as_surface((points, triangles))[0]
 
 
 def turned_over(triangles, which):
