@@ -68,7 +68,8 @@ protected:                                                                 \
 public:
 
 /** CountDuplicates: count a polygon as often as it is given, in a plane a segment. Default off:
- * copies count as often as closed shells need them, else once, and opposite ones cancel. */
+ * copies count as often as closed shells need them, else once. Opposite ones cancel, unless one of
+ * them alone closes the surface. */
 #define vtkInsideOutCountDuplicatesMacro() \
   vtkSetMacro(CountDuplicates, bool);      \
   vtkGetMacro(CountDuplicates, bool);      \

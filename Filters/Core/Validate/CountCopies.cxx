@@ -19,7 +19,7 @@ constexpr double LeastGain = 1e-9;
 
 bool IsGivenAgain(const FacetCopies& given)
 {
-  return given.Along > 1 || given.Against > 1;
+  return given.Along + given.Against > 1;
 }
 
 FacetCopies OncePerOrientation(const FacetCopies& given)
@@ -52,7 +52,7 @@ public:
     double OpenLength;
   };
 
-  /** Add copies (step 1) to those of the start, or take them away (step -1). */
+  /** Add copies (step 1) to those of the start, or take them away (step -1) until one is left. */
   Choice Choose(const std::vector<FacetCopies>& start, int step) const
   {
     Choice choice = { start, 0 };
@@ -70,11 +70,11 @@ public:
       changed = false;
       for (std::size_t set = 0; set < start.size(); ++set)
       {
-        const FacetCopies once = OncePerOrientation(this->Given[set]);
-        const auto change = [&](
-                              std::int64_t& count, std::int64_t least, std::int64_t most, int sign)
+        FacetCopies& counts = choice.Counts[set];
+        const auto change = [&](std::int64_t& count, std::int64_t most, int sign)
         {
-          while (count + step >= least && count + step <= most &&
+          while (counts.Along + counts.Against + step >= 1 && count + step >= 0 &&
+            count + step <= most &&
             this->Gain(set, sign * step, sums) > LeastGain * this->Lengths[set])
           {
             count += step;
@@ -82,8 +82,8 @@ public:
             changed = true;
           }
         };
-        change(choice.Counts[set].Along, once.Along, this->Given[set].Along, 1);
-        change(choice.Counts[set].Against, once.Against, this->Given[set].Against, -1);
+        change(counts.Along, this->Given[set].Along, 1);
+        change(counts.Against, this->Given[set].Against, -1);
       }
     }
     for (std::size_t e = 0; e < sums.size(); ++e)
@@ -229,7 +229,7 @@ std::vector<FacetCopies> CountCopies(const FacetComplex& surface,
   std::vector<FacetCopies> once;
   std::transform(
     choice.Given.begin(), choice.Given.end(), std::back_inserter(once), OncePerOrientation);
-  const CopyChoice::Choice added = choice.Choose(once, 1);
+  const CopyChoice::Choice added = choice.Choose(choice.Choose(once, 1).Counts, -1);
   const CopyChoice::Choice taken = choice.Choose(choice.Given, -1);
   const bool fewer = taken.OpenLength < (1 - LeastGain) * added.OpenLength;
   const std::vector<FacetCopies>& chosen = fewer ? taken.Counts : added.Counts;

@@ -144,18 +144,17 @@ TEST(CountedChain, KeepsANeedleThatIsNotExactlyFlat)
   EXPECT_EQ(Count(needle).Counts.Facets, 1);
 }
 
-TEST(CountedChain, CountsRepeatedFacetsOncePerOrientationThenCancels)
+TEST(CountedChain, CountsRepeatedFacetsOnceAndOppositeOnesAsTheSurfaceCloses)
 {
+  const auto turned = [](const Triangle& t) { return Triangle{ { t[0], t[2], t[1] } }; };
   TriangleSoup box = Box({ 0, 0, 0 }, { 1, 1, 1 });
   const Triangle first = box.Triangles[0];
-  const Triangle second = box.Triangles[1];
   box.Triangles.push_back({ first[1], first[2], first[0] });
-  box.Triangles.push_back({ second[0], second[2], second[1] });
-  const CountedChain chain = Count(box);
-  EXPECT_EQ(chain.Surface.Multiplicity[0], 1);
-  EXPECT_EQ(chain.Surface.Multiplicity[1], 0);
+  box.Triangles.push_back(turned(box.Triangles[1]));
+  CountedChain chain = Count(box);
+  EXPECT_EQ(chain.Surface.Multiplicity, std::vector<std::int16_t>(12, 1));
   EXPECT_EQ(chain.Counts.DuplicateFacets, 2);
-  EXPECT_EQ(chain.Counts.CancelledFacets, 1);
+  EXPECT_EQ(chain.Counts.CancelledFacets, 0);
   ASSERT_EQ(chain.Surface.SourceOffsets[1], 2);
   EXPECT_EQ(chain.Surface.Sources[1].Triangle, 12);
   EXPECT_FALSE(chain.Surface.Sources[1].Reversed);
@@ -165,6 +164,25 @@ TEST(CountedChain, CountsRepeatedFacetsOncePerOrientationThenCancels)
   CountedChainParameters each;
   each.CountDuplicates = true;
   EXPECT_EQ(Count(box, each).Surface.Multiplicity[0], 2);
+  EXPECT_EQ(Count(box, each).Surface.Multiplicity[1], 0);
+
+  // Half of the sides both ways, whichever way the others face.
+  for (const TriangleSoup& cube : { Box({ 0, 0, 0 }, { 1, 1, 1 }), Reversed(box) })
+  {
+    TriangleSoup half = cube;
+    half.Triangles.resize(12);
+    for (std::size_t t = 2; t < 8; ++t)
+    {
+      half.Triangles.insert(half.Triangles.begin(), turned(cube.Triangles[t]));
+    }
+    chain = Count(half);
+    EXPECT_EQ(chain.Counts.CancelledFacets, 0);
+    EXPECT_DOUBLE_EQ(std::abs(SignedVolume(chain.Surface)), 1);
+  }
+
+  // A wall that is drawn from both sides closes nothing.
+  TriangleSoup walled = Join(Box({ 0, 0, 0 }, { 1, 1, 1 }), Box({ 1, 0, 0 }, { 2, 1, 1 }));
+  EXPECT_EQ(Count(walled).Counts.CancelledFacets, 2);
 }
 
 TEST(CountedChain, KeepsATwoSidedSolidOnceTurnedOutward)
