@@ -21,6 +21,10 @@ constexpr std::size_t MostTried = 12;
  * deviations of some hundred lines. */
 constexpr double SureShare = 0.15;
 
+/** Volumes that differ by less than this part of what is turned may be equal: faces of two shells
+ * that coincide but for the rounding to floats leave so much between them. */
+constexpr double RoundingShare = 1e-5;
+
 /** Rounds of turning shells one by one; few are ever needed. */
 constexpr int MostRounds = 32;
 
@@ -29,19 +33,24 @@ using Turns = std::vector<char>; // per shell of a cluster
 /** Volumes of two ways to turn shells, as far as they differ. */
 struct Difference
 {
-  double Net = 0;   ///< of the second, less the first
-  double Gross = 0; ///< where only one of them has it
+  double Net = 0;    ///< of the second, less the first
+  double Gross = 0;  ///< where only one of them has it
+  double Turned = 0; ///< where w differs
 
   void Add(bool first, bool second, double volume)
   {
     this->Net += first == second ? 0 : second ? volume : -volume;
     this->Gross += first == second ? 0 : volume;
+    this->Turned += volume;
   }
+
+  /** More than rounding. */
+  bool Matters() const { return std::abs(this->Net) > RoundingShare * this->Turned; }
 
   /** -1 where the second has surely less, +1 where more. */
   int Sign() const
   {
-    const bool sure = std::abs(this->Net) > SureShare * this->Gross;
+    const bool sure = this->Matters() && std::abs(this->Net) > SureShare * this->Gross;
     return sure ? (this->Net > 0) - (this->Net < 0) : 0;
   }
 };
@@ -108,6 +117,10 @@ public:
     {
       const int a = this->W(r, first);
       const int b = this->W(r, second);
+      if (a == b)
+      {
+        continue;
+      }
       const double volume = this->Regions[r].Volume;
       differences[0].Add(HasNoMeaning(a), HasNoMeaning(b), volume);
       differences[1].Add(this->IsNoSolid(r, a), this->IsNoSolid(r, b), volume);
@@ -177,7 +190,7 @@ void KeepLeast(const Cluster& cluster, std::size_t which, const VolumeOf& volume
     if (difference.Sign() <= 0)
     {
       kept.push_back(way);
-      if (difference.Net != 0)
+      if (difference.Matters())
       {
         unsure.insert(unsure.end(), { least, way });
       }
@@ -288,7 +301,7 @@ Choice Search(const Cluster& cluster)
     choice.Undecided[shell] = std::all_of(differences.begin(), differences.end(),
                                 [](const Difference& d) { return d.Sign() == 0; }) &&
       std::any_of(
-        differences.begin(), differences.end(), [](const Difference& d) { return d.Net != 0; });
+        differences.begin(), differences.end(), [](const Difference& d) { return d.Matters(); });
   }
   return choice;
 }

@@ -31,7 +31,8 @@ struct ShellTurns
  * of more, shells are turned one by one, larger ones first, as long as one gains by it.
  *
  * Volumes that differ by less than a part of what they differ in are taken as equal, for they are
- * samples.
+ * samples; and so are those that differ by less than a hundred-thousandth of where w differs, for
+ * faces that coincide, as the ends of two tubes, do so but for rounding.
  *
  * @param[in] regions of shells 0 to facets.size() - 1
  * @param[in] facets how many each shell has

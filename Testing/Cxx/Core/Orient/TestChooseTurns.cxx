@@ -101,6 +101,30 @@ TEST(ChooseTurns, TurnsTheFewestFacetsOfWhatIsEqual)
   EXPECT_EQ(ChooseTurns(regions, { 5, 5 }).Turned, (std::vector<char>{ 0, 0 }));
 }
 
+TEST(ChooseTurns, LetsWhatRoundingLeavesBetweenCoplanarFacesTurnNothing)
+{
+  // An inward shell within an outward one, whose ends are in one plane: the inner may stick out.
+  const auto nested = [](double outOfIt) -> std::vector<ShellRegion> {
+    return { { { { 0, 1 } }, 5 }, { { { 0, 1 }, { 1, -1 } }, 5 }, { { { 1, -1 } }, outOfIt } };
+  };
+  for (const double rounding : { 1e-16, 1e-7, 4e-5 })
+  {
+    const ShellTurns turns = ChooseTurns(nested(rounding), { 10, 10 });
+    EXPECT_EQ(turns.Turned, (std::vector<char>{ 0, 0 })) << rounding;
+    EXPECT_EQ(turns.Undecided, (std::vector<char>{ 0, 0 })) << rounding;
+  }
+  EXPECT_EQ(ChooseTurns(nested(1e-3), { 10, 10 }).Turned, (std::vector<char>{ 0, 1 }));
+  // The same among so many shells that they are turned one by one.
+  std::vector<ShellRegion> many = nested(1e-7);
+  for (Id shell = 2; shell < 20; ++shell)
+  {
+    many.push_back({ { { 0, 1 }, { shell, 1 } }, 1 });
+  }
+  const ShellTurns turns = ChooseTurns(many, std::vector<Id>(20, 10));
+  EXPECT_EQ(turns.Turned, std::vector<char>(20, 0));
+  EXPECT_EQ(turns.Undecided, std::vector<char>(20, 0));
+}
+
 TEST(ChooseTurns, SaysOfWhatItIsNotSure)
 {
   const std::vector<ShellRegion> eight = { { { { 0, 1 } }, 1.0 }, { { { 0, -1 } }, 1.1 } };
