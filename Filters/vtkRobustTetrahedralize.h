@@ -238,13 +238,14 @@ public:
   ///@}
 
   ///@{
-  /** Cell array of the input that tags the boundary, one integer or string per cell. Default
-   * empty: its groups, materials or solids do, or the blocks of a composite input. Strings are
-   * numbered in the order of their first cells, integers in their own order. Integers are called
-   * by the field array of strings that goes with the array (GroupNames with GroupIds, PartNames
-   * with Part), or else as they are written; floats have to be whole numbers. Empty is the first
-   * of BoundaryTag, GroupIds, MaterialIds and STLSolidLabeling that tells polygons apart, or the
-   * blocks. */
+  /**
+   * Cell array of the input that tags the boundary, one integer or string per cell. Default empty:
+   * its groups, materials or solids do, or the blocks of a composite input. Strings are numbered in
+   * the order of their first cells, integers in their own order, called by the field array of
+   * strings that goes with the array (GroupNames with GroupIds, PartNames with Part), or else as
+   * they are written; floats are whole. A point array with equal values in each cell will do, too.
+   * Empty: the first of BoundaryTag, GroupIds, MaterialIds, STLSolidLabeling that differs by cell.
+   */
   vtkSetStdStringFromCharMacro(TagArrayName);
   vtkGetCharFromStdStringMacro(TagArrayName);
   ///@}

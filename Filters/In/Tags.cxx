@@ -2,6 +2,7 @@
 #include "In/Tags.h"
 
 #include "Data/Arrays.h"
+#include "In/CornerValues.h"
 
 #include "Common/Error.h"
 #include "Files/NameNumbers.h"
@@ -155,7 +156,8 @@ Tags TagsOfStrings(vtkStringArray* array, const Cells& cells)
 
 Tags TagsOf(vtkPolyData* input, const std::string& name, const Cells& cells)
 {
-  vtkAbstractArray* array = FindArray(input, name);
+  vtkSmartPointer<vtkAbstractArray> array = FindArray(input, name);
+  array = array ? array : ValuesOfCorners(input, name);
   if (auto* strings = vtkStringArray::SafeDownCast(array))
   {
     return TagsOfStrings(strings, cells);

@@ -126,12 +126,13 @@ class OfArrays(Tags):
         tagged(surface, np.array([np.nan] * 12), "Unknown")
         tagged(surface, np.array([2**63] * 12, np.uint64), "Huge")
         tagged(surface, np.zeros((12, 2), int), "Pairs")
-        surfaces.add_array(surface.GetPointData(), "OfPoints", np.zeros(8, int))
+        surfaces.add_array(surface.GetPointData(), "OfPoints", np.arange(8))
         for name, message in (
             ("Part", "the cell array Part has the value 0.5 at cell 7: tags are integers or strings"),
             ("Unknown", "the cell array Unknown has the value nan at cell 0: tags are integers or strings"),
             ("Huge", "the cell array Huge has the value 9223372036854775808 at cell 0: tags are integers or strings"),
-            *((name, f"the surface has no cell array {name} of one integer or string per cell, for its tags") for name in ("Pairs", "OfPoints", "None")),
+            *((name, f"the surface has no cell array {name} of one integer or string per cell, for its tags") for name in ("Pairs", "None")),
+            ("OfPoints", "the point array OfPoints is 0 and 2 at corners of cell 0: tags are of whole cells"),
         ):
             with self.subTest(name), self.assertRaises(insideout.Error) as raised:
                 insideout.tetrahedralize(surface, tag_array=name)
