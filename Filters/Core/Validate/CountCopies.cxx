@@ -70,20 +70,26 @@ public:
       changed = false;
       for (std::size_t set = 0; set < start.size(); ++set)
       {
+        const FacetCopies once = OncePerOrientation(this->Given[set]);
         FacetCopies& counts = choice.Counts[set];
-        const auto change = [&](std::int64_t& count, std::int64_t most, int sign)
+        const auto isBetter = [&](std::int64_t count, std::int64_t least, int sign)
         {
-          while (counts.Along + counts.Against + step >= 1 && count + step >= 0 &&
-            count + step <= most &&
-            this->Gain(set, sign * step, sums) > LeastGain * this->Lengths[set])
+          return count >= least
+            ? this->Gain(set, sign * step, sums) > LeastGain * this->Lengths[set]
+            : counts.Along + counts.Against > 1 && this->Closes(set, sign * step, sums);
+        };
+        const auto change = [&](
+                              std::int64_t& count, std::int64_t least, std::int64_t most, int sign)
+        {
+          while (count + step >= 0 && count + step <= most && isBetter(count + step, least, sign))
           {
             count += step;
             this->Add(set, sign * step, sums);
             changed = true;
           }
         };
-        change(counts.Along, this->Given[set].Along, 1);
-        change(counts.Against, this->Given[set].Against, -1);
+        change(counts.Along, once.Along, this->Given[set].Along, 1);
+        change(counts.Against, once.Against, this->Given[set].Against, -1);
       }
     }
     for (std::size_t e = 0; e < sums.size(); ++e)
@@ -198,6 +204,15 @@ private:
         static_cast<double>(std::abs(sum) - std::abs(sum + more * at.Direction));
     }
     return gain;
+  }
+
+  /** Whether there is none of it beside a set when the set counts that much more, but is before. */
+  bool Closes(std::size_t set, std::int64_t more, const std::vector<std::int64_t>& sums) const
+  {
+    const auto boundary = this->Boundary[set];
+    return boundary.begin() != boundary.end() &&
+      std::all_of(boundary.begin(), boundary.end(),
+        [&](const SetAtEdge& at) { return sums[at.Edge] + more * at.Direction == 0; });
   }
 
   void Add(std::size_t set, std::int64_t more, std::vector<std::int64_t>& sums) const

@@ -27,10 +27,10 @@ struct FacetCopies
  * A facet that is given several times may be a slip, or belong to several closed shells. At first
  * each facet counts once per orientation. Sets of adjacent facets that are given alike then count
  * once more as long as that shortens the open boundary, the length of edges times their signed
- * sums; then once less, as where one of two opposite copies alone closes the surface. As sets may
- * need each other, the same is tried from the other end: all copies count, and are taken away as
- * long as that shortens the boundary. The shorter of the two boundaries wins, of equal ones the
- * first.
+ * sums; and of opposite copies one does not count where the other alone leaves no open boundary
+ * there. As sets may need each other, the same is tried from the other end: all copies count, and
+ * are taken away as long as that shortens the boundary. The shorter of the two boundaries wins, of
+ * equal ones the first.
  *
  * @param[in] edges those of surface.Facets
  * @param[in] given one per facet
