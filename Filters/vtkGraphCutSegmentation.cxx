@@ -90,7 +90,7 @@ int vtkGraphCutSegmentation::FillInputPortInformation(int port, vtkInformation* 
   return vtkInsideOut::FillPort(port, info, "vtkUnstructuredGrid");
 }
 
-void vtkGraphCutSegmentation::SetSeedsData(vtkPointSet* seeds)
+void vtkGraphCutSegmentation::SetSeedsData(vtkDataObject* seeds)
 {
   this->SetInputData(1, seeds);
 }
@@ -181,8 +181,9 @@ int vtkGraphCutSegmentation::RequestData(vtkInformation* vtkNotUsed(request),
         throw Error(ErrorCode::InvalidParameter,
           "NonManifold of the kind Split takes ExtractInside: only the cells inside can be parted");
       }
-      const MeshSegmentation segmentation = Segment(input, vtkInsideOut::ReadSeeds(inputVector),
-        vtkInsideOut::SegmentParametersOf(this), split, monitor);
+      const MeshSegmentation segmentation =
+        Segment(input, vtkInsideOut::ReadSeeds(vtkInsideOut::FindSeeds(inputVector)),
+          vtkInsideOut::SegmentParametersOf(this), split, monitor);
 
       vtkInsideOut::Parting parting;
       vtkSmartPointer<vtkUnstructuredGrid> labelled = vtkSmartPointer<vtkUnstructuredGrid>::New();

@@ -32,7 +32,7 @@
 #include "vtkInsideOutRange.h"         // for setters with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
-class vtkPointSet;
+class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkGraphCutSegmentation : public vtkUnstructuredGridAlgorithm
 {
@@ -181,9 +181,10 @@ public:
   /**
    * Optional second input: points that have to be inside or outside, by their array Inside (1 or
    * 0). The cell that contains such a point, of several the one of the lowest id, gets that label.
-   * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about.
+   * Seeds win over ConstrainFacets and NonManifold; conflicts are warned about. The blocks of a
+   * composite data set are one set of seeds.
    */
-  void SetSeedsData(vtkPointSet* seeds);
+  void SetSeedsData(vtkDataObject* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 

@@ -67,11 +67,15 @@ int vtkRefineTetrahedra::FillInputPortInformation(int port, vtkInformation* info
 {
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkDataSet");
+  if (port != 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
 
-void vtkRefineTetrahedra::SetBackgroundData(vtkDataSet* background)
+void vtkRefineTetrahedra::SetBackgroundData(vtkDataObject* background)
 {
   this->SetInputData(1, background);
 }
@@ -125,7 +129,7 @@ int vtkRefineTetrahedra::RequestUpdateExtent(vtkInformation* vtkNotUsed(request)
 int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* background = vtkDataSet::GetData(inputVector[1]);
+  vtkDataObject* given = vtkDataObject::GetData(inputVector[1]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return vtkInsideOut::RunOnWhole(this, outputVector,
     [&]()
@@ -133,6 +137,7 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
       const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Refining });
       RefinementParameters parameters = vtkInsideOut::RefinementParametersOf(this);
+      const vtkSmartPointer<vtkDataSet> background = vtkInsideOut::JoinDataSets(given);
       AddLengths(input, background, this->SizingArrayName, parameters.Sizes);
       const vtkInsideOut::Refinement refinement =
         vtkInsideOut::RefineGrid(input, nullptr, parameters, this->QuadraticCells, monitor);

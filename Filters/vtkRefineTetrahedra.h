@@ -50,7 +50,7 @@
 
 #include <string>
 
-class vtkDataSet;
+class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkRefineTetrahedra : public vtkUnstructuredGridAlgorithm
 {
@@ -133,8 +133,9 @@ public:
   ///@}
 
   ///@{
-  /** The optional second input: a background with the point array SizingArrayName. */
-  void SetBackgroundData(vtkDataSet* background);
+  /** The optional second input: a background with the point array SizingArrayName. The blocks of a
+   * composite data set are one background. */
+  void SetBackgroundData(vtkDataObject* background);
   void SetBackgroundConnection(vtkAlgorithmOutput* output);
   ///@}
 

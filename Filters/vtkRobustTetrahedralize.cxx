@@ -188,7 +188,7 @@ void vtkRobustTetrahedralize::SetBlocksAreBodies(bool blocksAreBodies)
   this->Modified();
 }
 
-void vtkRobustTetrahedralize::SetSeedsData(vtkPointSet* seeds)
+void vtkRobustTetrahedralize::SetSeedsData(vtkDataObject* seeds)
 {
   this->SetInputData(1, seeds);
 }
@@ -425,7 +425,8 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       this->CheckBodies();
       vtkInsideOut::AlgorithmMonitor monitor(this, StagesWith(this->Refine));
       this->CheckOptions();
-      const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(inputVector);
+      const vtkSmartPointer<vtkPointSet> seedPoints = vtkInsideOut::FindSeeds(inputVector);
+      const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(seedPoints);
       if (!names.Bodies.empty())
       {
         PriorityOf(vtkInsideOut::NamesOfBodies(input, names.Bodies),
@@ -466,8 +467,7 @@ int vtkRobustTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
       {
         kept->Fill(parameters, monitor);
         kept->MakeGrid();
-        made = vtkInsideOut::MakeTetrahedra(
-          *kept, seeds, vtkPointSet::GetData(inputVector[1]), tags, options, monitor);
+        made = vtkInsideOut::MakeTetrahedra(*kept, seeds, seedPoints, tags, options, monitor);
       }
       if (this->SurfaceOnly)
       {

@@ -81,13 +81,13 @@
 #include <memory>
 #include <string>
 
+class vtkDataObject;
 class vtkGeneralizedWindingNumber;
 class vtkGraphCutSegmentation;
 namespace vtkInsideOut
 {
 class AlgorithmMonitor;
 }
-class vtkPointSet;
 class vtkPolyData;
 class vtkRefineTetrahedra;
 
@@ -197,9 +197,9 @@ public:
 
   ///@{
   /** Optional second input: points that have to be inside or outside, by their array Inside (1 or
-   * 0). The cell of the lowest id gets the label of a point that several cells contain. Seeds win
-   * over ConstrainFacets and NonManifold; conflicts are warned about. */
-  void SetSeedsData(vtkPointSet* seeds);
+   * 0); all blocks of a composite one. The cell of the lowest id gets the label of a point that
+   * several contain. Seeds win over ConstrainFacets and NonManifold; conflicts are warned about. */
+  void SetSeedsData(vtkDataObject* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 

@@ -113,7 +113,7 @@ void vtkRobustTriangulate::SetEdgeLength(double length) { this->Refinement->SetE
 double vtkRobustTriangulate::GetEdgeLength() { return this->Refinement->GetEdgeLength(); }
 // clang-format on
 
-void vtkRobustTriangulate::SetSeedsData(vtkPointSet* seeds)
+void vtkRobustTriangulate::SetSeedsData(vtkDataObject* seeds)
 {
   this->SetInputData(1, seeds);
 }
@@ -198,7 +198,7 @@ int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),
         stages.emplace_back(Stages::Refining);
       }
       vtkInsideOut::AlgorithmMonitor monitor(this, stages);
-      const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(inputVector);
+      const std::vector<Seed> seeds = vtkInsideOut::ReadSeeds(vtkInsideOut::FindSeeds(inputVector));
       const vtkInsideOut::Tags tags =
         vtkInsideOut::ReadTags(input, this->TagArrayName, vtkInsideOut::FindBlocks(this));
       PlanarHullParameters parameters;

@@ -44,8 +44,8 @@
 #include <memory>
 #include <string>
 
+class vtkDataObject;
 class vtkGraphCutSegmentation;
-class vtkPointSet;
 class vtkPolyData;
 class vtkRefineTetrahedra;
 
@@ -133,7 +133,7 @@ public:
    * Optional second input: points that have to be inside or outside, by their array Inside (1 or
    * 0), as vtkRobustTetrahedralize takes them.
    */
-  void SetSeedsData(vtkPointSet* seeds);
+  void SetSeedsData(vtkDataObject* seeds);
   void SetSeedsConnection(vtkAlgorithmOutput* output);
   ///@}
 

@@ -5,6 +5,7 @@
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
 #include "In/FollowTime.h"
+#include "In/Partitions.h"
 #include "In/ReadGrid.h"
 #include "Output/VoxelFractions.h"
 #include "Probe/VisitPlaces.h"
@@ -38,7 +39,7 @@ void vtkVoxelFractions::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
-void vtkVoxelFractions::SetSolidData(vtkUnstructuredGrid* solid)
+void vtkVoxelFractions::SetSolidData(vtkDataObject* solid)
 {
   this->SetInputData(1, solid);
 }
@@ -58,6 +59,7 @@ int vtkVoxelFractions::FillInputPortInformation(int port, vtkInformation* info)
   else
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   }
   return 1;
 }
@@ -151,12 +153,18 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  vtkUnstructuredGrid* solid = vtkUnstructuredGrid::GetData(inputVector[1]);
+  vtkDataObject* given = vtkDataObject::GetData(inputVector[1]);
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   return vtkInsideOut::Run(this, outputVector,
     [&]()
     {
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Measuring });
+      const vtkSmartPointer<vtkUnstructuredGrid> solid =
+        vtkUnstructuredGrid::SafeDownCast(vtkInsideOut::JoinDataSets(given));
+      if (!solid)
+      {
+        throw Error(ErrorCode::InvalidParameter, "the solid has no blocks");
+      }
       const vtkInsideOut::GridTetrahedra tetrahedra = vtkInsideOut::ReadCorners(solid);
       const std::vector<double> fractions = VoxelFractions(tetrahedra.Points,
         ReadInside(solid, tetrahedra), ReadSides(input), monitor, { Stages::Measuring, 0, 1 });

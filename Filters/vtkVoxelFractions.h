@@ -22,7 +22,7 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersInsideOutModule.h" // for export macro
 
-class vtkUnstructuredGrid;
+class vtkDataObject;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkVoxelFractions : public vtkDataSetAlgorithm
 {
@@ -32,10 +32,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The tetrahedra.
-   */
-  void SetSolidData(vtkUnstructuredGrid* solid);
+  /** The tetrahedra. The blocks of a composite data set are one solid: they are not to overlap
+   * either. */
+  void SetSolidData(vtkDataObject* solid);
   void SetSolidConnection(vtkAlgorithmOutput* output);
   ///@}
 

@@ -8,6 +8,7 @@
 #include <vtkAppendFilter.h>
 #include <vtkAppendPolyData.h>
 #include <vtkDataObject.h>
+#include <vtkDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -158,5 +159,42 @@ vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks)
     throw Error(ErrorCode::EmptySurface, "the surface is empty: it has no blocks");
   }
   return Append(surfaces);
+}
+
+vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks)
+{
+  if (auto* alone = vtkDataSet::SafeDownCast(blocks))
+  {
+    return alone;
+  }
+  vtkNew<vtkAppendFilter> append;
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  const auto add = [&](vtkDataObject* block, const std::string&)
+  {
+    for (vtkDataObject* partition : PartitionsOf(block))
+    {
+      auto* data = vtkDataSet::SafeDownCast(partition);
+      if (data && data->GetNumberOfPoints() > 0)
+      {
+        const auto own = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+        own->ShallowCopy(data);
+        if (auto* grid = vtkUnstructuredGrid::SafeDownCast(own))
+        {
+          grid->RemoveGhostCells();
+        }
+        append->AddInputData(own);
+      }
+    }
+  };
+  if (blocks)
+  {
+    VisitBlocks(blocks, add);
+  }
+  if (append->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  append->Update();
+  return append->GetOutput();
 }
 } // namespace vtkInsideOut

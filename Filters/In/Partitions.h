@@ -2,7 +2,7 @@
 /**
  * @file
  * Several data sets as one: the partitions of a partitioned data set, which are one surface or one
- * grid, and the blocks of what is probed as a whole.
+ * grid, and the blocks of what is probed, or asked for seeds and lengths, as a whole.
  *
  * Points and cells are numbered one data set after the other; of surfaces first the vertices of
  * all, then the lines, the polygons and the strips, as vtkPolyData numbers cells. There are the
@@ -16,6 +16,7 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkDataSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -50,4 +51,7 @@ vtkSmartPointer<vtkUnstructuredGrid> InputGrid(vtkAlgorithm* algorithm);
  * @throws insideout::Error that names the block at fault
  */
 vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks);
+
+/** The same of data sets of any type, as a grid; null where there is none. */
+vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks);
 } // namespace vtkInsideOut

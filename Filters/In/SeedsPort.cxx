@@ -2,6 +2,7 @@
 #include "In/SeedsPort.h"
 
 #include "Common/Error.h"
+#include "In/Partitions.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
@@ -15,14 +16,22 @@ namespace vtkInsideOut
 int FillPort(int port, vtkInformation* info, const char* firstType)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? firstType : "vtkPointSet");
+  if (port != 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
 
-std::vector<insideout::Seed> ReadSeeds(vtkInformationVector** inputVector)
+vtkSmartPointer<vtkPointSet> FindSeeds(vtkInformationVector** inputVector)
+{
+  return vtkPointSet::SafeDownCast(JoinDataSets(vtkDataObject::GetData(inputVector[1])));
+}
+
+std::vector<insideout::Seed> ReadSeeds(vtkPointSet* points)
 {
   std::vector<insideout::Seed> seeds;
-  vtkPointSet* points = vtkPointSet::GetData(inputVector[1]);
   if (!points || points->GetNumberOfPoints() == 0)
   {
     return seeds;

@@ -2,11 +2,14 @@
 #include "Support/AllowedThreads.h"
 #include "vtkConstrainedDelaunay3D.h"
 #include "vtkGeneralizedWindingNumber.h"
+#include "vtkGraphCutSegmentation.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkProbeWindingNumber.h"
+#include "vtkRefineTetrahedra.h"
 #include "vtkResolveSelfIntersections.h"
 #include "vtkRobustTetrahedralize.h"
 #include "vtkSurfaceDefects.h"
+#include "vtkVoxelFractions.h"
 #include "vtkWindingNumberToImageStencil.h"
 
 #include <vtkCallbackCommand.h>
@@ -15,16 +18,19 @@
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkImageStencilData.h>
 #include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiPieceDataSet.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -33,6 +39,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -207,6 +214,107 @@ Counts CellsOfLeaves(vtkAlgorithm* filter)
   return cells;
 }
 } // namespace
+
+namespace
+{
+/** Points, the first of which is a seed inside, the others outside. */
+vtkSmartPointer<vtkPolyData> Seeds(const std::vector<std::array<double, 4>>& places)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIntArray> inside;
+  inside->SetName("Inside");
+  for (const std::array<double, 4>& place : places)
+  {
+    points->InsertNextPoint(place.data());
+    inside->InsertNextValue(static_cast<int>(place[3]));
+  }
+  auto seeds = vtkSmartPointer<vtkPolyData>::New();
+  seeds->SetPoints(points);
+  seeds->GetPointData()->AddArray(inside);
+  return seeds;
+}
+
+/** Some data sets as blocks, the last of them in a block of its own. */
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(
+  const std::vector<vtkSmartPointer<vtkDataSet>>& dataSets)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (std::size_t i = 0; i + 1 < dataSets.size(); ++i)
+  {
+    blocks->SetBlock(static_cast<unsigned int>(i), dataSets[i]);
+  }
+  vtkNew<vtkMultiBlockDataSet> last;
+  last->SetBlock(0, dataSets.back());
+  blocks->SetBlock(static_cast<unsigned int>(dataSets.size()), last);
+  return blocks;
+}
+} // namespace
+
+TEST(Blocks, OfSeedsAreOneSet)
+{
+  // VTK takes the first composite input of a filter to blocks, and gives it others as they are.
+  const std::array<double, 4> inside = { 0.4, 0.45, 0.5, 1 };
+  const std::array<double, 4> outside = { 0.9, 0.95, 0.8, 0 };
+  const auto volumeWith = [](vtkDataObject* surface, vtkDataObject* seeds)
+  {
+    vtkNew<vtkRobustTetrahedralize> filter;
+    filter->SetInputDataObject(surface);
+    filter->SetSeedsData(seeds);
+    filter->GetSegmentation()->SeededRegionsOn();
+    EXPECT_TRUE(ErrorsOf(filter).empty());
+    auto* solids = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_EQ(solids != nullptr, surface->IsA("vtkMultiBlockDataSet"));
+    return VolumeOf(solids ? solids->GetBlock(0) : filter->GetOutputDataObject(0));
+  };
+  const double both = volumeWith(Box(), Seeds({ inside, outside }));
+  EXPECT_GT(both, 0);
+  EXPECT_LT(both, 1);
+  const auto blocks = BlocksOf({ Seeds({ inside }), Seeds({ outside }) });
+  EXPECT_DOUBLE_EQ(volumeWith(Box(), blocks), both);
+  EXPECT_DOUBLE_EQ(volumeWith(BlocksOf({ Box(), Box() }), blocks), both);
+}
+
+TEST(Blocks, OfABackgroundAreOneAndSoAreThoseOfASolid)
+{
+  vtkNew<vtkRobustTetrahedralize> box;
+  box->SetInputDataObject(Box());
+  box->Update();
+  const auto half = [](double from)
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetOrigin(from, 0, 0);
+    image->SetDimensions(2, 2, 2);
+    image->SetSpacing(0.5, 1, 1);
+    vtkNew<vtkDoubleArray> lengths;
+    lengths->SetName("Length");
+    lengths->SetNumberOfValues(8);
+    lengths->Fill(0.2);
+    image->GetPointData()->AddArray(lengths);
+    return image;
+  };
+  const auto cells = [&](vtkDataObject* background)
+  {
+    vtkNew<vtkRefineTetrahedra> refine;
+    refine->SetInputConnection(box->GetOutputPort());
+    refine->SetBackgroundData(background);
+    refine->SetSizingArrayName("Length");
+    refine->SetSurfaceTreatment(vtkRefineTetrahedra::SPLIT);
+    EXPECT_TRUE(ErrorsOf(refine).empty());
+    return CellsOf(refine->GetOutputDataObject(0));
+  };
+  const vtkIdType ofHalf = cells(half(0));
+  EXPECT_GT(cells(BlocksOf({ half(0), half(0.5) })), 3 * ofHalf / 2);
+
+  vtkNew<vtkVoxelFractions> fractions;
+  fractions->SetInputData(half(0));
+  fractions->SetSolidData(BlocksOf({ vtkSmartPointer<vtkDataSet>(box->GetOutput()) }));
+  EXPECT_TRUE(ErrorsOf(fractions).empty());
+  auto* made = vtkImageData::SafeDownCast(fractions->GetOutputDataObject(0));
+  ASSERT_NE(made, nullptr) << "one output for one image";
+  EXPECT_DOUBLE_EQ(made->GetCellData()->GetArray("VolumeFraction")->GetComponent(0, 0), 1);
+  fractions->SetSolidData(vtkNew<vtkMultiBlockDataSet>());
+  EXPECT_EQ(ErrorsOf(fractions), std::vector<std::string>{ "the solid has no blocks" });
+}
 
 TEST(Blocks, PartitionsAreOneSurfaceAndTheFirstHasWhatIsMadeOfIt)
 {
