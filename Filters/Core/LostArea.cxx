@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace insideout
 {
@@ -13,6 +14,12 @@ namespace
 {
 /** A smaller share is what accessories and stray facets usually have. */
 constexpr double WorthAWarning = 0.1;
+
+/** Of a shell's area: what is left of it after its pieces are taken away one by one. */
+constexpr double Rounding = 1e-9;
+
+/** Shells that a warning names. */
+constexpr std::size_t MostNamed = 4;
 
 double AreaOf(const std::vector<Point>& points, const Triangle& triangle)
 {
@@ -41,6 +48,77 @@ std::string Reason(double share, const std::string& why)
   const long percent = std::lround(100 * share);
   return percent > 0 ? "; " + std::to_string(percent) + " % " + why : std::string();
 }
+/** The shells with holes none of whose facets is a part of the solid. */
+std::vector<HoledShell> LostShells(
+  const HullMesh& hull, const std::vector<OutlierPiece>& outliers, const std::vector<Point>& points)
+{
+  if (hull.HoledShells.empty() || outliers.empty())
+  {
+    return {};
+  }
+  std::vector<std::pair<Id, std::size_t>> shellOf; // by triangle
+  for (std::size_t shell = 0; shell < hull.HoledShells.size(); ++shell)
+  {
+    for (const Id triangle : hull.HoledShells[shell].Triangles)
+    {
+      shellOf.push_back({ triangle, shell });
+    }
+  }
+  std::sort(shellOf.begin(), shellOf.end());
+  std::vector<double> left(hull.HoledShells.size(), 0); // of the area that is no outlier
+  const auto add = [&](Id facet, double area, std::vector<double>& areas)
+  {
+    for (Id s = hull.Surface.SourceOffsets[facet]; s < hull.Surface.SourceOffsets[facet + 1]; ++s)
+    {
+      const Id triangle = hull.Surface.Sources[s].Triangle;
+      const auto found =
+        std::lower_bound(shellOf.begin(), shellOf.end(), std::make_pair(triangle, std::size_t(0)));
+      if (found != shellOf.end() && found->first == triangle)
+      {
+        areas[found->second] += area;
+      }
+    }
+  };
+  for (Id f = 0; f < hull.Surface.NumberOfFacets(); ++f)
+  {
+    add(f, AreaOf(points, hull.Surface.Facets[f]), left);
+  }
+  const std::vector<double> whole = left;
+  for (const OutlierPiece& piece : outliers)
+  {
+    add(piece.Facet, -AreaOf(points, piece.Corners), left);
+  }
+  std::vector<HoledShell> lost;
+  for (std::size_t shell = 0; shell < left.size(); ++shell)
+  {
+    if (left[shell] <= Rounding * whole[shell])
+    {
+      lost.push_back(hull.HoledShells[shell]);
+    }
+  }
+  return lost;
+}
+
+std::string AboutShells(const std::vector<HoledShell>& shells)
+{
+  const bool isOne = shells.size() == 1;
+  std::string text = isOne ? "shell " : "shells ";
+  for (std::size_t i = 0; i < std::min(shells.size(), MostNamed); ++i)
+  {
+    const HoledShell& shell = shells[i];
+    char volume[32];
+    std::snprintf(volume, sizeof(volume), "%.3g", shell.Volume);
+    text += (i > 0 ? ", " : "") + std::to_string(shell.Number) +
+      (shell.Body.empty() ? "" : " of body " + shell.Body) + " (volume " + volume + ")";
+  }
+  if (shells.size() > MostNamed)
+  {
+    text += " and " + std::to_string(shells.size() - MostNamed) + " more";
+  }
+  return text + (isOne ? " has holes and is" : " have holes and are") +
+    " no part of the solid: close them, set Gamma lower, or leave out sheets beside them, which "
+    "lower w, by NonParticipatingArrayName";
+}
 } // namespace
 
 LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& outliers)
@@ -64,24 +142,30 @@ LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& 
     part += AreaOf(points, piece.Corners) / area;
   }
   lost.Share = lost.Sheets + lost.Turned + lost.Unmet + lost.Others;
+  lost.Shells = LostShells(hull, outliers, points);
   return lost;
 }
 
-std::string WarningAbout(const LostArea& lost)
+std::vector<std::string> WarningsAbout(const LostArea& lost)
 {
-  if (!(lost.Share > WorthAWarning))
+  std::vector<std::string> warnings;
+  if (!lost.Shells.empty())
   {
-    return {};
+    warnings.push_back(AboutShells(lost.Shells));
   }
-  return std::to_string(std::lround(100 * lost.Share)) +
-    " % of the surface's area is no part of the solid" +
-    Reason(lost.Sheets,
-      "are sheets, which enclose nothing: Thicken gives them a width, ConstrainFacets keeps them") +
-    Reason(lost.Turned, "were turned over and enclose nothing even so: see Orientation") +
-    Reason(lost.Unmet, "could not be followed by the mesh") +
-    Reason(lost.Others,
-      "lie where the surface is too open (w is below 1/2), was smoothed away, or is of a region "
-      "that "
-      "was dropped: close holes, set Gamma lower, or ConstrainFacets to keep them");
+  if (lost.Share > WorthAWarning)
+  {
+    warnings.push_back(std::to_string(std::lround(100 * lost.Share)) +
+      " % of the surface's area is no part of the solid" +
+      Reason(lost.Sheets,
+        "are sheets, which enclose nothing: Thicken gives them a width, ConstrainFacets keeps "
+        "them") +
+      Reason(lost.Turned, "were turned over and enclose nothing even so: see Orientation") +
+      Reason(lost.Unmet, "could not be followed by the mesh") +
+      Reason(lost.Others,
+        "lie where the surface is too open (w is below 1/2), was smoothed away, or is of a region "
+        "that was dropped: close holes, set Gamma lower, or ConstrainFacets to keep them"));
+  }
+  return warnings;
 }
 } // namespace insideout

@@ -5,6 +5,7 @@
 #include "Output/Outliers.h"
 
 #include <string>
+#include <vector>
 
 namespace insideout
 {
@@ -17,10 +18,13 @@ struct LostArea
   double Unmet = 0;  ///< the mesh does not follow it
   double Others =
     0; ///< w is below 1/2 on both sides, the cut smoothed it away, or a region was dropped
+
+  std::vector<HoledShell> Shells; ///< all of whose facets are lost
 };
 
 LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& outliers);
 
-/** Where more than a tenth of the area is lost: how much, why, and what to set. Else empty. */
-std::string WarningAbout(const LostArea& lost);
+/** Where more than a tenth of the area is lost: how much, why, and what to set; and which shells
+ * are lost as a whole. */
+std::vector<std::string> WarningsAbout(const LostArea& lost);
 } // namespace insideout

@@ -157,10 +157,7 @@ std::optional<Tetrahedra> MakeSurfaceOnly(const KeptHull& kept, bool hasSeeds, c
   outputs.AddTurnedCells(kept.Hull, made.Grid);
   outputs.AddLeftOutCells(kept.Hull.Surface, made.Grid);
   Append(outputs.Warnings, made.Warnings);
-  if (const std::string warning = WarningAbout(surfaces.Lost); !warning.empty())
-  {
-    made.Warnings.push_back(warning);
-  }
+  Append(WarningsAbout(surfaces.Lost), made.Warnings);
   return made;
 }
 
@@ -223,13 +220,18 @@ Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<Seed>& seeds, 
   {
     Append(warnings, made.Warnings);
   }
-  // Where all regions were dropped a warning of the segmentation says so.
-  const std::string warning = !solid.Masses.empty() ? WarningAbout(surfaces.Lost)
-    : DropsRegions(segmentation.Statistics)         ? std::string()
-                                                    : NothingInside(hull);
-  if (!warning.empty())
+  // Where regions were dropped, as was asked for, a warning of the segmentation says so.
+  if (DropsRegions(segmentation.Statistics))
   {
-    made.Warnings.push_back(warning);
+    surfaces.Lost.Shells.clear();
+  }
+  if (!solid.Masses.empty())
+  {
+    Append(WarningsAbout(surfaces.Lost), made.Warnings);
+  }
+  else if (!DropsRegions(segmentation.Statistics))
+  {
+    made.Warnings.push_back(NothingInside(hull));
   }
   return made;
 }

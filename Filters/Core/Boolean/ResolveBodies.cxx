@@ -265,6 +265,31 @@ void GiveNumbers(const Body& body, FacetComplex& chain)
   }
 }
 
+std::vector<HoledShell> HoledShellsOf(
+  const FacetComplex& chain, const FacetTurns& turns, const Body& body)
+{
+  std::vector<HoledShell> shells;
+  std::vector<Id> places(turns.ShellVolumes.size(), None);
+  for (Id shell = 0; shell < static_cast<Id>(places.size()); ++shell)
+  {
+    if (turns.ShellHasHoles[shell] && turns.ShellVolumes[shell] > 0)
+    {
+      places[shell] = static_cast<Id>(shells.size());
+      shells.push_back({ body.Name, shell, turns.ShellVolumes[shell], {} });
+    }
+  }
+  for (Id f = 0; !shells.empty() && f < chain.NumberOfFacets(); ++f)
+  {
+    const Id shell = turns.Shell[f];
+    for (Id s = chain.SourceOffsets[f];
+         shell != None && places[shell] != None && s < chain.SourceOffsets[f + 1]; ++s)
+    {
+      shells[places[shell]].Triangles.push_back(body.TriangleIds[chain.Sources[s].Triangle]);
+    }
+  }
+  return shells;
+}
+
 void BodyResolver::OrientBodies()
 {
   for (std::size_t b = 0; b < this->Given.size(); ++b)
@@ -291,6 +316,8 @@ void BodyResolver::OrientBodies()
         {
           this->Result.SheetTriangles.push_back(body.TriangleIds[t]);
         }
+        const std::vector<HoledShell> holed = HoledShellsOf(chain, turns, body);
+        this->Result.HoledShells.insert(this->Result.HoledShells.end(), holed.begin(), holed.end());
         this->Result.Bodies[b].ThickenedFacets =
           ThickenFacets(chain, turns.IsSheet, this->Parameters.Thicken, monitor);
         if (this->Thickens())

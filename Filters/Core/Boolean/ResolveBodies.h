@@ -35,6 +35,15 @@ struct CountedBody
   Id ThickenedFacets = 0;
 };
 
+/** A shell with holes that encloses a volume, which the cut may take for outside all the same. */
+struct HoledShell
+{
+  std::string Body;          ///< its name
+  Id Number;                 ///< in its body
+  double Volume;             ///< once its holes are closed
+  std::vector<Id> Triangles; ///< of its facets
+};
+
 /** Bodies resolved together. Points and triangles go by the bodies' numbers. */
 struct ResolvedBodies
 {
@@ -54,6 +63,7 @@ struct ResolvedBodies
   std::vector<Id> DegenerateTriangles; ///< left out; ascending
   std::vector<Id> TurnedTriangles;     ///< turned over; ascending
   std::vector<Id> SheetTriangles;      ///< of facets that enclose nothing; ascending
+  std::vector<HoledShell> HoledShells; ///< of all bodies
   Id IntersectingPairs = 0;            ///< of facets, within bodies and among them
   Id TouchingPairs = 0;                ///< of bodies that touched but for rounding (TouchBodies)
   Id TouchMovedPoints = 0;             ///< so that they touch

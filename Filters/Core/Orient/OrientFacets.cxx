@@ -204,6 +204,7 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   turns.Shell = shells.Shell;
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
+    turns.ShellHasHoles.push_back(chains[shell].Kind == ShellKind::Holed);
     const double volume = std::ldexp(chains[shell].Volume, 3 * exponent);
     turns.ShellVolumes.push_back(
       chains[shell].Kind == ShellKind::Sheet || roles[shell] != ShellRole::Counts ? 0

@@ -35,6 +35,7 @@ struct FacetTurns
 
   /** What each shell encloses in the end, holes capped: negative for a cavity, 0 for a sheet. */
   std::vector<double> ShellVolumes;
+  std::vector<char> ShellHasHoles; ///< one per shell; a sheet has none
 
   Id Shells = 0;
   Id Membranes = 0; ///< shells that do not count

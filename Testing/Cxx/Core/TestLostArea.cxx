@@ -38,7 +38,7 @@ TEST(LostArea, IsNoneOfASolid)
 {
   const LostArea lost = Lost(UnitCube);
   EXPECT_EQ(lost.Share, 0);
-  EXPECT_EQ(WarningAbout(lost), "");
+  EXPECT_TRUE(WarningsAbout(lost).empty());
 }
 
 TEST(LostArea, IsWhatASheetHas)
@@ -46,7 +46,8 @@ TEST(LostArea, IsWhatASheetHas)
   const LostArea lost = Lost(Join(UnitCube, Square(2)));
   EXPECT_NEAR(lost.Share, 0.4, 1e-12);
   EXPECT_NEAR(lost.Sheets, 0.4, 1e-12);
-  EXPECT_EQ(WarningAbout(lost),
+  ASSERT_EQ(WarningsAbout(lost).size(), 1u);
+  EXPECT_EQ(WarningsAbout(lost)[0],
     "40 % of the surface's area is no part of the solid; 40 % are sheets, which enclose nothing: "
     "Thicken gives them a width, ConstrainFacets keeps them");
 }
@@ -55,7 +56,7 @@ TEST(LostArea, IsNotWarnedOfWhenItIsATenthOrLess)
 {
   const LostArea lost = Lost(Join(UnitCube, Square(0.8)));
   EXPECT_NEAR(lost.Share, 0.64 / 6.64, 1e-12);
-  EXPECT_EQ(WarningAbout(lost), "");
+  EXPECT_TRUE(WarningsAbout(lost).empty());
 }
 
 TEST(LostArea, IsWhatFacesInwardAsGiven)
@@ -64,6 +65,29 @@ TEST(LostArea, IsWhatFacesInwardAsGiven)
   EXPECT_EQ(Lost(two).Share, 0);
   const LostArea lost = Lost(two, Orientation::AsGiven);
   EXPECT_NEAR(lost.Others, 0.5, 1e-12);
-  EXPECT_NE(WarningAbout(lost).find("50 % of the surface's area"), std::string::npos);
+  ASSERT_EQ(WarningsAbout(lost).size(), 1u);
+  EXPECT_NE(WarningsAbout(lost)[0].find("50 % of the surface's area"), std::string::npos);
+}
+
+TEST(LostArea, NamesAShellThatIsLostAsAWhole)
+{
+  // A house without a floor, on ground that lowers w in it, beside a block that is far larger.
+  TriangleSoup house = Box({ 0, 0, 0 }, { 2, 2, 1 });
+  house.Triangles.erase(house.Triangles.begin(), house.Triangles.begin() + 2);
+  TriangleSoup ground = Square(6);
+  for (Point& p : ground.Points)
+  {
+    p = { p[0] - 5, p[1] - 2, 0 };
+  }
+  const TriangleSoup block = Box({ 20, 0, 0 }, { 60, 40, 40 });
+  const LostArea lost = Lost(Join(Join(house, ground), block));
+  EXPECT_LT(lost.Share, 0.1);
+  ASSERT_EQ(lost.Shells.size(), 1u);
+  EXPECT_EQ(lost.Shells[0].Number, 0);
+  EXPECT_NEAR(lost.Shells[0].Volume, 4, 1e-9);
+  ASSERT_EQ(WarningsAbout(lost).size(), 1u);
+  EXPECT_EQ(WarningsAbout(lost)[0].find("shell 0 (volume 4) has holes and is no part"), 0u)
+    << WarningsAbout(lost)[0];
+  EXPECT_TRUE(Lost(Join(house, block)).Shells.empty());
 }
 } // namespace

@@ -181,7 +181,7 @@ void AddOutputs(const TriangleSoup& soup, Hashes& hashes)
   AddHash("topology", hashes, topology.Solid, topology.Boundary);
   const std::vector<OutlierPiece> outliers =
     OutlierPieces(hull.Surface, mesh, inside, monitor, Progress);
-  AddHash("messages", hashes, WarningAbout(MeasureLostArea(hull, outliers)), NothingInside(hull));
+  AddHash("messages", hashes, WarningsAbout(MeasureLostArea(hull, outliers)), NothingInside(hull));
 
   const std::vector<BoundaryTriangle> boundary =
     BoundaryTriangles(hull.Surface, mesh, faces, monitor, Progress);
