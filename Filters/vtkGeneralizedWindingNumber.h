@@ -20,8 +20,7 @@
  * do not count; MembraneFacets, MembraneShare of the area) and Cavities (that face inward);
  * TurnedShells and TurnedFacets (that were turned over), TurnedShare (of the area),
  * DisagreeingFacets (that were given against their shells), UndecidedShells (that might as well
- * face the other way); EnclosedVolume (of all, holes capped) and OverlapVolume (of it, where w is 2
- * or more), the latter from samples.
+ * face the other way).
  *
  * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
  *

@@ -13,6 +13,7 @@
 #include "Planar/PlanarHull.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/RunFilter.h"
+#include "Verdict.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -56,6 +57,21 @@ void vtkSurfaceDefects::PrintSelf(ostream& os, vtkIndent indent)
 vtkPolyData* vtkSurfaceDefects::GetLines()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+std::string vtkSurfaceDefects::GetVerdict()
+{
+  return vtkSurfaceDefects::GetVerdictOf(this->GetOutput()->GetFieldData());
+}
+
+std::string vtkSurfaceDefects::GetVerdictOf(vtkFieldData* statistics)
+{
+  return Verdict(vtkInsideOut::StatisticsOf(statistics));
+}
+
+std::string vtkSurfaceDefects::GetVolumeInWords(double volume, double low, double high)
+{
+  return VolumeInWords(volume, low, high);
 }
 
 namespace
@@ -289,8 +305,8 @@ int vtkSurfaceDefects::RequestData(vtkInformation* vtkNotUsed(request),
         return;
       }
       vtkInsideOut::AlgorithmMonitor monitor(this,
-        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections,
-          Stages::TracingIntersections });
+        { Stages::Validating, Stages::Orienting, Stages::FindingIntersections, Stages::Resolving,
+          Stages::WindingNumbers, Stages::TracingIntersections });
       const vtkInsideOut::Surface given = vtkInsideOut::ReadSurface(input);
       const SurfaceDefects defects = FindSurfaceDefects(
         given.Soup, this->MergeTolerance, vtkInsideOut::OrientationOf(this), monitor);

@@ -38,8 +38,11 @@
  * Both carry field data Statistics, named by StatisticsNames: the counts of
  * vtkResolveSelfIntersections, and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on
  * which the facets' signed sum is not 0; without any the surface is closed), Planar (1: all facets
- * lie in one plane), NearPoints (points nearer than NearDistance, a millionth of the size, to
- * another). Those of orientation are explained at vtkGeneralizedWindingNumber.
+ * lie in one plane), EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where
+ * w is 2 or more), each with the bounds EnclosedVolumeLow and so on that it is between in 95 of 100
+ * cases, which are equal where it is exact, NearPoints (points nearer than NearDistance, a
+ * millionth of the size, to another). Those of orientation are explained at
+ * vtkGeneralizedWindingNumber.
  *
  * Of lines without polygons, which have to lie in one plane, the same is shown in two dimensions:
  * ComponentId, SelfIntersections, Degenerate, Duplicate and Turned per line, and output 1 has
@@ -60,6 +63,10 @@
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutCounting.h"      // for the options of counting
 #include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the verdict
+
+class vtkFieldData;
 
 class VTKFILTERSINSIDEOUT_EXPORT vtkSurfaceDefects : public vtkPolyDataAlgorithm
 {
@@ -82,6 +89,17 @@ public:
 
   /** The lines (output 1). */
   vtkPolyData* GetLines();
+
+  ///@{
+  /**
+   * Whether the surface bounds a solid, and of what volume, in one sentence; what the field data
+   * with the statistics of any filter say of it, which tell of the solid where one was made; and
+   * a volume in words, where it is between two others in 95 of 100 cases.
+   */
+  std::string GetVerdict();
+  static std::string GetVerdictOf(vtkFieldData* statistics);
+  static std::string GetVolumeInWords(double volume, double low, double high);
+  ///@}
 
   ///@{
   /** How the input is counted: vtkInsideOutCounting.h describes these options. Turned marks the

@@ -36,6 +36,15 @@ Parting Part(const HullMesh& hull, const std::vector<unsigned char>& inside, boo
   return parting;
 }
 
+/** The volume of the solid where w is 2 or more. */
+double OverlapOf(const HullMesh& hull, const std::vector<unsigned char>& inside)
+{
+  std::vector<unsigned char> overlaps(inside.size(), 0);
+  std::transform(hull.W.begin(), hull.W.end(), inside.begin(), overlaps.begin(),
+    [](double w, unsigned char label) -> unsigned char { return label != 0 && w > 1.5; });
+  return MeasureMass(hull.Mesh, overlaps).Volume;
+}
+
 /** Label the cells of a grid. */
 void AddLabels(
   const std::vector<unsigned char>& inside, const SolidRegions& regions, vtkUnstructuredGrid* grid)
@@ -198,6 +207,7 @@ Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<Seed>& seeds, 
   Append(parting.Statistics, statistics);
   Append(solid.Counts, statistics);
   AppendMass(solid.Mass, statistics);
+  statistics.emplace_back("OverlapVolume", OverlapOf(hull, segmentation.Inside));
   statistics.emplace_back("BoundaryFaces", surfaces.Boundary->GetNumberOfCells());
   Append(surfaces.Counts, statistics);
   Append(refinement.Statistics, statistics);

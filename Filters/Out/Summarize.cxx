@@ -4,6 +4,7 @@
 #include "Common/AddUp.h"
 #include "Data/StatisticsArrays.h"
 #include "Out/MakeOutputs.h"
+#include "Verdict.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkCompositeDataSetRange.h>
@@ -23,7 +24,7 @@ namespace
 const std::vector<std::vector<std::string>> Lines = { { "InputTriangles", "Components" },
   { "IntersectingPairs", "NonManifoldEdges", "InconsistentEdges", "DuplicateFacets",
     "DegenerateFacets", "TurnedFacets" },
-  { "OpenEdges", "HoledShells" }, { "InsideCells", "RefinedCells", "Regions" }, { "Volume" },
+  { "OpenEdges", "HoledShells" }, { "InsideCells", "RefinedCells", "Regions" },
   { "OutlierFacets", "OutliersLost", "OutliersLeftOut", "OutliersDegenerate" } };
 
 /** "Open Edges" of "OpenEdges", as panels have the names of options. */
@@ -78,6 +79,6 @@ std::string Summarize(vtkDataObject* solid)
     }
     text += line.empty() || text.empty() ? line : "\n" + line;
   }
-  return text;
+  return sums.empty() ? text : text + "\n" + insideout::Verdict(sums);
 }
 } // namespace vtkInsideOut

@@ -8,7 +8,7 @@ class vtkDataObject;
 namespace vtkInsideOut
 {
 /** Six lines of the statistics that a solid has in its field data: of the input, what was wrong
- * with it and its holes, the cells, their volume and the outliers. Blocks are added up. Empty
- * without. */
+ * with it and its holes, the cells, the outliers and the verdict (Core/Verdict.h). Blocks are added
+ * up. Empty without. */
 std::string Summarize(vtkDataObject* solid);
 } // namespace vtkInsideOut

@@ -440,7 +440,7 @@ class TestGui(unittest.TestCase):
         surface = FOLDER / "told.off"
         write_box_and_sheet(surface)
         lines = ("Input Triangles 12, Components 2", "Intersecting Pairs 0", "Open Edges 8, Holed Shells 1",
-                 "Inside Cells 6, Regions 1", "Volume 1", "Outlier Facets 2")
+                 "Inside Cells 6, Regions 1", "Outlier Facets 2", "bounds a solid of volume 1, once its holes are closed; a sheet encloses nothing")
         told = check(PROPERTIES + "ShownSummary/Text", "text", "\n".join(lines))
         window = Window("summary", events=[*open_file(surface), add("RobustTetrahedralize"), APPLY, told])
         self.assertEqual(window.status, 0, window.messages)

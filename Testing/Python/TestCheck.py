@@ -43,8 +43,8 @@ class Check(unittest.TestCase):
         flat = polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
         both_ways = [*surfaces.BOX_FACETS, *(facet[::-1] for facet in surfaces.BOX_FACETS)]
         for name, surface, matters, text, verdict in (
-            ("crossing", surfaces.two_boxes(), False, "intersecting pairs", "bounds a solid of volume about 1.8"),
-            ("open", surfaces.open_box(), False, "4 open edges", "bounds a solid of volume about 1, once its holes are closed"),
+            ("crossing", surfaces.two_boxes(), False, "intersecting pairs", "bounds a solid of volume 1.875"),
+            ("open", surfaces.open_box(), False, "4 open edges", "bounds a solid of volume about 1.00000 (95 %: 0.99990 to 1.00010), once its holes are closed"),
             ("twice", surfaces.box(facets=surfaces.BOX_FACETS * 2), False, "12 duplicate facets", "bounds a solid of volume 1"),
             ("both ways", surfaces.box(facets=both_ways), False, "1 two-sided component", "bounds a solid of volume 1"),
             ("turned", one_facet_turned(), False, "3 inconsistent edges", "bounds a solid of volume 1 after turning 1 facet over"),
@@ -86,6 +86,8 @@ class Check(unittest.TestCase):
             meshed = insideout.tetrahedralize(surface).statistics
             common = set(checked) & set(meshed)
             self.assertGreater(len(common), 10)
+            self.assertAlmostEqual(checked.pop("OverlapVolume"), meshed.pop("OverlapVolume"), delta=1e-15)  # of facets, and of cells
+            common.remove("OverlapVolume")
             self.assertEqual({name: checked[name] for name in common}, {name: meshed[name] for name in common})
 
     def test_what_is_no_surface(self):
@@ -129,7 +131,7 @@ class CheckCommand(CommandLine):
         self.assertEqual(found["defects"], ["4 open edges"])
         self.assertEqual([finding["text"] for finding in found["findings"]], ["4 open edges"])
         self.assertIs(found["findings"][0]["matters"], False)
-        self.assertEqual(found["verdict"], "bounds a solid of volume about 1, once its holes are closed")
+        self.assertEqual(found["verdict"], "bounds a solid of volume about 1.00000 (95 %: 0.99990 to 1.00010), once its holes are closed")
         self.assertEqual(found["statistics"]["OpenEdges"], 4)
 
     def test_a_merge_tolerance(self):

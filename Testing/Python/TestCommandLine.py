@@ -374,7 +374,7 @@ class Several(CommandLine):
         done = run("--check", *names)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout.splitlines()[-1], "2 of 2 surfaces done")
-        self.assertIn("bounds a solid of volume about 1, once its holes are closed", done.stdout.splitlines()[-2])
+        self.assertIn("bounds a solid of volume about 1.00000 (95 %: 0.99990 to 1.00010), once its holes are closed", done.stdout.splitlines()[-2])
 
     def test_of_several_that_are_checked_or_evaluated_one_may_fail(self):
         box, broken = self.file("a.ply", surfaces.box()), self.file("broken.ply", "ply\n")

@@ -100,7 +100,8 @@ class Command(CommandLine):
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(report, encoding="utf-8") as file:
                 found = json.load(file)
-            self.assertEqual((found["parameters"]["scale"], round(found["statistics"]["EnclosedVolume"], 6)), (25.4, 16387.064))
+            volume = found["statistics"]["EnclosedVolume" if command[0] == "check" else "Volume"]
+            self.assertEqual((found["parameters"]["scale"], round(volume, 6)), (25.4, 16387.064))
             self.assertIn("coordinates multiplied by 25.4", done.stdout)
         for unit in UNITS:
             self.assertEqual(scale_between(unit, unit), 1)

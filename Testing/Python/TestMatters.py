@@ -153,7 +153,7 @@ class DryRun(CommandLine):
         before = sorted(os.listdir(self.folder))
         closed = "bounds a solid of volume 1"
         for given, *expected in (
-            (("mesh", self.source, self.output, "--report", self.path("r.json")), "volume about 1, once", "tetrahedra", f"Would write report     {self.path('r.json')}"),
+            (("mesh", self.source, self.output, "--report", self.path("r.json")), "volume about 1.00000 (95 %: 0.99990 to 1.00010), once", "tetrahedra", f"Would write report     {self.path('r.json')}"),
             (("repair", self.other, self.path("fixed.ply")), closed, f"Would write surface    {self.path('fixed.ply')}"),
             (("boolean", "A | B", self.source, self.other, self.output), "Surface open.ply: ", "Surface other.ply: ", "Would write solid"),
             (("mesh", "--together", self.source, self.other, self.output), "Surface open.ply: ", "Surface other.ply: ", "Would write solid"),

@@ -5,6 +5,7 @@
 #include "Common/Vectors.h"
 #include "Defects/IntersectionCurves.h"
 #include "Defects/JoinSegments.h"
+#include "Defects/MeantVolume.h"
 #include "Defects/NearPoints.h"
 #include "Resolve/FindIntersections.h"
 #include "Validate/FacetEdges.h"
@@ -197,6 +198,13 @@ bool LiesInOnePlane(const FacetComplex& surface)
     [&](const Point& p) { return Orient3D(plane[0], plane[1], plane[2], p) == 0; });
 }
 
+void AddInterval(const std::string& name, const VolumeInterval& volume, Statistics& statistics)
+{
+  statistics.emplace_back(name, volume.Value);
+  statistics.emplace_back(name + "Low", volume.Low);
+  statistics.emplace_back(name + "High", volume.High);
+}
+
 std::string AdviceOnNearPoints(const NearPoints& near)
 {
   char distance[32];
@@ -223,6 +231,10 @@ SurfaceDefects FindSurfaceDefects(
 
   const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);
   defects.IntersectingPairs = static_cast<Id>(pairs.size());
+  if (!defects.Planar)
+  {
+    defects.Volumes = FindMeantVolume(surface, defects.Turns.Multiplicity, pairs, monitor);
+  }
 
   const std::vector<FacetEdge>& edges = chain.Edges;
   const FacetComponents components = ComponentsOfFacets(surface.NumberOfFacets(), edges);
@@ -256,6 +268,8 @@ void AddDefects(const SurfaceDefects& defects, Statistics& statistics)
 {
   AddCounts(defects.Counts, statistics);
   AddTurns(defects.Turns, statistics);
+  AddInterval("EnclosedVolume", defects.Volumes.Solid, statistics);
+  AddInterval("OverlapVolume", defects.Volumes.Overlap, statistics);
   statistics.emplace_back("IntersectingPairs", defects.IntersectingPairs);
   statistics.emplace_back("IntersectingFacets", defects.IntersectingFacets);
   statistics.emplace_back("InconsistentEdges", defects.InconsistentEdges);

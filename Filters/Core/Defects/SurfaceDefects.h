@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Common/Statistics.h"
+#include "Defects/SampledVolumes.h"
 #include "Orient/OrientFacets.h"
 #include "Validate/CountedChain.h"
 
@@ -47,7 +48,8 @@ struct SurfaceDefects
   std::vector<DefectLine> Lines; ///< by type
 
   SurfaceCounts Counts;
-  FacetTurns Turns; ///< those that the orientation asks for
+  FacetTurns Turns;       ///< those that the orientation asks for
+  SampledVolumes Volumes; ///< once these are made; 0 where all facets lie in one plane
   Id IntersectingPairs = 0;
   Id IntersectingFacets = 0; ///< facets in at least one pair
   Id InconsistentEdges = 0;

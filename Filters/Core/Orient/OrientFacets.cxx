@@ -29,14 +29,8 @@ Id FirstLines(const std::vector<ShellChain>& chains)
   return std::clamp(LinesOfAll / shells, LeastLines, MostLines);
 }
 
-struct ChosenTurns
-{
-  ShellTurns Turns;
-  std::vector<ShellRegion> Regions; ///< that the choice was made by
-};
-
 /** Which shells to turn by the law of ChooseTurns.h. */
-ChosenTurns ChooseAutomatically(
+ShellTurns ChooseAutomatically(
   const std::vector<ShellChain>& chains, const RegionSampler& sampler, Monitor& monitor)
 {
   std::vector<Id> facets;
@@ -45,15 +39,14 @@ ChosenTurns ChooseAutomatically(
     facets.push_back(static_cast<Id>(chain.Facets.size()));
   }
   Id lines = FirstLines(chains);
-  ChosenTurns chosen;
+  ShellTurns chosen;
   for (int doublings = 0; doublings <= MostDoublings; ++doublings, lines *= 2)
   {
     const double end = 1 - std::ldexp(0.5, -doublings);
-    chosen.Regions = sampler.Sample(lines, monitor, { Stages::Orienting, 2 * end - 1, end });
-    ShellTurns next = ChooseTurns(chosen.Regions, facets);
-    const bool same =
-      next.Turned == chosen.Turns.Turned && next.Undecided == chosen.Turns.Undecided;
-    chosen.Turns = std::move(next);
+    ShellTurns next =
+      ChooseTurns(sampler.Sample(lines, monitor, { Stages::Orienting, 2 * end - 1, end }), facets);
+    const bool same = next.Turned == chosen.Turned && next.Undecided == chosen.Undecided;
+    chosen = std::move(next);
     if (same)
     {
       break;
@@ -62,18 +55,16 @@ ChosenTurns ChooseAutomatically(
   return chosen;
 }
 
-ChosenTurns ChooseAsTold(const std::vector<ShellChain>& chains, const RegionSampler& sampler,
-  Orientation orientation, Monitor& monitor)
+ShellTurns ChooseAsTold(const std::vector<ShellChain>& chains, Orientation orientation)
 {
-  ChosenTurns chosen;
+  ShellTurns chosen;
   for (const ShellChain& chain : chains)
   {
     const bool facesInward = chain.Kind != ShellKind::Sheet && chain.Volume < 0;
     const bool outward = orientation == Orientation::Outward;
-    chosen.Turns.Turned.push_back(outward ? facesInward : orientation == Orientation::Reverse);
+    chosen.Turned.push_back(outward ? facesInward : orientation == Orientation::Reverse);
   }
-  chosen.Turns.Undecided.assign(chains.size(), 0);
-  chosen.Regions = sampler.Sample(FirstLines(chains), monitor, { Stages::Orienting, 0, 1 });
+  chosen.Undecided.assign(chains.size(), 0);
   return chosen;
 }
 
@@ -95,11 +86,11 @@ bool IsPlain(const Shells& shells, const std::vector<ShellChain>& chains)
 
 /** Turns a plain shell outward: then w is 1 within, and there is no need to look where it is not.
  */
-ChosenTurns TurnOutward(const ShellChain& plain)
+ShellTurns TurnOutward(const ShellChain& plain)
 {
-  ChosenTurns chosen;
-  chosen.Turns.Turned.push_back(plain.Volume < 0);
-  chosen.Turns.Undecided.push_back(0);
+  ShellTurns chosen;
+  chosen.Turned.push_back(plain.Volume < 0);
+  chosen.Undecided.push_back(0);
   return chosen;
 }
 
@@ -168,7 +159,7 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   const std::vector<Point> points = ScaledPoints(surface.Points, -exponent);
   const std::vector<ShellChain> chains = CloseShells(surface, shells, points);
   const bool automatic = orientation == Orientation::Automatic;
-  ChosenTurns chosen;
+  ShellTurns chosen;
   std::vector<ShellRole> roles(chains.size(), ShellRole::Counts);
   if ((automatic || orientation == Orientation::Outward) && crossings == Crossings::Absent &&
     IsPlain(shells, chains))
@@ -178,14 +169,14 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   else
   {
     const RegionSampler sampler(points, chains);
-    chosen = automatic ? ChooseAutomatically(chains, sampler, monitor)
-                       : ChooseAsTold(chains, sampler, orientation, monitor);
-    roles = FindMembranes(points, chains, chosen.Turns.Turned, sampler);
+    chosen =
+      automatic ? ChooseAutomatically(chains, sampler, monitor) : ChooseAsTold(chains, orientation);
+    roles = FindMembranes(points, chains, chosen.Turned, sampler);
     for (std::size_t shell = 0; shell < chains.size(); ++shell)
     {
       const bool counts = roles[shell] == ShellRole::Counts;
-      chosen.Turns.Turned[shell] &= counts || orientation == Orientation::Reverse;
-      chosen.Turns.Undecided[shell] &= counts;
+      chosen.Turned[shell] &= counts || orientation == Orientation::Reverse;
+      chosen.Undecided[shell] &= counts;
     }
   }
   const auto countOf = [](const std::vector<char>& marks)
@@ -194,13 +185,10 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   FacetTurns turns;
   turns.Shells = shells.Count;
   turns.Membranes = static_cast<Id>(std::count(roles.begin(), roles.end(), ShellRole::Membrane));
-  turns.TurnedShells = countOf(chosen.Turns.Turned);
-  turns.UndecidedShells = countOf(chosen.Turns.Undecided);
+  turns.TurnedShells = countOf(chosen.Turned);
+  turns.UndecidedShells = countOf(chosen.Undecided);
   turns.DisagreeingFacets = countOf(shells.Turned);
-  turns.Enclosed = MeasureShells(chains, chosen.Turns.Turned, roles, chosen.Regions);
-  turns.Enclosed.Solid = std::ldexp(turns.Enclosed.Solid, 3 * exponent);
-  turns.Enclosed.Overlap = std::ldexp(turns.Enclosed.Overlap, 3 * exponent);
-
+  turns.Kinds = CountShells(chains, chosen.Turned, roles);
   turns.Shell = shells.Shell;
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
   {
@@ -208,10 +196,10 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
     const double volume = std::ldexp(chains[shell].Volume, 3 * exponent);
     turns.ShellVolumes.push_back(
       chains[shell].Kind == ShellKind::Sheet || roles[shell] != ShellRole::Counts ? 0
-        : chosen.Turns.Turned[shell]                                              ? -volume
+        : chosen.Turned[shell]                                                    ? -volume
                                                                                   : volume);
   }
-  TurnCopies(surface, shells, chains, chosen.Turns.Turned, roles, orientation, turns);
+  TurnCopies(surface, shells, chains, chosen.Turned, roles, orientation, turns);
   turns.TurnedFacets = countOf(turns.Turned);
   turns.MembraneFacets = countOf(turns.IsMembrane);
   turns.UncountedSheets = static_cast<Id>(std::count(roles.begin(), roles.end(), ShellRole::Sheet));
@@ -318,16 +306,14 @@ std::vector<Id> TrianglesOfFacets(const FacetComplex& surface, const std::vector
 void AddTurns(const FacetTurns& turns, Statistics& statistics)
 {
   statistics.emplace_back("Shells", turns.Shells);
-  statistics.emplace_back("ClosedShells", turns.Enclosed.ClosedShells);
-  statistics.emplace_back("HoledShells", turns.Enclosed.HoledShells);
-  statistics.emplace_back("SheetShells", turns.Enclosed.SheetShells);
+  statistics.emplace_back("ClosedShells", turns.Kinds.Closed);
+  statistics.emplace_back("HoledShells", turns.Kinds.Holed);
+  statistics.emplace_back("SheetShells", turns.Kinds.Sheets);
   statistics.emplace_back("SheetShare", turns.SheetShare);
   statistics.emplace_back("Membranes", turns.Membranes);
   statistics.emplace_back("MembraneFacets", turns.MembraneFacets);
   statistics.emplace_back("MembraneShare", turns.MembraneShare);
-  statistics.emplace_back("Cavities", turns.Enclosed.Cavities);
-  statistics.emplace_back("EnclosedVolume", turns.Enclosed.Solid);
-  statistics.emplace_back("OverlapVolume", turns.Enclosed.Overlap);
+  statistics.emplace_back("Cavities", turns.Kinds.Cavities);
   statistics.emplace_back("TurnedShells", turns.TurnedShells);
   statistics.emplace_back("TurnedFacets", turns.TurnedFacets);
   statistics.emplace_back("TurnedShare", turns.TurnedShare);

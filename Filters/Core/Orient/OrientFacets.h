@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Common/Statistics.h"
-#include "Orient/EnclosedVolumes.h"
+#include "Orient/ShellCounts.h"
 
 #include <string>
 
@@ -48,7 +48,7 @@ struct FacetTurns
   double TurnedShare = 0;   ///< of the surface's area
   double SheetShare = 0;    ///< of the surface's area
   double MembraneShare = 0; ///< of the surface's area
-  EnclosedVolumes Enclosed; ///< in the end, if facets agree with their shells
+  ShellCounts Kinds;        ///< in the end, if facets agree with their shells
   std::vector<std::string> Warnings;
 };
 

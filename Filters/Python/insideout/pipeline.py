@@ -13,13 +13,13 @@ import re
 import signal
 import threading
 from types import FrameType
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkFieldData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOXML import vtkXMLWriter
@@ -161,6 +161,18 @@ def statistics_of(data: vtkDataObject) -> Statistics:
         value = values.GetTuple1(index)
         statistics[name] = value if name.removeprefix("Before").startswith(MEASURED) else int(value)
     return statistics
+
+
+def fields_of(statistics: Mapping[str, float]) -> vtkFieldData:
+    """Field data with these figures, as filters have them."""
+    values, names, fields = vtkDoubleArray(), vtkStringArray(), vtkFieldData()
+    for array, name in ((values, STATISTICS), (names, STATISTICS_NAMES)):
+        array.SetName(name)
+        fields.AddArray(array)
+    for name, value in statistics.items():
+        values.InsertNextValue(value)
+        names.InsertNextValue(name)
+    return fields
 
 
 def add_statistic(name: str, value: float, data: vtkDataObject) -> None:

@@ -9,7 +9,7 @@ from . import stages
 from .checking import Finding
 from .defects import DEFECTS, PLANAR_DEFECTS
 from .quality import quality_rows, solid_verdict, topology_rows
-from .verdict import verdict, volumes_of_shells, what_it_bounds
+from .verdict import MOST_LINES, in_few_lines, verdict, volumes_of_shells, what_it_bounds
 from .vtkFiltersInsideOut import vtkConstrainedDelaunay3D
 
 OUTLIERS = (
@@ -155,6 +155,12 @@ def _scaled(statistics: Mapping[str, float]) -> list[str]:
     return [] if statistics["Scale"] == 1 else [f"  coordinates multiplied by {statistics['Scale']:g}"]
 
 
+def _cavities(statistics: Mapping[str, float]) -> list[str]:
+    """How many the solid has, if any."""
+    count = int(statistics.get("SolidCavities", 0))
+    return [f"  {count:,} {'cavity' if count == 1 else 'cavities'} within it"] if count > 0 else []
+
+
 def _regions(volumes: Sequence[float], names: Sequence[str]) -> list[str]:
     """The volumes of the solid's parts in words, if it has several or they have names."""
     if names:
@@ -184,12 +190,15 @@ def summary(
     merged = f" ({count['MergedPoints']} merged with others in their place)" if statistics["MergedPoints"] else ""
     components = _components(statistics)
     total = statistics["SecondsTotal"]
-    return [
+    surface = [
         f"Surface {name}: {verdict(statistics)}",
         f"  {count['InputPoints']} points{merged}, {count['InputTriangles']} triangles, {components}",
         *_scaled(statistics),
         *(f"  {line}" for line in what_it_bounds(statistics)),
         *(f"  {line}" for line in defects(statistics) or ["nothing wrong"]),
+    ]
+    return [
+        *in_few_lines(surface),
         "Solid",
         *lines_about_solid(statistics, volumes, tags, regions),
         f"Time {total:.1f} s, peak memory {statistics['PeakMemory']:.0f} MiB",
@@ -208,6 +217,7 @@ def lines_about_solid(
         *_refined(statistics),
         *_mass(statistics),
         *_regions(volumes, regions),
+        *_cavities(statistics),
         *_made_by(statistics),
         f"  {_count(statistics['BoundaryFaces'])} boundary triangles, {_count(statistics['OutlierFacets'])} outlier facets{_reasons(statistics)}",
         *_tags(tags),
@@ -251,11 +261,15 @@ def check_summary(name: str, statistics: Mapping[str, float], findings: Sequence
         return _planar_check_summary(name, statistics, findings)
     merged = f" ({_count(statistics['MergedPoints'])} merged with others in their place)" if statistics["MergedPoints"] else ""
     told = {defect.statistic for defect in DEFECTS if defect.consequence and statistics[defect.statistic] > 0}
-    return [
+    surface = [
         f"Surface {name}: {verdict(statistics)}",
         f"  {_count(statistics['InputPoints'])} points{merged}, {_count(statistics['InputTriangles'])} triangles",
         *_scaled(statistics),
-        *(f"  {line}" for line in [*what_it_bounds(statistics), *volumes_of_shells(volumes)]),
+        *(f"  {line}" for line in what_it_bounds(statistics)),
+    ]
+    return [
+        *surface,
+        *(f"  {line}" for line in volumes_of_shells(volumes, MOST_LINES - len(surface))),
         *(f"  {COUNTS[key]:30} {_count(statistics[key]):>10}" for key in CHECK_ROWS if key not in told),
         *_listed("Wrong, and may matter here", [finding for finding in findings if finding.matters]),
         *_listed("Wrong, but does not matter here", [finding for finding in findings if not finding.matters]),

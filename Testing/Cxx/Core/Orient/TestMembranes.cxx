@@ -136,8 +136,8 @@ TEST(Membranes, LeaveTheWindingNumberOfAClosedSurfaceAsItIs)
     {
       ASSERT_EQ(oriented.Surface.Multiplicity[f], f < 12 ? 1 : 0) << sheets << " sheets, " << f;
     }
-    EXPECT_EQ(oriented.Turns.Enclosed.ClosedShells, 1);
-    EXPECT_EQ(oriented.Turns.Membranes + oriented.Turns.Enclosed.SheetShells, sheets);
+    EXPECT_EQ(oriented.Turns.Kinds.Closed, 1);
+    EXPECT_EQ(oriented.Turns.Membranes + oriented.Turns.Kinds.Sheets, sheets);
     EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
   }
 }
@@ -167,7 +167,7 @@ TEST(Membranes, OutsideThatSealOffNoSpaceAreSheetsThatDoNotCount)
         soup = Join(soup, Sheet(at, random));
       }
       const FacetTurns turns = Orient(soup).Turns;
-      EXPECT_EQ(turns.Enclosed.SheetShells, sheets);
+      EXPECT_EQ(turns.Kinds.Sheets, sheets);
       EXPECT_EQ(turns.TurnedFacets, 0);
       EXPECT_EQ(turns.Warnings.size(), 1u);
       given += sheets;
@@ -274,7 +274,7 @@ TEST(Membranes, AreNoWallsThatBoundSpaceTogether)
   }
   const Oriented oriented = Orient(soup);
   EXPECT_EQ(oriented.Turns.Membranes, 0);
-  EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 6);
+  EXPECT_EQ(oriented.Turns.Kinds.Sheets, 6);
   EXPECT_NEAR(oriented.At({ 0.5, 0.5, 0.5 }), 1, 0.01);
 }
 
@@ -366,7 +366,7 @@ TEST(CopiesOfFacets, CountAsOftenAsClosedShellsNeedThem)
       }
     }
     const Oriented oriented = Orient(soup);
-    EXPECT_EQ(oriented.Turns.Enclosed.SheetShells + oriented.Turns.Membranes, 0) << trial;
+    EXPECT_EQ(oriented.Turns.Kinds.Sheets + oriented.Turns.Membranes, 0) << trial;
     for (int sample = 0; sample < 20; ++sample)
     {
       std::array<int, 3> cell;
@@ -455,7 +455,7 @@ TEST(CopiesOfFacets, AreOfOneShellEachWhereSurfacesCrossThatShareThem)
       for (const TriangleSoup& both : { Join(block, other), Merged(Join(block, other)) })
       {
         const Oriented oriented = Orient(both);
-        EXPECT_EQ(oriented.Turns.Enclosed.ClosedShells, 2) << i;
+        EXPECT_EQ(oriented.Turns.Kinds.Closed, 2) << i;
         EXPECT_EQ(oriented.Turns.Shells, 2) << i;
         EXPECT_EQ(oriented.Turns.TurnedShells, inward) << i;
       }
@@ -473,7 +473,7 @@ TEST(Cavities, StayWhereTheyShareParts)
     const TriangleSoup inner = Scaled(Box(low, { 0.6, 0.7, 0.8 }), scale);
     const Oriented oriented = Orient(Join(outer, Reversed(inner)));
     EXPECT_EQ(oriented.Turns.TurnedFacets, 0) << scale;
-    EXPECT_EQ(oriented.Turns.Enclosed.Cavities, 1) << scale;
+    EXPECT_EQ(oriented.Turns.Kinds.Cavities, 1) << scale;
     EXPECT_NEAR(oriented.At({ 0.3 * scale, 0.4 * scale, 0.5 * scale }), 0, 1e-9);
     EXPECT_NEAR(oriented.At({ 0.9 * scale, 0.4 * scale, 0.5 * scale }), 1, 1e-9);
   }

@@ -71,7 +71,7 @@ TEST(OrientFacets, TurnsNothingThatFacesOutward)
   const Oriented oriented = Orient(Join(Cube(0, 1), Cube(2, 3)));
   EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
   EXPECT_EQ(oriented.Turns.Shells, 2);
-  EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 0);
+  EXPECT_EQ(oriented.Turns.Kinds.Sheets, 0);
   EXPECT_TRUE(oriented.Turns.Warnings.empty());
 }
 
@@ -160,7 +160,7 @@ TEST(OrientFacets, LetsAnOpenSheetTurnNothingElse)
   {
     const Oriented oriented = Orient(Join(cubes, ground));
     EXPECT_EQ(oriented.Turns.TurnedFacets, 0);
-    EXPECT_EQ(oriented.Turns.Enclosed.SheetShells, 1);
+    EXPECT_EQ(oriented.Turns.Kinds.Sheets, 1);
     EXPECT_EQ(oriented.Turns.Membranes, 0);
     EXPECT_EQ(Orient(Join(Reversed(cubes), ground)).Turns.TurnedFacets, 24);
   }
@@ -173,7 +173,7 @@ TEST(OrientFacets, TurnsAnOpenBoxThatIsInsideOut)
   EXPECT_EQ(Orient(box).Turns.TurnedFacets, 0);
   const FacetTurns turns = Orient(Reversed(box)).Turns;
   EXPECT_EQ(turns.TurnedFacets, 10);
-  EXPECT_EQ(turns.Enclosed.SheetShells, 0);
+  EXPECT_EQ(turns.Kinds.Sheets, 0);
   ASSERT_EQ(turns.Warnings.size(), 1u);
   EXPECT_EQ(turns.Warnings[0], "the surface is inside out as a whole: it is turned over");
 }
@@ -399,8 +399,6 @@ TEST(OrientFacets, IsTheSameWhereAbsentCrossingsAreKnown)
         EXPECT_EQ(turns.UndecidedShells, expected.UndecidedShells);
         EXPECT_EQ(turns.TurnedShare, expected.TurnedShare);
         EXPECT_EQ(turns.SheetShare, expected.SheetShare);
-        EXPECT_EQ(turns.Enclosed.Solid, expected.Enclosed.Solid);
-        EXPECT_EQ(turns.Enclosed.Overlap, expected.Enclosed.Overlap);
         EXPECT_EQ(turns.Warnings, expected.Warnings);
       }
     }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Defects/SampledVolumes.h"
+
+namespace insideout
+{
+/**
+ * The volume of the solid that a mesh of the surface would have, and of what overlaps in it. Exact
+ * where the surface is closed, and crosses nothing or little: finding and cutting what crosses then
+ * takes less than a tenth of the time that meshing does, by the numbers of facets and pairs. Else
+ * by samples.
+ *
+ * @param[in] surface not all of it in one plane
+ * @param[in] multiplicity one per facet: how often it counts once oriented
+ * @param[in] pairs facets (i, j) with i < j that meet beyond shared corners and edges, sorted
+ * @throws Error whatever resolving throws
+ */
+SampledVolumes FindMeantVolume(const FacetComplex& surface,
+  const std::vector<std::int16_t>& multiplicity, const std::vector<std::array<Id, 2>>& pairs,
+  Monitor& monitor);
+} // namespace insideout

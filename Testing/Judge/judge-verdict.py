@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Judges whether the volume that the verdict tells before meshing is that of the mesh.
+
+    judge-verdict.py [--seconds N] SURFACE_OR_FOLDER...
+
+Checks each surface, and those in each folder, then meshes it. An exact volume has to be the mesh's to six digits; of one that
+is told as `about` the mesh's has to be between its bounds; and after meshing the verdict has to tell the mesh's own. Prints how
+many volumes of either kind hold, how wide the bounds are, each surface that fails, and those that were passed over: planar ones,
+and those that take longer than N seconds (60). Exit status 0 if 95 % hold of each kind, and all verdicts tell of their meshes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import sys
+import time
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Iterator
+
+import insideout
+from insideout.verdict import verdict
+
+ENDINGS = (".obj", ".off", ".ply", ".stl", ".vtp")
+SIX_DIGITS = 5e-6
+LEAST_SHARE = 0.95
+
+
+@dataclass
+class Case:
+    name: str
+    told: str
+    low: float
+    high: float
+    volume: float
+    meshed: str
+
+    def is_exact(self) -> bool:
+        return self.low == self.high
+
+    def holds(self) -> bool:
+        rounding = SIX_DIGITS * self.volume
+        return self.low - rounding <= self.volume <= self.high + rounding
+
+    def tells_of_mesh(self) -> bool:
+        return self.volume <= 0 or f" volume {self.volume:.6g}" in self.meshed and "about" not in self.meshed
+
+    def width(self) -> float:
+        """Half of the distance of the bounds, in shares of the mesh's volume."""
+        return (self.high - self.low) / 2 / self.volume if self.volume > 0 else float("inf")
+
+
+class TooLong(Exception):
+    pass
+
+
+def surfaces_in(paths: list[Path]) -> Iterator[Path]:
+    for path in paths:
+        yield from sorted(file for file in path.rglob("*") if file.suffix in ENDINGS) if path.is_dir() else [path]
+
+
+def judged(path: Path, seconds: float) -> Case | str:
+    """A case, or why there is none."""
+    begin = time.monotonic()
+
+    def watch(_stage: str, _fraction: float) -> None:
+        if time.monotonic() - begin > seconds:
+            raise TooLong
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = insideout.check(str(path), progress=watch)
+            if found.statistics.get("Planar", 1):
+                return "planar"
+            made = insideout.tetrahedralize(str(path), progress=watch).statistics
+    except TooLong:
+        return "too long"
+    except insideout.Error as error:
+        return str(error)
+    low, high = (found.statistics[f"EnclosedVolume{end}"] for end in ("Low", "High"))
+    return Case(path.name, found.verdict, low, high, made["Volume"], verdict(made))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("surfaces", nargs="+", type=Path)
+    options = parser.parse_args()
+    cases: list[Case] = []
+    for path in surfaces_in(options.surfaces):
+        case = judged(path, options.seconds)
+        if isinstance(case, str):
+            print(f"passed over {path.name}: {case}")
+            continue
+        cases.append(case)
+        if not case.holds() or not case.tells_of_mesh():
+            print(f"fails {case.name}: {case.told}; meshed {case.volume:.6g}, of which it is told: {case.meshed}", flush=True)
+    is_good = all(case.tells_of_mesh() for case in cases)
+    for kind, exact in (("exact", True), ("about", False)):
+        those = [case for case in cases if case.is_exact() == exact]
+        held = sum(case.holds() for case in those)
+        width = f", half the width {statistics.median(case.width() for case in those):.2g} of the volume in the median" if those and not exact else ""
+        print(f"{kind}: {held} of {len(those)} hold ({100 * held / max(1, len(those)):.1f} %){width}")
+        is_good = is_good and held >= LEAST_SHARE * len(those)
+    print(f"{sum(case.tells_of_mesh() for case in cases)} of {len(cases)} verdicts tell of their meshes")
+    return 0 if is_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
