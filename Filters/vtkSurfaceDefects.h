@@ -39,10 +39,10 @@
  * vtkResolveSelfIntersections, and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on
  * which the facets' signed sum is not 0; without any the surface is closed), Planar (1: all facets
  * lie in one plane), EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where
- * w is 2 or more), each with the bounds EnclosedVolumeLow and so on that it is between in 95 of 100
- * cases, which are equal where it is exact, NearPoints (points nearer than NearDistance, a
- * millionth of the size, to another). Those of orientation are explained at
- * vtkGeneralizedWindingNumber.
+ * w is 2 or more; of a solid that was made that of its cells), each with the bounds
+ * EnclosedVolumeLow and so on that it is between in 95 of 100 cases, which are equal where it is
+ * exact, NearPoints (points nearer than NearDistance, a millionth of the size, to another). Those
+ * of orientation are explained at vtkGeneralizedWindingNumber.
  *
  * Of lines without polygons, which have to lie in one plane, the same is shown in two dimensions:
  * ComponentId, SelfIntersections, Degenerate, Duplicate and Turned per line, and output 1 has

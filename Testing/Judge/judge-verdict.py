@@ -22,7 +22,6 @@ from pathlib import Path
 from typing import Iterator
 
 import insideout
-from insideout.verdict import verdict
 
 ENDINGS = (".obj", ".off", ".ply", ".stl", ".vtp")
 SIX_DIGITS = 5e-6
@@ -76,13 +75,13 @@ def judged(path: Path, seconds: float) -> Case | str:
             found = insideout.check(str(path), progress=watch)
             if found.statistics.get("Planar", 1):
                 return "planar"
-            made = insideout.tetrahedralize(str(path), progress=watch).statistics
+            made = insideout.tetrahedralize(str(path), progress=watch)
     except TooLong:
         return "too long"
     except insideout.Error as error:
         return str(error)
     low, high = (found.statistics[f"EnclosedVolume{end}"] for end in ("Low", "High"))
-    return Case(path.name, found.verdict, low, high, made["Volume"], verdict(made))
+    return Case(path.name, found.verdict, low, high, made.statistics["Volume"], made.verdict)
 
 
 def main() -> int:

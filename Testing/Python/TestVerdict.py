@@ -64,9 +64,9 @@ def everything_wrong():
 
 class Volumes(unittest.TestCase):
     def check_case(self, surface, **options):
-        found, made = insideout.check(surface, **options), insideout.tetrahedralize(surface, **options).statistics
+        found, made = insideout.check(surface, **options), insideout.tetrahedralize(surface, **options)
         ends = (found.statistics[f"EnclosedVolume{end}"] for end in ("Low", "High"))
-        return judge.Case("surface", found.verdict, *ends, made["Volume"], verdict(made))
+        return judge.Case("surface", found.verdict, *ends, made.statistics["Volume"], made.verdict)
 
     def test_of_closed_surfaces_that_cross_are_exact(self):
         random = np.random.default_rng(45)
@@ -91,8 +91,8 @@ class Volumes(unittest.TestCase):
 
     def test_of_real_surfaces(self):
         with tempfile.TemporaryDirectory() as folder:
-            cases = {Path(path).name: judge.judged(Path(path), 1e9) for path in unpack_cgal(folder, {"cow.off", "man.off", "bones.off", "b9_mesh.off"})}
-        self.assertEqual({name: case.is_exact() for name, case in cases.items()}, {"cow.off": True, "man.off": True, "bones.off": False, "b9_mesh.off": False})
+            cases = {Path(path).name: judge.judged(Path(path), 1e9) for path in unpack_cgal(folder, {"cow.off", "camel.off", "man.off", "bones.off", "b9_mesh.off"})}
+        self.assertEqual({name: case.is_exact() for name, case in cases.items()}, {"cow.off": True, "camel.off": True, "man.off": False, "bones.off": False, "b9_mesh.off": False})
         for name, case in cases.items():
             self.assertTrue(case.holds() and case.tells_of_mesh(), f"{name}: {case}")
 
@@ -120,6 +120,7 @@ class Lines(CommandLine):
         self.assertEqual(report["verdict"], meshed)
         self.assertEqual(done.stdout.splitlines()[0], f"Surface open.ply: {meshed}")
         self.assertNotIn("EnclosedVolume", report["statistics"])
+        self.assertEqual(insideout.tetrahedralize(surfaces.open_box()).verdict, meshed)
         filter_ = insideout.vtkRobustTetrahedralize()
         filter_.SetInputData(surfaces.open_box())
         filter_.Update()

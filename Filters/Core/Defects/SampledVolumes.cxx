@@ -25,10 +25,13 @@ constexpr double StudentsT = 3.499;
  * of them miss (rule of three). */
 constexpr double PlacesMissed = 3;
 
-/** Strata along each axis: more where there are more facets, as long as the time is theirs. */
-constexpr double LeastStrata = 16;
+/** Strata along each axis: more where there are more facets, fewer where many open edges make w
+ * take long at each place. */
+constexpr double LeastStrata = 8;
+constexpr double UsualStrata = 16;
 constexpr double MostStrata = 32;
 constexpr double FacetsPerPlace = 4;
+constexpr double PlacesTimesOpenEdges = 1 << 21;
 
 /** Half of the strata's density follows the facets' corners, and half is uniform. */
 constexpr double ShareOfFacets = 0.5;
@@ -52,15 +55,18 @@ struct Volumes
   double Closed = 0; ///< the integral of w of the closed surface, which is known
 };
 
-/** The surface with its holes closed by caps. */
-FacetComplex WithoutHoles(const FacetComplex& surface)
+std::vector<CountedEdge> OpenEdges(const FacetComplex& surface)
 {
-  std::vector<CountedTriangle> chain = CountedFacets(surface);
-  const auto boundary = CountedBoundary(chain, static_cast<Id>(surface.Points.size()));
+  return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size()));
+}
+
+/** The surface with its holes closed by caps. */
+FacetComplex WithoutHoles(const FacetComplex& surface, const std::vector<CountedEdge>& openEdges)
+{
   FacetComplex closed;
   closed.Points = surface.Points;
   for (const CountedTriangle& triangle :
-    CloseChain(std::move(chain), CapHoles(surface.Points, boundary)))
+    CloseChain(CountedFacets(surface), CapHoles(surface.Points, openEdges)))
   {
     closed.Facets.push_back(triangle.Corners);
     closed.Multiplicity.push_back(static_cast<std::int16_t>(triangle.Count));
@@ -283,14 +289,20 @@ Estimate BetterEstimateOf(
   const Estimate better = EstimateOf(controlled);
   return better.HalfWidth < plain.HalfWidth ? better : plain;
 }
+int StrataFor(std::size_t facets, std::size_t openEdges)
+{
+  const double wanted =
+    std::clamp(std::cbrt(static_cast<double>(facets) / FacetsPerPlace), UsualStrata, MostStrata);
+  const double payable = std::cbrt(PlacesTimesOpenEdges / (1 + static_cast<double>(openEdges)));
+  return static_cast<int>(std::max(LeastStrata, std::min(wanted, payable)));
+}
 } // namespace
 
 SampledVolumes SampleVolumes(
   const FacetComplex& surface, Monitor& monitor, const ProgressRange& progress)
 {
-  const double facets = static_cast<double>(surface.Facets.size());
-  const int strata =
-    static_cast<int>(std::clamp(std::cbrt(facets / FacetsPerPlace), LeastStrata, MostStrata));
+  const std::vector<CountedEdge> openEdges = OpenEdges(surface);
+  const int strata = StrataFor(surface.Facets.size(), openEdges.size());
   Box box = Box::Empty();
   for (const Triangle& facet : surface.Facets)
   {
@@ -308,7 +320,7 @@ SampledVolumes SampleVolumes(
     places *= strata;
     whole *= box.Extent(axis);
   }
-  const FacetComplex closed = WithoutHoles(surface);
+  const FacetComplex closed = WithoutHoles(surface, openEdges);
   const WindingNumbers windingNumbers(surface, closed, monitor);
   std::vector<Volumes> volumes;
   for (int grid = 0; grid < Grids; ++grid)

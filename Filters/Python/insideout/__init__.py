@@ -75,7 +75,7 @@ RESULTS
     resolve         Resolution: surface, statistics
     boolean         Boolean: surface, solid where tetrahedra were made, names, statistics
     check_solid     SolidCheck: findings, verdict, statistics, histogram, the solid with the quality of each cell
-    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, statistics
+    tetrahedralize  Tetrahedralization: solid, boundary, outliers, hull, regions, tags, verdict, statistics
     read            a vtkPolyData or a vtkUnstructuredGrid
     refine          Refinement: solid, statistics
     winding_number  an array of float64, one value per point

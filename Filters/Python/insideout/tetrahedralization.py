@@ -22,6 +22,7 @@ from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options,
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
 from .statistics import Statistics
+from .verdict import verdict
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
 
 
@@ -65,6 +66,11 @@ class Tetrahedralization(MeshResult):
     """The cells of the surface that the mesh does not follow, all or in part; hardly ever any."""
     warnings: list[str]
     """What is worth knowing about the input, one line each."""
+
+    @property
+    def verdict(self) -> str:
+        """Whether the surface bounds a solid, in one sentence: what `check` says of it, but with the volume of the cells."""
+        return verdict(self.statistics)
 
     def is_planar(self) -> bool:
         """Whether it has two dimensions."""
