@@ -148,7 +148,10 @@ TEST(AlgorithmMonitor, KnowsEveryStageThatTheFiltersRun)
   ExpectStages(resolve, with(toCrossings, { Stages::Resolving }));
   vtkNew<vtkSurfaceDefects> defects;
   defects->SetInputData(box);
-  ExpectStages(defects, with(toCrossings, { Stages::Orienting, Stages::TracingIntersections }));
+  ExpectStages(defects,
+    with(toCrossings,
+      { Stages::Orienting, Stages::Resolving, Stages::WindingNumbers,
+        Stages::TracingIntersections }));
   vtkNew<vtkConstrainedDelaunay3D> delaunay;
   delaunay->SetInputData(box);
   ExpectStages(delaunay, with(toCrossings, { Stages::Tetrahedralizing }));
