@@ -388,6 +388,12 @@ class TestPlugin(unittest.TestCase):
         self.assertIn("Input Triangles 36, Components 3\nIntersecting Pairs 40\nOpen Edges 0\n", summary)
         self.assertTrue(summary.endswith("\nbounds a solid of volume 2.75"), summary)
 
+    def test_the_verdict_on_a_surface_is_told(self):
+        defects = simple.SurfaceDefects(Input=self.surface)
+        defects.UpdatePipeline()
+        defects.UpdatePropertyInformation()
+        self.assertEqual(defects.SMProxy.GetProperty("Summary").GetElement(0), "bounds a solid of volume 1.75")
+
     def test_time_steps_pass_through(self):
         surface = simple.ExtractSurface(Input=simple.TimeSource(Growing=1))
         solid = simple.RobustTetrahedralize(Input=surface)
