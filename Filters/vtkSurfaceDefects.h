@@ -38,18 +38,19 @@
  * Both carry field data Statistics, named by StatisticsNames: the counts of
  * vtkResolveSelfIntersections, and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on
  * which the facets' signed sum is not 0; without any the surface is closed), Planar (1: all facets
- * lie in one plane), EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where
- * w is 2 or more; of a solid that was made that of its cells), each with the bounds
- * EnclosedVolumeLow and so on that it is between in 95 of 100 cases, which are equal where it is
- * exact, NearPoints (points nearer than NearDistance, a millionth of the size, to another). Those
+ * lie in one plane), NearPoints (points nearer than NearDistance, a millionth of the size, to
+ * another), EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where w is 2 or
+ * more). EnclosedVolumeLow, EnclosedVolumeHigh, OverlapVolumeLow and OverlapVolumeHigh are bounds
+ * that hold these volumes in 95 of 100 cases; they are equal if a volume is exact. The statistics
  * of orientation are explained at vtkGeneralizedWindingNumber.
  *
- * Of lines without polygons, which have to lie in one plane, the same is shown in two dimensions:
+ * Lines without polygons, which have to lie in one plane, have the same in two dimensions:
  * ComponentId, SelfIntersections, Degenerate, Duplicate and Turned per line, and output 1 has
  * vertices with DefectType, DefectName and DefectColor where lines end, cross, or have a point of
  * others within. Statistics: OpenEnds, IntersectingPairs, Crossings, TJunctions, DuplicateSegments
- * and the like, and Area, where w is above 1/2 once lines are turned as the orientation asks; of
- * polygons in one plane, too.
+ * and the like, and Area, where w is above 1/2 once lines are turned as the orientation asks.
+ * AreaByEvenOdd, AreaByWindingNumber and AreaAsGiven are there if a hole crosses its outline and
+ * these rules differ. Polygons in one plane have an Area, too.
  *
  * A point that is not finite or a cell with a point out of range is an error that names it; the
  * outputs are then empty.
@@ -92,9 +93,9 @@ public:
 
   ///@{
   /**
-   * Whether the surface bounds a solid, and of what volume, in one sentence; what the field data
-   * with the statistics of any filter say of it, which tell of the solid where one was made; and
-   * a volume in words, where it is between two others in 95 of 100 cases.
+   * GetVerdict says in one sentence whether the surface bounds a solid, and of what volume.
+   * GetVerdictOf says the same by field data with the statistics of any filter; those of a solid
+   * give its volume. GetVolumeInWords rounds a volume to the digits that its bounds support.
    */
   std::string GetVerdict();
   static std::string GetVerdictOf(vtkFieldData* statistics);

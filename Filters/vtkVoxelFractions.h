@@ -32,8 +32,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tetrahedra. The blocks of a composite data set are one solid: they are not to overlap
-   * either. */
+  /** The tetrahedra. The blocks of a composite data set are one solid, and must not overlap. */
   void SetSolidData(vtkDataObject* solid);
   void SetSolidConnection(vtkAlgorithmOutput* output);
   ///@}

@@ -15,10 +15,10 @@ namespace
 /** A smaller share is what accessories and stray facets usually have. */
 constexpr double WorthAWarning = 0.1;
 
-/** Of a shell's area: what is left of it after its pieces are taken away one by one. */
+/** Share of a shell's area that rounding leaves after all of its pieces are subtracted. */
 constexpr double Rounding = 1e-9;
 
-/** Shells that a warning names. */
+/** Limit of the shells that a warning names. */
 constexpr std::size_t MostNamed = 4;
 
 double AreaOf(const std::vector<Point>& points, const Triangle& triangle)
@@ -48,7 +48,8 @@ std::string Reason(double share, const std::string& why)
   const long percent = std::lround(100 * share);
   return percent > 0 ? "; " + std::to_string(percent) + " % " + why : std::string();
 }
-/** The shells with holes none of whose facets is a part of the solid. */
+
+/** The shells with holes that have no facet on the solid. */
 std::vector<HoledShell> LostShells(
   const HullMesh& hull, const std::vector<OutlierPiece>& outliers, const std::vector<Point>& points)
 {
@@ -65,7 +66,7 @@ std::vector<HoledShell> LostShells(
     }
   }
   std::sort(shellOf.begin(), shellOf.end());
-  std::vector<double> left(hull.HoledShells.size(), 0); // of the area that is no outlier
+  std::vector<double> left(hull.HoledShells.size(), 0); // area on the solid, by shell
   const auto add = [&](Id facet, double area, std::vector<double>& areas)
   {
     for (Id s = hull.Surface.SourceOffsets[facet]; s < hull.Surface.SourceOffsets[facet + 1]; ++s)
@@ -99,7 +100,7 @@ std::vector<HoledShell> LostShells(
   return lost;
 }
 
-std::string AboutShells(const std::vector<HoledShell>& shells)
+std::string WarningAboutShells(const std::vector<HoledShell>& shells)
 {
   const bool isOne = shells.size() == 1;
   std::string text = isOne ? "shell " : "shells ";
@@ -116,7 +117,7 @@ std::string AboutShells(const std::vector<HoledShell>& shells)
     text += " and " + std::to_string(shells.size() - MostNamed) + " more";
   }
   return text + (isOne ? " has holes and is" : " have holes and are") +
-    " no part of the solid: close them, set Gamma lower, or leave out sheets beside them, which "
+    " no part of the solid: close the holes, set Gamma lower, or leave out adjacent sheets, which "
     "lower w, by NonParticipatingArrayName";
 }
 } // namespace
@@ -151,7 +152,7 @@ std::vector<std::string> WarningsAbout(const LostArea& lost)
   std::vector<std::string> warnings;
   if (!lost.Shells.empty())
   {
-    warnings.push_back(AboutShells(lost.Shells));
+    warnings.push_back(WarningAboutShells(lost.Shells));
   }
   if (lost.Share > WorthAWarning)
   {

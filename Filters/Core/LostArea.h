@@ -19,12 +19,12 @@ struct LostArea
   double Others =
     0; ///< w is below 1/2 on both sides, the cut smoothed it away, or a region was dropped
 
-  std::vector<HoledShell> Shells; ///< all of whose facets are lost
+  std::vector<HoledShell> Shells; ///< with holes, lost as a whole
 };
 
 LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& outliers);
 
-/** Where more than a tenth of the area is lost: how much, why, and what to set; and which shells
- * are lost as a whole. */
+/** Warn of shells that are lost as a whole, and of a lost area above a tenth: how much, why, and
+ * which options to set. */
 std::vector<std::string> WarningsAbout(const LostArea& lost);
 } // namespace insideout

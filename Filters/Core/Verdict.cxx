@@ -9,7 +9,7 @@ namespace insideout
 {
 namespace
 {
-/** The statistics by their names; 0 for one that is not there. */
+/** Statistics by their names; 0 for a missing one. */
 class Figures
 {
 public:
@@ -37,7 +37,7 @@ private:
 
 std::string Formatted(const char* format, int digits, double value)
 {
-  char text[400]; // any double without exponent has less
+  char text[400]; // a double without exponent has at most 309 digits before the point
   std::snprintf(text, sizeof(text), format, digits, value);
   return text;
 }
@@ -69,7 +69,7 @@ std::string Sheets(double count)
   return count == 1 ? "a sheet" : Counted(count, "sheet");
 }
 
-/** Of a solid that was made its own, else what the surface encloses. */
+/** The volume of the solid if one was made, else the volume that the surface encloses. */
 struct MeantVolume
 {
   explicit MeantVolume(const Figures& figures)
@@ -86,7 +86,7 @@ struct MeantVolume
   double High;
 };
 
-/** Why the shells bound no solid; empty where they do. */
+/** Why the shells bound no solid; empty if they do. */
 std::string WhyNone(const Figures& figures, const MeantVolume& volume)
 {
   const double solids = figures["ClosedShells"] + figures["HoledShells"];

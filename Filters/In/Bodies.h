@@ -88,13 +88,13 @@ void AddBodies(const Bodies& bodies, const std::vector<std::vector<unsigned char
   const insideout::BodyRegions& regions, const insideout::TetrahedralMesh& mesh,
   vtkUnstructuredGrid* grid);
 
-/** The regions behind and before each triangle of a boundary of regions: the cell array RegionIds.
- */
+/** Add the regions behind and before each triangle of a boundary of regions: the cell array
+ * RegionIds. */
 void AddRegionIds(const insideout::RegionBoundaries& boundaries, vtkPolyData* boundary);
 
 /**
- * Tag the triangles of a boundary of regions by the two regions: the cell array BoundaryTag. With
- * tags of the surface what has no region beyond has those.
+ * Tag the triangles of a boundary of regions by the two regions: the cell array BoundaryTag.
+ * Triangles without a region beyond have the tags of the surface, if these are given.
  *
  * @param[in] tags of the surface, or nullptr
  */

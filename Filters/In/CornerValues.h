@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * Labels of cells that stand on their points, as in surfaces of segmented images.
+ * Labels of cells in a point array, as in surfaces of segmented images.
  */
 #pragma once
 
@@ -15,10 +15,10 @@ class vtkPolyData;
 namespace vtkInsideOut
 {
 /**
- * A cell array of what a point array of one value says at the corners of each cell; nullptr where
- * there is no such array.
+ * Make a cell array of a point array with one component: each cell has the value of its corners.
  *
- * @throws insideout::Error when corners of a cell differ
+ * @return nullptr without such an array
+ * @throws insideout::Error that names a cell whose corners have different values
  */
 vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const std::string& name);
 } // namespace vtkInsideOut

@@ -2,7 +2,7 @@
 /**
  * @file
  * Several data sets as one: the partitions of a partitioned data set, which are one surface or one
- * grid, and the blocks of what is probed, or asked for seeds and lengths, as a whole.
+ * grid, and the blocks of a second input: a surface to probe, seeds, a background or a solid.
  *
  * Points and cells are numbered one data set after the other; of surfaces first the vertices of
  * all, then the lines, the polygons and the strips, as vtkPolyData numbers cells. There are the
@@ -52,6 +52,7 @@ vtkSmartPointer<vtkUnstructuredGrid> InputGrid(vtkAlgorithm* algorithm);
  */
 vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks);
 
-/** The same of data sets of any type, as a grid; null where there is none. */
+/** Join data sets of any type into a grid; one that is no block is returned as it is. Null if there
+ * is none. */
 vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks);
 } // namespace vtkInsideOut

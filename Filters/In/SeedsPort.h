@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * The second input of the filters that segment: seeds, which are optional. Those of all blocks of a
- * composite data set are one set.
+ * The second input of the filters that segment: seeds, which are optional. The blocks of a
+ * composite data set are one set of seeds.
  */
 #pragma once
 
@@ -19,12 +19,12 @@ namespace vtkInsideOut
 /** FillInputPortInformation of such a filter, whose first input is of this type. */
 int FillPort(int port, vtkInformation* info, const char* firstType);
 
-/** The points of the second input; null where there are none. */
+/** The points of the second input; null if there are none. */
 vtkSmartPointer<vtkPointSet> FindSeeds(vtkInformationVector** inputVector);
 
 /**
- * Such points as seeds, by their array Inside: 0 is outside, everything else inside. None where
- * there are no points.
+ * Read points as seeds, by their array Inside: 0 is outside, everything else inside. Without points
+ * there are no seeds.
  *
  * @throws insideout::Error when there are points, but no such array
  */

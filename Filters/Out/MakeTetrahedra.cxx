@@ -230,7 +230,7 @@ Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<Seed>& seeds, 
   {
     Append(warnings, made.Warnings);
   }
-  // Where regions were dropped, as was asked for, a warning of the segmentation says so.
+  // A warning of the segmentation tells of dropped regions: do not name their shells again.
   if (DropsRegions(segmentation.Statistics))
   {
     surfaces.Lost.Shells.clear();

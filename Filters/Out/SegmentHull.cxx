@@ -60,7 +60,8 @@ SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<Seed>& given, 
     if (const Id facets = FacetsThatSeparateNothing(hull, segmented.Regions.Regions); facets > 0)
     {
       segmented.All.Warnings.push_back("MembranesSeparateRegions: " + std::to_string(facets) +
-        " facets that count 0 have one region on both sides, for cells connect around their edges");
+        " facets that count 0 have one region on both sides, since cells connect around their "
+        "edges");
     }
     return segmented;
   }

@@ -34,7 +34,7 @@ def turned(surface: vtkPolyData, cells=slice(None)) -> vtkPolyData:
 
 
 def named(surface: vtkPolyData, array: str, *names: tuple[str, int]) -> vtkPolyData:
-    """With a cell array of strings: each name for so many cells."""
+    """The surface with a cell array of strings: each name for its number of cells."""
     surface.GetCellData().AddArray(surfaces.strings(array, [name for name, count in names for _ in range(count)]))
     return surface
 
@@ -44,7 +44,7 @@ def ball(radius: float) -> vtkPolyData:
 
 
 def tube(radius: float, low: float, high: float, around: int, closed: bool = False) -> vtkPolyData:
-    """Of outward sides alone, or with a lid at both ends."""
+    """A tube of outward sides, with a lid at both ends if closed."""
     angles = 2 * np.pi * np.arange(around) / around
     ring = radius * np.column_stack([np.cos(angles), np.sin(angles)])
     points = [(x, y, z) for z in (low, high) for x, y in ring] + [(0, 0, low), (0, 0, high)] * closed

@@ -35,11 +35,11 @@ struct CountedBody
   Id ThickenedFacets = 0;
 };
 
-/** A shell with holes that encloses a volume, which the cut may take for outside all the same. */
+/** A shell with holes that encloses a volume; the cut may leave it out all the same. */
 struct HoledShell
 {
   std::string Body;          ///< its name
-  Id Number;                 ///< in its body
+  Id Number;                 ///< of the shell in its body
   double Volume;             ///< once its holes are closed
   std::vector<Id> Triangles; ///< of its facets
 };

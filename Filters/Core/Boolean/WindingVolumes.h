@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** The volumes of the places around which a surface winds at least once, and at least twice. */
+/** The volumes where the winding number of a surface is at least 1, and at least 2. */
 struct WindingVolumes
 {
   double Once = 0;
@@ -16,13 +16,13 @@ struct WindingVolumes
 };
 
 /**
- * The volumes within a closed surface, to some units in the last place: sums over the facets where
- * the winding number passes 1, and 2 (divergence theorem). The first is the volume of the solid
- * that the cut gives with weights that IsCutByWholeNumbers (CutEnergy.h) is true for.
+ * Find the volumes within a closed surface, to some units in the last place: sums over the facets
+ * where the winding number passes 1, and 2 (divergence theorem). The first is the volume of the
+ * solid that the cut gives with weights for which IsCutByWholeNumbers (CutEnergy.h) is true.
  *
  * @param[in] surface resolved
- * @return nothing where the surface is open, or a facet was left out in resolving
- * @throws Error (Stopped)
+ * @return nothing if the surface is open, or a facet was left out in resolving
+ * @throws Error (Stopped), or whatever PatchBoundary throws
  */
 std::optional<WindingVolumes> VolumesWithin(const FacetComplex& surface, Monitor& monitor);
 } // namespace insideout

@@ -72,8 +72,8 @@ struct FacetComplex
   std::vector<Id> SourceOffsets = { 0 }; ///< one per facet, and the end
   std::vector<FacetSource> Sources;      ///< sorted by triangle within a facet
 
-  /** After validation of a surface with edges of more than two facets, one per source: the part of
-   * the surface as it was given that its triangle is of (GivenParts.h). Else empty. */
+  /** One per source: the closed surface among those appended in the input that its triangle belongs
+   * to (GivenParts.h). Set by CountFacets if edges are non-manifold, else empty. */
   std::vector<Id> SourceParts = {};
 
   /**

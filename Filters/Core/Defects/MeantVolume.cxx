@@ -14,16 +14,16 @@ namespace insideout
 {
 namespace
 {
-/** Cutting takes some 100 us for a pair of facets that meet, and meshing 20 us for a facet: with so
- * many facets for a pair cutting is less than a tenth of it. */
+/** Facets per intersecting pair above which the surface is cut. Cutting takes some 100 us per pair
+ * and meshing 20 us per facet, so that cutting takes at most a tenth of the time of meshing. */
 constexpr std::size_t FacetsPerPair = 50;
 
-/** As many pairs are cut in some hundredths of a second. */
+/** Pairs that are cut whatever the number of facets, in some hundredths of a second. */
 constexpr std::size_t FewPairs = 256;
 
 using Pairs = std::vector<std::array<Id, 2>>;
 
-/** The facets that count, and the pairs of these. */
+/** The facets that count, and the pairs of them that meet. */
 struct CountedComplex
 {
   FacetComplex Surface;
@@ -67,7 +67,7 @@ bool IsClosed(const FacetComplex& surface)
   return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size())).empty();
 }
 
-/** Nothing where the surface is open, or it takes long to find. */
+/** The volumes if the surface is closed and few of its facets meet, else nothing. */
 std::optional<WindingVolumes> ExactVolumes(const CountedComplex& counted, Monitor& monitor)
 {
   const FacetComplex& surface = counted.Surface;

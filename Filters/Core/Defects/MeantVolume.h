@@ -6,10 +6,10 @@
 namespace insideout
 {
 /**
- * The volume of the solid that a mesh of the surface would have, and of what overlaps in it. Exact
- * where the surface is closed, and crosses nothing or little: finding and cutting what crosses then
- * takes less than a tenth of the time that meshing does, by the numbers of facets and pairs. Else
- * by samples.
+ * Find the volume of the solid that a mesh of the surface would have, and the volume in which the
+ * solid overlaps itself. Both are exact if the surface is closed and few facets meet: cutting then
+ * takes less than a tenth of the time of meshing, by the numbers of facets and pairs. Otherwise
+ * both are sampled.
  *
  * @param[in] surface not all of it in one plane
  * @param[in] multiplicity one per facet: how often it counts once oriented

@@ -17,16 +17,16 @@ namespace
 {
 constexpr int Grids = 8;
 
-/** Student's t of 99 %, two-sided, for one degree of freedom less than there are grids: with what
- * the cut does 95 % are left. */
+/** Student's t of 99 %, two-sided, for Grids - 1 degrees of freedom. The bounds hold in 95 % of
+ * cases, since the cut may decide otherwise than w > 1/2. */
 constexpr double StudentsT = 3.499;
 
-/** Where no grid differs from another, 95 % of cases have less than three places' volume that all
- * of them miss (rule of three). */
+/** Volume that all points miss, in boxes: less in 95 % of cases, even if all grids agree (rule of
+ * three). */
 constexpr double PlacesMissed = 3;
 
-/** Strata along each axis: more where there are more facets, fewer where many open edges make w
- * take long at each place. */
+/** Strata along each axis: more for more facets, fewer for more open edges, whose number is the
+ * cost of w at a point. */
 constexpr double LeastStrata = 8;
 constexpr double UsualStrata = 16;
 constexpr double MostStrata = 32;
@@ -37,19 +37,20 @@ constexpr double PlacesTimesOpenEdges = 1 << 21;
 constexpr double ShareOfFacets = 0.5;
 constexpr int Bins = 1024;
 
-/** From a place where w is above 1/2 the cut may take in others down to the first, and leave out up
- * to the second: the meshes of 99 of 102 surfaces are between these bounds (judge-verdict.py). */
+/** Range of w in which the cut may decide otherwise than w > 1/2: the meshes of 99 of 102 surfaces
+ * are between the bounds that follow (judge-verdict.py). */
 constexpr double MayBeInside = 0.2;
 constexpr double MayBeOutside = 0.7;
 
-/** Across a facet w differs by 1, and from such a place to one where w is from 0 to 1 by less. */
+/** Limit of the difference of w between neighboring points without a facet between them: across a
+ * facet w differs by 1, from a w in the range above to one between 0 and 1 by at most 0.8. */
 constexpr double Jump = 0.8;
 
-/** Of one grid. */
+/** The volumes by the points of one grid. */
 struct Volumes
 {
   double Solid = 0; ///< where w is above 1/2
-  double Most = 0;  ///< with the places that the cut may take in
+  double Most = 0;  ///< with the points that the cut may take in
   double Least = 0; ///< without those that it may leave out
   double Overlap = 0;
   double Closed = 0; ///< the integral of w of the closed surface, which is known
@@ -60,7 +61,7 @@ std::vector<CountedEdge> OpenEdges(const FacetComplex& surface)
   return CountedBoundary(CountedFacets(surface), static_cast<Id>(surface.Points.size()));
 }
 
-/** The surface with its holes closed by caps. */
+/** Close the holes of a surface by caps. */
 FacetComplex WithoutHoles(const FacetComplex& surface, const std::vector<CountedEdge>& openEdges)
 {
   FacetComplex closed;
@@ -88,9 +89,8 @@ double IntegralOfW(const FacetComplex& surface)
   return VolumeWithin(surface.Points, triangles);
 }
 
-/** The limits of strata along an axis, in which the facets' corners and the length are divided
- * alike.
- */
+/** The limits of strata along an axis. Each has the same share, of which half is length, and half
+ * are corners of facets. */
 std::vector<double> LimitsOfStrata(
   const FacetComplex& surface, const Box& box, int axis, int strata)
 {
@@ -137,7 +137,7 @@ struct WindingNumbers
   std::optional<SurfaceWindingNumber> Closed; ///< where they differ
 };
 
-/** w at the places of a grid, of which each is at random in its box. */
+/** w at the points of a grid, one at random in each box. */
 class SampledGrid
 {
 public:
@@ -198,8 +198,8 @@ private:
       this->Length(2, place / this->Size(0) / this->Size(1));
   }
 
-  /** The places where w begins, and those where it may go on that lead there without a facet
-   * between. */
+  /** Mark the points at which `begins` holds for w, and all that neighbors for which `goesOn` holds
+   * connect with them without a facet between. */
   template <typename Begins, typename GoesOn>
   std::vector<char> Reached(const Begins& begins, const GoesOn& goesOn) const
   {
@@ -274,8 +274,8 @@ std::array<double, Grids> ByGrids(const std::vector<Volumes>& volumes, double Vo
   return values;
 }
 
-/** Of the grids, or where it is the better one what they say of the difference from the integral of
- * the closed surface's w (a control variate). */
+/** The better of two estimates by the grids: their volumes, or the integral of the closed surface's
+ * w and the differences of the volumes from it (a control variate). */
 Estimate BetterEstimateOf(
   const std::vector<Volumes>& volumes, double Volumes::*which, double integral)
 {
@@ -289,6 +289,7 @@ Estimate BetterEstimateOf(
   const Estimate better = EstimateOf(controlled);
   return better.HalfWidth < plain.HalfWidth ? better : plain;
 }
+
 int StrataFor(std::size_t facets, std::size_t openEdges)
 {
   const double wanted =

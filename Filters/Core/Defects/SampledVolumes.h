@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** A volume, and the bounds that it is between in 95 of 100 cases. */
+/** A volume, and bounds that hold it in 95 of 100 cases. */
 struct VolumeInterval
 {
   double Value = 0;
@@ -17,7 +17,7 @@ struct VolumeInterval
   bool IsExact() const { return this->Low == this->High; }
 };
 
-/** Where w is above 1/2, and above 3/2. */
+/** The volumes where w is above 1/2, and above 3/2. */
 struct SampledVolumes
 {
   VolumeInterval Solid;
@@ -25,13 +25,13 @@ struct SampledVolumes
 };
 
 /**
- * The volumes that a surface encloses, by its winding number at places of several grids, each at
- * random in its box (randomized quasi-Monte Carlo: Owen, Monte Carlo Theory, Methods and
+ * Estimate the volumes that a surface encloses from its winding number at points of several grids,
+ * one at random in each box (randomized quasi-Monte Carlo: Owen, Monte Carlo Theory, Methods and
  * Examples, 2013, chapter 17). Facets may cross, and the surface may be open.
  *
- * Each grid gives an estimate without bias. The interval has the standard error of their mean, and
- * the places that the cut may decide otherwise than w above 1/2 does: those where w is near to 1/2,
- * and from where a way on which w is so leads to places on the other side of 1/2, through a hole.
+ * Each grid gives an unbiased estimate. The interval covers the standard error of their mean, and
+ * the points at which the cut may decide otherwise than w > 1/2: those with w near 1/2 that a path
+ * through a hole, along which w stays near 1/2, connects with points on the other side of 1/2.
  *
  * @param[in] surface whose coordinates are below 1, not all of it in one plane; every facet counts
  * @return the same for any number of threads

@@ -49,7 +49,7 @@ struct SurfaceDefects
 
   SurfaceCounts Counts;
   FacetTurns Turns;       ///< those that the orientation asks for
-  SampledVolumes Volumes; ///< once these are made; 0 where all facets lie in one plane
+  SampledVolumes Volumes; ///< after these turns; 0 if all facets lie in one plane
   Id IntersectingPairs = 0;
   Id IntersectingFacets = 0; ///< facets in at least one pair
   Id InconsistentEdges = 0;

@@ -21,8 +21,8 @@ constexpr std::size_t MostTried = 12;
  * deviations of some hundred lines. */
 constexpr double SureShare = 0.15;
 
-/** Volumes that differ by less than this part of what is turned may be equal: faces of two shells
- * that coincide but for the rounding to floats leave so much between them. */
+/** Volumes are equal if they differ by less than this share of the volume where w differs. Faces of
+ * two shells that coincide but for rounding to floats leave less between them. */
 constexpr double RoundingShare = 1e-5;
 
 /** Rounds of turning shells one by one; few are ever needed. */
@@ -44,7 +44,7 @@ struct Difference
     this->Turned += volume;
   }
 
-  /** More than rounding. */
+  /** Whether the volumes differ by more than rounding. */
   bool Matters() const { return std::abs(this->Net) > RoundingShare * this->Turned; }
 
   /** -1 where the second has surely less, +1 where more. */

@@ -30,9 +30,10 @@ struct ShellTurns
  * region has in common are independent. Of up to `MostTried` that are not, all ways are looked at;
  * of more, shells are turned one by one, larger ones first, as long as one gains by it.
  *
- * Volumes that differ by less than a part of what they differ in are taken as equal, for they are
- * samples; and so are those that differ by less than a hundred-thousandth of where w differs, for
- * faces that coincide, as the ends of two tubes, do so but for rounding.
+ * Volumes are sampled: they are taken as equal if their difference is below a share of the volume
+ * that only one of them has. They are also taken as equal if it is below a hundred-thousandth of
+ * the volume where w differs: faces that coincide, as the ends of two tubes, do so but for
+ * rounding.
  *
  * @param[in] regions of shells 0 to facets.size() - 1
  * @param[in] facets how many each shell has

@@ -23,7 +23,7 @@ struct CopyAtSeam
   Id Patch;
 };
 
-/** One per copy: its part as given (FacetComplex::SourceParts), None where that is not known. */
+/** The part of each copy (FacetComplex::SourceParts), None if it is unknown. */
 std::vector<Id> PartsOfCopies(
   const FacetComplex& surface, const SeamedPatches& patches, const PatchCopies& copies)
 {
@@ -172,7 +172,7 @@ public:
     return left;
   }
 
-  /** Join those that are of one part as given, where others are at the seam, too. */
+  /** Join the copies of one given part at a seam that copies of others share. */
   void JoinWithinParts(const PatchSeam& seam)
   {
     std::vector<CopyAtSeam> left = this->LeftAt(seam);

@@ -28,11 +28,12 @@ constexpr double Beside = 0x1p-24;
 /** The largest share of its area that a shell within the solid may have outside. */
 constexpr double OutsideByChance = 0.2;
 
-/** What seals off no space, and has a larger share of its area outside, is a sheet there. */
+/** A shell that seals off no space is a sheet if a larger share of its area is outside, else a
+ * membrane. */
 constexpr double MostOutside = 0.5;
 
-/** A shell is within one with holes where the mean winding number of that is higher: it is 1/2 on
- * the caps, where a lid lies. */
+/** A shell lies within shells with holes if their mean winding number along it is higher. It is 1/2
+ * on their caps, where a lid lies. */
 constexpr double MostInside = 0.6;
 
 /** A shell with a lower seal does not count. Two squares that face each other at four tenths of
@@ -42,7 +43,7 @@ constexpr double LeastSeal = 0.2;
 struct Place
 {
   Point At;
-  Point Normal; ///< of length 1, or 0 where doubles do not tell
+  Point Normal; ///< of length 1, or 0 if the triangle has no area in doubles
 };
 
 std::vector<Place> PlacesOn(const std::vector<Point>& points,
@@ -84,8 +85,8 @@ struct OutsideShell
   std::vector<Place> Places; ///< outside
   bool IsMostlyOutside;
   RandomNumbers Random;
-  double Rest = 0;                ///< the winding number of shells with holes
-  std::map<Id, double> Seal = {}; ///< that of each outside shell, by its index among these
+  double Rest = 0;                ///< the sum of the winding numbers of shells with holes
+  std::map<Id, double> Seal = {}; ///< the same of each outside shell, by its index among these
 };
 
 class MembraneFinder
@@ -142,13 +143,13 @@ public:
   }
 
 private:
-  /** @param[in] kind Closed, or Holed for these, too */
+  /** Whether a shell bounds the solid of shells up to a kind: Closed, or Holed for both. */
   bool Bounds(Id shell, ShellKind kind) const
   {
     return this->Chains[shell].Kind <= kind && !this->Chains[shell].IsLoose;
   }
 
-  /** Find the box around the solid. @return false where no shell bounds one */
+  /** Find the box around the solid. @return false if no shell bounds one */
   bool FindSolid()
   {
     bool isThere = false;
@@ -169,7 +170,7 @@ private:
     return isThere;
   }
 
-  /** Whether it is in the solid of shells up to a kind, holes capped, on either side. */
+  /** Whether a place is, on either side, in the solid of shells up to a kind, holes capped. */
   bool IsInSolid(const Place& place, ShellKind kind, RandomNumbers& random) const
   {
     for (const double side : { -Beside, Beside })
@@ -205,7 +206,8 @@ private:
     bool IsCap;
   };
 
-  /** What the lines may cross: facets and caps of outside shells, facets of shells with holes. */
+  /** The chains that lines may cross: facets and caps of outside shells, facets of shells with
+   * holes. */
   std::vector<OpenChain> OpenChains(const std::vector<OutsideShell>& outside) const
   {
     std::vector<OpenChain> open;
@@ -227,7 +229,7 @@ private:
     return open;
   }
 
-  /** The roles of outside shells. */
+  /** Find the roles of outside shells. */
   std::vector<ShellRole> Judge(std::vector<OutsideShell>& outside) const
   {
     if (outside.empty())
@@ -260,7 +262,7 @@ private:
     return roles;
   }
 
-  /** Add the winding numbers by some lines through each place of the outside shells. */
+  /** Add the winding numbers along more lines through each place of the outside shells. */
   void AddLines(const RegionSampler& sampler, const std::vector<OpenChain>& open, int lines,
     std::vector<OutsideShell>& outside) const
   {
@@ -282,7 +284,7 @@ private:
             {
               continue;
             }
-            // A capped shell is the facets less the caps.
+            // A capped shell is its facets less its caps.
             const bool isReversed = (at > 0) != crossed.IsCap;
             const bool isTurned = this->Turned[crossed.Shell] != 0;
             const double w = (isReversed != isTurned ? -weight : weight) * rise;
@@ -303,8 +305,9 @@ private:
     return point;
   }
 
-  /** What is within shells with holes goes first; then those of a low seal, the lowest first.
-   * @param[in] lines that have been drawn through each place */
+  /** Find the roles by the sums: take out shells within shells with holes, then those with a low
+   * seal, the lowest first.
+   * @param[in] lines number of lines drawn through each place so far */
   static std::vector<ShellRole> RolesBy(const std::vector<OutsideShell>& outside, int lines)
   {
     std::vector<ShellRole> roles;

@@ -16,16 +16,16 @@ enum class ShellRole : char
 /**
  * Find the shells that do not count: sheets that seal off no space.
  *
- * Sheets, and loose shells (LoosePatches.h), are held against the other shells. One within closed
- * shells does not count. Where it is outside of these, the mean winding number along it decides,
- * half way between its two sides. One that shells with holes wind around by more than `MostInside`
- * does not count: it is within them, and 1/2 is on their caps, where a lid lies. The others are
- * looked at together: the *seal* of each is the mean of shells with holes, of all the others and of
- * what the solid closes of their caps. A flat sheet alone has a seal of 0, a dome on a body 1/2.
- * The one with the lowest seal goes, if that is below `LeastSeal`, and the others are judged
- * without it.
+ * Sheets, and loose shells (LoosePatches.h), are compared with the other shells. One within closed
+ * shells does not count. Outside closed shells, the mean winding number along a sheet decides, half
+ * way between its two sides. A sheet does not count if the mean of shells with holes exceeds
+ * `MostInside`: it is within them; on their caps, where a lid lies, it is 1/2. The *seal* of each
+ * other sheet is the mean of shells with holes, of all the other sheets, and of the parts of their
+ * caps that lie in the solid. A flat sheet alone has a seal of 0, a dome on a body 1/2. The sheet
+ * with the lowest seal does not count if that is below `LeastSeal`; the others are judged without
+ * it.
  *
- * Means are those over random lines, the same for any number of threads. All shells count if there
+ * Means are taken over random lines, the same for any number of threads. All shells count if there
  * is no solid.
  *
  * @param[in] points those of the surface, scaled as for the sampler

@@ -266,7 +266,7 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
   warn(turns.Membranes, "membrane",
     " (" + std::to_string(turns.MembraneFacets) + " facets, " + AsPercentage(turns.MembraneShare) +
       " of the area), within the solid or across it");
-  warn(turns.UncountedSheets, "sheet", ", outside of the solid where no space is sealed off");
+  warn(turns.UncountedSheets, "sheet", " outside the solid, sealing off no space");
   monitor.Check(Stages::Orienting, 1);
   return turns;
 }

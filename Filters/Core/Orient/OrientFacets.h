@@ -35,12 +35,12 @@ struct FacetTurns
 
   /** What each shell encloses in the end, holes capped: negative for a cavity, 0 for a sheet. */
   std::vector<double> ShellVolumes;
-  std::vector<char> ShellHasHoles; ///< one per shell; a sheet has none
+  std::vector<char> ShellHasHoles; ///< one per shell; 0 for a sheet
 
   Id Shells = 0;
   Id Membranes = 0; ///< shells that do not count
   Id MembraneFacets = 0;
-  Id UncountedSheets = 0; ///< outside, which do not count
+  Id UncountedSheets = 0; ///< sheets outside the solid that do not count
   Id TurnedFacets = 0;
   Id TurnedShells = 0;      ///< as a whole
   Id DisagreeingFacets = 0; ///< that were given against their shells

@@ -213,7 +213,8 @@ private:
     double AreaUpTo; ///< of the shell's facets up to this one
   };
 
-  /** Weights err by rounding, the more the flatter or thinner the line sees the facet. */
+  /** The error of Crossing::At: weights err by rounding, the more the flatter or thinner the facet
+   * is as seen along the line. */
   static double ErrorOfCrossing(const std::array<std::array<double, 3>, 3>& seen, double sum)
   {
     double across = 0;

@@ -35,7 +35,7 @@ struct CrossedLine
   struct Crossing
   {
     double At;    ///< along the line
-    double Error; ///< of that
+    double Error; ///< of At, by rounding
     Id Shell;
     int Rise; ///< of the shell's winding number
   };
@@ -73,8 +73,8 @@ public:
   std::vector<ShellRegion> Sample(
     Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const;
 
-  /** A random line through a point, which is at 0. It has no crossings where none of several lines
-   * tells: then nearly all meet edges. */
+  /** A random line through a point, at which Crossing::At is 0. It has no crossings if each of
+   * several lines meets an edge. */
   CrossedLine Through(const Point& point, RandomNumbers& random) const;
 
   /** By how much shells wind around a point, by a random line through it. */

@@ -5,18 +5,20 @@
 
 namespace insideout
 {
-/** How many shells of each kind there are. Membranes are none of these. */
+/** The number of shells of each kind, without membranes. */
 struct ShellCounts
 {
   Id Closed = 0;
   Id Holed = 0;
   Id Sheets = 0;   ///< which enclose nothing
-  Id Cavities = 0; ///< shells that are no sheet and face inward
+  Id Cavities = 0; ///< closed or holed shells that face inward
 };
 
 /**
+ * Count shells by kind.
+ *
  * @param[in] turned one per shell
- * @param[in] roles one per shell: those that do not count are left out
+ * @param[in] roles one per shell: membranes are left out, and ShellRole::Sheet is a sheet
  */
 ShellCounts CountShells(const std::vector<ShellChain>& chains, const std::vector<char>& turned,
   const std::vector<ShellRole>& roles);

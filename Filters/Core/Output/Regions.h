@@ -18,9 +18,8 @@ SolidRegions FindRegions(const TetrahedralMesh& mesh, const std::vector<unsigned
   Monitor& monitor, const ProgressRange& progress);
 
 /**
- * The same, but facets that count 0 separate regions: membranes, facets that do not participate and
- * copies that cancel. Only those that part the cells whole do: cells around the rim of a facet are
- * one region.
+ * Find regions that facets with multiplicity 0 separate, too: membranes, facets that do not
+ * participate, and copies that cancel. A facet separates nothing if cells connect around its rim.
  */
 SolidRegions FindSeparatedRegions(const FacetComplex& surface, const TetrahedralMesh& mesh,
   const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);

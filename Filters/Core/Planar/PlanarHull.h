@@ -14,12 +14,12 @@ struct PlanarHullParameters
   insideout::Orientation Orientation = insideout::Orientation::Automatic;
 };
 
-/** What a curve encloses by three rules, in the units of the input. */
+/** The area that a curve encloses by each of three rules, in the units of the input. */
 struct AreaReadings
 {
   double EvenOdd = 0; ///< where the winding number is odd
   double Winding = 0; ///< where it is above 1/2
-  double AsGiven = 0; ///< where it is above 1/2 if no segment is turned over; known where Differ
+  double AsGiven = 0; ///< where it is above 1/2 if no segment is turned over; only if Differ
 
   /** The rules differ, segments cross, and part of the curve runs clockwise around what no other
    * part encloses: a hole that crosses its outline. */
@@ -51,6 +51,6 @@ struct PlanarHull
 PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   const PlanarHullParameters& parameters, Monitor& monitor);
 
-/** The three areas under their names, for `statistics`, where they differ. */
+/** Append the three areas to `statistics`, under their names, if they differ. */
 void AddAreas(const AreaReadings& areas, Statistics& statistics);
 } // namespace insideout

@@ -206,7 +206,7 @@ private:
     return gain;
   }
 
-  /** Whether there is none of it beside a set when the set counts that much more, but is before. */
+  /** Whether the open boundary beside a set vanishes when the set counts that much more. */
   bool Closes(std::size_t set, std::int64_t more, const std::vector<std::int64_t>& sums) const
   {
     const auto boundary = this->Boundary[set];

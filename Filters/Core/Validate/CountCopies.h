@@ -27,7 +27,7 @@ struct FacetCopies
  * A facet that is given several times may be a slip, or belong to several closed shells. At first
  * each facet counts once per orientation. Sets of adjacent facets that are given alike then count
  * once more as long as that shortens the open boundary, the length of edges times their signed
- * sums; and of opposite copies one does not count where the other alone leaves no open boundary
+ * sums; and one of two opposite copies does not count if the other alone leaves no open boundary
  * there. As sets may need each other, the same is tried from the other end: all copies count, and
  * are taken away as long as that shortens the boundary. The shorter of the two boundaries wins, of
  * equal ones the first.

@@ -34,7 +34,7 @@ std::vector<std::array<RunAlong, 3>> EdgesOfFacets(
   return found;
 }
 
-/** Numbers triangles by the run that they are of, in the order given. */
+/** Numbers the closed runs of triangles in the order given. */
 class ClosedRuns
 {
 public:
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  /** The run of the next triangle. */
+  /** Add the next triangle. @return its run */
   Id Add(Id facet, bool reversed)
   {
     const Id run = this->Ended;
@@ -87,7 +87,7 @@ private:
   Id Ended = 0;
 };
 
-/** Take away parts that are not closed by themselves. */
+/** Replace parts that are not closed by themselves by None. */
 void KeepClosed(
   const FacetComplex& surface, const std::vector<FacetEdge>& edges, std::vector<Id>& parts)
 {
@@ -143,7 +143,7 @@ std::vector<Id> PartsByPoints(const TriangleSoup& soup, const FacetComplex& surf
   return found;
 }
 
-/** Runs of triangles that are closed by themselves; None behind the last. */
+/** Find the closed runs of triangles; triangles behind the last one have None. */
 std::vector<Id> PartsInOrder(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {

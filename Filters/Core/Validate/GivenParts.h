@@ -7,14 +7,14 @@
 namespace insideout
 {
 /**
- * The parts of a surface that was put together of several.
+ * Find the closed surfaces that were appended to one.
  *
- * Parts are closed by themselves. They are the runs of triangles, in the order given, that are so
- * and do not cancel; where that tells nothing apart, what shares points as given, before points are
- * merged.
+ * A part is a run of triangles, in the order given, that is closed by itself and does not cancel.
+ * If there are not several runs, a part is a closed set of triangles that points connect as given,
+ * before they are merged.
  *
  * @param[in] edges those of surface.Facets
- * @return one per source of the facets: equal for triangles of one part, None for those of none
+ * @return one per source of the facets: equal for triangles of one part, None without a part
  */
 std::vector<Id> FindGivenParts(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges);

@@ -164,7 +164,7 @@ def statistics_of(data: vtkDataObject) -> Statistics:
 
 
 def fields_of(statistics: Mapping[str, float]) -> vtkFieldData:
-    """Field data with these figures, as filters have them."""
+    """Field data with these statistics, as filters have them."""
     values, names, fields = vtkDoubleArray(), vtkStringArray(), vtkFieldData()
     for array, name in ((values, STATISTICS), (names, STATISTICS_NAMES)):
         array.SetName(name)

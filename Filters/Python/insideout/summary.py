@@ -156,7 +156,7 @@ def _scaled(statistics: Mapping[str, float]) -> list[str]:
 
 
 def _cavities(statistics: Mapping[str, float]) -> list[str]:
-    """How many the solid has, if any."""
+    """The number of cavities of the solid in words, if it has any."""
     count = int(statistics.get("SolidCavities", 0))
     return [f"  {count:,} {'cavity' if count == 1 else 'cavities'} within it"] if count > 0 else []
 

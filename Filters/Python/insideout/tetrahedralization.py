@@ -69,7 +69,7 @@ class Tetrahedralization(MeshResult):
 
     @property
     def verdict(self) -> str:
-        """Whether the surface bounds a solid, in one sentence: what `check` says of it, but with the volume of the cells."""
+        """Whether the surface bounds a solid, in one sentence: the verdict of `check`, but with the volume of the cells."""
         return verdict(self.statistics)
 
     def is_planar(self) -> bool:

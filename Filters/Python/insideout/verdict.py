@@ -9,12 +9,12 @@ from .pipeline import fields_of
 from .vtkFiltersInsideOut import vtkSurfaceDefects
 
 MOST_LINES = 10
-"""About a surface, before what is wrong with it."""
+"""Limit of the lines that a summary has about the surface."""
 
 
 def verdict(statistics: Mapping[str, float]) -> str:
-    """In one sentence, by the statistics of vtkSurfaceDefects or of a filter that finds winding numbers. Of a solid that
-    was made it tells the volume."""
+    """Whether the surface bounds a solid, in one sentence, by the statistics of vtkSurfaceDefects or of a filter that makes
+    a solid. Statistics of a solid give its volume."""
     return vtkSurfaceDefects.GetVerdictOf(fields_of(statistics))
 
 
@@ -45,12 +45,12 @@ def what_it_bounds(statistics: Mapping[str, float]) -> list[str]:
 
 
 def in_few_lines(lines: Sequence[str], most: int = MOST_LINES) -> list[str]:
-    """At most as many: those that are too many are joined in the last one."""
+    """At most `most` lines: the last one joins all that follow it."""
     return [*lines] if len(lines) <= most else [*lines[: most - 1], "; ".join([lines[most - 1], *(line.strip() for line in lines[most:])])]
 
 
 def volumes_of_shells(volumes: Sequence[float], most: int) -> list[str]:
-    """The largest of several in at most as many lines, of which the last may count the others."""
+    """The largest volumes in at most `most` lines, the last of which may count the others. Empty for one shell."""
     order = sorted(range(len(volumes)), key=lambda shell: (-abs(volumes[shell]), shell))
     if len(order) < 2:
         return []

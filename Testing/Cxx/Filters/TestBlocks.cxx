@@ -217,7 +217,7 @@ Counts CellsOfLeaves(vtkAlgorithm* filter)
 
 namespace
 {
-/** Points, the first of which is a seed inside, the others outside. */
+/** Points by their coordinates, and their value of Inside. */
 vtkSmartPointer<vtkPolyData> Seeds(const std::vector<std::array<double, 4>>& places)
 {
   vtkNew<vtkPoints> points;
@@ -250,7 +250,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(
 }
 } // namespace
 
-TEST(Blocks, OfSeedsAreOneSet)
+TEST(Blocks, AreOneSetOfSeeds)
 {
   // VTK takes the first composite input of a filter to blocks, and gives it others as they are.
   const std::array<double, 4> inside = { 0.4, 0.45, 0.5, 1 };
@@ -274,7 +274,7 @@ TEST(Blocks, OfSeedsAreOneSet)
   EXPECT_DOUBLE_EQ(volumeWith(BlocksOf({ Box(), Box() }), blocks), both);
 }
 
-TEST(Blocks, OfABackgroundAreOneAndSoAreThoseOfASolid)
+TEST(Blocks, AreOneBackgroundAndOneSolid)
 {
   vtkNew<vtkRobustTetrahedralize> box;
   box->SetInputDataObject(Box());

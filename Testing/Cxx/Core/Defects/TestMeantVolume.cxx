@@ -21,7 +21,7 @@ struct Found : SampledVolumes
   std::size_t Pairs;
 };
 
-/** As given: every facet counts the way it faces. */
+/** The volumes of a surface as given: every facet counts the way it faces. */
 Found Find(const TriangleSoup& soup)
 {
   Monitor monitor;
@@ -30,8 +30,8 @@ Found Find(const TriangleSoup& soup)
   return { FindMeantVolume(surface, surface.Multiplicity, pairs, monitor), pairs.size() };
 }
 
-/** Boxes whose faces are at whole numbers below `size`, some of them inward, and no two in one
- * plane: so that the volumes in which they wind once or twice can be counted. */
+/** Boxes with faces at whole numbers below `Size`, no two of them in one plane; some boxes face
+ * inward. The unit cubes in which w is at least 1, or 2, can be counted. */
 class CountedBoxes
 {
 public:
@@ -90,7 +90,7 @@ private:
   std::vector<int> W; ///< of unit cubes
 };
 
-/** Turned about an axis through the origin by any angle. */
+/** Turn a surface about an axis through the origin. */
 TriangleSoup Turned(TriangleSoup soup, double angle)
 {
   for (Point& p : soup.Points)
@@ -141,10 +141,11 @@ TEST(MeantVolume, IsBetweenItsBoundsWhereCuttingTakesLong)
     EXPECT_LT(found.Solid.High - found.Solid.Low, 0.1 * boxes.VolumeWhere(1));
   }
   EXPECT_GE(solids, 95);
-  EXPECT_GE(overlaps, 90); // where overlaps are few the error of few samples is not known better
+  EXPECT_GE(
+    overlaps, 90); // few samples meet small overlaps, so that their standard error is uncertain
 }
 
-TEST(MeantVolume, OfAnOpenSurfaceIsThatOfTheCutWithinItsBounds)
+TEST(MeantVolume, HasBoundsThatHoldTheVolumeOfAnOpenSurface)
 {
   for (int open = 1; open <= 2; ++open)
   {

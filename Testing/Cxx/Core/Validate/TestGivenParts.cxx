@@ -14,7 +14,7 @@ namespace
 using namespace insideout;
 using namespace testmeshes;
 
-/** One per triangle. */
+/** The part of each triangle. */
 std::vector<Id> PartsOf(const TriangleSoup& soup)
 {
   Monitor monitor;
