@@ -70,9 +70,9 @@ std::string Sheets(double count)
 }
 
 /** The volume of the solid if one was made, else the volume that the surface encloses. */
-struct MeantVolume
+struct ToldVolume
 {
-  explicit MeantVolume(const Figures& figures)
+  explicit ToldVolume(const Figures& figures)
     : Value(figures[figures.Has("Volume") ? "Volume" : "EnclosedVolume"])
     , Low(figures.Has("Volume") ? Value : figures["EnclosedVolumeLow"])
     , High(figures.Has("Volume") ? Value : figures["EnclosedVolumeHigh"])
@@ -87,7 +87,7 @@ struct MeantVolume
 };
 
 /** Why the shells bound no solid; empty if they do. */
-std::string WhyNone(const Figures& figures, const MeantVolume& volume)
+std::string WhyNone(const Figures& figures, const ToldVolume& volume)
 {
   const double solids = figures["ClosedShells"] + figures["HoledShells"];
   if (figures["Shells"] == 0)
@@ -107,6 +107,7 @@ std::string WhyNone(const Figures& figures, const MeantVolume& volume)
   if (volume.Value <= 0)
   {
     return figures["Cavities"] == solids ? "it is inside out as it is oriented"
+      : figures["MaximumW"] > 0.5        ? "no cell of its mesh is inside"
                                          : "its winding number is above 1/2 nowhere";
   }
   return {};
@@ -136,7 +137,7 @@ std::string VerdictInSpace(const Figures& figures)
       (figures["Area"] > 0 ? ", where it covers an area of " + Exactly(figures["Area"])
                            : std::string());
   }
-  const MeantVolume volume(figures);
+  const ToldVolume volume(figures);
   if (const std::string why = WhyNone(figures, volume); !why.empty())
   {
     return volume.Value <= 0
@@ -193,7 +194,8 @@ std::string VolumeInWords(double volume, double low, double high)
   {
     return Exactly(volume);
   }
-  const double place = std::floor(std::log10((high - low) / 2)); // of the last digit
+  // The place of the last digit; powers of ten neither overflow nor become 0.
+  const double place = std::clamp(std::floor(std::log10((high - low) / 2)), -300.0, 300.0);
   const double unit = std::pow(10, std::abs(place));
   const auto rounded = [&](double value, auto round)
   {
@@ -205,9 +207,9 @@ std::string VolumeInWords(double volume, double low, double high)
     }
     const bool isShort = place > -7 && place < 9;
     const int digits =
-      static_cast<int>(std::max(0.0, std::floor(std::log10(result) + 1e-9) - place));
+      static_cast<int>(std::clamp(std::floor(std::log10(result) + 1e-9) - place, 0.0, 6.0));
     return isShort ? Formatted("%.*f", static_cast<int>(std::max(0.0, -place)), result)
-                   : Formatted("%.*e", std::min(digits, 6), result);
+                   : Formatted("%.*e", digits, result);
   };
   return "about " + rounded(volume, [](double x) { return std::round(x); }) +
     " (95 %: " + rounded(low, [](double x) { return std::floor(x); }) + " to " +

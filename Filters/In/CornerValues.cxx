@@ -16,31 +16,37 @@ using insideout::ErrorCode;
 
 vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const std::string& name)
 {
-  vtkAbstractArray* of = surface->GetPointData()->GetAbstractArray(name.c_str());
-  const bool fits = of && of->GetNumberOfComponents() == 1 && of->GetDataType() != VTK_BIT &&
-    of->GetNumberOfTuples() == surface->GetNumberOfPoints();
+  vtkAbstractArray* ofPoints = surface->GetPointData()->GetAbstractArray(name.c_str());
+  const bool fits = ofPoints && ofPoints->GetNumberOfComponents() == 1 &&
+    ofPoints->GetDataType() != VTK_BIT &&
+    ofPoints->GetNumberOfTuples() == surface->GetNumberOfPoints();
   if (!fits)
   {
     return nullptr;
   }
-  const auto values = vtkSmartPointer<vtkAbstractArray>::Take(of->NewInstance());
+  const auto values = vtkSmartPointer<vtkAbstractArray>::Take(ofPoints->NewInstance());
   values->SetName(name.c_str());
   values->SetNumberOfTuples(surface->GetNumberOfCells());
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
     surface->GetCellPoints(cell, corners);
+    // A cell without corners has the value of point 0, so that it makes no tag of its own.
+    const vtkIdType first = corners->GetNumberOfIds() > 0 ? corners->GetId(0) : 0;
     for (const vtkIdType corner : *corners)
     {
-      const vtkVariant first = of->GetVariantValue(corners->GetId(0));
-      const vtkVariant other = of->GetVariantValue(corner);
-      if (other != first)
+      const vtkVariant expected = ofPoints->GetVariantValue(first);
+      const vtkVariant other = ofPoints->GetVariantValue(corner);
+      if (other != expected)
       {
         throw Error(ErrorCode::InvalidParameter,
-          "the point array " + name + " is " + first.ToString() + " and " + other.ToString() +
+          "the point array " + name + " is " + expected.ToString() + " and " + other.ToString() +
             " at corners of cell " + std::to_string(cell) + ": tags are of whole cells");
       }
-      values->SetTuple(cell, corner, of);
+    }
+    if (surface->GetNumberOfPoints() > 0)
+    {
+      values->SetTuple(cell, first, ofPoints);
     }
   }
   return values;

@@ -8,7 +8,7 @@ namespace insideout
 {
 std::optional<WindingVolumes> VolumesWithin(const FacetComplex& surface, Monitor& monitor)
 {
-  std::vector<CountedTriangle> chain = CountedFacets(surface);
+  const std::vector<CountedTriangle> chain = CountedFacets(surface);
   if (surface.NumberOfConstraints < surface.NumberOfFacets() ||
     !CountedBoundary(chain, static_cast<Id>(surface.Points.size())).empty())
   {

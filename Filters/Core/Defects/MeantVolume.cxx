@@ -30,7 +30,7 @@ struct CountedComplex
   Pairs Meeting;
 };
 
-CountedComplex WithoutOthers(
+CountedComplex KeepCountedFacets(
   const FacetComplex& surface, const std::vector<std::int16_t>& multiplicity, const Pairs& pairs)
 {
   CountedComplex counted;
@@ -101,7 +101,7 @@ SampledVolumes FindMeantVolume(const FacetComplex& surface,
   const std::vector<std::int16_t>& multiplicity, const Pairs& pairs, Monitor& monitor)
 {
   monitor.Check(Stages::Resolving, 0);
-  CountedComplex counted = WithoutOthers(surface, multiplicity, pairs);
+  CountedComplex counted = KeepCountedFacets(surface, multiplicity, pairs);
   if (counted.Surface.Facets.empty())
   {
     return {};

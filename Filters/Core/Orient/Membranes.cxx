@@ -58,7 +58,7 @@ std::vector<Place> PlacesOn(const std::vector<Point>& points,
     areaOfAll += Length(NormalOf(t[0], t[1], t[2])) / 2;
     areaUpTo.push_back(areaOfAll);
   }
-  for (Id i = 0; i < count; ++i)
+  for (Id i = 0; i < count && !triangles.empty(); ++i)
   {
     const double area = areaOfAll * (static_cast<double>(i) + random.Next()) / count;
     const auto found = std::lower_bound(areaUpTo.begin(), areaUpTo.end() - 1, area);

@@ -115,7 +115,7 @@ TriangleSoup Tray(double height)
 TEST(NothingInside, KnowsASheetThatMayFaceInward)
 {
   ExpectWords(Cause(Reversed(Tray(3))), "-0.", "too open", "set Orientation to Reverse");
-  EXPECT_EQ(Cause(Reversed(Tray(3))).find("Sheets"), std::string::npos);
+  EXPECT_EQ(Cause(Reversed(Tray(3))).find("leave out its sheets"), std::string::npos);
 }
 
 TEST(NothingInside, NamesSheetsThatLowerWBesideShells)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace
 {
 using namespace insideout;
@@ -18,6 +20,9 @@ TEST(Verdict, SaysOfAVolumeThatItIsExactOrHowSureItIs)
   EXPECT_EQ(VolumeInWords(2e-6, 0, 3e-5), "about 0 (95 %: 0 to 0.00003)");
   EXPECT_EQ(VolumeInWords(3.21e-12, 3.1e-12, 3.3e-12), "about 3.2e-12 (95 %: 3.1e-12 to 3.3e-12)");
   EXPECT_EQ(VolumeInWords(3.21e12, 3.1e12, 3.3e12), "about 3.2e+12 (95 %: 3.1e+12 to 3.3e+12)");
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(VolumeInWords(1e300, 0, infinity), "about 1e+300 (95 %: 0 to inf)");
+  EXPECT_EQ(VolumeInWords(2e-320, 0, 4e-320), "about 0 (95 %: 0 to 1e-300)");
 }
 
 Statistics Surface(double closed, double holed, double sheets)
@@ -55,6 +60,8 @@ TEST(Verdict, SaysWhyThereIsNoSolid)
     "bound none: 2 sheets");
   EXPECT_EQ(VerdictOn(Surface(0, 1, 0), Nothing),
     "bounds no solid: its winding number is above 1/2 nowhere");
+  EXPECT_EQ(VerdictOn(Surface(1, 0, 0), { { "Volume", 0 }, { "MaximumW", 1 } }),
+    "bounds no solid: no cell of its mesh is inside");
   Statistics inward = Nothing;
   inward.emplace_back("Cavities", 1);
   EXPECT_EQ(

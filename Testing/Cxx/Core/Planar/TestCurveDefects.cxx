@@ -74,6 +74,7 @@ TEST(CurveDefects, MeasuresWhatIsEnclosedOnceLinesAreTurned)
   EXPECT_EQ(defects.Areas.Winding, 17);
   EXPECT_EQ(defects.TurnedSegments, (std::vector<Id>{ 4, 5, 6, 7 }));
 }
+
 TEST(CurveDefects, TellWhatAHoleAcrossItsOutlineMeansByThreeRules)
 {
   // 100 by 80, and a hole of 40 by 30 of which 40 by 8.8 are outside.
