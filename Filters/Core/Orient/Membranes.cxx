@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace insideout
 {
@@ -311,40 +313,43 @@ private:
   static std::vector<ShellRole> RolesBy(const std::vector<OutsideShell>& outside, int lines)
   {
     std::vector<ShellRole> roles;
-    std::vector<Id> left;
     for (const OutsideShell& shell : outside)
     {
       const bool isWithin = shell.Rest > MostInside * lines;
       roles.push_back(isWithin ? ShellRole::Membrane : ShellRole::Counts);
-      if (!isWithin)
-      {
-        left.push_back(static_cast<Id>(roles.size()) - 1);
-      }
     }
     std::vector<double> seals(outside.size(), 0);
-    for (const Id shell : left)
+    std::vector<std::vector<std::pair<Id, double>>> sealed(outside.size()); // others, by each shell
+    std::set<std::pair<double, Id>> left;                                   // the lowest first
+    for (Id shell = 0; shell < static_cast<Id>(outside.size()); ++shell)
     {
+      if (roles[shell] != ShellRole::Counts)
+      {
+        continue;
+      }
       seals[shell] = outside[shell].Rest;
       for (const auto& [other, w] : outside[shell].Seal)
       {
-        seals[shell] += roles[other] == ShellRole::Counts ? w : 0;
+        if (roles[other] == ShellRole::Counts)
+        {
+          seals[shell] += w;
+          sealed[other].push_back({ shell, w });
+        }
       }
+      left.insert({ seals[shell], shell });
     }
-    while (!left.empty())
+    while (!left.empty() && left.begin()->first < LeastSeal * lines)
     {
-      const auto lowest =
-        std::min_element(left.begin(), left.end(), [&](Id a, Id b) { return seals[a] < seals[b]; });
-      if (seals[*lowest] >= LeastSeal * lines)
-      {
-        break;
-      }
-      const Id gone = *lowest;
-      left.erase(lowest);
+      const Id gone = left.begin()->second;
+      left.erase(left.begin());
       roles[gone] = outside[gone].IsMostlyOutside ? ShellRole::Sheet : ShellRole::Membrane;
-      for (const Id shell : left)
+      for (const auto& [shell, w] : sealed[gone])
       {
-        const auto share = outside[shell].Seal.find(gone);
-        seals[shell] -= share == outside[shell].Seal.end() ? 0 : share->second;
+        if (left.erase({ seals[shell], shell }) > 0)
+        {
+          seals[shell] -= w;
+          left.insert({ seals[shell], shell });
+        }
       }
     }
     return roles;
