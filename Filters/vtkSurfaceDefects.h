@@ -41,8 +41,9 @@
  * lie in one plane), NearPoints (points nearer than NearDistance, a millionth of the size, to
  * another), EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where w is 2 or
  * more). EnclosedVolumeLow, EnclosedVolumeHigh, OverlapVolumeLow and OverlapVolumeHigh are bounds
- * that hold these volumes in 95 of 100 cases; they are equal if a volume is exact. The statistics
- * of orientation are explained at vtkGeneralizedWindingNumber.
+ * that hold these volumes in 95 of 100 cases; they are equal if a volume is exact. A solid that was
+ * made has the OverlapVolume of its cells, without bounds. The statistics of orientation are
+ * explained at vtkGeneralizedWindingNumber.
  *
  * Lines without polygons, which have to lie in one plane, have the same in two dimensions:
  * ComponentId, SelfIntersections, Degenerate, Duplicate and Turned per line, and output 1 has

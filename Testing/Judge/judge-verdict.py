@@ -4,10 +4,10 @@
 
     judge-verdict.py [--seconds N] SURFACE_OR_FOLDER...
 
-Checks each surface, and those in each folder, then meshes it. An exact volume has to be the mesh's to six digits; of one that
-is told as `about` the mesh's has to be between its bounds; and after meshing the verdict has to tell the mesh's own. Prints how
-many volumes of either kind hold, how wide the bounds are, each surface that fails, and those that were passed over: planar ones,
-and those that take longer than N seconds (60). Exit status 0 if 95 % hold of each kind, and all verdicts tell of their meshes.
+Checks each surface, and those in each folder, then meshes it. An exact volume has to be the mesh's to six digits. The bounds of
+one told as `about` have to hold the mesh's. After meshing, the verdict has to tell the mesh's own volume. Prints the number of
+volumes of either kind that hold, the width of the bounds, each surface that fails, and those that were skipped: planar ones,
+and those that take longer than N seconds (60). Exit status 0 if 95 % of each kind hold, and all verdicts tell of their meshes.
 """
 
 from __future__ import annotations
@@ -93,11 +93,11 @@ def main() -> int:
     for path in surfaces_in(options.surfaces):
         case = judged(path, options.seconds)
         if isinstance(case, str):
-            print(f"passed over {path.name}: {case}")
+            print(f"skipped {path.name}: {case}")
             continue
         cases.append(case)
         if not case.holds() or not case.tells_of_mesh():
-            print(f"fails {case.name}: {case.told}; meshed {case.volume:.6g}, of which it is told: {case.meshed}", flush=True)
+            print(f"fails {case.name}: {case.told}; its mesh has a volume of {case.volume:.6g} and the verdict: {case.meshed}", flush=True)
     is_good = all(case.tells_of_mesh() for case in cases)
     for kind, exact in (("exact", True), ("about", False)):
         those = [case for case in cases if case.is_exact() == exact]
