@@ -137,7 +137,8 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
       const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Refining });
       RefinementParameters parameters = vtkInsideOut::RefinementParametersOf(this);
-      const vtkSmartPointer<vtkDataSet> background = vtkInsideOut::JoinDataSets(given);
+      const vtkSmartPointer<vtkDataSet> background =
+        vtkInsideOut::JoinDataSets(given, this->SizingArrayName);
       AddLengths(input, background, this->SizingArrayName, parameters.Sizes);
       const vtkInsideOut::Refinement refinement =
         vtkInsideOut::RefineGrid(input, nullptr, parameters, this->QuadraticCells, monitor);

@@ -160,7 +160,7 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
     {
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Measuring });
       const vtkSmartPointer<vtkUnstructuredGrid> solid =
-        vtkUnstructuredGrid::SafeDownCast(vtkInsideOut::JoinDataSets(given));
+        vtkUnstructuredGrid::SafeDownCast(vtkInsideOut::JoinDataSets(given, "Inside"));
       if (!solid)
       {
         throw Error(ErrorCode::InvalidParameter, "the solid has no blocks");

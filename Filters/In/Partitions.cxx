@@ -7,9 +7,11 @@
 
 #include <vtkAppendFilter.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCellData.h>
 #include <vtkDataObject.h>
 #include <vtkDataSet.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -161,7 +163,7 @@ vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks)
   return Append(surfaces);
 }
 
-vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks)
+vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks, const std::string& array)
 {
   if (auto* alone = vtkDataSet::SafeDownCast(blocks))
   {
@@ -169,8 +171,13 @@ vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks)
   }
   vtkNew<vtkAppendFilter> append;
   append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  const auto add = [&](vtkDataObject* block, const std::string&)
+  bool isThere = false;
+  std::string without; // the first block that lacks the array
+  int number = 0;
+  const auto add = [&](vtkDataObject* block, const std::string& name)
   {
+    const std::string called = name.empty() ? std::to_string(number) : name;
+    ++number;
     for (vtkDataObject* partition : PartitionsOf(block))
     {
       auto* data = vtkDataSet::SafeDownCast(partition);
@@ -183,12 +190,21 @@ vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks)
           grid->RemoveGhostCells();
         }
         append->AddInputData(own);
+        const bool hasArray = data->GetPointData()->HasArray(array.c_str()) ||
+          data->GetCellData()->HasArray(array.c_str());
+        isThere = isThere || hasArray;
+        without = hasArray || !without.empty() ? without : called;
       }
     }
   };
   if (blocks)
   {
     VisitBlocks(blocks, add);
+  }
+  if (isThere && !without.empty())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "block " + without + " has no array " + array + ", which other blocks have");
   }
   if (append->GetNumberOfInputConnections(0) == 0)
   {

@@ -52,7 +52,13 @@ vtkSmartPointer<vtkUnstructuredGrid> InputGrid(vtkAlgorithm* algorithm);
  */
 vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks);
 
-/** Join data sets of any type into a grid; one that is no block is returned as it is. Null if there
- * is none. */
-vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks);
+/**
+ * Join data sets of any type into a grid; one that is no block is returned as it is. Null if there
+ * is none.
+ *
+ * @param[in] array of points or cells that all blocks need if one has it; others stay if all have
+ * them
+ * @throws insideout::Error InvalidParameter that names a block without the array
+ */
+vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks, const std::string& array);
 } // namespace vtkInsideOut

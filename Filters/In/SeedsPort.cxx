@@ -26,7 +26,7 @@ int FillPort(int port, vtkInformation* info, const char* firstType)
 
 vtkSmartPointer<vtkPointSet> FindSeeds(vtkInformationVector** inputVector)
 {
-  return vtkPointSet::SafeDownCast(JoinDataSets(vtkDataObject::GetData(inputVector[1])));
+  return vtkPointSet::SafeDownCast(JoinDataSets(vtkDataObject::GetData(inputVector[1]), "Body"));
 }
 
 std::vector<insideout::Seed> ReadSeeds(vtkPointSet* points)

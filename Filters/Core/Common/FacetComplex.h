@@ -73,8 +73,8 @@ struct FacetComplex
   std::vector<FacetSource> Sources;      ///< sorted by triangle within a facet
 
   /** One per source: the closed surface among those appended in the input that its triangle belongs
-   * to (GivenParts.h). Set by CountFacets if edges are non-manifold, else empty. */
-  std::vector<Id> SourceParts = {};
+   * to (GivenSurfaces.h). Set by CountFacets if edges are non-manifold, else empty. */
+  std::vector<Id> SourceSurfaces = {};
 
   /**
    * Facets from here on could not be resolved: they are no constraints (they may cross others), but

@@ -2,6 +2,7 @@
 #include "Defects/MeantVolume.h"
 
 #include "Boolean/WindingVolumes.h"
+#include "Common/Error.h"
 #include "Common/ScaledPoints.h"
 #include "Common/Stages.h"
 #include "Resolve/ResolveSelfIntersections.h"
@@ -106,9 +107,19 @@ SampledVolumes FindMeantVolume(const FacetComplex& surface,
   {
     return {};
   }
-  if (const auto exact = ExactVolumes(counted, monitor))
+  try
   {
-    return { Exact(exact->Once), Exact(exact->Twice) };
+    if (const auto exact = ExactVolumes(counted, monitor))
+    {
+      return { Exact(exact->Once), Exact(exact->Twice) };
+    }
+  }
+  catch (const Error& error)
+  {
+    if (error.Code != ErrorCode::Inconsistent)
+    {
+      throw;
+    }
   }
   const int exponent = LargestExponent(surface.Points);
   counted.Surface.Points = ScaledPoints(surface.Points, -exponent);

@@ -23,13 +23,13 @@ struct CopyAtSeam
   Id Patch;
 };
 
-/** The part of each copy (FacetComplex::SourceParts), None if it is unknown. */
-std::vector<Id> PartsOfCopies(
+/** The given surface of each copy (FacetComplex::SourceSurfaces), None if it is unknown. */
+std::vector<Id> SurfacesOfCopies(
   const FacetComplex& surface, const SeamedPatches& patches, const PatchCopies& copies)
 {
-  std::vector<Id> parts(copies.Count(), None);
+  std::vector<Id> surfaces(copies.Count(), None);
   std::vector<char> isSeen(patches.Count.size(), 0);
-  for (Id f = 0; !surface.SourceParts.empty() && f < surface.NumberOfFacets(); ++f)
+  for (Id f = 0; !surface.SourceSurfaces.empty() && f < surface.NumberOfFacets(); ++f)
   {
     const Id patch = patches.Patches.Patch[f];
     if (isSeen[patch])
@@ -42,7 +42,7 @@ std::vector<Id> PartsOfCopies(
     {
       const bool against =
         surface.Sources[s].Reversed != (SignOfCount(surface.Multiplicity[f]) < 0);
-      given[against].push_back(surface.SourceParts[s]);
+      given[against].push_back(surface.SourceSurfaces[s]);
     }
     const std::array<Id, 2> sizes = { { copies.Along(patch), copies.Against(patch) } };
     Id copy = copies.First(patch);
@@ -50,11 +50,11 @@ std::vector<Id> PartsOfCopies(
     {
       std::sort(given[side].begin(), given[side].end());
       const std::size_t known = std::min(given[side].size(), static_cast<std::size_t>(sizes[side]));
-      std::copy_n(given[side].begin(), known, parts.begin() + copy);
+      std::copy_n(given[side].begin(), known, surfaces.begin() + copy);
       copy += sizes[side];
     }
   }
-  return parts;
+  return surfaces;
 }
 
 /** The angle of each facet around an edge, counterclockwise seen against the edge's direction. */
@@ -116,7 +116,7 @@ public:
     , Edges(edges)
     , Patches(patches)
     , Copies(copies)
-    , Parts(PartsOfCopies(surface, patches, copies))
+    , Surfaces(SurfacesOfCopies(surface, patches, copies))
     , Sets(sets)
   {
   }
@@ -172,26 +172,26 @@ public:
     return left;
   }
 
-  /** Join the copies of one given part at a seam that copies of others share. */
-  void JoinWithinParts(const PatchSeam& seam)
+  /** Join the copies of one given surface at a seam that copies of others share. */
+  void JoinWithinSurfaces(const PatchSeam& seam)
   {
     std::vector<CopyAtSeam> left = this->LeftAt(seam);
-    const auto partOf = [&](const CopyAtSeam& at) { return this->Parts[at.Copy]; };
+    const auto surfaceOf = [&](const CopyAtSeam& at) { return this->Surfaces[at.Copy]; };
     std::stable_sort(left.begin(), left.end(),
-      [&](const CopyAtSeam& a, const CopyAtSeam& b) { return partOf(a) < partOf(b); });
+      [&](const CopyAtSeam& a, const CopyAtSeam& b) { return surfaceOf(a) < surfaceOf(b); });
     for (std::size_t i = 0; i < left.size();)
     {
-      std::vector<CopyAtSeam> ofPart;
+      std::vector<CopyAtSeam> ofSurface;
       int sum = 0;
-      const Id part = partOf(left[i]);
-      for (; i < left.size() && partOf(left[i]) == part; ++i)
+      const Id given = surfaceOf(left[i]);
+      for (; i < left.size() && surfaceOf(left[i]) == given; ++i)
       {
-        ofPart.push_back(left[i]);
+        ofSurface.push_back(left[i]);
         sum += left[i].Direction;
       }
-      if (part != None && sum == 0 && ofPart.size() < left.size())
+      if (given != None && sum == 0 && ofSurface.size() < left.size())
       {
-        this->JoinByWedges(seam, ofPart);
+        this->JoinByWedges(seam, ofSurface);
       }
     }
   }
@@ -251,7 +251,7 @@ private:
   const std::vector<FacetEdge>& Edges;
   const SeamedPatches& Patches;
   const PatchCopies& Copies;
-  const std::vector<Id> Parts; // per copy
+  const std::vector<Id> Surfaces; // per copy
   TurnedSets& Sets;
 };
 } // namespace
@@ -280,7 +280,7 @@ void JoinCopies(const FacetComplex& surface, const std::vector<FacetEdge>& edges
     [](const PatchSeam* a, const PatchSeam* b) { return a->Length > b->Length; });
   for (const PatchSeam* seam : open)
   {
-    joiner.JoinWithinParts(*seam);
+    joiner.JoinWithinSurfaces(*seam);
   }
   const bool follows = open.size() <= MostSeamsToFollow;
   const auto joinLastTwo = [&]()

@@ -26,11 +26,11 @@ private:
 /**
  * Join copies of patches in pairs at seams where as many run along as against.
  *
- * Copies that are of one set already are a pair. Next come the copies of one given part
- * (FacetComplex::SourceParts) at seams that copies of others share. Two that are left at a seam are
- * the next pair, and so on from seam to seam. If more are left, at the longest seam first, two are
- * a pair that bound the same solid wedge at the seam: the one behind which it begins, going around,
- * and the next behind which it ends.
+ * Copies that are of one set already are a pair. Next come the copies of one given surface
+ * (FacetComplex::SourceSurfaces) at seams that copies of others share. Two that are left at a seam
+ * are the next pair, and so on from seam to seam. If more are left, at the longest seam first, two
+ * are a pair that bound the same solid wedge at the seam: the one behind which it begins, going
+ * around, and the next behind which it ends.
  *
  * @param[in] seams that balance
  * @param[in,out] sets of copies

@@ -2,6 +2,7 @@
 #include "Orient/Membranes.h"
 
 #include "Common/Box.h"
+#include "Common/Stages.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
@@ -15,13 +16,15 @@ namespace insideout
 namespace
 {
 /** Places on a shell, fewer where there are many shells. */
-constexpr Id LeastPlaces = 8;
+constexpr Id LeastPlaces = 4;
 constexpr Id MostPlaces = 128;
 constexpr Id PlacesOfAll = 1 << 10;
 
-/** Lines through each place, doubled until the choice stays the same. */
+/** Lines through each place, doubled until the choice stays the same; fewer where there are many
+ * places. */
 constexpr int FirstLines = 8;
 constexpr int MostLines = 64;
+constexpr Id LinesOfAll = 1 << 17;
 
 /** Distance from a place, in units of the surface's size, at which the solid is looked for on both
  * sides: a sheet on the solid's surface is in it. */
@@ -95,11 +98,12 @@ class MembraneFinder
 {
 public:
   MembraneFinder(const std::vector<Point>& points, const std::vector<ShellChain>& chains,
-    const std::vector<char>& turned, const RegionSampler& sampler)
+    const std::vector<char>& turned, const RegionSampler& sampler, Monitor& monitor)
     : Points(points)
     , Chains(chains)
     , Turned(turned)
     , Sampler(sampler)
+    , Work(monitor)
   {
   }
 
@@ -123,6 +127,7 @@ public:
     std::vector<OutsideShell> outside;
     for (const Id shell : candidates)
     {
+      this->Work.Check(Stages::Orienting, 1);
       RandomNumbers random(static_cast<std::uint64_t>(shell));
       std::vector<Place> found = PlacesOn(this->Points, this->Chains[shell].Facets, places, random);
       found.erase(
@@ -249,9 +254,15 @@ private:
       chains.push_back(std::move(chain));
     }
     const RegionSampler sampler(this->Points, chains);
-    this->AddLines(sampler, open, FirstLines, outside);
-    std::vector<ShellRole> roles = RolesBy(outside, FirstLines);
-    for (int lines = FirstLines; lines < MostLines; lines *= 2)
+    Id places = 0;
+    for (const OutsideShell& shell : outside)
+    {
+      places += static_cast<Id>(shell.Places.size());
+    }
+    int lines = static_cast<int>(std::clamp<Id>(LinesOfAll / (4 * places), 1, FirstLines));
+    this->AddLines(sampler, open, lines, outside);
+    std::vector<ShellRole> roles = RolesBy(outside, lines);
+    for (; lines < MostLines && 2 * lines * places <= LinesOfAll; lines *= 2)
     {
       this->AddLines(sampler, open, lines, outside);
       std::vector<ShellRole> next = RolesBy(outside, 2 * lines);
@@ -270,6 +281,7 @@ private:
   {
     for (OutsideShell& shell : outside)
     {
+      this->Work.Check(Stages::Orienting, 1);
       const double weight = 0.5 / static_cast<double>(shell.Places.size());
       for (const Place& place : shell.Places)
       {
@@ -359,14 +371,15 @@ private:
   const std::vector<ShellChain>& Chains;
   const std::vector<char>& Turned;
   const RegionSampler& Sampler;
+  Monitor& Work;
   Box Solid = Box::Empty(); ///< around all shells that bound the solid
 };
 } // namespace
 
 std::vector<ShellRole> FindMembranes(const std::vector<Point>& points,
   const std::vector<ShellChain>& chains, const std::vector<char>& turned,
-  const RegionSampler& sampler)
+  const RegionSampler& sampler, Monitor& monitor)
 {
-  return MembraneFinder(points, chains, turned, sampler).Find();
+  return MembraneFinder(points, chains, turned, sampler, monitor).Find();
 }
 } // namespace insideout

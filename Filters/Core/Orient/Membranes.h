@@ -31,8 +31,9 @@ enum class ShellRole : char
  * @param[in] points those of the surface, scaled as for the sampler
  * @param[in] turned one per shell
  * @return one per shell
+ * @throws Error (Stopped)
  */
 std::vector<ShellRole> FindMembranes(const std::vector<Point>& points,
   const std::vector<ShellChain>& chains, const std::vector<char>& turned,
-  const RegionSampler& sampler);
+  const RegionSampler& sampler, Monitor& monitor);
 } // namespace insideout

@@ -171,7 +171,7 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
     const RegionSampler sampler(points, chains);
     chosen =
       automatic ? ChooseAutomatically(chains, sampler, monitor) : ChooseAsTold(chains, orientation);
-    roles = FindMembranes(points, chains, chosen.Turned, sampler);
+    roles = FindMembranes(points, chains, chosen.Turned, sampler, monitor);
     for (std::size_t shell = 0; shell < chains.size(); ++shell)
     {
       const bool counts = roles[shell] == ShellRole::Counts;

@@ -10,7 +10,7 @@
 #include "Common/Vectors.h"
 #include "Validate/CountCopies.h"
 #include "Validate/FacetEdges.h"
-#include "Validate/GivenParts.h"
+#include "Validate/GivenSurfaces.h"
 #include "Validate/MergePoints.h"
 #include "Validate/TwoSidedComponents.h"
 
@@ -329,7 +329,7 @@ CountedChain CountFacets(
   CountEdges(chain.Surface.Points, edges, chain.Counts);
   if (chain.Counts.NonManifoldEdges > 0)
   {
-    chain.Surface.SourceParts = FindGivenParts(soup, chain.Surface, edges);
+    chain.Surface.SourceSurfaces = FindGivenSurfaces(soup, chain.Surface, edges);
   }
   const Box box = BoundingBox(chain.Surface.Points);
   chain.Counts.Diagonal = Distance(box.Low, box.High);

@@ -312,6 +312,12 @@ TEST(Blocks, AreOneBackgroundAndOneSolid)
   auto* made = vtkImageData::SafeDownCast(fractions->GetOutputDataObject(0));
   ASSERT_NE(made, nullptr) << "one output for one image";
   EXPECT_DOUBLE_EQ(made->GetCellData()->GetArray("VolumeFraction")->GetComponent(0, 0), 1);
+  auto bare = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  bare->CopyStructure(vtkUnstructuredGrid::SafeDownCast(box->GetOutput()));
+  fractions->SetSolidData(
+    BlocksOf({ vtkSmartPointer<vtkDataSet>(box->GetOutput()), vtkSmartPointer<vtkDataSet>(bare) }));
+  EXPECT_EQ(ErrorsOf(fractions),
+    std::vector<std::string>{ "block 1 has no array Inside, which other blocks have" });
   fractions->SetSolidData(vtkNew<vtkMultiBlockDataSet>());
   EXPECT_EQ(ErrorsOf(fractions), std::vector<std::string>{ "the solid has no blocks" });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Validate/GivenParts.h"
+#include "Validate/GivenSurfaces.h"
 
 #include "Common/DisjointSets.h"
 
@@ -87,14 +87,14 @@ private:
   Id Ended = 0;
 };
 
-/** Replace parts that are not closed by themselves by None. */
+/** Replace surfaces that are not closed by themselves by None. */
 void KeepClosed(
-  const FacetComplex& surface, const std::vector<FacetEdge>& edges, std::vector<Id>& parts)
+  const FacetComplex& surface, const std::vector<FacetEdge>& edges, std::vector<Id>& given)
 {
   std::vector<char> isOpen(
-    parts.empty() ? 0 : static_cast<std::size_t>(*std::max_element(parts.begin(), parts.end())) + 1,
+    given.empty() ? 0 : static_cast<std::size_t>(*std::max_element(given.begin(), given.end())) + 1,
     0);
-  std::vector<std::array<Id, 2>> runs; // parts at an edge, and which way their triangles run
+  std::vector<std::array<Id, 2>> runs; // surfaces at an edge, and which way their triangles run
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     {
@@ -105,46 +105,46 @@ void KeepClosed(
              ++s)
         {
           runs.push_back(
-            { parts[s], surface.Sources[s].Reversed ? -edge->Direction : edge->Direction });
+            { given[s], surface.Sources[s].Reversed ? -edge->Direction : edge->Direction });
         }
       }
       std::sort(runs.begin(), runs.end());
       for (std::size_t i = 0; i < runs.size();)
       {
-        const Id part = runs[i][0];
+        const Id one = runs[i][0];
         Id sum = 0;
-        for (; i < runs.size() && runs[i][0] == part; ++i)
+        for (; i < runs.size() && runs[i][0] == one; ++i)
         {
           sum += runs[i][1];
         }
-        isOpen[part] |= sum != 0;
+        isOpen[one] |= sum != 0;
       }
     });
-  for (Id& part : parts)
+  for (Id& one : given)
   {
-    part = isOpen[part] ? None : part;
+    one = isOpen[one] ? None : one;
   }
 }
 
-std::vector<Id> PartsByPoints(const TriangleSoup& soup, const FacetComplex& surface)
+std::vector<Id> SurfacesByPoints(const TriangleSoup& soup, const FacetComplex& surface)
 {
-  DisjointSets parts(soup.Points.size());
+  DisjointSets given(soup.Points.size());
   for (const Triangle& triangle : soup.Triangles)
   {
-    parts.Join(triangle[0], triangle[1]);
-    parts.Join(triangle[0], triangle[2]);
+    given.Join(triangle[0], triangle[1]);
+    given.Join(triangle[0], triangle[2]);
   }
   std::vector<Id> found;
   found.reserve(surface.Sources.size());
   for (const FacetSource& source : surface.Sources)
   {
-    found.push_back(parts.Find(soup.Triangles[source.Triangle][0]));
+    found.push_back(given.Find(soup.Triangles[source.Triangle][0]));
   }
   return found;
 }
 
 /** Find the closed runs of triangles; triangles behind the last one have None. */
-std::vector<Id> PartsInOrder(
+std::vector<Id> SurfacesInOrder(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {
   struct Place
@@ -161,32 +161,32 @@ std::vector<Id> PartsInOrder(
     }
   }
   ClosedRuns runs(surface, edges);
-  std::vector<Id> parts(surface.Sources.size());
+  std::vector<Id> given(surface.Sources.size());
   for (const auto& [facet, source] : places)
   {
     if (facet != None)
     {
-      parts[source] = runs.Add(facet, surface.Sources[source].Reversed);
+      given[source] = runs.Add(facet, surface.Sources[source].Reversed);
     }
   }
-  for (Id& part : parts)
+  for (Id& one : given)
   {
-    part = part < runs.NumberOfEnded() ? part : None;
+    one = one < runs.NumberOfEnded() ? one : None;
   }
-  return parts;
+  return given;
 }
 } // namespace
 
-std::vector<Id> FindGivenParts(
+std::vector<Id> FindGivenSurfaces(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {
-  std::vector<Id> parts = PartsInOrder(soup, surface, edges);
-  const auto isOfFirst = [&](Id part) { return part == parts.front(); };
-  if (std::all_of(parts.begin(), parts.end(), isOfFirst))
+  std::vector<Id> given = SurfacesInOrder(soup, surface, edges);
+  const auto isOfFirst = [&](Id one) { return one == given.front(); };
+  if (std::all_of(given.begin(), given.end(), isOfFirst))
   {
-    parts = PartsByPoints(soup, surface);
-    KeepClosed(surface, edges, parts);
+    given = SurfacesByPoints(soup, surface);
+    KeepClosed(surface, edges, given);
   }
-  return parts;
+  return given;
 }
 } // namespace insideout

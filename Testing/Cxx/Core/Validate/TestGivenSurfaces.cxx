@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Validate/GivenParts.h"
+#include "Validate/GivenSurfaces.h"
 
 #include "Support/TestMeshes.h"
 #include "Validate/CountedChain.h"
@@ -19,7 +19,7 @@ std::vector<Id> PartsOf(const TriangleSoup& soup)
 {
   Monitor monitor;
   const CountedChain chain = CountFacets(soup, {}, monitor);
-  const std::vector<Id> ofSources = FindGivenParts(soup, chain.Surface, chain.Edges);
+  const std::vector<Id> ofSources = FindGivenSurfaces(soup, chain.Surface, chain.Edges);
   std::vector<Id> parts(soup.Triangles.size(), None);
   for (std::size_t s = 0; s < ofSources.size(); ++s)
   {
@@ -46,7 +46,7 @@ bool AreBoxes(const std::vector<Id>& parts)
 const TriangleSoup Low = Box({ 0, 0, 0 }, { 1, 1, 1 });
 const TriangleSoup High = Box({ 0, 0, 1 }, { 1, 1, 2 });
 
-TEST(GivenParts, AreTheClosedSurfacesThatWereAppended)
+TEST(GivenSurfaces, AreTheClosedSurfacesThatWereAppended)
 {
   for (const TriangleSoup& second : { High, Reversed(High), Box({ 0, 0, 0 }, { 1, 1, 2 }) })
   {
@@ -57,7 +57,7 @@ TEST(GivenParts, AreTheClosedSurfacesThatWereAppended)
   }
 }
 
-TEST(GivenParts, AreWhatSharesPointsWhereTheOrderTellsNothing)
+TEST(GivenSurfaces, AreWhatSharesPointsWhereTheOrderTellsNothing)
 {
   TriangleSoup mixed = Join(Low, High);
   for (std::size_t t = 0; t < 12; t += 2)
@@ -74,7 +74,7 @@ TEST(GivenParts, AreWhatSharesPointsWhereTheOrderTellsNothing)
   EXPECT_EQ(std::set<Id>(merged.begin(), merged.end()).size(), 1u);
 }
 
-TEST(GivenParts, AreClosed)
+TEST(GivenSurfaces, AreClosed)
 {
   TriangleSoup open = Join(Low, High);
   open.Triangles.pop_back();
@@ -93,7 +93,7 @@ TEST(GivenParts, AreClosed)
   EXPECT_NE(parts.back(), None);
 }
 
-TEST(GivenParts, AreNoPairsThatCancel)
+TEST(GivenSurfaces, AreNoPairsThatCancel)
 {
   // Each triangle is followed by its reverse.
   TriangleSoup twoSided = Low;

@@ -9,13 +9,13 @@ namespace insideout
 /**
  * Find the closed surfaces that were appended to one.
  *
- * A part is a run of triangles, in the order given, that is closed by itself and does not cancel.
- * If there are not several runs, a part is a closed set of triangles that points connect as given,
- * before they are merged.
+ * A given surface is a run of triangles, in their order, that is closed by itself and does not
+ * cancel. If there are not several runs, it is a closed set of triangles that points connect as
+ * given, before they are merged.
  *
  * @param[in] edges those of surface.Facets
- * @return one per source of the facets: equal for triangles of one part, None without a part
+ * @return one per source of the facets: equal for triangles of one surface, None for those of none
  */
-std::vector<Id> FindGivenParts(
+std::vector<Id> FindGivenSurfaces(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges);
 } // namespace insideout
