@@ -117,8 +117,7 @@ std::string WarningAboutShells(const std::vector<HoledShell>& shells)
     text += " and " + std::to_string(shells.size() - MostNamed) + " more";
   }
   return text + (isOne ? " has holes and is" : " have holes and are") +
-    " no part of the solid: close the holes, set Gamma lower, or leave out adjacent sheets, which "
-    "lower w, by NonParticipatingArrayName";
+    " no part of the solid: close the holes, or set Gamma lower";
 }
 } // namespace
 

@@ -27,12 +27,9 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   const bool isAllSheets =
     static_cast<Id>(hull.SheetTriangles.size()) + hull.Counts.DegenerateFacets ==
     hull.Counts.InputTriangles;
-  const std::string sheets = isAllSheets || hull.SheetTriangles.empty()
-    ? std::string()
-    : "; or leave out its sheets, which enclose nothing and lower w, by NonParticipatingArrayName";
   if (!isAllSheets && least < -0.5 && SignedContent(hull.Mesh, hull.W) < 0)
   {
-    return "The surface is inside out: set Orientation to Automatic, or to the other way" + sheets;
+    return "The surface is inside out: set Orientation to Automatic, or to the other way";
   }
   // Around a closed surface that faces one way w is a whole number.
   const bool isClosed = hull.Counts.OpenEdges == 0;
@@ -43,8 +40,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   }
   if (!isAllSheets && (isClosed || least < -0.5))
   {
-    return "The surface faces both ways, and its parts cancel: set Orientation to Automatic" +
-      sheets;
+    return "The surface faces both ways, and its parts cancel: set Orientation to Automatic";
   }
   const std::string counting = hull.Counts.DuplicateFacets > 0
     ? "set CountDuplicates if its sheets are meant to add up, "
@@ -52,7 +48,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   const std::string turning =
     least < -0.5 ? "set Orientation to Reverse if it faces inward, " : std::string();
   return "The surface is too open, w is nowhere above 1/2: close its largest holes, " + turning +
-    counting + "take a lower threshold of w, or set Thicken to give its sheets a width" + sheets;
+    counting + "take a lower threshold of w, or set Thicken to give its sheets a width";
 }
 } // namespace
 

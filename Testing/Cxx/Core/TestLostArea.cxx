@@ -71,16 +71,14 @@ TEST(LostArea, IsWhatFacesInwardAsGiven)
 
 TEST(LostArea, NamesAShellThatIsLostAsAWhole)
 {
-  // A house without a floor, on ground that lowers w in it, beside a block that is far larger.
+  // A house without a floor, as given within another one that faces inward and cancels its w,
+  // beside a block that is far larger.
   TriangleSoup house = Box({ 0, 0, 0 }, { 2, 2, 1 });
   house.Triangles.erase(house.Triangles.begin(), house.Triangles.begin() + 2);
-  TriangleSoup ground = Square(6);
-  for (Point& p : ground.Points)
-  {
-    p = { p[0] - 5, p[1] - 2, 0 };
-  }
+  TriangleSoup other = Box({ -0.2, -0.2, 0 }, { 2.2, 2.2, 1.2 });
+  other.Triangles.erase(other.Triangles.begin(), other.Triangles.begin() + 2);
   const TriangleSoup block = Box({ 20, 0, 0 }, { 60, 40, 40 });
-  const LostArea lost = Lost(Join(Join(house, ground), block));
+  const LostArea lost = Lost(Join(Join(house, Reversed(other)), block), Orientation::AsGiven);
   EXPECT_LT(lost.Share, 0.1);
   ASSERT_EQ(lost.Shells.size(), 1u);
   EXPECT_EQ(lost.Shells[0].Number, 0);

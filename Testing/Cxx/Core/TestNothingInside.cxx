@@ -115,18 +115,6 @@ TriangleSoup Tray(double height)
 TEST(NothingInside, KnowsASheetThatMayFaceInward)
 {
   ExpectWords(Cause(Reversed(Tray(3))), "-0.", "too open", "set Orientation to Reverse");
-  EXPECT_EQ(Cause(Reversed(Tray(3))).find("leave out its sheets"), std::string::npos);
-}
-
-TEST(NothingInside, NamesSheetsThatLowerWBesideShells)
-{
-  // A house without a floor on the ground, which it does not cut: the ground is the culprit.
-  TriangleSoup ground;
-  ground.Points = { { -20, -20, 0 }, { 40, -20, 0 }, { 40, 40, 0 }, { -20, 40, 0 } };
-  ground.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  ExpectWords(Cause(Join(Tray(10), ground)), "-0.", "leave out its sheets", "NonParticipating");
-  const TriangleSoup box = Box({ 0, 0, 0 }, { 1, 1, 1 });
-  EXPECT_EQ(Cause(Reversed(box), Orientation::AsGiven).find("sheets"), std::string::npos);
 }
 
 TEST(NothingInside, KnowsThatGammaIsTooLarge)

@@ -317,7 +317,7 @@ TEST(Blocks, AreOneBackgroundAndOneSolid)
   fractions->SetSolidData(
     BlocksOf({ vtkSmartPointer<vtkDataSet>(box->GetOutput()), vtkSmartPointer<vtkDataSet>(bare) }));
   EXPECT_EQ(ErrorsOf(fractions),
-    std::vector<std::string>{ "block 1 has no array Inside, which other blocks have" });
+    std::vector<std::string>{ "block 2 has no array Inside, which other blocks have" });
   fractions->SetSolidData(vtkNew<vtkMultiBlockDataSet>());
   EXPECT_EQ(ErrorsOf(fractions), std::vector<std::string>{ "the solid has no blocks" });
 }
