@@ -20,11 +20,14 @@ constexpr Id LeastPlaces = 4;
 constexpr Id MostPlaces = 128;
 constexpr Id PlacesOfAll = 1 << 10;
 
-/** Lines through each place, doubled until the choice stays the same; fewer where there are many
- * places. */
-constexpr int FirstLines = 8;
+/** Lines through each place, doubled until the means are sure; fewer where there are many places.
+ */
+constexpr int FirstLines = 2;
 constexpr int MostLines = 64;
 constexpr Id LinesOfAll = 1 << 17;
+
+/** A mean is sure if it differs from a limit by this number of standard errors. */
+constexpr double SureErrors = 3;
 
 /** Distance from a place, in units of the surface's size, at which the solid is looked for on both
  * sides: a sheet on the solid's surface is in it. */
@@ -92,6 +95,23 @@ struct OutsideShell
   RandomNumbers Random;
   double Rest = 0;                ///< the sum of the winding numbers of shells with holes
   std::map<Id, double> Seal = {}; ///< the same of each outside shell, by its index among these
+  double Squares = 0;             ///< of the winding number of all
+
+  /** Whether the means are farther than their errors from the limits.
+   * @param[in] lines that have been drawn through each place */
+  bool IsSure(int lines) const
+  {
+    double mean = this->Rest / lines;
+    for (const auto& [other, w] : this->Seal)
+    {
+      mean += w / lines;
+    }
+    const double variance = std::max(0.0, this->Squares / lines - mean * mean);
+    const double error =
+      SureErrors * std::sqrt(variance / (lines * static_cast<double>(this->Places.size())));
+    return std::abs(mean - LeastSeal) >= error &&
+      std::abs(this->Rest / lines - MostInside) >= error;
+  }
 };
 
 class MembraneFinder
@@ -261,18 +281,14 @@ private:
     }
     int lines = static_cast<int>(std::clamp<Id>(LinesOfAll / (4 * places), 1, FirstLines));
     this->AddLines(sampler, open, lines, outside);
-    std::vector<ShellRole> roles = RolesBy(outside, lines);
-    for (; lines < MostLines && 2 * lines * places <= LinesOfAll; lines *= 2)
+    const auto isSure = [&](const OutsideShell& shell) { return shell.IsSure(lines); };
+    while (lines < MostLines && 2 * lines * places <= LinesOfAll &&
+      !std::all_of(outside.begin(), outside.end(), isSure))
     {
       this->AddLines(sampler, open, lines, outside);
-      std::vector<ShellRole> next = RolesBy(outside, 2 * lines);
-      if (next == roles)
-      {
-        break;
-      }
-      roles = std::move(next);
+      lines *= 2;
     }
-    return roles;
+    return RolesBy(outside, lines);
   }
 
   /** Add the winding numbers along more lines through each place of the outside shells. */
@@ -282,12 +298,13 @@ private:
     for (OutsideShell& shell : outside)
     {
       this->Work.Check(Stages::Orienting, 1);
-      const double weight = 0.5 / static_cast<double>(shell.Places.size());
+      const double weight = 1 / static_cast<double>(shell.Places.size());
       for (const Place& place : shell.Places)
       {
         for (int i = 0; i < lines; ++i)
         {
           const CrossedLine line = sampler.Through(place.At, shell.Random);
+          double ofLine = 0;
           for (const auto& [at, error, chain, rise] : line.Crossings)
           {
             const OpenChain& crossed = open[chain];
@@ -301,9 +318,11 @@ private:
             // A capped shell is its facets less its caps.
             const bool isReversed = (at > 0) != crossed.IsCap;
             const bool isTurned = this->Turned[crossed.Shell] != 0;
-            const double w = (isReversed != isTurned ? -weight : weight) * rise;
-            (crossed.Outside == None ? shell.Rest : shell.Seal[crossed.Outside]) += w;
+            const double w = (isReversed != isTurned ? -0.5 : 0.5) * rise;
+            (crossed.Outside == None ? shell.Rest : shell.Seal[crossed.Outside]) += w * weight;
+            ofLine += w;
           }
+          shell.Squares += ofLine * ofLine * weight;
         }
       }
     }
