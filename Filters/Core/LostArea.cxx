@@ -67,7 +67,7 @@ std::vector<HoledShell> LostShells(
   }
   std::sort(shellOf.begin(), shellOf.end());
   std::vector<double> left(hull.HoledShells.size(), 0); // area on the solid, by shell
-  const auto add = [&](Id facet, double area, std::vector<double>& areas)
+  const auto add = [&](Id facet, double area)
   {
     for (Id s = hull.Surface.SourceOffsets[facet]; s < hull.Surface.SourceOffsets[facet + 1]; ++s)
     {
@@ -76,18 +76,18 @@ std::vector<HoledShell> LostShells(
         std::lower_bound(shellOf.begin(), shellOf.end(), std::make_pair(triangle, std::size_t(0)));
       if (found != shellOf.end() && found->first == triangle)
       {
-        areas[found->second] += area;
+        left[found->second] += area;
       }
     }
   };
   for (Id f = 0; f < hull.Surface.NumberOfFacets(); ++f)
   {
-    add(f, AreaOf(points, hull.Surface.Facets[f]), left);
+    add(f, AreaOf(points, hull.Surface.Facets[f]));
   }
   const std::vector<double> whole = left;
   for (const OutlierPiece& piece : outliers)
   {
-    add(piece.Facet, -AreaOf(points, piece.Corners), left);
+    add(piece.Facet, -AreaOf(points, piece.Corners));
   }
   std::vector<HoledShell> lost;
   for (std::size_t shell = 0; shell < left.size(); ++shell)

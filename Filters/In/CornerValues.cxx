@@ -24,6 +24,7 @@ vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const st
   {
     return nullptr;
   }
+  const vtkIdType points = surface->GetNumberOfPoints();
   const auto values = vtkSmartPointer<vtkAbstractArray>::Take(ofPoints->NewInstance());
   values->SetName(name.c_str());
   values->SetNumberOfTuples(surface->GetNumberOfCells());
@@ -35,6 +36,15 @@ vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const st
     const vtkIdType first = corners->GetNumberOfIds() > 0 ? corners->GetId(0) : 0;
     for (const vtkIdType corner : *corners)
     {
+      if (corner < 0 || corner >= points)
+      {
+        throw Error(ErrorCode::PointOutOfRange,
+          "cell " + std::to_string(cell) + " refers to point " + std::to_string(corner) + " of " +
+            std::to_string(points));
+      }
+    }
+    for (const vtkIdType corner : *corners)
+    {
       const vtkVariant expected = ofPoints->GetVariantValue(first);
       const vtkVariant other = ofPoints->GetVariantValue(corner);
       if (other != expected)
@@ -44,7 +54,7 @@ vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const st
             " at corners of cell " + std::to_string(cell) + ": tags are of whole cells");
       }
     }
-    if (surface->GetNumberOfPoints() > 0)
+    if (points > 0)
     {
       values->SetTuple(cell, first, ofPoints);
     }

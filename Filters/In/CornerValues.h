@@ -18,7 +18,8 @@ namespace vtkInsideOut
  * Make a cell array of a point array with one component: each cell has the value of its corners.
  *
  * @return nullptr without such an array
- * @throws insideout::Error that names a cell whose corners have different values
+ * @throws insideout::Error that names a cell whose corners have different values, or one that is
+ * not there
  */
 vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const std::string& name);
 } // namespace vtkInsideOut

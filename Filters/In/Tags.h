@@ -35,7 +35,7 @@ struct Tags
  * lines where it has no polygons. Integers are numbered in their order, and called by the field
  * array of strings that goes with the array (GroupNames with GroupIds, BoundaryTagNames with
  * BoundaryTag) or else as they are written; strings are numbered in the order of their first cells.
- * What has one name has one tag. A point array will do if it is constant in each cell.
+ * Cells with one name have one tag. A point array will do if it is constant in each cell.
  *
  * Where no array is named it is the first that tells cells apart, of the tags of a boundary that
  * this house made (BoundaryTag), groups (GroupIds), materials (MaterialIds), the solids of VTK's

@@ -36,7 +36,7 @@ Parting Part(const HullMesh& hull, const std::vector<unsigned char>& inside, boo
   return parting;
 }
 
-/** The volume of the solid where w is 2 or more. */
+/** The volume of the solid where w is above 3/2: it overlaps itself there. */
 double OverlapOf(const HullMesh& hull, const std::vector<unsigned char>& inside)
 {
   std::vector<unsigned char> overlaps(inside.size(), 0);

@@ -59,7 +59,7 @@ def ball(rows: int = 8, columns: int = 12) -> Surface:
 
 
 def tube(length: float, columns: int = 16) -> Surface:
-    """Of radius 1 along z, open at both ends, facing outward."""
+    """A tube of radius 1 along z, open at both ends, facing outward."""
     return grid(lambda u, v: np.column_stack([np.cos(2 * np.pi * v), np.sin(2 * np.pi * v), length * u]), 6, columns, closed=True)
 
 

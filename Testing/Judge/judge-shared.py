@@ -430,7 +430,7 @@ def judge(name: str) -> Verdict:
 
 
 def closed_ones(paths: list[str]) -> list[tuple[str, Surface]]:
-    """Of the surfaces given those that are closed and face outward, and have few facets."""
+    """The given surfaces that are closed, face outward, and have few facets."""
     found = []
     for path in paths:
         try:

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Judges whether the volume that the verdict tells before meshing is that of the mesh.
 
-    judge-verdict.py [--seconds N] SURFACE_OR_FOLDER...
+    judge-verdict.py SURFACE_OR_FOLDER...
 
 Checks each surface, and those in each folder, then meshes it. An exact volume has to be the mesh's to six digits. The bounds of
 one told as `about` have to hold the mesh's. After meshing, the verdict has to tell the mesh's own volume. Prints the number of
 volumes of either kind that hold, the width of the bounds, each surface that fails, and those that were skipped: planar ones,
-and those that take longer than N seconds (60). Exit status 0 if 95 % of each kind hold, and all verdicts tell of their meshes.
+and those that cannot be read. Exit status 0 if 95 % of each kind hold, and all verdicts tell of their meshes.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from __future__ import annotations
 import argparse
 import statistics
 import sys
-import time
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,32 +51,20 @@ class Case:
         return (self.high - self.low) / 2 / self.volume if self.volume > 0 else float("inf")
 
 
-class TooLong(Exception):
-    pass
-
-
 def surfaces_in(paths: list[Path]) -> Iterator[Path]:
     for path in paths:
         yield from sorted(file for file in path.rglob("*") if file.suffix in ENDINGS) if path.is_dir() else [path]
 
 
-def judged(path: Path, seconds: float) -> Case | str:
+def judged(path: Path) -> Case | str:
     """A case, or why there is none."""
-    begin = time.monotonic()
-
-    def watch(_stage: str, _fraction: float) -> None:
-        if time.monotonic() - begin > seconds:
-            raise TooLong
-
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            found = insideout.check(str(path), progress=watch)
+            found = insideout.check(str(path))
             if found.statistics.get("Planar", 1):
                 return "planar"
-            made = insideout.tetrahedralize(str(path), progress=watch)
-    except TooLong:
-        return "too long"
+            made = insideout.tetrahedralize(str(path))
     except insideout.Error as error:
         return str(error)
     low, high = (found.statistics[f"EnclosedVolume{end}"] for end in ("Low", "High"))
@@ -86,12 +73,11 @@ def judged(path: Path, seconds: float) -> Case | str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("surfaces", nargs="+", type=Path)
     options = parser.parse_args()
     cases: list[Case] = []
     for path in surfaces_in(options.surfaces):
-        case = judged(path, options.seconds)
+        case = judged(path)
         if isinstance(case, str):
             print(f"skipped {path.name}: {case}")
             continue

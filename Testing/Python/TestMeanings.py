@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 
 FLOOR = (0, 1)
 RIGHT, LEFT = (8, 9), (10, 11)
-"""Of BOX_FACETS."""
+"""Numbers of facets in BOX_FACETS."""
 
 
 def brick(low, high, without: Sequence[int] = ()) -> vtkPolyData:
@@ -124,7 +124,7 @@ class Meaning:
     hole: float = 0
     """The area of the triangles that close holes."""
     statistics: dict[str, float] = field(default_factory=dict)
-    """Of the solid."""
+    """Expected statistics of the solid."""
 
 
 def volume(surface: vtkPolyData) -> float:
@@ -202,7 +202,7 @@ def areas_of_tags(result) -> dict[str, float]:
 
 
 class Regions(unittest.TestCase):
-    """What is told apart stays told apart."""
+    """Tags, bodies and materials of the input keep their names."""
 
     def volumes(self, result) -> dict[str, float]:
         return {"+".join(region.bodies): round(region.volume, 9) for region in result.regions}
@@ -218,6 +218,11 @@ class Regions(unittest.TestCase):
         surface.GetPointData().GetArray("Label").SetValue(9, 4)
         with self.assertRaisesRegex(insideout.Error, "point array Label is . and . at corners of cell 12"):
             insideout.tetrahedralize(surface, body_array="Label")
+        broken = polydata(points_of(surface), [*triangles_of(surface).tolist(), (0, 1, 10**9)])
+        surfaces.add_array(broken.GetPointData(), "Label", np.repeat(np.int32([3, 7]), 8))
+        for named in ({"body_array": "Label"}, {"tag_array": "Label"}):
+            with self.assertRaisesRegex(insideout.Error, "cell 24 refers to point 1000000000 of 16"):
+                insideout.tetrahedralize(broken, **named)
 
     def test_neighboring_labels_that_overlap_by_half_a_voxel_conform(self):
         """SlicerSegmentMesher #1: each segment has a closed surface of its own."""

@@ -114,7 +114,7 @@ TEST(ChooseTurns, LetsWhatRoundingLeavesBetweenCoplanarFacesTurnNothing)
     EXPECT_EQ(turns.Undecided, (std::vector<char>{ 0, 0 })) << rounding;
   }
   EXPECT_EQ(ChooseTurns(nested(1e-3), { 10, 10 }).Turned, (std::vector<char>{ 0, 1 }));
-  // The same among so many shells that they are turned one by one.
+  // The same among more shells than `MostTried`, which are turned one by one.
   std::vector<ShellRegion> many = nested(1e-7);
   for (Id shell = 2; shell < 20; ++shell)
   {

@@ -465,7 +465,8 @@ TEST(CopiesOfFacets, AreOfOneShellEachWhereSurfacesCrossThatShareThem)
 
 TEST(Cavities, StayWhereTheyShareParts)
 {
-  // Of facets, with the outer surface: the two cross a line at one place, but for rounding.
+  // The cavity shares parts of facets with the outer surface. A line crosses both at one place, but
+  // for rounding.
   const Point low = { 0.1, 0.2, 0.3 };
   for (const double scale : { 1., 0.7, 1 / 3. })
   {
