@@ -20,14 +20,14 @@ constexpr Id LeastPlaces = 4;
 constexpr Id MostPlaces = 128;
 constexpr Id PlacesOfAll = 1 << 10;
 
-/** Lines through each place, doubled until the means are sure; fewer where there are many places.
- */
+/** Lines through each place of a shell, doubled until its means are sure; fewer where there are
+ * many places. */
 constexpr int FirstLines = 2;
 constexpr int MostLines = 64;
-constexpr Id LinesOfAll = 1 << 17;
+constexpr Id LinesOfAll = 1 << 13;
 
 /** A mean is sure if it differs from a limit by this number of standard errors. */
-constexpr double SureErrors = 3;
+constexpr double SureErrors = 2;
 
 /** Distance from a place, in units of the surface's size, at which the solid is looked for on both
  * sides: a sheet on the solid's surface is in it. */
@@ -93,25 +93,33 @@ struct OutsideShell
   std::vector<Place> Places; ///< outside
   bool IsMostlyOutside;
   RandomNumbers Random;
+  Id Lines = 0;                   ///< drawn through all places
   double Rest = 0;                ///< the sum of the winding numbers of shells with holes
   std::map<Id, double> Seal = {}; ///< the same of each outside shell, by its index among these
   double Squares = 0;             ///< of the winding number of all
 
   /** Whether the means are farther than their errors from the limits.
-   * @param[in] lines that have been drawn through each place */
-  bool IsSure(int lines) const
+   * @param[in] seal of the shell, judged without shells that do not count */
+  bool IsSure(double seal) const
   {
+    const double lines = static_cast<double>(this->Lines);
     double mean = this->Rest / lines;
     for (const auto& [other, w] : this->Seal)
     {
       mean += w / lines;
     }
     const double variance = std::max(0.0, this->Squares / lines - mean * mean);
-    const double error =
-      SureErrors * std::sqrt(variance / (lines * static_cast<double>(this->Places.size())));
-    return std::abs(mean - LeastSeal) >= error &&
+    const double error = SureErrors * std::sqrt(variance / lines);
+    return std::abs(seal - LeastSeal) >= error &&
       std::abs(this->Rest / lines - MostInside) >= error;
   }
+};
+
+/** The role of an outside shell, and the seal by which it was found. */
+struct Judgement
+{
+  ShellRole Role;
+  double Seal;
 };
 
 class MembraneFinder
@@ -138,7 +146,7 @@ public:
         candidates.push_back(shell);
       }
     }
-    if (candidates.empty() || !this->FindSolid())
+    if (candidates.empty() || !this->FindSolids())
     {
       return roles;
     }
@@ -161,10 +169,10 @@ public:
         outside.push_back({ shell, std::move(found), share > MostOutside, random });
       }
     }
-    const std::vector<ShellRole> judged = this->Judge(outside);
+    const std::vector<Judgement> judged = this->Judge(outside);
     for (std::size_t i = 0; i < outside.size(); ++i)
     {
-      roles[outside[i].Shell] = judged[i];
+      roles[outside[i].Shell] = judged[i].Role;
     }
     return roles;
   }
@@ -176,20 +184,25 @@ private:
     return this->Chains[shell].Kind <= kind && !this->Chains[shell].IsLoose;
   }
 
-  /** Find the box around the solid. @return false if no shell bounds one */
-  bool FindSolid()
+  /** Find the boxes around the solids. @return false if no shell bounds one */
+  bool FindSolids()
   {
     bool isThere = false;
     for (Id shell = 0; shell < static_cast<Id>(this->Chains.size()); ++shell)
     {
-      if (this->Bounds(shell, ShellKind::Holed))
+      if (!this->Bounds(shell, ShellKind::Holed))
       {
-        isThere = true;
-        for (const CountedTriangle& triangle : this->Chains[shell].Triangles)
+        continue;
+      }
+      isThere = true;
+      for (const CountedTriangle& triangle : this->Chains[shell].Triangles)
+      {
+        for (const Id p : triangle.Corners)
         {
-          for (const Id p : triangle.Corners)
+          this->WithHoled.Add(this->Points[p]);
+          if (this->Bounds(shell, ShellKind::Closed))
           {
-            this->Solid.Add(this->Points[p]);
+            this->OfClosed.Add(this->Points[p]);
           }
         }
       }
@@ -207,7 +220,7 @@ private:
       {
         beside[axis] = place.At[axis] + side * place.Normal[axis];
       }
-      if (!this->Solid.Holds(beside))
+      if (!(kind == ShellKind::Closed ? this->OfClosed : this->WithHoled).Holds(beside))
       {
         continue;
       }
@@ -257,7 +270,7 @@ private:
   }
 
   /** Find the roles of outside shells. */
-  std::vector<ShellRole> Judge(std::vector<OutsideShell>& outside) const
+  std::vector<Judgement> Judge(std::vector<OutsideShell>& outside) const
   {
     if (outside.empty())
     {
@@ -279,53 +292,67 @@ private:
     {
       places += static_cast<Id>(shell.Places.size());
     }
-    int lines = static_cast<int>(std::clamp<Id>(LinesOfAll / (4 * places), 1, FirstLines));
-    this->AddLines(sampler, open, lines, outside);
-    const auto isSure = [&](const OutsideShell& shell) { return shell.IsSure(lines); };
-    while (lines < MostLines && 2 * lines * places <= LinesOfAll &&
-      !std::all_of(outside.begin(), outside.end(), isSure))
-    {
-      this->AddLines(sampler, open, lines, outside);
-      lines *= 2;
-    }
-    return RolesBy(outside, lines);
-  }
-
-  /** Add the winding numbers along more lines through each place of the outside shells. */
-  void AddLines(const RegionSampler& sampler, const std::vector<OpenChain>& open, int lines,
-    std::vector<OutsideShell>& outside) const
-  {
+    const int lines = static_cast<int>(std::clamp<Id>(LinesOfAll / (4 * places), 1, FirstLines));
+    Id drawn = lines * places;
     for (OutsideShell& shell : outside)
     {
-      this->Work.Check(Stages::Orienting, 1);
-      const double weight = 1 / static_cast<double>(shell.Places.size());
-      for (const Place& place : shell.Places)
+      this->AddLines(sampler, open, lines, shell);
+    }
+    std::vector<Judgement> judged = JudgeByMeans(outside);
+    for (int more = lines; 2 * more <= MostLines; more *= 2)
+    {
+      bool isSure = true;
+      for (std::size_t i = 0; i < outside.size(); ++i)
       {
-        for (int i = 0; i < lines; ++i)
+        const Id next = more * static_cast<Id>(outside[i].Places.size());
+        if (!outside[i].IsSure(judged[i].Seal) && drawn + next <= LinesOfAll)
         {
-          const CrossedLine line = sampler.Through(place.At, shell.Random);
-          double ofLine = 0;
-          for (const auto& [at, error, chain, rise] : line.Crossings)
-          {
-            const OpenChain& crossed = open[chain];
-            if (std::abs(at) <= std::max(Beside, error) ||
-              (crossed.IsCap &&
-                !this->IsInSolid(
-                  { PointOn(place, line, at), line.Direction }, ShellKind::Holed, shell.Random)))
-            {
-              continue;
-            }
-            // A capped shell is its facets less its caps.
-            const bool isReversed = (at > 0) != crossed.IsCap;
-            const bool isTurned = this->Turned[crossed.Shell] != 0;
-            const double w = (isReversed != isTurned ? -0.5 : 0.5) * rise;
-            (crossed.Outside == None ? shell.Rest : shell.Seal[crossed.Outside]) += w * weight;
-            ofLine += w;
-          }
-          shell.Squares += ofLine * ofLine * weight;
+          this->AddLines(sampler, open, more, outside[i]);
+          drawn += next;
+          isSure = false;
         }
       }
+      if (isSure)
+      {
+        break;
+      }
+      judged = JudgeByMeans(outside);
     }
+    return judged;
+  }
+
+  /** Add the winding numbers along more lines through each place of an outside shell. */
+  void AddLines(const RegionSampler& sampler, const std::vector<OpenChain>& open, int lines,
+    OutsideShell& shell) const
+  {
+    this->Work.Check(Stages::Orienting, 1);
+    for (const Place& place : shell.Places)
+    {
+      for (int i = 0; i < lines; ++i)
+      {
+        const CrossedLine line = sampler.Through(place.At, shell.Random);
+        double ofLine = 0;
+        for (const auto& [at, error, chain, rise] : line.Crossings)
+        {
+          const OpenChain& crossed = open[chain];
+          if (std::abs(at) <= std::max(Beside, error) ||
+            (crossed.IsCap &&
+              !this->IsInSolid(
+                { PointOn(place, line, at), line.Direction }, ShellKind::Holed, shell.Random)))
+          {
+            continue;
+          }
+          // A capped shell is its facets less its caps.
+          const bool isReversed = (at > 0) != crossed.IsCap;
+          const bool isTurned = this->Turned[crossed.Shell] != 0;
+          const double w = (isReversed != isTurned ? -0.5 : 0.5) * rise;
+          (crossed.Outside == None ? shell.Rest : shell.Seal[crossed.Outside]) += w;
+          ofLine += w;
+        }
+        shell.Squares += ofLine * ofLine;
+      }
+    }
+    shell.Lines += lines * static_cast<Id>(shell.Places.size());
   }
 
   static Point PointOn(const Place& place, const CrossedLine& line, double at)
@@ -338,52 +365,49 @@ private:
     return point;
   }
 
-  /** Find the roles by the sums: take out shells within shells with holes, then those with a low
-   * seal, the lowest first.
-   * @param[in] lines number of lines drawn through each place so far */
-  static std::vector<ShellRole> RolesBy(const std::vector<OutsideShell>& outside, int lines)
+  /** Take out shells within shells with holes, then those with a low seal, the lowest first. */
+  static std::vector<Judgement> JudgeByMeans(const std::vector<OutsideShell>& outside)
   {
-    std::vector<ShellRole> roles;
+    std::vector<Judgement> judged;
     for (const OutsideShell& shell : outside)
     {
-      const bool isWithin = shell.Rest > MostInside * lines;
-      roles.push_back(isWithin ? ShellRole::Membrane : ShellRole::Counts);
+      const double seal = shell.Rest / static_cast<double>(shell.Lines);
+      judged.push_back({ seal > MostInside ? ShellRole::Membrane : ShellRole::Counts, seal });
     }
-    std::vector<double> seals(outside.size(), 0);
     std::vector<std::vector<std::pair<Id, double>>> sealed(outside.size()); // others, by each shell
     std::set<std::pair<double, Id>> left;                                   // the lowest first
     for (Id shell = 0; shell < static_cast<Id>(outside.size()); ++shell)
     {
-      if (roles[shell] != ShellRole::Counts)
+      if (judged[shell].Role != ShellRole::Counts)
       {
         continue;
       }
-      seals[shell] = outside[shell].Rest;
-      for (const auto& [other, w] : outside[shell].Seal)
+      for (const auto& [other, sum] : outside[shell].Seal)
       {
-        if (roles[other] == ShellRole::Counts)
+        if (judged[other].Role == ShellRole::Counts)
         {
-          seals[shell] += w;
+          const double w = sum / static_cast<double>(outside[shell].Lines);
+          judged[shell].Seal += w;
           sealed[other].push_back({ shell, w });
         }
       }
-      left.insert({ seals[shell], shell });
+      left.insert({ judged[shell].Seal, shell });
     }
-    while (!left.empty() && left.begin()->first < LeastSeal * lines)
+    while (!left.empty() && left.begin()->first < LeastSeal)
     {
       const Id gone = left.begin()->second;
       left.erase(left.begin());
-      roles[gone] = outside[gone].IsMostlyOutside ? ShellRole::Sheet : ShellRole::Membrane;
+      judged[gone].Role = outside[gone].IsMostlyOutside ? ShellRole::Sheet : ShellRole::Membrane;
       for (const auto& [shell, w] : sealed[gone])
       {
-        if (left.erase({ seals[shell], shell }) > 0)
+        if (left.erase({ judged[shell].Seal, shell }) > 0)
         {
-          seals[shell] -= w;
-          left.insert({ seals[shell], shell });
+          judged[shell].Seal -= w;
+          left.insert({ judged[shell].Seal, shell });
         }
       }
     }
-    return roles;
+    return judged;
   }
 
   const std::vector<Point>& Points;
@@ -391,7 +415,8 @@ private:
   const std::vector<char>& Turned;
   const RegionSampler& Sampler;
   Monitor& Work;
-  Box Solid = Box::Empty(); ///< around all shells that bound the solid
+  Box OfClosed = Box::Empty();  ///< around closed shells
+  Box WithHoled = Box::Empty(); ///< around closed shells and those with holes
 };
 } // namespace
 
