@@ -8,11 +8,13 @@
 #include "Data/StatisticsArrays.h"
 #include "In/Partitions.h"
 #include "In/ReadGrid.h"
+#include "In/ReadSolid.h"
 #include "In/WholeInput.h"
 #include "Out/MakeOutputs.h"
 #include "Output/Topology.h"
 #include "Quality/QualityOfMesh.h"
 #include "Quality/SolidDefects.h"
+#include "Quality/SolverFitness.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/RunFilter.h"
 
@@ -47,6 +49,18 @@ int vtkSolidQuality::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
 
 namespace
 {
+/** The regions of tetrahedra; empty where no array tells them. */
+std::vector<Id> RegionsOf(const vtkInsideOut::GridTetrahedra& tetrahedra, vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
+  std::vector<Id> regions(array ? tetrahedra.Cells.size() : 0);
+  for (std::size_t c = 0; c < regions.size(); ++c)
+  {
+    regions[c] = static_cast<Id>(array->GetComponent(tetrahedra.CellIds[c], 0));
+  }
+  return regions;
+}
+
 /** An array with a value for each tetrahedron, and 0 for other cells. */
 template <typename Array, typename ValueOf>
 void AddArray(const char* name, const vtkInsideOut::GridTetrahedra& tetrahedra,
@@ -87,7 +101,7 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
       const auto input = vtkInsideOut::InputGrid(this);
       vtkInsideOut::AlgorithmMonitor monitor(
         this, { Stages::Validating, Stages::FindingIntersections, Stages::Measuring });
-      const vtkInsideOut::GridTetrahedra given = vtkInsideOut::ReadCorners(input);
+      const vtkInsideOut::GridTetrahedra given = vtkInsideOut::ReadTetrahedraOfAnyOrder(input);
       if (given.Cells.empty())
       {
         throw Error(ErrorCode::EmptySurface, "the grid has no tetrahedra");
@@ -117,6 +131,13 @@ int vtkSolidQuality::RequestData(vtkInformation* vtkNotUsed(request),
       Statistics statistics;
       AppendSolidDefects(defects, statistics);
       AppendQuality(quality, statistics);
+      const SolverFitness fitness = FitnessForSolver(given.Points, given.Cells, given.Midpoints,
+        RegionsOf(given, input), monitor, { Stages::Measuring, 1, 1 });
+      AppendFitness(fitness, statistics);
+      if (!fitness.IsGood())
+      {
+        warnings.push_back(WordsOfFitness(fitness, vtkInsideOut::TreatmentOf(input)));
+      }
       if (defects.Conforms())
       {
         AppendTopology(

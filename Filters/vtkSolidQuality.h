@@ -3,10 +3,11 @@
  * @class   vtkSolidQuality
  * @brief   says what is wrong with tetrahedra, and how good they are
  *
- * Takes a grid of tetrahedra, of first or second order (vtkTetra, vtkQuadraticTetra; of the latter
- * the corners count), and finds cells that are flat or negative, where cells do not fit together,
- * and the quality of each. Nothing is changed. What is flat, negative or does not fit is decided by
- * exact predicates. Cells of fewer dimensions are passed over, with a warning.
+ * Takes a grid of tetrahedra, of first or second order (vtkTetra, vtkQuadraticTetra; the corners
+ * of the latter count, but for RefusedCells), and finds cells that are flat or negative, where
+ * cells do not fit together, and the quality of each. Nothing is changed. What is flat, negative or
+ * does not fit is decided by exact predicates. Cells of fewer dimensions are passed over, with a
+ * warning.
  *
  * The output is the input with these cell arrays, 0 where a cell is no tetrahedron:
  * - MinDihedralAngle, MaxDihedralAngle (double): the cell's least and largest angle between two of
@@ -28,6 +29,9 @@
  *   than a hundredth of all six angles of all cells
  * - MaxRadiusEdgeRatio, and RadiusEdgeRatio99Percent, the least that is no less than 99 % of them
  * - MinMeanRatio, AverageMeanRatio
+ * - RefusedCells, whose Jacobian determinants are not positive for a solver, in doubles at the
+ *   integration points of linear or quadratic cells; PoorCells, others with a dihedral angle below
+ * 1 degree, from which it suffers. A warning counts both, and names the option that helps
  * - CellsUnder10Degrees and CellsUnder5Degrees, which have a dihedral angle below
  * - SurfaceEdgesUnder10Degrees and SurfaceEdgesUnder5Degrees, edges of the boundary where the solid
  *   itself is that sharp, so that some cells have to be

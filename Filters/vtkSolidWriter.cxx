@@ -3,6 +3,7 @@
 
 #include "Common/Stages.h"
 #include "In/ReadSolid.h"
+#include "Quality/SolverFitness.h"
 #include "Run/AlgorithmMonitor.h"
 #include "Run/RunFilter.h"
 
@@ -36,6 +37,8 @@ void vtkSolidWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "MshVersion: " << this->MshVersion << "\n";
+  os << indent << "RefusedCells: " << this->RefusedCells << "\n";
+  os << indent << "PoorCells: " << this->PoorCells << "\n";
 }
 
 int vtkSolidWriter::FillInputPortInformation(int port, vtkInformation* info)
@@ -74,12 +77,17 @@ void vtkSolidWriter::WriteData()
       }
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
       auto* boundary = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
-      const std::string lost =
-        WriteSolid(this->FileName, vtkInsideOut::ReadSolid(this->GetInput(), boundary),
-          insideout::MshVersion(this->MshVersion), monitor);
-      if (!lost.empty())
+      const SolidMesh solid = vtkInsideOut::ReadSolid(this->GetInput(), boundary);
+      WriteSolid(this->FileName, solid, insideout::MshVersion(this->MshVersion), monitor);
+      const SolverFitness fitness = FitnessForSolver(PointsInFile(this->FileName, solid.Points),
+        solid.Cells, solid.Midpoints, solid.RegionOfCell, monitor, { Stages::Writing, 1, 1 });
+      this->RefusedCells = fitness.RefusedCells;
+      this->PoorCells = fitness.PoorCells;
+      if (!fitness.IsGood())
       {
-        vtkInsideOut::Warn(this, { std::string(this->FileName) + ": " + lost });
+        const CellTreatment done = vtkInsideOut::TreatmentOf(this->GetInput());
+        vtkInsideOut::Warn(
+          this, { std::string(this->FileName) + ": " + WordsOfFitness(fitness, done) });
       }
     });
   if (!written)

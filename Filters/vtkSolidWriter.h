@@ -33,6 +33,11 @@
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
  * permissions of an earlier file are kept. Devices and pipes are written at once.
  *
+ * No cell is changed. A warning counts the cells that a solver refuses, as their Jacobian
+ * determinants are not positive in doubles, at the integration points of linear or quadratic cells,
+ * with the digits that the file has; and those that it suffers from, with a dihedral angle below 1
+ * degree. It names the option that helps.
+ *
  * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
  * which cell, point, triangle or array is wrong. It gives 0 without one when it was aborted.
  *
@@ -83,6 +88,12 @@ public:
   void SetBoundaryData(vtkPolyData* boundary);
   ///@}
 
+  ///@{
+  /** How many cells of the last file a solver refuses, and suffers from. */
+  vtkGetMacro(RefusedCells, vtkIdType);
+  vtkGetMacro(PoorCells, vtkIdType);
+  ///@}
+
 protected:
   vtkSolidWriter();
   ~vtkSolidWriter() override;
@@ -92,6 +103,8 @@ protected:
 
   char* FileName = nullptr;
   int MshVersion = MSHVERSION_4_1;
+  vtkIdType RefusedCells = 0;
+  vtkIdType PoorCells = 0;
 
 private:
   vtkSolidWriter(const vtkSolidWriter&) = delete;

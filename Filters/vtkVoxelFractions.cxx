@@ -165,7 +165,7 @@ int vtkVoxelFractions::RequestData(vtkInformation* vtkNotUsed(request),
       {
         throw Error(ErrorCode::InvalidParameter, "the solid has no blocks");
       }
-      const vtkInsideOut::GridTetrahedra tetrahedra = vtkInsideOut::ReadCorners(solid);
+      const vtkInsideOut::GridTetrahedra tetrahedra = vtkInsideOut::ReadTetrahedraOfAnyOrder(solid);
       const std::vector<double> fractions = VoxelFractions(tetrahedra.Points,
         ReadInside(solid, tetrahedra), ReadSides(input), monitor, { Stages::Measuring, 0, 1 });
       output->ShallowCopy(input);

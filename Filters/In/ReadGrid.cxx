@@ -29,27 +29,44 @@ vtkDataArray* FindArray(vtkUnstructuredGrid* grid, const char* name, int compone
   return fits ? array : nullptr;
 }
 
+/** The k-th point of a cell, checked. */
+Id PointOf(vtkIdType cell, vtkIdList* ids, int k, std::size_t points)
+{
+  const vtkIdType id = k < ids->GetNumberOfIds() ? ids->GetId(k) : -1;
+  if (id < 0 || id >= static_cast<vtkIdType>(points))
+  {
+    throw Error(ErrorCode::PointOutOfRange,
+      "cell " + std::to_string(cell) + " has the point " + std::to_string(id) +
+        ", but there are only points 0 to " + std::to_string(static_cast<long>(points) - 1));
+  }
+  return static_cast<Id>(id);
+}
+
 /** The corners of a cell, checked. */
 Tetrahedron CornersOf(vtkIdType cell, vtkIdList* ids, std::size_t points)
 {
   Tetrahedron corners;
   for (int k = 0; k < 4; ++k)
   {
-    const vtkIdType id = k < ids->GetNumberOfIds() ? ids->GetId(k) : -1;
-    if (id < 0 || id >= static_cast<vtkIdType>(points))
-    {
-      throw Error(ErrorCode::PointOutOfRange,
-        "cell " + std::to_string(cell) + " has the point " + std::to_string(id) +
-          ", but there are only points 0 to " + std::to_string(static_cast<long>(points) - 1));
-    }
-    corners[k] = static_cast<Id>(id);
+    corners[k] = PointOf(cell, ids, k, points);
     if (std::find(corners.begin(), corners.begin() + k, corners[k]) != corners.begin() + k)
     {
       throw Error(ErrorCode::InvalidParameter,
-        "cell " + std::to_string(cell) + " has the point " + std::to_string(id) + " twice");
+        "cell " + std::to_string(cell) + " has the point " + std::to_string(corners[k]) + " twice");
     }
   }
   return corners;
+}
+
+/** The points between these, checked; None for a cell of first order. */
+std::array<Id, 6> MidpointsOf(vtkIdType cell, int type, vtkIdList* ids, std::size_t points)
+{
+  std::array<Id, 6> midpoints;
+  for (int k = 0; k < 6; ++k)
+  {
+    midpoints[k] = type == VTK_TETRA ? None : PointOf(cell, ids, 4 + k, points);
+  }
+  return midpoints;
 }
 
 /** @throws Error unless the cell is linear and of the grid's dimension, 2 or 3 */
@@ -88,7 +105,7 @@ vtkIdType FindOtherCell(vtkUnstructuredGrid* grid)
   return -1;
 }
 
-GridTetrahedra ReadCorners(vtkUnstructuredGrid* grid)
+GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid)
 {
   GridTetrahedra tetrahedra;
   tetrahedra.Points = ReadPoints(grid, "the grid");
@@ -108,6 +125,7 @@ GridTetrahedra ReadCorners(vtkUnstructuredGrid* grid)
     {
       grid->GetCellPoints(c, ids);
       tetrahedra.Cells.push_back(CornersOf(c, ids, tetrahedra.Points.size()));
+      tetrahedra.Midpoints.push_back(MidpointsOf(c, type, ids, tetrahedra.Points.size()));
       tetrahedra.CellIds.push_back(c);
       continue;
     }

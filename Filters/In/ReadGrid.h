@@ -28,17 +28,21 @@ struct GridTetrahedra
 {
   std::vector<insideout::Point> Points; ///< all of the grid
   std::vector<insideout::Tetrahedron> Cells;
+
+  /** The points between each cell's corners, None for a cell of first order. */
+  std::vector<std::array<insideout::Id, 6>> Midpoints;
+
   std::vector<vtkIdType> CellIds; ///< of the grid
 };
 
 /**
- * The corners of tetrahedra of first and second order (vtkTetra, vtkQuadraticTetra), in their
+ * The points of tetrahedra of first and second order (vtkTetra, vtkQuadraticTetra), in their
  * order. Cells of fewer dimensions, as the triangles of a boundary, are passed over.
  *
  * @throws insideout::Error that names another cell of three dimensions, one without four different
  *         points, or a point that is not finite; TooLarge
  */
-GridTetrahedra ReadCorners(vtkUnstructuredGrid* grid);
+GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid);
 
 /** @throws insideout::Error when there is no cell array w of one value per cell */
 std::vector<double> ReadWindingNumbers(vtkUnstructuredGrid* grid);

@@ -5,6 +5,7 @@
 #include "Common/SortUniquely.h"
 #include "Data/Arrays.h"
 #include "Data/FieldNames.h"
+#include "Data/StatisticsArrays.h"
 #include "Files/SolidFaces.h"
 
 #include <vtkCellArray.h>
@@ -41,7 +42,7 @@ struct Parts
 };
 
 /** The solid, and the boundary if there is one, among the blocks that have cells. */
-Parts PartsOf(vtkCompositeDataSet* blocks)
+Parts PartsOfBlocks(vtkCompositeDataSet* blocks)
 {
   Parts parts;
   int grids = 0;
@@ -71,6 +72,14 @@ Parts PartsOf(vtkCompositeDataSet* blocks)
       " surfaces; one is written, and its boundary");
   }
   return parts;
+}
+
+/** The same of an input that may be the solid alone. */
+Parts PartsOf(vtkDataObject* input)
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
+  return blocks ? PartsOfBlocks(blocks)
+                : Parts{ vtkUnstructuredGrid::SafeDownCast(input), nullptr };
 }
 
 /** Points of a cell by ids that may be anything. */
@@ -203,12 +212,7 @@ void ReadBoundary(vtkPolyData* boundary, SolidMesh& solid)
 
 SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary)
 {
-  Parts parts;
-  parts.Solid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    parts = PartsOf(blocks);
-  }
+  Parts parts = PartsOf(input);
   parts.Boundary = boundary ? boundary : parts.Boundary;
   if (!parts.Solid)
   {
@@ -240,5 +244,19 @@ SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary)
     solid.Tags = { { "surface", 1 } };
   }
   return solid;
+}
+
+CellTreatment TreatmentOf(vtkDataObject* input)
+{
+  CellTreatment done = CellTreatment::None;
+  for (const auto& [name, value] : StatisticsOf(PartsOf(input).Solid->GetFieldData()))
+  {
+    if (name == "SurfaceDistance")
+    {
+      return CellTreatment::Remeshed;
+    }
+    done = name == "RefinedCells" ? CellTreatment::Refined : done;
+  }
+  return done;
 }
 } // namespace vtkInsideOut

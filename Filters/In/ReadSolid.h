@@ -6,6 +6,7 @@
 #pragma once
 
 #include "Files/SolidFile.h"
+#include "Quality/SolverFitness.h"
 
 class vtkDataObject;
 class vtkPolyData;
@@ -21,4 +22,7 @@ namespace vtkInsideOut
  * @throws insideout::Error that names the cell, triangle or array at fault
  */
 insideout::SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary);
+
+/** What has been done for the cells of such an input, by its statistics. */
+insideout::CellTreatment TreatmentOf(vtkDataObject* input);
 } // namespace vtkInsideOut

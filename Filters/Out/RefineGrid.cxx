@@ -9,6 +9,7 @@
 #include "In/ReadGrid.h"
 #include "Out/RefineBoundary.h"
 #include "Quality/QualityOfMesh.h"
+#include "Quality/SolverFitness.h"
 #include "Refine/MakeRefinable.h"
 #include "Refine/QuadraticCells.h"
 #include "Refine/RefineTetrahedra.h"
@@ -23,6 +24,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -271,9 +273,41 @@ double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
   return 0;
 }
 
+/** The longest edge of the boundary and between regions. */
+double LongestSurfaceEdge(const RefinedMesh& refined)
+{
+  double longest = 0;
+  for (std::size_t c = 0; c < refined.Cells.size(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (refined.OriginalFaces[c][k] != None)
+      {
+        const auto corners = CornersOf(refined.Points, FaceOf(refined.Cells[c], k));
+        longest = std::max({ longest, Distance(corners[0], corners[1]),
+          Distance(corners[1], corners[2]), Distance(corners[2], corners[0]) });
+      }
+    }
+  }
+  return longest;
+}
+
 void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameters,
   std::vector<std::string>& warnings)
 {
+  // Where the surface obeys some edges are longer, too, by less.
+  constexpr double MostTimesLonger = 2;
+  const double longest =
+    parameters.Surface == SurfaceTreatment::Kept ? LongestSurfaceEdge(refined) : 0;
+  if (const double asked = parameters.Sizes.EdgeLength;
+      asked > 0 && longest > MostTimesLonger * asked)
+  {
+    std::ostringstream words;
+    words << "EdgeLength is " << asked << ", and edges of the surface, which is kept, are up to "
+          << std::setprecision(3) << longest
+          << " long: SurfaceTreatment split or remeshed makes them as short";
+    warnings.push_back(words.str());
+  }
   if (const double large = StatisticOf(refined, "CellsAboveMaximumVolume"); large > 0)
   {
     warnings.push_back(TooLargeCells(large, refined.Cells.size(), parameters.Sizes.MaximumVolume));
@@ -335,7 +369,12 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   result.Statistics = refined.Statistics;
   const ProgressRange end = { Stages::Refining, 1, 1 };
   AppendQuality(QualityOfMesh(mesh.Points, mesh.Cells, monitor, end), result.Statistics, "Before");
+  AppendFitness(
+    FitnessForSolver(mesh.Points, mesh.Cells, {}, {}, monitor, end), result.Statistics, "Before");
   AppendQuality(QualityOfMesh(refined.Points, refined.Cells, monitor, end), result.Statistics);
+  const GridTetrahedra made = ReadTetrahedraOfAnyOrder(result.Grid);
+  AppendFitness(
+    FitnessForSolver(made.Points, made.Cells, made.Midpoints, {}, monitor, end), result.Statistics);
   result.Statistics.emplace_back("RefinedCells", refined.Cells.size());
   WarnAbout(refined, parameters, result.Warnings);
   result.Statistics.emplace_back("SecondsRefine", stopwatch.Lap());

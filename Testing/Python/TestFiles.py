@@ -19,7 +19,7 @@ import numpy as np
 import surfaces
 from insideout import vtkSurfaceWriter
 from insideout.files import read_surface, write_grid, write_surface
-from insideout.writing import write_solid
+from insideout.solid_files import write_solid
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid

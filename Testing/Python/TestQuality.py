@@ -276,7 +276,7 @@ class Command(CommandLine):
         with open(report, encoding="utf-8") as file:
             found = json.load(file)
         self.assertEqual((found["exit_status"], found["statistics"]["NegativeCells"]), (0, 1))
-        self.assertEqual([finding["text"] for finding in found["findings"]], ["1 negative cell"])
+        self.assertEqual([finding["text"] for finding in found["findings"]], ["1 negative cell", "1 cell that a solver refuses"])
         self.assertIn("1 negative cell", found["verdict"])
         self.assertEqual((len(found["dihedral_angle_histogram"]), sum(found["dihedral_angle_histogram"])), (36, 6))
 

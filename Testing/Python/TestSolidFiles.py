@@ -17,7 +17,7 @@ import numpy as np
 import surfaces
 from insideout.data import Tetrahedra, as_type
 from insideout.exporting import EDGES
-from insideout.writing import write_solid
+from insideout.solid_files import write_solid
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.util.numpy_support import numpy_to_vtk

@@ -66,13 +66,15 @@ enum class MshVersion
  * The file is there whole or not at all, and an earlier one stays as it was until then
  * (OutputFile). `monitor` is told of Stages::Writing.
  *
- * @return what the format could not keep, in words; empty where it keeps all
  * @throws Error FileUnwritable; InvalidParameter for another ending, and for a solid that has no
  * cells, or whose parts do not fit together; PointOutOfRange, PointNotFinite; TooLarge (memory does
  * not hold what is needed to write); Stopped. In error the file is as it was.
  */
-std::string WriteSolid(
+void WriteSolid(
   const std::string& path, const SolidMesh& solid, MshVersion version, Monitor& monitor);
+
+/** The points as a program reads them in the file of this name that WriteSolid writes. */
+std::vector<Point> PointsInFile(const std::string& path, std::vector<Point> points);
 
 /** Cells of one shape that were read, and the groups that they are in. */
 template <std::size_t Corners, std::size_t Edges>

@@ -10,9 +10,12 @@ namespace insideout
 {
 /** The writers. All ids of the solid are in range, and all coordinates finite. @{ */
 void WriteMsh(OutputFile& file, const SolidMesh& solid, MshVersion version);
-std::string WriteInp(OutputFile& file, const SolidMesh& solid); ///< returns as WriteSolid does
+void WriteInp(OutputFile& file, const SolidMesh& solid);
 void WriteMedit(OutputFile& file, const SolidMesh& solid);
 /** @} */
+
+/** The point as its 20 characters per number in .inp are read. */
+Point PointInInp(Point point);
 
 /** The points of a cell or a face: corners, and then midpoints if there are any. */
 struct SolidNodes

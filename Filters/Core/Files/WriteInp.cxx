@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Common/PointPredicates.h"
 #include "Common/SortUniquely.h"
 #include "Files/GroupNames.h"
 #include "Files/SolidWriters.h"
@@ -81,24 +80,6 @@ double ReadBack(const std::string& text)
   double value = 0;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
-}
-
-/** What the shorter numbers make of cells, in words; empty where each stays positive. */
-std::string CellsThatTurn(const SolidMesh& solid)
-{
-  std::vector<Point> written = solid.Points;
-  for (Point& point : written)
-  {
-    std::transform(
-      point.begin(), point.end(), point.begin(), [](double x) { return ReadBack(ShortNumber(x)); });
-  }
-  const auto turned = std::count_if(solid.Cells.begin(), solid.Cells.end(),
-    [&](const Tetrahedron& cell)
-    { return Orient3D(solid.Points, cell) > 0 && Orient3D(written, cell) <= 0; });
-  return turned == 0 ? std::string()
-                     : std::to_string(turned) +
-      " cells have no positive volume in the 20 characters that the format has for a number: "
-      "merge points that nearly meet by MergeTolerance";
 }
 
 /** Comments that say what the names stand for. */
@@ -200,7 +181,7 @@ void WriteTags(OutputFile& file, const SolidMesh& solid, const std::vector<std::
 }
 } // namespace
 
-std::string WriteInp(OutputFile& file, const SolidMesh& solid)
+void WriteInp(OutputFile& file, const SolidMesh& solid)
 {
   const GroupNames names = ValidNames(solid, NamesOfInp, { AllPoints, AllCells });
   file.Text(
@@ -211,6 +192,12 @@ std::string WriteInp(OutputFile& file, const SolidMesh& solid)
   WriteNodes(file, solid);
   WriteRegions(file, solid, names.Regions);
   WriteTags(file, solid, names.Tags);
-  return CellsThatTurn(solid);
+}
+
+Point PointInInp(Point point)
+{
+  std::transform(
+    point.begin(), point.end(), point.begin(), [](double x) { return ReadBack(ShortNumber(x)); });
+  return point;
 }
 } // namespace insideout

@@ -69,6 +69,11 @@ void CheckSolid(const SolidMesh& solid)
   }
 }
 
+bool HasEnding(const std::string& path, const char* ending)
+{
+  return EqualsIgnoringCase(std::filesystem::path(path).extension().string(), ending);
+}
+
 /** The edge between two corners of a tetrahedron. */
 int EdgeBetweenCorners(int a, int b)
 {
@@ -114,35 +119,41 @@ SolidNodes NodesOf(const SolidMesh& solid, const CellFace& face)
   return nodes;
 }
 
-std::string WriteSolid(
+void WriteSolid(
   const std::string& path, const SolidMesh& solid, MshVersion version, Monitor& monitor)
 {
   CheckSolid(solid);
-  const std::string ending = std::filesystem::path(path).extension().string();
-  const bool isMsh = EqualsIgnoringCase(ending, ".msh");
-  const bool isInp = EqualsIgnoringCase(ending, ".inp");
-  if (!isMsh && !isInp && !EqualsIgnoringCase(ending, ".mesh"))
+  const bool isMsh = HasEnding(path, ".msh");
+  const bool isInp = HasEnding(path, ".inp");
+  if (!isMsh && !isInp && !HasEnding(path, ".mesh"))
   {
     Refuse(path + ": the ending is none of .msh, .inp and .mesh, which can be written");
   }
   try
   {
     OutputFile file(path, monitor);
-    std::string lost;
     if (isInp)
     {
-      lost = WriteInp(file, solid);
+      WriteInp(file, solid);
     }
     else
     {
       isMsh ? WriteMsh(file, solid, version) : WriteMedit(file, solid);
     }
     file.Close();
-    return lost;
   }
   catch (const std::bad_alloc&)
   {
     throw Error(ErrorCode::TooLarge, path + ": not enough memory to write it");
   }
+}
+
+std::vector<Point> PointsInFile(const std::string& path, std::vector<Point> points)
+{
+  if (HasEnding(path, ".inp"))
+  {
+    std::transform(points.begin(), points.end(), points.begin(), PointInInp);
+  }
+  return points;
 }
 } // namespace insideout

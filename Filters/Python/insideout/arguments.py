@@ -15,9 +15,9 @@ from .help import all_screens, screen, screen_of
 from .lengths import scale_between
 from .matters import WHY_NOT, refusal
 from .options import flag_of
+from .solid_files import WRITABLE_GRIDS
 from .usage import BEFORE_FILES, COMMANDS, DEMO_FOLDER, OTHER_FLAGS, argument_of
 from .version import __version__
-from .writing import WRITABLE_GRIDS
 
 USAGE_ERROR = 2
 """The exit status where the arguments make no sense."""

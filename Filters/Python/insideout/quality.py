@@ -13,6 +13,7 @@ from .calling import for_users
 from .checking import Finding, find_among
 from .data import Tetrahedra, as_type
 from .defects import Defect
+from .options import in_words_of_python
 from .pipeline import Progress, run, statistics_of
 from .results import MeshResult
 from .solids import AnySolid, as_solid
@@ -23,12 +24,21 @@ from .vtkFiltersInsideOut import vtkSolidQuality
 SOLID_DEFECTS = (
     Defect(*("NegativeCells", "negative cell", "negative cells"), "their points run the wrong way, or they are turned inside out: solvers refuse them", True),
     Defect(*("FlatCells", "flat cell", "flat cells"), "they have no volume, exactly: solvers divide by it", True),
+    Defect(
+        *("RefusedCells", "cell that a solver refuses", "cells that a solver refuses"),
+        "their Jacobian determinants are not positive in doubles: it stops",
+        True,
+    ),
     Defect(*("CrowdedFaces", "face of more than two cells", "faces of more than two cells"), "cells overlap there", True),
     Defect(*("OverlappingFaces", "face with both cells on one side", "faces with both cells on one side"), "they overlap", True),
     Defect(
         *("ContactPairs", "pair of boundary faces that meet", "pairs of boundary faces that meet"),
         "beyond the points and edges that they share: cells overlap, or do not fit together",
         True,
+    ),
+    Defect(
+        *("PoorCells", "cell that a solver suffers from", "cells that a solver suffers from"),
+        "they have dihedral angles under 1 degree: it takes longer, and loses digits",
     ),
     Defect(
         *("CellsUnder5Degrees", "cell with a dihedral angle under 5 degrees", "cells with a dihedral angle under 5 degrees"),
@@ -75,7 +85,8 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
               .inp or .mesh file; a pair (points, cells) of arrays; a meshio.Mesh; or a VTK algorithm
     progress  called with the stage and the fraction of all the work that is done
 
-    What is flat, negative, or does not fit together is decided exactly. Returns a `SolidCheck`. Raises
+    What is flat, negative, or does not fit together is decided exactly; what a solver refuses, in doubles as it computes. A
+    warning names the option that helps. Returns a `SolidCheck`. Raises
     `Error` with one line that names what is wrong where it is no solid at all.
     """
     measure = vtkSolidQuality()
@@ -84,7 +95,7 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
     bare.ShallowCopy(grid)
     bare.SetFieldData(vtkFieldData())  # statistics of another run are not this one's
     measure.SetInputData(bare)
-    warnings = warnings + run(measure, progress)
+    warnings = warnings + in_words_of_python(run(measure, progress))
     statistics = statistics_of(measure.GetOutput())
     return SolidCheck(
         solid=as_type(Tetrahedra, measure.GetOutput()),
@@ -100,7 +111,7 @@ def solid_verdict(statistics: Mapping[str, float]) -> str:
     """In one sentence."""
     cells, regions = (int(statistics[name]) for name in ("Cells", "Regions"))
     mesh = f"{cells:,} tetrahedra in {regions:,} {'part' if regions == 1 else 'parts'}"
-    wrong = [defect.counted(statistics[defect.statistic]) for defect in SOLID_DEFECTS[:2] if statistics[defect.statistic] > 0]
+    wrong = [defect.counted(statistics[defect.statistic]) for defect in SOLID_DEFECTS[:3] if statistics[defect.statistic] > 0]
     positive = " and ".join(wrong) if wrong else "all positive"
     if not statistics["Conforms"]:
         return f"{mesh} that do not conform; {positive}"

@@ -23,7 +23,7 @@ GROUPS = {
     "outliers": "Outlier|LostShare",
     "refinement": "Added|Removed|Refined|Surface(Points|Tolerance|Distance)|InputDistance|KeptFacets",
     "quality before": "Before",
-    "quality": "M(in|ax|inimum|aximum|ean|edian).*|Average|Dihedral|Angle|RadiusEdge|CellsUnder|SurfaceEdgesUnder",
+    "quality": "M(in|ax|inimum|aximum|ean|edian).*|Average|Dihedral|Angle|RadiusEdge|CellsUnder|SurfaceEdgesUnder|Refused|Poor",
     "time and memory": "Seconds|PeakMemory",
 }
 """By the beginnings of names, as regular expressions: the first that fits."""

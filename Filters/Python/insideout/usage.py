@@ -11,7 +11,7 @@ from .lengths import UNITS
 from .options import OPTIONS, REFINING_OPTIONS, flag_of, help_of
 from .options import TOPICS as TOPICS_OF_OPTIONS
 from .places import QUERIES
-from .writing import WRITABLE_GRIDS, MshVersion
+from .solid_files import WRITABLE_GRIDS, MshVersion
 
 DEMO_FOLDER = "demo"
 

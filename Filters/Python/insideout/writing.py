@@ -3,35 +3,18 @@
 
 from __future__ import annotations
 
-import os
-from typing import Literal, Mapping, Optional, Union, get_args
+from typing import Optional, Union, get_args
 
-import numpy as np
-from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
-from .bodies import outer_boundary
 from .calling import for_users, tell
-from .data import Tetrahedra, Triangles, as_type, is_flat
-from .errors import ArgumentError, Error, one_of
-from .exporting import is_boundary_alone, scalars_and_vectors
-from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
+from .errors import Error, one_of
+from .files import Path, write_surface
 from .grid_files import write_distances
 from .grids import DistanceGrid
 from .inputs import path_of
-from .options import in_words_of_python
-from .packages import import_package
-from .pipeline import write_bytes
+from .solid_files import MshVersion, write_result, write_solid
 from .tetrahedralization import Tetrahedralization
-from .vtkFiltersInsideOut import vtkSolidWriter
-
-MshVersion = Literal["4.1", "2.2"]
-
-XDMF = ".xdmf"
-WRITABLE_SOLIDS = (".msh", ".inp", ".mesh")
-"""What vtkSolidWriter writes: files for solvers, with regions and tags."""
-
-WRITABLE_GRIDS = (GRID, *WRITABLE_SOLIDS, XDMF)
 
 
 @for_users
@@ -64,7 +47,8 @@ def write(
 
     Triangles in a plane go to .vtu and .xdmf, and their boundary, which is polylines, to .vtp.
 
-    An earlier file stays as it was until the new one is on the disk. Warns where the floats of a .stl or .glb file make
+    An earlier file stays as it was until the new one is on the disk. No cell is changed: a warning counts those of a file for a
+    solver (.msh, .inp, .mesh, .xdmf) that it would refuse or suffer from, and names what helps. Warns, too, where the floats of a .stl or .glb file make
     triangles meet that did not, or points nearly meet. Raises `Error` that names the file.
     """
     path = path_of("path", path)
@@ -74,10 +58,7 @@ def write(
     if isinstance(data, DistanceGrid):
         write_distances(data, path)
     elif isinstance(data, Tetrahedralization):
-        if ending(path) in WRITABLE_SURFACES:
-            tell(write_surface(outer_boundary(data.boundary), path))
-        else:
-            tell(write_solid(data.solid, path, boundary or data.boundary, msh_version))
+        tell(write_result(data.solid, boundary or data.boundary, path, msh_version))
     elif isinstance(data, vtkUnstructuredGrid):
         tell(write_solid(data, path, boundary, msh_version))
     elif isinstance(data, vtkPolyData):
@@ -87,65 +68,3 @@ def write(
             f"what is to be written is of type {type(data).__name__}; it can be a result of tetrahedralize or sdf_grid, "
             "a vtkPolyData or a vtkUnstructuredGrid"
         )
-
-
-def check_holds_triangles(path: str) -> None:
-    """Raise `ArgumentError` unless a file of cells can have triangles in a plane."""
-    if ending(path) in WRITABLE_SOLIDS:
-        raise ArgumentError(f"{path}: such a file has tetrahedra here; write triangles in a plane as .vtu or .xdmf")
-
-
-def write_solid(
-    grid: vtkUnstructuredGrid, path: Path, boundary: Optional[vtkPolyData] = None, msh_version: MshVersion = "4.1"
-) -> list[str]:
-    """Write tetrahedra in any of the formats that have them. Returns what the format could not keep. Raises `Error` that names the file."""
-    path = os.fspath(path)
-    check_output(path, WRITABLE_GRIDS)
-    check_format(path)
-    if is_boundary_alone(grid, boundary):
-        raise Error(f"{path}: such a file has the solid's cells, and surface_only left these away")
-    if is_flat(grid):
-        check_holds_triangles(path)
-    if ending(path) in WRITABLE_SOLIDS:
-        versions = get_args(MshVersion)
-        writer = vtkSolidWriter()
-        writer.SetInputData(grid)
-        writer.SetBoundaryData(boundary)
-        writer.SetMshVersion(versions.index(one_of(versions, "msh_version", msh_version)))
-        return in_words_of_python(run_writer(writer, path))
-    if ending(path) == XDMF:
-        _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
-    else:
-        write_grid(grid, path)
-    return []
-
-
-def check_format(path: Path) -> None:
-    """Raise `Error` where what writes this format is not installed."""
-    if ending(path) == XDMF:
-        import_package("meshio")
-        import_package("h5py", why=", which meshio takes for .xdmf,")
-
-
-def _wide(arrays: Mapping[str, NDArray]) -> dict[str, NDArray]:
-    """As meshio can write them as text: it takes no narrow integers, and has too few digits for floats."""
-    widened = {"f": np.float64, "i": np.int64, "u": np.uint64}
-    return {name: values.astype(widened[values.dtype.kind]) for name, values in scalars_and_vectors(arrays).items()}
-
-
-def _write_xdmf(grid: Union[Tetrahedra, Triangles], path: str) -> None:
-    """All in one file, as text: meshio puts numbers into a second one otherwise."""
-    kind, nodes = grid.kind(), grid.cells
-    cell_data = {name: [values] for name, values in _wide(grid.cell_arrays).items()}
-    mesh = import_package("meshio").Mesh(grid.points, [(kind, nodes)], point_data=_wide(grid.point_arrays), cell_data=cell_data)
-    with temporary_folder() as folder:
-        whole = os.path.join(folder, "whole.xdmf")
-        try:
-            import_package("meshio").write(whole, mesh, data_format="XML")
-            with open(whole, "rb") as file:
-                content = file.read()
-        except OSError as error:
-            raise Error(f"{path}: {error.strerror or error} in {folder}, where meshio writes it first") from None
-        except MemoryError:
-            raise Error(f"{path}: not enough memory to write it") from None
-    write_bytes(content, path)

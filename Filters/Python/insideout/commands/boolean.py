@@ -10,11 +10,11 @@ from ..booleans import Boolean, boolean
 from ..files import WRITABLE_SURFACES, ending, write_surface
 from ..interruption import work_on
 from ..pipeline import Error
+from ..solid_files import WRITABLE_GRIDS, check_format, write_solid
 from ..stages import TETRAHEDRALIZE, WRITING
 from ..summary import boolean_summary
 from ..usage import SET_OPTIONS
 from ..vtkFiltersInsideOut import vtkWindingBoolean
-from ..writing import WRITABLE_GRIDS, check_format, write_solid
 from .job import Job
 
 
@@ -65,7 +65,7 @@ class BooleanJob(Job):
         output, boundary = self.files.output or "", self.files.boundary
         work_on(output)
         if takes_cells:
-            self.warnings = self.warnings + write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1")
+            self.warnings = self.warnings + write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1", self.statistics)
         else:
             self.warnings = self.warnings + write_surface(result.surface, output)
         self.outputs["solid" if takes_cells else "surface"] = output

@@ -25,10 +25,10 @@ from ..options import LENGTHS, OPTIONS, Options, flag_of, in_words_of_command
 from ..pipeline import Error, write_bytes
 from ..places import QUERIES
 from ..progress import StageBars
+from ..solid_files import WRITABLE_SOLIDS
 from ..stages import READING
 from ..verdict import verdict
 from ..version import __version__
-from ..writing import WRITABLE_SOLIDS
 
 SUCCESS, FAILURE = 0, 1
 """The exit status; beside USAGE_ERROR, and those of signals."""

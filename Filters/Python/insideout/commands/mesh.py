@@ -16,17 +16,17 @@ from ..data import Tetrahedra, TriangleSurface
 from ..drawing import DRAWINGS, check_display, draw, refuse_page_of_plane, up_of
 from ..errors import ArgumentError
 from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
-from ..hints import hints_for_printing, hints_for_solver
+from ..hints import hints_for_printing
 from ..interruption import work_on
 from ..options import OPTIONS, flag_of
 from ..pipeline import Error
+from ..solid_files import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, write_solid
 from ..stages import DRAWING, REFINE, TETRAHEDRALIZE, WRITING
 from ..summary import defects, seams, summary, tetrahedralizer
 from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from ..usage import CHECK_OPTIONS
 from ..verdict import verdict
 from ..vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
-from ..writing import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, write_solid
 from .job import Job
 
 
@@ -131,16 +131,15 @@ class MeshJob(Job):
             self.statistics["SecondsDraw"] = time.monotonic() - began - self.statistics["SecondsWrite"]
 
     def hints_of(self, result: Tetrahedralization) -> list[str]:
-        if "surface" in self.outputs and isinstance(result.boundary, TriangleSurface):
-            return hints_for_printing(outer_boundary(result.boundary), self.outputs["surface"], self.settings)
-        return hints_for_solver(result, self.outputs["solid"], self.settings) if "solid" in self.outputs else []
+        is_printable = "surface" in self.outputs and isinstance(result.boundary, TriangleSurface)
+        return hints_for_printing(outer_boundary(result.boundary), self.outputs["surface"], self.settings) if is_printable else []
 
     def files_to_write(self, result: Tetrahedralization) -> Iterator[tuple]:
         files = self.files
         version: MshVersion = self.options.msh_version or "4.1"
 
         def write_with_boundary(solid: Tetrahedra, path: str) -> list[str]:
-            return write_solid(solid, path, result.boundary, version)
+            return write_solid(solid, path, result.boundary, version, self.statistics)
 
         if files.hull is not None:
             yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)

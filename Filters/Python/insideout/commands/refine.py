@@ -11,10 +11,10 @@ from ..files import READABLE_SOLIDS
 from ..interruption import work_on
 from ..options import REFINING_OPTIONS
 from ..refinement import refine
+from ..solid_files import WRITABLE_GRIDS, check_format, write_solid
 from ..stages import REFINE, WRITING
 from ..summary import refinement_summary
 from ..vtkFiltersInsideOut import vtkRefineTetrahedra
-from ..writing import WRITABLE_GRIDS, check_format, write_solid
 from .job import Job
 
 
@@ -45,7 +45,7 @@ class RefineJob(Job):
         self.bars.show(WRITING, 0)
         output = self.files.output or ""
         work_on(output)
-        self.warnings = self.warnings + write_solid(result.solid, output, msh_version=self.options.msh_version or "4.1")
+        self.warnings = self.warnings + write_solid(result.solid, output, None, self.options.msh_version or "4.1", self.statistics)
         self.bars.finish()
         self.outputs["solid"] = output
         self.statistics["SecondsWrite"] = time.monotonic() - began

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/SolverFitness.h"
+
+#include "Common/FaceTable.h"
+#include "Common/ParallelLoop.h"
+#include "Common/Vectors.h"
+#include "Quality/CellQuality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// The Jacobians are those of CalculiX: Dhondt, CalculiX CrunchiX User's Manual, and its shape4tet
+// and shape10tet. Each sum is taken in its order, so that what rounding makes of a flat cell is the
+// same.
+
+namespace insideout
+{
+namespace
+{
+/** What a cell takes. */
+constexpr double NanosecondsPerCell = 100;
+
+/** CalculiX refuses cells below it, in whatever unit. */
+constexpr double SmallestJacobian = 1e-20;
+
+/** In degrees, and its sine. */
+constexpr double PoorAngle = 1;
+constexpr double SineOfPoorAngle = 0.017452406437283512;
+
+enum class Fitness : std::uint8_t
+{
+  Good,
+  Poor,
+  Refused,
+  TooSmall
+};
+
+/** Derivatives of the shape functions along the three axes of the reference cell. */
+template <std::size_t Nodes>
+using ShapeDerivatives = std::array<std::array<double, Nodes>, 3>;
+
+constexpr ShapeDerivatives<4> LinearDerivatives = { { { { -1, 1, 0, 0 } }, { { -1, 0, 1, 0 } },
+  { { -1, 0, 0, 1 } } } };
+
+/** Those of a quadratic cell, whose nodes are in VTK's order. */
+ShapeDerivatives<10> QuadraticDerivatives(double xi, double eta, double zeta)
+{
+  const double a = 1 - xi - eta - zeta;
+  return {
+    { { { 1 - 4 * a, 4 * xi - 1, 0, 0, 4 * (a - xi), 4 * eta, -4 * eta, -4 * zeta, 4 * zeta, 0 } },
+      { { 1 - 4 * a, 0, 4 * eta - 1, 0, -4 * xi, 4 * xi, 4 * (a - eta), -4 * zeta, 0, 4 * zeta } },
+      { { 1 - 4 * a, 0, 0, 4 * zeta - 1, -4 * xi, 0, -4 * eta, 4 * (a - zeta), 4 * xi, 4 * eta } } }
+  };
+}
+
+/** The four integration points of a quadratic cell. */
+std::array<ShapeDerivatives<10>, 4> QuadraticDerivativesAtPoints()
+{
+  constexpr double near = 0.138196601125011;
+  constexpr double far = 0.585410196624968;
+  return { { QuadraticDerivatives(near, near, near), QuadraticDerivatives(far, near, near),
+    QuadraticDerivatives(near, far, near), QuadraticDerivatives(near, near, far) } };
+}
+
+template <std::size_t Nodes>
+double Jacobian(const std::array<Point, Nodes>& nodes, const ShapeDerivatives<Nodes>& shapes)
+{
+  std::array<std::array<double, 3>, 3> m = {}; // by coordinates, and axes of the reference cell
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      for (std::size_t k = 0; k < Nodes; ++k)
+      {
+        m[i][j] += nodes[k][i] * shapes[j][k];
+      }
+    }
+  }
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/** The least Jacobian of a cell at its integration points; NaN where it has none. */
+double LeastJacobian(
+  const std::array<Point, 4>& corners, const std::vector<Point>& points, const Id* midpoints)
+{
+  if (!midpoints)
+  {
+    return Jacobian(corners, LinearDerivatives);
+  }
+  static const std::array<ShapeDerivatives<10>, 4> shapes = QuadraticDerivativesAtPoints();
+  std::array<Point, 10> nodes;
+  std::copy(corners.begin(), corners.end(), nodes.begin());
+  std::transform(
+    midpoints, midpoints + 6, nodes.begin() + 4, [&points](Id p) { return points[p]; });
+  double least = std::numeric_limits<double>::infinity();
+  for (const ShapeDerivatives<10>& shape : shapes)
+  {
+    const double jacobian = Jacobian(nodes, shape);
+    least = jacobian >= least ? least : jacobian; // NaN, too
+  }
+  return least;
+}
+
+double LongestEdge(const std::array<Point, 4>& corners)
+{
+  double longest = 0;
+  for (const auto& [i, j] : TetrahedronEdges)
+  {
+    longest = std::max(longest, Distance(corners[i], corners[j]));
+  }
+  return longest;
+}
+
+Fitness FitnessOf(
+  const std::array<Point, 4>& corners, const std::vector<Point>& points, const Id* midpoints)
+{
+  const double jacobian = LeastJacobian(corners, points, midpoints);
+  const double longest = LongestEdge(corners);
+  const double cube = longest * longest * longest;
+  if (!(jacobian >= SmallestJacobian))
+  {
+    return jacobian > SmallestJacobian * cube ? Fitness::TooSmall : Fitness::Refused;
+  }
+  // The sine of each dihedral angle is at least six volumes over the longest edge cubed.
+  const double volume = midpoints ? Jacobian(corners, LinearDerivatives) : jacobian;
+  if (volume >= 2 * SineOfPoorAngle * cube)
+  {
+    return Fitness::Good;
+  }
+  return QualityOfCell(corners).MinDihedralAngle() < PoorAngle ? Fitness::Poor : Fitness::Good;
+}
+
+/** Whether a triangle is so thin that a cell on it is poor. */
+bool IsNeedle(const std::array<Point, 3>& corners)
+{
+  double longest = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    longest = std::max(longest, Distance(corners[k], corners[(k + 1) % 3]));
+  }
+  const double area = Length(NormalOf(corners[0], corners[1], corners[2]));
+  return !(area >= SineOfPoorAngle * longest * longest);
+}
+
+/** Whether cells have a needle that has to stay: on the boundary, or between regions. */
+class NeedleFinder
+{
+public:
+  NeedleFinder(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
+    const std::vector<Id>& regions)
+    : Points(points)
+    , Cells(cells)
+    , Regions(regions)
+    , Faces(points.size(), cells)
+  {
+  }
+
+  bool HasNeedle(Id cell) const
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Triangle face = FaceOf(this->Cells[cell], k);
+      if (this->IsOnSurface(face) && IsNeedle(CornersOf(this->Points, face)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  bool IsOnSurface(const Triangle& face) const
+  {
+    const FaceTable::Range sharing = this->Faces.Find(SortedTriangle(face));
+    return sharing.Size() == 1 ||
+      (!this->Regions.empty() &&
+        this->Regions[sharing.First[0].Cell] != this->Regions[sharing.First[1].Cell]);
+  }
+
+  const std::vector<Point>& Points;
+  const std::vector<Tetrahedron>& Cells;
+  const std::vector<Id>& Regions;
+  const FaceTable Faces;
+};
+
+std::string CountOf(Id count, Id all)
+{
+  return std::to_string(count) + " of " + std::to_string(all) + " cells";
+}
+
+std::string SomeOf(Id count, Id all)
+{
+  return count == all ? std::string("they") : std::to_string(count) + " of them";
+}
+
+/** What helps; empty where all has been done. */
+std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
+{
+  std::string advice;
+  const auto add = [&advice](const std::string& words)
+  { advice += (advice.empty() ? "" : "; ") + words; };
+  const Id all = fitness.RefusedCells + fitness.PoorCells;
+  if (fitness.TooSmallCells > 0)
+  {
+    add(SomeOf(fitness.TooSmallCells, all) +
+      " would pass in a smaller unit (by scale), as the size alone is too small");
+  }
+  if (all == fitness.TooSmallCells)
+  {
+    return advice;
+  }
+  if (done == CellTreatment::None)
+  {
+    add("refining makes better ones (Refine)");
+  }
+  if (fitness.CellsOnNeedles > 0 && done != CellTreatment::Remeshed)
+  {
+    add(SomeOf(fitness.CellsOnNeedles, all) +
+      " lie on needles of the surface, for which SurfaceTreatment remeshed puts other "
+      "triangles");
+  }
+  else if (done == CellTreatment::Refined)
+  {
+    add("SurfaceTreatment remeshed puts other triangles where the surface forces them");
+  }
+  else if (done == CellTreatment::Remeshed)
+  {
+    add("MergeTolerance joins points that nearly meet");
+  }
+  return advice;
+}
+} // namespace
+
+SolverFitness FitnessForSolver(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<std::array<Id, 6>>& midpoints,
+  const std::vector<Id>& regions, Monitor& monitor, const ProgressRange& progress)
+{
+  std::vector<Fitness> found(cells.size());
+  ParallelLoop(cells.size(), NanosecondsPerCell, monitor, progress,
+    [&](std::size_t c)
+    {
+      const bool isLinear = midpoints.empty() || midpoints[c][0] == None;
+      found[c] =
+        FitnessOf(CornersOf(points, cells[c]), points, isLinear ? nullptr : midpoints[c].data());
+    });
+  const auto count = [&found](Fitness kind)
+  { return static_cast<Id>(std::count(found.begin(), found.end(), kind)); };
+  SolverFitness fitness;
+  fitness.Cells = static_cast<Id>(cells.size());
+  fitness.TooSmallCells = count(Fitness::TooSmall);
+  fitness.RefusedCells = count(Fitness::Refused) + fitness.TooSmallCells;
+  fitness.PoorCells = count(Fitness::Poor);
+  if (!fitness.IsGood())
+  {
+    const NeedleFinder needles(points, cells, regions);
+    for (std::size_t c = 0; c < found.size(); ++c)
+    {
+      const bool counts = found[c] == Fitness::Refused || found[c] == Fitness::Poor;
+      fitness.CellsOnNeedles += counts && needles.HasNeedle(static_cast<Id>(c)) ? 1 : 0;
+    }
+  }
+  return fitness;
+}
+
+std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done)
+{
+  if (fitness.IsGood())
+  {
+    return {};
+  }
+  const std::string poor = ", whose dihedral angles are below 1 degree";
+  std::string words = "a solver suffers from " + CountOf(fitness.PoorCells, fitness.Cells) + poor;
+  if (fitness.RefusedCells > 0)
+  {
+    words = "a solver refuses " + CountOf(fitness.RefusedCells, fitness.Cells) +
+      ", whose Jacobian determinants are not positive in doubles";
+    words += fitness.PoorCells > 0
+      ? ", and suffers from " + std::to_string(fitness.PoorCells) + " more" + poor
+      : "";
+  }
+  return words + ": " + AdviceFor(fitness, done);
+}
+
+void AppendFitness(const SolverFitness& fitness, Statistics& statistics, const std::string& prefix)
+{
+  statistics.emplace_back(prefix + "RefusedCells", fitness.RefusedCells);
+  statistics.emplace_back(prefix + "PoorCells", fitness.PoorCells);
+}
+} // namespace insideout

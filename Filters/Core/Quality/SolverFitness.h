@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Common/Statistics.h"
+#include "Common/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace insideout
+{
+/** Whether a finite element solver takes cells. All 0 where it takes each gladly. */
+struct SolverFitness
+{
+  Id Cells = 0;
+
+  /** Cells with a Jacobian determinant that is not positive for a solver, which stops then: below
+   * 1e-20, CalculiX's limit, at one of its integration points, in doubles and in its order. */
+  Id RefusedCells = 0;
+
+  /** Of these: cells that are refused for their size alone. In a smaller unit they pass. */
+  Id TooSmallCells = 0;
+
+  /** Other cells with a dihedral angle below 1 degree, which cost a solver steps and digits. */
+  Id PoorCells = 0;
+
+  /** Refused and poor cells with a face on the boundary or between regions that is a needle itself:
+   * no other cells on that face are much better. */
+  Id CellsOnNeedles = 0;
+
+  bool IsGood() const { return this->RefusedCells == 0 && this->PoorCells == 0; }
+};
+
+/** What has been done for the cells, and is not to be advised again. */
+enum class CellTreatment
+{
+  None, ///< or nothing that is known
+  Refined,
+  Remeshed ///< refined, with other triangles on the surface
+};
+
+/**
+ * How fit cells are for a solver.
+ *
+ * @param[in] points finite coordinates, with the digits and in the unit that the solver gets
+ * @param[in] cells ids in range
+ * @param[in] midpoints of each cell, on TetrahedronEdges; empty or None where cells are linear
+ * @param[in] regions of each cell; empty where all are one
+ * @throws Error Stopped
+ */
+SolverFitness FitnessForSolver(const std::vector<Point>& points,
+  const std::vector<Tetrahedron>& cells, const std::vector<std::array<Id, 6>>& midpoints,
+  const std::vector<Id>& regions, Monitor& monitor, const ProgressRange& progress);
+
+/** How many cells a solver refuses or suffers from, and which option helps, by its name; empty
+ * where it takes each gladly. */
+std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done);
+
+/** RefusedCells and PoorCells under their names, with a word in front ("Before"). */
+void AppendFitness(
+  const SolverFitness& fitness, Statistics& statistics, const std::string& prefix = "");
+} // namespace insideout

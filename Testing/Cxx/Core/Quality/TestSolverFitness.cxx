@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/SolverFitness.h"
+
+#include "Support/TestTetrahedra.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace insideout;
+using testtetrahedra::EvenGrid;
+using testtetrahedra::Flatten;
+using testtetrahedra::Grid;
+
+SolverFitness FitnessOf(const std::vector<Point>& points, const std::vector<Tetrahedron>& cells,
+  const std::vector<std::array<Id, 6>>& midpoints = {}, const std::vector<Id>& regions = {})
+{
+  Monitor silent;
+  return FitnessForSolver(points, cells, midpoints, regions, silent, { "measuring", 0, 1 });
+}
+
+/** A cell whose corner at the top is as high as this above the middle of the others. */
+std::vector<Point> CellOfHeight(double height)
+{
+  return { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0.25, 0.25, height } } };
+}
+const std::vector<Tetrahedron> OneCell = { { { 0, 1, 2, 3 } } };
+
+/** The cell with points amid its edges. */
+std::vector<Point> WithMidpoints(std::vector<Point> points)
+{
+  for (const auto& [i, j] : TetrahedronEdges)
+  {
+    Point middle;
+    for (int k = 0; k < 3; ++k)
+    {
+      middle[k] = (points[i][k] + points[j][k]) / 2;
+    }
+    points.push_back(middle);
+  }
+  return points;
+}
+const std::vector<std::array<Id, 6>> ItsMidpoints = { { { 4, 5, 6, 7, 8, 9 } } };
+} // namespace
+
+TEST(SolverFitness, OfAGridIsGood)
+{
+  const TetrahedralMesh mesh = Grid(2, 4);
+  const SolverFitness fitness = FitnessOf(mesh.Points, mesh.Cells);
+  EXPECT_TRUE(fitness.IsGood());
+  EXPECT_EQ(fitness.Cells, mesh.NumberOfCells());
+  EXPECT_EQ(WordsOfFitness(fitness, CellTreatment::None), "");
+}
+
+TEST(SolverFitness, CountsCellsThatAreFlatInDoublesThoughTheyArePositive)
+{
+  TetrahedralMesh mesh = EvenGrid(4);
+  for (Point& point : mesh.Points)
+  {
+    for (double& x : point)
+    {
+      x /= 700; // which rounds
+    }
+  }
+  EXPECT_TRUE(FitnessOf(mesh.Points, mesh.Cells).IsGood());
+  ASSERT_GT(Flatten(mesh, 3), 0);
+  ASSERT_TRUE(testtetrahedra::AllPositive(mesh));
+  const SolverFitness fitness = FitnessOf(mesh.Points, mesh.Cells);
+  EXPECT_GT(fitness.RefusedCells, 0);
+  EXPECT_GT(fitness.RefusedCells + fitness.PoorCells, 0);
+  EXPECT_EQ(fitness.TooSmallCells, 0);
+}
+
+TEST(SolverFitness, TellsRefusedFromPoorAndGoodByTheHeight)
+{
+  const auto counts = [](double height)
+  {
+    const SolverFitness fitness = FitnessOf(CellOfHeight(height), OneCell);
+    return std::array<Id, 2>{ fitness.RefusedCells, fitness.PoorCells };
+  };
+  EXPECT_EQ(counts(-1), (std::array<Id, 2>{ 1, 0 }));
+  EXPECT_EQ(counts(0), (std::array<Id, 2>{ 1, 0 }));
+  EXPECT_EQ(counts(1e-21), (std::array<Id, 2>{ 1, 0 }));
+  EXPECT_EQ(counts(1e-19), (std::array<Id, 2>{ 0, 1 }));
+  // The face opposite to corner 1 or 2 is nearest to the ground: a height of 1/4 from its edge.
+  const double tangent = std::tan(std::acos(-1.0) / 180);
+  EXPECT_EQ(counts(0.99 * 0.25 * tangent), (std::array<Id, 2>{ 0, 1 }));
+  EXPECT_EQ(counts(1.5 * 0.25 * tangent), (std::array<Id, 2>{ 0, 0 }));
+}
+
+TEST(SolverFitness, TakesTheUnitIntoAccount)
+{
+  std::vector<Point> points = CellOfHeight(0.5);
+  for (Point& point : points)
+  {
+    for (double& x : point)
+    {
+      x *= 1e-7; // a tenth of a micrometer in meters: six volumes are 5e-22
+    }
+  }
+  const SolverFitness fitness = FitnessOf(points, OneCell);
+  EXPECT_EQ(fitness.RefusedCells, 1);
+  EXPECT_EQ(fitness.TooSmallCells, 1);
+  EXPECT_NE(WordsOfFitness(fitness, CellTreatment::None).find("(by scale)"), std::string::npos);
+  EXPECT_EQ(WordsOfFitness(fitness, CellTreatment::None).find("Refine"), std::string::npos);
+}
+
+TEST(SolverFitness, LooksAtTheIntegrationPointsOfQuadraticCells)
+{
+  const std::vector<Point> straight = WithMidpoints(CellOfHeight(0.5));
+  EXPECT_TRUE(FitnessOf(straight, OneCell, ItsMidpoints).IsGood());
+  constexpr std::array<std::size_t, 6> opposite = { { 5, 3, 4, 1, 2, 0 } };
+  for (std::size_t edge = 0; edge < 6; ++edge)
+  {
+    std::vector<Point> curved = straight; // far beyond the opposite edge
+    for (int k = 0; k < 3; ++k)
+    {
+      curved[4 + edge][k] += 3 * (straight[4 + opposite[edge]][k] - straight[4 + edge][k]);
+    }
+    EXPECT_TRUE(FitnessOf(curved, OneCell).IsGood());
+    EXPECT_TRUE(
+      FitnessOf(curved, OneCell, { { { None, None, None, None, None, None } } }).IsGood());
+    EXPECT_EQ(FitnessOf(curved, OneCell, ItsMidpoints).RefusedCells, 1) << edge;
+  }
+  std::vector<Point> swapped = straight; // as gmsh has the last two
+  std::swap(swapped[8], swapped[9]);
+  EXPECT_EQ(FitnessOf(swapped, OneCell, ItsMidpoints).RefusedCells, 1);
+}
+
+TEST(SolverFitness, TellsWhereNeedlesHaveToStay)
+{
+  // Two cells on either side of a needle, 0 1 2.
+  const std::vector<Point> points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0.5, 0.001, 0 } },
+    { { 0.5, 0, 1 } }, { { 0.5, 0, -1 } } };
+  const std::vector<Tetrahedron> cells = { { { 0, 1, 2, 3 } }, { { 0, 2, 1, 4 } } };
+  const SolverFitness one = FitnessOf(points, { cells[0] });
+  EXPECT_EQ(one.PoorCells, 1);
+  EXPECT_EQ(one.CellsOnNeedles, 1);
+  EXPECT_EQ(FitnessOf(points, cells, {}, { 0, 1 }).CellsOnNeedles, 2);
+  const std::string words = WordsOfFitness(one, CellTreatment::Refined);
+  EXPECT_NE(words.find(": they lie on needles of the surface"), std::string::npos) << words;
+  EXPECT_NE(words.find("SurfaceTreatment remeshed"), std::string::npos) << words;
+  EXPECT_EQ(words.find("Refine"), std::string::npos) << words;
+}
+
+TEST(SolverFitness, AdvisesNothingTwice)
+{
+  SolverFitness fitness;
+  fitness.Cells = 10;
+  fitness.RefusedCells = 2;
+  fitness.PoorCells = 3;
+  const auto words = [&fitness](CellTreatment done) { return WordsOfFitness(fitness, done); };
+  EXPECT_EQ(words(CellTreatment::None),
+    "a solver refuses 2 of 10 cells, whose Jacobian determinants are not positive in doubles, and "
+    "suffers from 3 more, whose dihedral angles are below 1 degree: refining makes better ones "
+    "(Refine)");
+  EXPECT_NE(words(CellTreatment::Refined).find("SurfaceTreatment remeshed"), std::string::npos);
+  EXPECT_NE(words(CellTreatment::Remeshed).find("MergeTolerance"), std::string::npos);
+  fitness.RefusedCells = 0;
+  EXPECT_EQ(words(CellTreatment::None).rfind("a solver suffers from 3 of 10 cells", 0), 0u);
+}
