@@ -2,6 +2,7 @@
 #include "Out/RefineGrid.h"
 
 #include "Common/Error.h"
+#include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Data/Arrays.h"
@@ -72,35 +73,67 @@ void CheckGrid(vtkUnstructuredGrid* grid)
   }
 }
 
+/** Numbers from 0 in the order of values. */
+std::vector<Id> NumberedAnew(const std::vector<double>& values)
+{
+  std::vector<double> sorted = values;
+  SortUniquely(sorted);
+  std::vector<Id> numbers(values.size());
+  std::transform(values.begin(), values.end(), numbers.begin(),
+    [&](double value) { return static_cast<Id>(IndexIn(sorted, value)); });
+  return numbers;
+}
+
+/** An array of integers per cell; nullptr where there is none. @throws Error with these words */
+vtkDataArray* FindIntegers(vtkUnstructuredGrid* grid, const char* name, const char* otherwise)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(name);
+  const bool isReal =
+    array && (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
+  if (array && (isReal || array->GetNumberOfTuples() != grid->GetNumberOfCells()))
+  {
+    throw Error(ErrorCode::InvalidParameter, otherwise);
+  }
+  return array;
+}
+
 /** The cells' RegionId, numbered anew; empty where there is none. */
 std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
 {
-  vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
+  constexpr const char* otherwise = "the cell array RegionId is not one integer per cell";
+  vtkDataArray* array = FindIntegers(grid, "RegionId", otherwise);
   if (!array)
   {
     return {};
   }
-  const bool isReal = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-  if (isReal || array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != grid->GetNumberOfCells())
+  if (array->GetNumberOfComponents() != 1)
   {
-    throw Error(ErrorCode::InvalidParameter, "the cell array RegionId is not one integer per cell");
+    throw Error(ErrorCode::InvalidParameter, otherwise);
   }
   std::vector<double> values(grid->GetNumberOfCells());
   for (std::size_t c = 0; c < values.size(); ++c)
   {
     values[c] = array->GetComponent(static_cast<vtkIdType>(c), 0);
   }
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  std::vector<Id> regions(values.size());
-  std::transform(values.begin(), values.end(), regions.begin(),
-    [&](double value)
+  return NumberedAnew(values);
+}
+
+/** Regions whose cells are each in the same bodies, too: what lies within a region of several stays
+ * told apart. */
+std::vector<Id> SplitByBodies(std::vector<Id> regions, vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* bodies =
+    FindIntegers(grid, "InBody", "the cell array InBody is not integers for each cell");
+  for (int body = 0; bodies && body < bodies->GetNumberOfComponents(); ++body)
+  {
+    std::vector<double> values(grid->GetNumberOfCells());
+    for (std::size_t c = 0; c < values.size(); ++c)
     {
-      return static_cast<Id>(
-        std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
-    });
+      const double region = regions.empty() ? 0 : regions[c];
+      values[c] = 2 * region + (bodies->GetComponent(static_cast<vtkIdType>(c), body) != 0 ? 1 : 0);
+    }
+    regions = NumberedAnew(values);
+  }
   return regions;
 }
 
@@ -333,9 +366,11 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
 {
   Stopwatch stopwatch;
   CheckGrid(grid);
-  const std::vector<Id> regions = ReadRegions(grid);
-  const TetrahedralMesh mesh = ReadTetrahedra(grid);
   RefinementParameters parameters = given;
+  const bool isKept = parameters.Surface == SurfaceTreatment::Kept;
+  const std::vector<Id> regions =
+    isKept ? SplitByBodies(ReadRegions(grid), grid) : ReadRegions(grid);
+  const TetrahedralMesh mesh = ReadTetrahedra(grid);
   if (boundary && parameters.Surface == SurfaceTreatment::Remeshed)
   {
     parameters.Labels = LabelsOf(mesh, regions, boundary);
@@ -357,7 +392,7 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   CarryFaces(mesh, refined, "FacetMultiplicity", 0, grid, result.Grid);
   result.Grid->GetFieldData()->ShallowCopy(grid->GetFieldData());
   result.Boundary = boundary;
-  if (boundary && parameters.Surface != SurfaceTreatment::Kept)
+  if (boundary && !isKept)
   {
     result.Boundary = RefineBoundary(mesh, regions, refined, boundary, result.Warnings);
   }

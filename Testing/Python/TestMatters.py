@@ -22,6 +22,8 @@ class Refused(CommandLine):
             (("mesh", "a.ply", stl, "--quadratic-cells"), "--quadratic-cells", "first order"),
             (("mesh", "a.ply", stl, "--quadratic"), "--quadratic-cells", "first order"),
             (("repair", "a.ply", stl, "--refine"), "--refine", "without --surface-treatment"),
+            (("repair", "a.ply", stl, "--no-refine"), "--no-refine", "without --surface-treatment"),
+            (("mesh", "a.ply", vtu, "--no-refine", "--surface-treatment", "split"), "--surface-treatment", "--no-refine leaves the cells"),
             (("repair", "a.ply", stl, "--edge-length", "1"), "--edge-length", "without --surface-treatment"),
             (("repair", "a.ply", stl, "--maximum-volume", "1"), "--maximum-volume", "without --surface-treatment"),
             (("repair", "a.ply", stl, "--surface-treatment", "split", "--surface-tolerance", "1"), "--surface-tolerance", "remeshed"),

@@ -20,7 +20,7 @@ import insideout
 import surfaces
 from insideout import arguments
 from insideout.help import screen_of
-from insideout.option_kinds import Choice, Count, Dimensions, Number, Option, Order, Scale, Switch, owner_of
+from insideout.option_kinds import Choice, Count, Decision, Dimensions, Number, Option, Order, Scale, Switch, owner_of
 from insideout.options import DEFAULTS, OPTIONS, Options, flag_of, help_of
 from insideout.usage import OTHER_FLAGS
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -162,7 +162,7 @@ def example(option: Option) -> object:
         return int(option.most)
     if isinstance(option, Count):
         return 7
-    return True if isinstance(option, Switch) else 7.0 if isinstance(option, (Number, Scale)) else "Some"
+    return True if isinstance(option, (Switch, Decision)) else 7.0 if isinstance(option, (Number, Scale)) else "Some"
 
 
 def plugin_properties():
@@ -338,9 +338,9 @@ class Python(unittest.TestCase):
         hints = typing.get_type_hints(Options)
         expected = [(name, hints[name], DEFAULTS[name]) for name in OPTIONS]
         hints = typing.get_type_hints(insideout.tetrahedralize)
-        surface, *found, progress = inspect.signature(insideout.tetrahedralize).parameters.values()
+        surface, *found, output, progress = inspect.signature(insideout.tetrahedralize).parameters.values()
         self.assertEqual([(one.name, hints[one.name], one.default) for one in found], expected)
-        self.assertEqual((surface.name, progress.name), ("surface", "progress"))
+        self.assertEqual((surface.name, output.name, progress.name), ("surface", "output", "progress"))
         self.assertEqual({one.kind for one in found}, {inspect.Parameter.KEYWORD_ONLY})
 
     def test_other_functions_that_have_them_have_the_same(self):
@@ -435,7 +435,7 @@ class Python(unittest.TestCase):
 
     def test_a_switch_is_no_text(self):
         for name, option in OPTIONS.items():
-            if isinstance(option, Switch):
+            if isinstance(option, (Switch, Decision)):
                 with self.assertRaisesRegex(insideout.Error, f"^{name} is 'Some'; it must be True or False"):
                     Options(**{name: "Some"}).set_on(insideout.vtkRobustTetrahedralize())
 

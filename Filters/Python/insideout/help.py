@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import argparse
 import re
 import shutil
 import textwrap
@@ -71,7 +72,7 @@ def screen_of(name: str, everything: bool = False) -> str:
     lines += [line for operand, words in command.operands for line in _beside(f"  {operand}", words, indent)]
     for topic, options in command.by_topic().items():
         told = [option for option in options if everything or not command.first or option in command.first]
-        others = " ".join(flag_of(option) for option in options if option not in told)
+        others = " ".join(flag for option in options if option not in told for flag in _flags(option))
         heading = f"{topic} (also {others}):" if others else f"{topic}:"
         lines += [*[""] * everything, *textwrap.wrap(heading, _columns(), subsequent_indent="  ", break_on_hyphens=False)]
         for option in told:
@@ -90,7 +91,13 @@ def _spelled(name: str) -> str:
     choices = "{" + ",".join(map(str, argument.get("choices", ()))) + "}"
     taken = argument.get("metavar") or ("" if argument.get("action") else choices)
     short = [flag for flag in OTHER_FLAGS.get(name, []) if not flag.startswith("--")]
-    return f"{', '.join([*short, flag_of(name)])} {taken}".rstrip()
+    return f"{', '.join([*short, *_flags(name)])} {taken}".rstrip()
+
+
+def _flags(name: str) -> list[str]:
+    """An option, and what takes it back where that is one, too."""
+    is_decision = argument_of(name).get("action") is argparse.BooleanOptionalAction
+    return [flag_of(name), *(["--no-" + name] if is_decision else [])]
 
 
 def _gist(words: str) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Callable, Optional, Sequence
 
 from .files import READABLE_SOLIDS, WRITABLE_SURFACES, ending
-from .options import OPTIONS, flag_of
+from .options import OPTIONS, REFINING_OPTIONS, flag_of
 from .usage import BOOLEAN_OPTIONS, CHECK_OPTIONS, MESH_OPTIONS, WINDING_OPTIONS
 
 WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
@@ -28,6 +28,10 @@ class Asked:
     def has(self, *names: str) -> bool:
         """Whether one of some options is given."""
         return any(getattr(self.options, name, None) is not None for name in names)
+
+    def flag(self, name: str) -> str:
+        """An option that is given, as it is given."""
+        return "--no-" + name if getattr(self.options, name) is False else flag_of(name)
 
     def solid(self) -> Optional[str]:
         """A solid that is drawn or checked instead of a surface."""
@@ -60,6 +64,7 @@ class Rule:
 
 
 RULES = (
+    Rule(REFINING_OPTIONS, lambda asked: getattr(asked.options, "refine", None) is False, "--no-refine leaves the cells as they are"),
     Rule(("quadratic_cells",), Asked.writes_surface, "a surface has triangles of first order"),
     Rule(
         ("refine", "edge_length", "grading", "maximum_volume"),
@@ -124,6 +129,6 @@ def _of_defects(asked: Asked) -> Optional[str]:
 
 def _by_rules(asked: Asked) -> Optional[str]:
     return next(
-        (f"{flag_of(name)} cannot matter here: {rule.reason}" for rule in RULES for name in rule.names if asked.has(name) and rule.holds(asked)),
+        (f"{asked.flag(name)} cannot matter here: {rule.reason}" for rule in RULES for name in rule.names if asked.has(name) and rule.holds(asked)),
         None,
     )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import re
 from dataclasses import dataclass
@@ -95,6 +96,16 @@ class Switch(Option):
 
     def argument(self) -> dict[str, Any]:
         return {"action": "store_true"}
+
+
+class Decision(Option):
+    """A switch whose default depends on what is asked for besides: None."""
+
+    def checked(self, name: str, value: Any) -> bool:
+        return switch(name, value)
+
+    def argument(self) -> dict[str, Any]:
+        return {"action": argparse.BooleanOptionalAction}
 
 
 class Order(Option):

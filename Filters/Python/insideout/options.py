@@ -17,8 +17,9 @@ from typing import Any, Callable, Iterable, Literal, Mapping, Optional, Sequence
 from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData
 
 from .declared import CONSTANTS, DECLARED
+from .errors import ArgumentError
 from .lengths import Length, diagonal_of, share_of
-from .option_kinds import ChosenFacets, Dimensions, Lengths, Names, Option, Places, Scale, Seeds, kind_of, owner_of
+from .option_kinds import ChosenFacets, Decision, Dimensions, Lengths, Names, Option, Places, Scale, Seeds, kind_of, owner_of
 from .vtkFiltersInsideOut import vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
@@ -93,7 +94,7 @@ class RefinementOptions:
 
 @dataclass(frozen=True)
 class WorkOptions:
-    refine: bool = False
+    refine: Optional[bool] = None
     surface_only: bool = False
     engine: Engine = "automatic"
     parts_apart: bool = False
@@ -119,7 +120,14 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
 
     def refines(self) -> bool:
         """Whether the solid is to be refined: by an option that has no other meaning, too."""
-        return self.refine or any(self._is_given(name) for name in REFINING_OPTIONS)
+        given = next((name for name in REFINING_OPTIONS if self._is_given(name)), None)
+        if given and self.refine is False:
+            raise ArgumentError(f"{given} is given, which refines, and refine is False")
+        return bool(self.refine or given)
+
+    def for_solver(self) -> Options:
+        """The same for a solver's file: refined, unless something else is asked for."""
+        return replace(self, refine=not self.surface_only) if self.refine is None else self
 
     def parts(self) -> bool:
         """Whether the solid has more points or cells than the hull has of it."""
@@ -185,15 +193,17 @@ _KINDS: dict[str, type[Option]] = {
     **dict.fromkeys(LENGTHS, Lengths),
     "priority": Names,
     "constrained_facets_array": ChosenFacets,
+    "refine": Decision,
 }
 _MORE_WORDS = {"priority": " Or a list of them."}
 _OR_PERCENT = ' Or "2%" of the diagonal of the input.'
+_FOR_SOLVERS = " On where the file that is to be written is for a solver: .msh, .inp, .mesh or .xdmf."
 
 
 def _declared(name: str) -> Option:
     one = DECLARED[name]
     kind = _KINDS.get(name, kind_of(one))
-    words = one.words + _OR_PERCENT if kind is Lengths else one.words
+    words = one.words + (_OR_PERCENT if kind is Lengths else _FOR_SOLVERS if kind is Decision else "")
     return kind(one.vtk_property, words, _MORE_WORDS.get(name, ""), one.least or 0, one.most, one.choices)
 
 

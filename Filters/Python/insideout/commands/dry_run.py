@@ -31,7 +31,7 @@ class DryRun(Job):
 
     def check(self) -> None:
         self.planned.check()
-        self.parameters = self.planned.parameters
+        self.parameters, self.settings = self.planned.parameters, self.planned.settings
         self.is_working = True
 
     def work(self) -> None:

@@ -20,7 +20,7 @@ from ..hints import hints_for_printing
 from ..interruption import work_on
 from ..options import OPTIONS, flag_of
 from ..pipeline import Error
-from ..solid_files import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, write_solid
+from ..solid_files import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, is_for_solver, write_solid
 from ..stages import DRAWING, REFINE, TETRAHEDRALIZE, WRITING
 from ..summary import defects, seams, summary, tetrahedralizer
 from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
@@ -42,6 +42,8 @@ class MeshJob(Job):
     hints: list[str] = []
 
     def check_parameters(self) -> dict[str, Any]:
+        if is_for_solver(self.files.output or ""):
+            self.settings = self.settings.for_solver()
         if self.settings.refines():
             self.stages = (*TETRAHEDRALIZE, *REFINE)
         check_display(self.files.plot)

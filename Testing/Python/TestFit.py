@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solids that a solver takes: refined where the file is for one, else told of; and the same solid as before."""
+
+import itertools
+import json
+import re
+import subprocess
+import unittest
+import warnings
+from collections import Counter
+
+import insideout
+import numpy as np
+import surfaces
+from command import CommandLine, read_grid, run_here
+from insideout import demo
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+DECK = """\
+*INCLUDE, INPUT=solid.inp
+*MATERIAL, NAME=any
+*ELASTIC
+1, 0.3
+*SOLID SECTION, ELSET=Eall, MATERIAL=any
+*BOUNDARY
+Nall, 1, 3
+*STEP
+*STATIC
+*END STEP
+"""
+
+
+def slanting_plate(cells=14):
+    """A plate of squares, whose corners lie in planes but for rounding: some cells between them are flat in doubles."""
+    x, y, z = np.array([(2, -1, 2), (2, 2, -1), (-1, 2, 2)]) / 3
+    places = [x * i + y * j + z * k for k in (0, 1) for j in range(cells + 1) for i in range(cells + 1)]
+    row = cells + 1
+    layer = row * row
+    facets = []
+    for i, j in itertools.product(range(cells), repeat=2):
+        a, b, c, d = j * row + i, j * row + i + 1, (j + 1) * row + i + 1, (j + 1) * row + i
+        facets += [(a, c, b), (a, d, c), (a + layer, b + layer, c + layer), (a + layer, c + layer, d + layer)]
+    edges = Counter((facet[k], facet[(k + 1) % 3]) for facet in facets for k in range(3))
+    for a, b in [edge for edge in edges if edge[::-1] not in edges and edge[0] < layer and edge[1] < layer]:
+        facets += [(b, a, a + layer), (b, a + layer, b + layer)]
+    return surfaces.polydata(places, facets)
+
+
+def areas_by_tag(result) -> dict[str, float]:
+    points = result.boundary.points
+    corners = {name: points[result.boundary.triangles[those]] for name, those in result.tags.items()}
+    return {name: float(np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum() / 2) for name, c in corners.items()}
+
+
+def volumes_of(grid, array: str) -> np.ndarray:
+    """The volumes of regions, or of the bodies where their winding number is above 1/2."""
+    corners = grid.points[grid.cells]
+    volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
+    values = vtk_to_numpy(grid.GetCellData().GetArray(array))
+    return np.bincount(values, volumes) if array == "RegionId" else volumes @ (values.reshape(len(volumes), -1) > 0.5)
+
+
+def groups_of(path: str) -> dict[str, int]:
+    """How many element faces each surface of an .inp file has, and that it has sets of each name."""
+    found: dict[str, int] = {}
+    name = ""
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            keyword = re.match(r"\*(\w+).*?(?:NAME|SET)=(\w+)", line)
+            name = f"{keyword[1]} {keyword[2]}" if keyword else "" if line.startswith("*") else name
+            found[name] = found.get(name, 0) + (0 if keyword else 1)
+    return found
+
+
+class TheSameSolid(unittest.TestCase):
+    """What a solver's file has by default, against the cells as they come."""
+
+    def test_areas_and_volumes_by_name_stay(self):
+        ball = surfaces.ball(0.7, 12, 8)
+        cases = {
+            "tags": (surfaces.joined(surfaces.box(), surfaces.box((2, 0, 0))), {}),
+            "bodies": ({"ball": ball, "box": surfaces.box()}, {"priority": "ball"}),
+            "combinations": ({"ball": ball, "box": surfaces.box()}, {"region_rule": "all"}),
+        }
+        surfaces.add_array(cases["tags"][0].GetCellData(), "Side", np.arange(24, dtype=np.int64) // 5)
+        cases["tags"][1]["tag_array"] = "Side"
+        for name, (surface, options) in cases.items():
+            with self.subTest(name):
+                plain = insideout.tetrahedralize(surface, refine=False, **options)
+                fit = insideout.tetrahedralize(surface, refine=True, **options)
+                self.assertGreater(len(fit.solid.cells), len(plain.solid.cells))
+                expected = areas_by_tag(plain)
+                self.assertGreater(len(expected), 1)
+                found = areas_by_tag(fit)
+                self.assertEqual(found.keys(), expected.keys())
+                np.testing.assert_allclose([found[tag] for tag in expected], list(expected.values()), rtol=1e-12)
+                arrays = ["RegionId"] + ["BodyW"] * isinstance(surface, dict)
+                for array in arrays:
+                    np.testing.assert_allclose(volumes_of(fit.solid, array), volumes_of(plain.solid, array), rtol=1e-11)
+                self.assertEqual(surfaces.points_of(fit.boundary).tolist(), surfaces.points_of(plain.boundary).tolist())
+                self.assertEqual(fit.boundary.triangles.tolist(), plain.boundary.triangles.tolist())
+
+
+class Default(CommandLine):
+    def setUp(self):
+        super().setUp()
+        self.surface = self.file("bracket.obj", demo.bracket())
+        self.plain = insideout.tetrahedralize(self.surface)
+        self.fit = insideout.tetrahedralize(self.surface, refine=True)
+        self.assertGreater(len(self.fit.solid.cells), len(self.plain.solid.cells))
+
+    def cells_of(self, name: str) -> int:
+        return len(insideout.read(self.path(name)).cells)
+
+    def test_of_the_command_is_to_refine_for_solvers_alone(self):
+        for name, expected in (("a.inp", self.fit), ("a.msh", self.fit), ("a.mesh", self.fit), ("a.vtu", self.plain)):
+            self.succeed("mesh", self.surface, self.path(name), "--quiet")
+            self.assertEqual(self.cells_of(name), len(expected.solid.cells), name)
+            self.succeed("mesh", self.surface, self.path(name), "--quiet", "--no-refine")
+            self.assertEqual(self.cells_of(name), len(self.plain.solid.cells), name)
+
+    def test_of_the_function_is_the_same_where_it_is_told_the_output(self):
+        for name, expected in (("b.inp", self.fit), ("b.msh", self.fit), ("b.vtu", self.plain)):
+            made = insideout.tetrahedralize(self.surface, output=self.path(name))
+            self.assertEqual(len(made.solid.cells), len(expected.solid.cells), name)
+            self.assertEqual(self.cells_of(name), len(expected.solid.cells), name)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", insideout.Warning)
+            insideout.tetrahedralize(self.surface, output=self.path("b.inp"), refine=False)
+        self.assertEqual(self.cells_of("b.inp"), len(self.plain.solid.cells))
+        insideout.tetrahedralize(self.surface, output=self.path("b.stl"))
+        self.assertEqual(len(insideout.read(self.path("b.stl")).triangles), len(self.plain.boundary.triangles))
+        with self.assertRaisesRegex(insideout.Error, r"b\.txt: unknown ending"):
+            insideout.tetrahedralize(self.surface, output=self.path("b.txt"))
+
+    def test_of_writing_is_to_leave_cells_as_they_are(self):
+        with self.assertWarnsRegex(insideout.Warning, r"c\.inp: a solver suffers from \d+ of \d+ cells, .*: refining makes better ones \(refine\)"):
+            insideout.write(self.plain, self.path("c.inp"))
+        self.assertEqual(insideout.read(self.path("c.inp")).cells.tolist(), self.plain.solid.cells.tolist())
+
+    def test_groups_have_the_same_names_and_faces(self):
+        self.succeed("mesh", self.surface, self.path("fit.inp"), "--quiet")
+        self.succeed("mesh", self.surface, self.path("plain.inp"), "--quiet", "--no-refine")
+        fit, plain = groups_of(self.path("fit.inp")), groups_of(self.path("plain.inp"))
+        self.assertEqual(fit.keys(), plain.keys())
+        faces = [name for name in plain if name.startswith("SURFACE")]
+        self.assertIn("SURFACE load", faces)
+        self.assertEqual([fit[name] for name in faces], [plain[name] for name in faces])
+
+    def test_a_refinement_that_is_refused_and_asked_for_is_an_error(self):
+        with self.assertRaisesRegex(insideout.Error, "^edge_length is given, which refines, and refine is False$"):
+            insideout.tetrahedralize(self.surface, refine=False, edge_length=5)
+        done = run_here("mesh", self.surface, self.path("d.inp"), "--no-refine", "--edge-length", "5")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--edge-length cannot matter here: --no-refine leaves the cells as they are", done.stderr)
+
+    def test_the_dry_run_and_the_report_tell_of_it(self):
+        report = self.path("report.json")
+        for options, refines in (([], True), (["--no-refine"], False)):
+            self.succeed("mesh", self.surface, self.path("e.inp"), "--quiet", "--report", report, *options)
+            with open(report, encoding="utf-8") as file:
+                told = json.load(file)
+            self.assertIs(told["parameters"]["refine"], refines)
+            self.assertEqual(told["statistics"]["RefusedCells"], 0)
+            self.assertEqual(told["statistics"]["PoorCells"] == 0, refines)
+        said = [run_here("mesh", self.surface, self.path("f.inp"), "--dry-run", *more).stdout for more in ([], ["--no-refine"])]
+        self.assertNotEqual(*(re.search("about .* tetrahedra", text)[0] for text in said))
+
+    def succeed(self, *arguments: str):
+        done = run_here(*arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Unfit(CommandLine):
+    """Cells that a solver does not take: the count, and what helps."""
+
+    def write_unrefined(self) -> int:
+        """The number of cells that are told as refused."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            insideout.tetrahedralize(slanting_plate(), refine=False, output=self.path("solid.inp"))
+        (told,) = [str(one.message) for one in caught if "a solver refuses" in str(one.message)]
+        return int(re.search(r"refuses (\d+) of", told)[1])
+
+    def test_the_count_is_that_of_calculix_cell_by_cell(self):
+        count = self.write_unrefined()
+        self.assertGreater(count, 1)
+        self.file("deck.inp", DECK)
+        done = subprocess.run(["ccx", "deck"], cwd=self.folder, capture_output=True, text=True, check=False)
+        refused = set(re.findall(r"nonpositive jacobian\s+determinant in element\s+(\d+)", done.stdout))
+        self.assertEqual(len(refused), count)
+
+    def test_it_is_the_same_in_check_its_report_and_its_verdict(self):
+        count = self.write_unrefined()
+        found = insideout.check_solid(self.path("solid.inp"))
+        self.assertEqual((found.statistics["RefusedCells"], found.statistics["NegativeCells"]), (count, 0))
+        self.assertIn(f"{count:,} cells that a solver refuses", found.verdict)
+        self.assertIn(f"{count:,} cells that a solver refuses", [finding.text for finding in found.findings if finding.matters])
+        (warning,) = found.warnings
+        self.assertRegex(warning, rf"^a solver refuses {count} of \d+ cells")
+
+    def test_the_unit_counts_and_a_smaller_one_helps(self):
+        small = insideout.tetrahedralize(surfaces.box(), refine=True, scale=1e-8)
+        with self.assertWarnsRegex(insideout.Warning, r"refuses (\d+) of \1 cells.*: they would pass in a smaller unit \(by scale\)"):
+            insideout.write(small, self.path("small.msh"))
+
+    def test_needles_of_the_surface_are_told_and_gone_after_the_advice(self):
+        needles = surfaces.joined(surfaces.box(), surfaces.box((0, 0, 1 - 1e-4)))
+        surface = self.file("needles.ply", needles)
+        done = run_here("mesh", surface, self.path("solid.msh"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"Warning: .*solid\.msh: a solver .*(they|\d+ of them) lie on needles of the surface, for which --surface-treatment remeshed")
+        done = run_here("mesh", surface, self.path("solid.msh"), "--surface-treatment", "remeshed")
+        self.assertNotIn("a solver", done.stdout)
+
+    def test_files_for_no_solver_have_no_word_of_it(self):
+        done = run_here("mesh", self.file("plate.ply", slanting_plate()), self.output)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("a solver", done.stdout)
+        self.assertGreater(read_grid(self.output).GetNumberOfCells(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
