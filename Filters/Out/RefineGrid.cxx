@@ -306,10 +306,10 @@ double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
   return 0;
 }
 
-/** The longest edge of the boundary and between regions. */
-double LongestSurfaceEdge(const RefinedMesh& refined)
+/** The lengths of edges of the boundary and between regions, once for each face. */
+std::vector<double> SurfaceEdges(const RefinedMesh& refined)
 {
-  double longest = 0;
+  std::vector<double> lengths;
   for (std::size_t c = 0; c < refined.Cells.size(); ++c)
   {
     for (int k = 0; k < 4; ++k)
@@ -317,29 +317,58 @@ double LongestSurfaceEdge(const RefinedMesh& refined)
       if (refined.OriginalFaces[c][k] != None)
       {
         const auto corners = CornersOf(refined.Points, FaceOf(refined.Cells[c], k));
-        longest = std::max({ longest, Distance(corners[0], corners[1]),
-          Distance(corners[1], corners[2]), Distance(corners[2], corners[0]) });
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          lengths.push_back(Distance(corners[corner], corners[(corner + 1) % 3]));
+        }
       }
     }
   }
-  return longest;
+  return lengths;
+}
+
+/** Where the surface does not have the edges that are asked for; empty where it has. */
+std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementParameters& parameters)
+{
+  // Where the surface obeys some edges are longer, too, by less, and most are half as long at
+  // least.
+  constexpr double MostTimes = 2;
+  const double asked = parameters.Sizes.EdgeLength;
+  std::vector<double> lengths = asked > 0 ? SurfaceEdges(refined) : std::vector<double>();
+  std::ostringstream words;
+  if (lengths.empty())
+  {
+    return {};
+  }
+  if (parameters.Surface == SurfaceTreatment::Kept)
+  {
+    const double longest = *std::max_element(lengths.begin(), lengths.end());
+    words << "EdgeLength is " << asked << ", and edges of the surface, which is kept, are up to "
+          << std::setprecision(3) << longest
+          << " long: SurfaceTreatment split or remeshed makes them as short";
+    return longest > MostTimes * asked ? words.str() : std::string();
+  }
+  const bool isByLengthAlone = parameters.Sizes.Lengths.empty() && !parameters.Sizes.LengthAt &&
+    parameters.Sizes.MaximumVolume == 0;
+  if (parameters.Surface != SurfaceTreatment::Remeshed || !isByLengthAlone)
+  {
+    return {};
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  words << "EdgeLength is " << asked << ", and half of the edges of the surface are shorter than "
+        << std::setprecision(3) << *middle << ", for it stays within SurfaceTolerance, "
+        << StatisticOf(refined, "SurfaceTolerance")
+        << ", and keeps edges above FeatureAngle: larger ones make it coarser";
+  return *middle < asked / MostTimes ? words.str() : std::string();
 }
 
 void WarnAbout(const RefinedMesh& refined, const RefinementParameters& parameters,
   std::vector<std::string>& warnings)
 {
-  // Where the surface obeys some edges are longer, too, by less.
-  constexpr double MostTimesLonger = 2;
-  const double longest =
-    parameters.Surface == SurfaceTreatment::Kept ? LongestSurfaceEdge(refined) : 0;
-  if (const double asked = parameters.Sizes.EdgeLength;
-      asked > 0 && longest > MostTimesLonger * asked)
+  if (const std::string words = OtherEdgesThanAsked(refined, parameters); !words.empty())
   {
-    std::ostringstream words;
-    words << "EdgeLength is " << asked << ", and edges of the surface, which is kept, are up to "
-          << std::setprecision(3) << longest
-          << " long: SurfaceTreatment split or remeshed makes them as short";
-    warnings.push_back(words.str());
+    warnings.push_back(words);
   }
   if (const double large = StatisticOf(refined, "CellsAboveMaximumVolume"); large > 0)
   {

@@ -135,6 +135,44 @@ class Surface(unittest.TestCase):
                 insideout.tetrahedralize(surfaces.two_boxes(), refine=True, surface_treatment="split", **{option: True})
 
 
+class Lengths(unittest.TestCase):
+    """What is asked for of edges, and what the surface has."""
+
+    @staticmethod
+    def edges_of(made) -> np.ndarray:
+        corners = made.boundary.points[made.boundary.triangles]
+        return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+
+    def told(self, surface, **options):
+        made = insideout.tetrahedralize(surface, **options)
+        return made, [warning for warning in made.warnings if warning.startswith("edge_length is ")]
+
+    def test_a_kept_surface_that_does_not_obey_is_told_and_one_that_is_split_does(self):
+        cube = surfaces.box(size=10)
+        _, told = self.told(cube, edge_length=2)
+        self.assertEqual(
+            told,
+            ["edge_length is 2, and edges of the surface, which is kept, are up to 14.1 long: surface_treatment split or remeshed makes them as short"],
+        )
+        self.assertEqual(self.told(cube, edge_length=8)[1], [])
+        for treatment in ("split", "remeshed"):
+            made, told = self.told(cube, edge_length=2, surface_treatment=treatment)
+            self.assertEqual(told, [])
+            self.assertLess(self.edges_of(made).max(), 2 * 2)
+
+    def test_a_length_above_the_edges_makes_a_remeshed_surface_coarser_as_far_as_its_tolerance_permits(self):
+        ball = surfaces.ball(1, 60, 40)
+        triangles = ball.GetNumberOfPolys()
+        made, told = self.told(ball, edge_length=0.7, surface_treatment="remeshed", surface_tolerance=0.2)
+        self.assertEqual(told, [])
+        self.assertLess(len(made.boundary.triangles), triangles / 10)
+        made, (told,) = self.told(ball, edge_length=0.7, surface_treatment="remeshed")
+        self.assertGreater(len(made.boundary.triangles), triangles / 10)
+        shorter = np.median(self.edges_of(made))
+        said = f"edge_length is 0.7, and half of the edges of the surface are shorter than {shorter:.3g}, for it stays within surface_tolerance, "
+        self.assertTrue(told.startswith(said), told)
+
+
 class Function(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
