@@ -17,7 +17,7 @@ from insideout.options import Options, flag_of
 
 class Refused(CommandLine):
     def cases(self) -> tuple:
-        stl, vtu, solid = self.path("fixed.stl"), self.output, self.path("a.vtu")
+        stl, vtu, solid, inp = self.path("fixed.stl"), self.output, self.path("a.vtu"), self.path("a.inp")
         return (
             (("mesh", "a.ply", stl, "--quadratic-cells"), "--quadratic-cells", "first order"),
             (("mesh", "a.ply", stl, "--quadratic"), "--quadratic-cells", "first order"),
@@ -28,6 +28,11 @@ class Refused(CommandLine):
             (("repair", "a.ply", stl, "--maximum-volume", "1"), "--maximum-volume", "without --surface-treatment"),
             (("repair", "a.ply", stl, "--surface-treatment", "split", "--surface-tolerance", "1"), "--surface-tolerance", "remeshed"),
             (("refine", solid, vtu, "--feature-angle", "10"), "--feature-angle", "remeshed"),
+            (("mesh", "a.ply", vtu, "--material", "steel", "--fix", "a"), "--material", "completes an .inp file"),
+            (("mesh", "a.ply", inp, "--material", "steel"), "--material", "--fix"),
+            (("mesh", "a.ply", inp, "--fix", "a"), "--fix", "--material"),
+            (("mesh", "a.ply", inp, "--pressure", "a", "1"), "--pressure", "--material"),
+            (("mesh", "a.ply", inp, "--gravity"), "--gravity", "--material"),
             (("mesh", "a.ply", vtu, "--thicken-all"), "--thicken-all", "--thicken"),
             (("mesh", "a.ply", vtu, "--seeded-regions"), "--seeded-regions", "--seeds"),
             (("mesh", "a.ply", vtu, "--priority", "a"), "--priority", "several bodies"),

@@ -16,7 +16,7 @@ from .lengths import scale_between
 from .matters import WHY_NOT, refusal
 from .options import flag_of
 from .solid_files import WRITABLE_GRIDS
-from .usage import BEFORE_FILES, COMMANDS, DEMO_FOLDER, OTHER_FLAGS, argument_of
+from .usage import BEFORE_FILES, COMMANDS, DECK_OPTIONS, DEMO_FOLDER, OTHER_FLAGS, argument_of
 from .version import __version__
 
 USAGE_ERROR = 2
@@ -26,7 +26,7 @@ _NOT_GIVEN: dict[str, Any] = dict.fromkeys(
     (
         *("files", "expression", "points", "distance", "sizes", "output", "hull", "boundary", "outliers", "plot", "marked", "report"),
         *("msh_version", "format", "together", "timeout", "threads", "quiet", "json", "check", "defects", "force", "is_output_told"),
-        *("dry_run", "from", "to"),
+        *("dry_run", "from", "to", *DECK_OPTIONS),
     )
 )
 """What jobs ask for, whether the command has such an option or not."""

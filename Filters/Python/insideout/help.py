@@ -89,7 +89,8 @@ def _spelled(name: str) -> str:
     """An option with what it takes."""
     argument = argument_of(name)
     choices = "{" + ",".join(map(str, argument.get("choices", ()))) + "}"
-    taken = argument.get("metavar") or ("" if argument.get("action") else choices)
+    metavar = argument.get("metavar") or ("" if argument.get("action") else choices)
+    taken = metavar if isinstance(metavar, str) else " ".join(metavar)
     short = [flag for flag in OTHER_FLAGS.get(name, []) if not flag.startswith("--")]
     return f"{', '.join([*short, *_flags(name)])} {taken}".rstrip()
 

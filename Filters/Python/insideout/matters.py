@@ -9,7 +9,7 @@ from typing import Callable, Optional, Sequence
 
 from .files import READABLE_SOLIDS, WRITABLE_SURFACES, ending
 from .options import OPTIONS, REFINING_OPTIONS, flag_of
-from .usage import BOOLEAN_OPTIONS, CHECK_OPTIONS, MESH_OPTIONS, WINDING_OPTIONS
+from .usage import BOOLEAN_OPTIONS, CHECK_OPTIONS, DECK_OPTIONS, MESH_OPTIONS, WINDING_OPTIONS
 
 WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
 """Why commands have no use for options of `mesh`."""
@@ -76,6 +76,9 @@ RULES = (
         lambda asked: getattr(asked.options, "surface_treatment", "kept") != "remeshed",
         "it takes --surface-treatment remeshed",
     ),
+    Rule(DECK_OPTIONS, lambda asked: ending(asked.options.output or "") != ".inp", "it completes an .inp file"),
+    Rule(DECK_OPTIONS[1:], lambda asked: not asked.has("material"), "it takes --material"),
+    Rule(("material",), lambda asked: not asked.has("fix"), "it takes --fix, for without a support there is no equilibrium"),
     Rule(("thicken_all",), lambda asked: not asked.has("thicken"), "it takes --thicken"),
     Rule(("seeded_regions",), lambda asked: not asked.has("seeds"), "it takes --seeds"),
     Rule(("priority", "region_rule", "touch_tolerance"), lambda asked: not asked.has_bodies(), "it takes several bodies, by --together or --body-array"),
@@ -105,7 +108,7 @@ def _of_command(asked: Asked) -> Optional[str]:
     if options.command not in _OF_COMMANDS:
         return None
     usable = {*_OF_COMMANDS[options.command]} | ({"plot"} if options.command == "check" and asked.has_solids_alone() else set())
-    others = (*MESH_OPTIONS, *(("output", "force", "dry_run") if options.command == "check" else ()))
+    others = (*MESH_OPTIONS, *DECK_OPTIONS, *(("output", "force", "dry_run") if options.command == "check" else ()))
     found = next((name for name in others if name not in usable and asked.has(name)), None)
     return found and f"{options.called} {WHY_NOT[options.command]}: it goes without {flag_of(found)}"
 

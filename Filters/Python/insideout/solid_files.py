@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .bodies import outer_boundary
 from .data import Tetrahedra, Triangles, as_type, is_flat
+from .deck import Deck
 from .errors import ArgumentError, Error, one_of
 from .exporting import is_boundary_alone, scalars_and_vectors
 from .files import GRID, WRITABLE_SURFACES, Path, check_output, ending, run_writer, temporary_folder, write_grid, write_surface
@@ -56,11 +57,12 @@ def write_solid(
     boundary: Optional[vtkPolyData] = None,
     msh_version: MshVersion = "4.1",
     figures: Optional[Dict[str, float]] = None,
+    deck: Optional[Deck] = None,
 ) -> list[str]:
     """Write tetrahedra in any of the formats that have them. No cell is changed.
 
-    Returns what is worth knowing of the file: which cells a solver does not take. `figures` gets their counts. Raises `Error`
-    that names the file.
+    Returns what is worth knowing of the file: which cells a solver does not take. `figures` gets their counts. A deck completes
+    an .inp file. Raises `Error` that names the file.
     """
     figures = {} if figures is None else figures
     path = os.fspath(path)
@@ -76,7 +78,7 @@ def write_solid(
         writer.SetInputData(grid)
         writer.SetBoundaryData(boundary)
         writer.SetMshVersion(versions.index(one_of(versions, "msh_version", msh_version)))
-        warnings = in_words_of_python(run_writer(writer, path))
+        warnings = in_words_of_python(run_writer(writer, path) if deck is None else _write_with_deck(writer, path, deck))
         figures.update({name: getattr(writer, "Get" + name)() for name in _FITNESS})
         return warnings
     if ending(path) != XDMF:
@@ -94,6 +96,21 @@ def _fitness_of(grid: vtkUnstructuredGrid, path: str, figures: Dict[str, float])
     found = statistics_of(measure.GetOutput())
     figures.update({name: found[name] for name in _FITNESS})
     return [f"{path}: {warning}" for warning in warnings]
+
+
+def _write_with_deck(writer: vtkSolidWriter, path: str, deck: Deck) -> list[str]:
+    """Write mesh and deck, both or none."""
+    with temporary_folder() as folder:
+        whole = os.path.join(folder, "whole.inp")
+        warnings = run_writer(writer, whole)
+        with open(whole, encoding="ascii") as file:
+            mesh = file.read()
+    try:
+        text = deck.text_behind(mesh)
+    except Error as error:
+        raise Error(f"{path}: {error}") from None
+    write_bytes((mesh + text).encode("ascii"), path)
+    return [warning.replace(whole, path) for warning in warnings]
 
 
 def check_format(path: Path) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Sequence, get_args
 
+from .deck import MATERIALS
 from .files import READABLE_SOLIDS, READABLE_SURFACES, WRITABLE_SURFACES
 from .lengths import UNITS
 from .options import OPTIONS, REFINING_OPTIONS, flag_of, help_of
@@ -31,6 +32,9 @@ OF_THE_RUN = ("output", "force", "dry_run", "report", "json", "format", "timeout
 
 _MESH_FILES = ("hull", "boundary", "outliers", "plot", "msh_version")
 MESH_OPTIONS = (*_MESH_FILES, "together", *OPTIONS)
+
+DECK_OPTIONS = ("material", "fix", "pressure", "gravity")
+"""What makes an .inp file a complete deck."""
 
 _OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic_cells")
 """What a repaired surface has no use for."""
@@ -77,6 +81,19 @@ _OTHERS: dict[str, dict[str, Any]] = {
         "action": "store_true",
         "help": "make one mesh of all surfaces, which conforms: each is a body, called like its file without folder and ending",
     },
+    "material": {
+        "metavar": "NAME",
+        "choices": tuple(MATERIALS),
+        "help": f"complete an .inp file for a static analysis, which ccx runs, with {' or '.join(MATERIALS)}; lengths are in the unit of --to, or millimeters, forces in newtons",
+    },
+    "fix": {"metavar": "TAG", "action": "append", "help": "hold the points of this part of the boundary; may be given several times"},
+    "pressure": {
+        "metavar": ("TAG", "VALUE"),
+        "nargs": 2,
+        "action": "append",
+        "help": "press on this part of the boundary, by newtons per squared unit: megapascals for millimeters; may be given several times",
+    },
+    "gravity": {"action": "store_true", "help": "let the weight act along -z"},
     "sizes": {"metavar": "ARRAY", "help": "how long edges are to be at each point, by this point array of the solid"},
     "distance": {"action": "store_true", "help": "how far the surface is from each point, too, negative inside"},
     "timeout": {"metavar": "S", "type": float, "help": "give a surface up after this many seconds; none by default"},
@@ -102,6 +119,7 @@ TOPICS: dict[str, Sequence[str]] = {
     "segmentation": TOPICS_OF_OPTIONS["segmentation"],
     "topology": TOPICS_OF_OPTIONS["topology"],
     "refinement": ("refine", *REFINING_OPTIONS, "sizes"),
+    "analysis": DECK_OPTIONS,
     "points": ("distance",),
     "work": (*(name for name in TOPICS_OF_OPTIONS["work"] if name != "refine"), "timeout", "threads", "quiet"),
 }
@@ -155,7 +173,7 @@ insideout demo
         "tetrahedra of the solid inside",
         "Make tetrahedra of the solid that a surface means, or triangles in a plane.",
         (_SURFACE, _OUTPUT),
-        (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN),
+        (*MESH_OPTIONS, *DECK_OPTIONS, *_UNITS, *OF_THE_RUN),
         """\
 insideout mesh broken.ply solid.vtu
     the tetrahedra inside
@@ -171,12 +189,14 @@ insideout mesh --together bone.stl fat.ply limb.msh --priority bone
     several bodies in one mesh that conforms: a region for each, where both are that of the bone
 insideout mesh parts.obj parts.inp --body-array GroupIds --region-rule all
     the groups of one file as bodies, and a region for each combination
+insideout mesh bracket.obj bracket.inp --material steel --fix clamp --pressure load 0.5
+    a complete analysis for CalculiX: ccx bracket
 zcat broken.obj.gz | insideout mesh - solid.vtu --format obj
     standard input; a .gz is read as it is, too
 """,
         first=(
-            *("boundary", "report", "scale", "orientation", "merge_tolerance", "together", "gamma", "constrain_facets"),
-            *("non_manifold", "refine", "edge_length", "timeout"),
+            *("boundary", "report", "scale", "orientation", "merge_tolerance", "together", "gamma"),
+            *("non_manifold", "refine", "edge_length", "material", "timeout"),
         ),
     ),
     "repair": Command(

@@ -6,13 +6,14 @@ from __future__ import annotations
 import os
 import time
 from dataclasses import replace
-from typing import Any, Iterator, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..bodies import outer_boundary
 from ..curves import CURVE
 from ..data import Tetrahedra, TriangleSurface
+from ..deck import USUAL_UNIT, Deck
 from ..drawing import DRAWINGS, check_display, draw, refuse_page_of_plane, up_of
 from ..errors import ArgumentError
 from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
@@ -40,14 +41,20 @@ class MeshJob(Job):
     bodies: dict[str, float] = {}
     tags: dict[str, int] = {}
     hints: list[str] = []
+    deck: Optional[Deck] = None
 
     def check_parameters(self) -> dict[str, Any]:
+        options = self.options
+        if options.material is not None:
+            pressures = options.pressure or []
+            self.deck = Deck(options.material, options.fix, pressures, bool(options.gravity), options.to or USUAL_UNIT)
         if is_for_solver(self.files.output or ""):
             self.settings = self.settings.for_solver()
         if self.settings.refines():
             self.stages = (*TETRAHEDRALIZE, *REFINE)
         check_display(self.files.plot)
-        return {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
+        parameters = {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
+        return {**parameters, **({"deck": vars(self.deck)} if self.deck else {})}
 
     def endings(self) -> dict[str, tuple[str, ...]]:
         return {
@@ -141,7 +148,7 @@ class MeshJob(Job):
         version: MshVersion = self.options.msh_version or "4.1"
 
         def write_with_boundary(solid: Tetrahedra, path: str) -> list[str]:
-            return write_solid(solid, path, result.boundary, version, self.statistics)
+            return write_solid(solid, path, result.boundary, version, self.statistics, self.deck)
 
         if files.hull is not None:
             yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)
@@ -173,4 +180,5 @@ class MeshJob(Job):
         return summary(os.path.basename(self.files.name()), self.statistics, volumes, self.tags, regions)
 
     def notes(self) -> list[str]:
-        return super().notes() + self.hints + ([] if self.settings.split_seams else seams(self.statistics))
+        unit = [f"the analysis takes lengths as {self.deck.unit}, and forces as newtons; --from and --to choose another unit"] if self.deck else []
+        return super().notes() + unit + self.hints + ([] if self.settings.split_seams else seams(self.statistics))
