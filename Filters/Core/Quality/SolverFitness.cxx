@@ -206,7 +206,7 @@ std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
   if (fitness.TooSmallCells > 0)
   {
     add(SomeOf(fitness.TooSmallCells, all) +
-      " would pass in a smaller unit (by scale), as the size alone is too small");
+      " would pass in a smaller unit (by scale); MergeTolerance joins points that nearly meet");
   }
   if (all == fitness.TooSmallCells)
   {
@@ -226,7 +226,7 @@ std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
   {
     add("SurfaceTreatment remeshed puts other triangles where the surface forces them");
   }
-  else if (done == CellTreatment::Remeshed)
+  else if (done == CellTreatment::Remeshed && fitness.TooSmallCells == 0)
   {
     add("MergeTolerance joins points that nearly meet");
   }
