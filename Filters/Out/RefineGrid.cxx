@@ -327,11 +327,10 @@ std::vector<double> SurfaceEdges(const RefinedMesh& refined)
   return lengths;
 }
 
-/** Where the surface does not have the edges that are asked for; empty where it has. */
+/** How the surface's edges differ from those asked for, in words; empty if they do not. */
 std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementParameters& parameters)
 {
-  // Where the surface obeys some edges are longer, too, by less, and most are half as long at
-  // least.
+  // A surface that obeys has some longer edges, too, by less; most are at least half as long.
   constexpr double MostTimes = 2;
   const double asked = parameters.Sizes.EdgeLength;
   std::vector<double> lengths = asked > 0 ? SurfaceEdges(refined) : std::vector<double>();
