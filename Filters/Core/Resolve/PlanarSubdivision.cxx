@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -19,6 +21,9 @@ using Corners = std::array<VertexHandle, 3>;
 
 /** Flips towards Delaunay end by themselves but where doubles contradict one another. */
 constexpr std::size_t FlipsPerEdge = 20;
+
+/** From so many on, the walks to new ones through slivers took most of the time. */
+constexpr std::size_t ManyVertices = 256;
 
 /** Rounding errs by some 1e-15 of the terms: points nearly on a circle are not in it, lest an edge
  * is flipped to and fro. */
@@ -33,6 +38,12 @@ struct Constraint
   std::array<Id, 2> Edge; ///< these
   std::array<double, 2> Low;
   std::array<double, 2> High;
+  std::multimap<double, VertexHandle> Along; ///< the vertices on it, by about where along WideAxis
+
+  int WideAxis() const
+  {
+    return this->High[1] - this->Low[1] > this->High[0] - this->Low[0] ? 1 : 0;
+  }
 
   bool BoxMeets(const Constraint& other) const
   {
@@ -55,13 +66,21 @@ public:
 
 private:
   VertexHandle AddPoint(const ConstructedPoint& point, std::initializer_list<Id> lines);
+  bool IsKnown(Id line) const
+  {
+    return line != None && line < static_cast<Id>(this->Constraints.size());
+  }
+  VertexHandle Insert(PlanarSite& site, std::initializer_list<Id> lines);
+  VertexHandle NearestKnown(const PlanarSite& site, std::initializer_list<Id> lines) const;
   void AddConstraint(
     VertexHandle first, VertexHandle last, Id facet, const std::array<Id, 2>& edge);
   Id LineOfEdge(const ConstructedPoint& point) const;
   void AddCrossings();
   void AddCrossing(Id a, Id b);
   ConstructedPoint NameOfCrossing(const Constraint& a, const Constraint& b) const;
-  void Smooth();
+  void Smooth(std::vector<Triangulation::Edge> edges);
+  void SmoothAll();
+  void SmoothAround(VertexHandle vertex);
   bool WantsFlip(FaceHandle face, int index) const;
   void Flip(FaceHandle face, int index);
   void FindPieces();
@@ -104,6 +123,18 @@ bool IsInside(FaceHandle face, const Corners& triangle, CGAL::Orientation orient
   return true;
 }
 
+/** The middle of the bounds of a site. */
+std::array<double, 2> Near(const PlanarSite& site)
+{
+  const auto& range = site.Range;
+  return { range[0][0] / 2 + range[0][1] / 2, range[1][0] / 2 + range[1][1] / 2 };
+}
+
+std::array<double, 2> Near(VertexHandle vertex)
+{
+  return Near(*vertex->point().Where);
+}
+
 Subdivider::Subdivider(const FacetList& surface, Id host)
   : Surface(surface)
   , Host(host)
@@ -137,7 +168,7 @@ VertexHandle Subdivider::AddPoint(const ConstructedPoint& point, std::initialize
     {
       site.PutOn(line);
     }
-    vertex = this->Cells.insert(SitePoint{ &site, this->Axis });
+    vertex = this->Insert(site, lines);
     this->Vertices.insert({ point, vertex });
     if (vertex->info().Value == None)
     {
@@ -148,8 +179,71 @@ VertexHandle Subdivider::AddPoint(const ConstructedPoint& point, std::initialize
   for (const Id line : lines)
   {
     vertex->point().Where->PutOn(line);
+    if (this->IsKnown(line))
+    {
+      Constraint& constraint = this->Constraints[line];
+      constraint.Along.emplace(Near(vertex)[constraint.WideAxis()], vertex);
+    }
   }
   return vertex;
+}
+
+/**
+ * Inserts a site. Where there are many, the walk to its place begins at a neighbor, through
+ * triangles that are smooth already: else it would pass through most of them.
+ */
+VertexHandle Subdivider::Insert(PlanarSite& site, std::initializer_list<Id> lines)
+{
+  const SitePoint point{ &site, this->Axis };
+  if (this->Vertices.size() < ManyVertices)
+  {
+    return this->Cells.insert(point);
+  }
+  if (this->Vertices.size() == ManyVertices)
+  {
+    this->SmoothAll();
+  }
+  const VertexHandle start = this->NearestKnown(site, lines);
+  const VertexHandle vertex =
+    this->Cells.insert(point, start == VertexHandle() ? FaceHandle() : start->face());
+  this->SmoothAround(vertex);
+  return vertex;
+}
+
+/** The vertex on these lines that is about nearest to a site, or none: the walk from there is
+ * short. */
+VertexHandle Subdivider::NearestKnown(const PlanarSite& site, std::initializer_list<Id> lines) const
+{
+  const auto [x, y] = Near(site);
+  VertexHandle nearest;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](VertexHandle vertex)
+  {
+    const auto [u, v] = Near(vertex);
+    const double distance = (u - x) * (u - x) + (v - y) * (v - y);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = vertex;
+    }
+  };
+  for (const Id line : lines)
+  {
+    if (this->IsKnown(line))
+    {
+      const Constraint& constraint = this->Constraints[line];
+      const auto behind = constraint.Along.lower_bound(constraint.WideAxis() == 0 ? x : y);
+      if (behind != constraint.Along.end())
+      {
+        look(behind->second);
+      }
+      if (behind != constraint.Along.begin())
+      {
+        look(std::prev(behind)->second);
+      }
+    }
+  }
+  return nearest;
 }
 
 /** The line of a facet's edge that the point is on by its name, None for none. */
@@ -166,7 +260,7 @@ Id Subdivider::LineOfEdge(const ConstructedPoint& point) const
 void Subdivider::AddConstraint(
   VertexHandle first, VertexHandle last, Id facet, const std::array<Id, 2>& edge)
 {
-  Constraint constraint{ first, last, facet, edge, {}, {} };
+  Constraint constraint{ first, last, facet, edge, {}, {}, {} };
   for (int k = 0; k < 2; ++k)
   {
     const std::array<double, 2>& p = first->point().Where->Range[k];
@@ -174,7 +268,11 @@ void Subdivider::AddConstraint(
     constraint.Low[k] = std::min(p[0], q[0]);
     constraint.High[k] = std::max(p[1], q[1]);
   }
-  this->Constraints.push_back(constraint);
+  for (const VertexHandle end : { first, last })
+  {
+    constraint.Along.emplace(Near(end)[constraint.WideAxis()], end);
+  }
+  this->Constraints.push_back(std::move(constraint));
 }
 
 void Subdivider::AddFacet(Id facet)
@@ -269,13 +367,6 @@ ConstructedPoint Subdivider::NameOfCrossing(const Constraint& a, const Constrain
                          : ConstructedPoint::EdgeOnFacet(b.Edge, a.Facet);
 }
 
-/** The middle of the bounds of a site. */
-std::array<double, 2> Near(VertexHandle vertex)
-{
-  const auto& range = vertex->point().Where->Range;
-  return { range[0][0] / 2 + range[0][1] / 2, range[1][0] / 2 + range[1][1] / 2 };
-}
-
 /** Whether s lies in the circle through p, q and r, which run counter-clockwise, as far as doubles
  * tell. */
 bool SeemsInCircle(const std::array<double, 2>& p, const std::array<double, 2>& q,
@@ -339,17 +430,8 @@ void Subdivider::Flip(FaceHandle face, int index)
 }
 
 /** Flips edges towards Delaunay. Doubles may disagree with themselves, so the flips are counted. */
-void Subdivider::Smooth()
+void Subdivider::Smooth(std::vector<Triangulation::Edge> edges)
 {
-  // Not by CGAL's iterator over edges, whose order depends on addresses.
-  std::vector<Triangulation::Edge> edges;
-  for (const FaceHandle face : this->Cells.finite_face_handles())
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.emplace_back(face, k);
-    }
-  }
   std::size_t flips = FlipsPerEdge * edges.size();
   while (!edges.empty() && flips > 0)
   {
@@ -369,6 +451,37 @@ void Subdivider::Smooth()
       edges.emplace_back(neighbor, k);
     }
   }
+}
+
+void Subdivider::SmoothAll()
+{
+  // Not by CGAL's iterator over edges, whose order depends on addresses.
+  std::vector<Triangulation::Edge> edges;
+  for (const FaceHandle face : this->Cells.finite_face_handles())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.emplace_back(face, k);
+    }
+  }
+  this->Smooth(std::move(edges));
+}
+
+/** Smooths around a new vertex. */
+void Subdivider::SmoothAround(VertexHandle vertex)
+{
+  if (this->Cells.dimension() < 2)
+  {
+    return;
+  }
+  std::vector<Triangulation::Edge> edges;
+  Triangulation::Face_circulator face = this->Cells.incident_faces(vertex);
+  const Triangulation::Face_circulator first = face;
+  do
+  {
+    edges.emplace_back(face, face->index(vertex));
+  } while (++face != first);
+  this->Smooth(std::move(edges));
 }
 
 FaceHandle Subdivider::FirstFaceInside(const Corners& triangle) const
@@ -442,7 +555,7 @@ PlanarSubdivision Subdivider::Subdivide()
       this->Cells.insert_constraint(constraint.First, constraint.Last);
     }
   }
-  this->Smooth();
+  this->SmoothAll();
   this->FindPieces();
   for (Piece& piece : this->Result.Pieces)
   {
