@@ -44,20 +44,6 @@ PointIndex::Cell PointIndex::CellOf(const Point& p) const
   return cell;
 }
 
-void PointIndex::Reserve(std::size_t count)
-{
-  this->Entries.reserve(count);
-  std::size_t buckets = 1024;
-  while (buckets <= count)
-  {
-    buckets *= 2;
-  }
-  if (buckets > this->Buckets.size())
-  {
-    this->Rehash(buckets);
-  }
-}
-
 void PointIndex::Add(const Point& p, Id id)
 {
   if (this->Entries.size() + 1 >= this->Buckets.size())

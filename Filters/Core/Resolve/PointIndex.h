@@ -14,9 +14,6 @@ public:
   /** @param[in] radius 0 for equal coordinates only */
   explicit PointIndex(double radius);
 
-  /** Make room for so many points. */
-  void Reserve(std::size_t count);
-
   void Add(const Point& p, Id id);
 
   /** The nearest point at most the radius away, of several the one of lowest id; None for none. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Resolve/ResolveSelfIntersections.h"
 
+#include "Common/Box.h"
 #include "Common/ParallelLoop.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
@@ -77,6 +78,7 @@ private:
   void TakeAlike(const std::vector<PlanarSubdivision>& subdivisions, double radius);
   std::vector<std::vector<Id>> TakePieces(
     const std::vector<PlanarSubdivision>& subdivisions, double radius);
+  void TakePositions(const std::vector<char>& isCut);
   void PrepareSnapping(const std::vector<char>& isCut, double radius);
   std::vector<std::vector<Id>> PlacePoints(const std::vector<PlanarSubdivision>& subdivisions);
   Id PlacePoint(const Point& p, Id root);
@@ -95,9 +97,10 @@ private:
 
   WorkingSurface Now;
 
-  PointIndex Positions{ 0 }; ///< of all points
-  PointIndex Nearby{ 0 };    ///< the points that new ones of this round may snap to
-  PointIndex Moved{ 0 };     ///< by where they were: the points that were snapped in this round
+  PointIndex Positions{ 0 };  ///< of all points where some were cut
+  std::vector<char> HasPlace; ///< per point: it is among these
+  PointIndex Nearby{ 0 };     ///< the points that new ones of this round may snap to
+  PointIndex Moved{ 0 };      ///< by where they were: the points that were snapped in this round
 };
 
 Resolver::Resolver(const FacetComplex& surface, Monitor& monitor)
@@ -124,11 +127,6 @@ Resolution Resolver::Resolve(
     mayTouch, SnappingRadius(this->Size), this->Watch, { Stages::Resolving, 0, 0 });
   if (!this->Now.Crossings.empty() || !layers.empty() || !touching.Pairs.empty())
   {
-    this->Positions.Reserve(2 * this->Now.Points.size());
-    for (Id p = 0; p < static_cast<Id>(this->Now.Points.size()); ++p)
-    {
-      this->Positions.Add(this->Now.Points[p], p);
-    }
     this->MergeTouching(touching);
     this->MergeLayers(layers);
     this->CutRepeatedly();
@@ -249,10 +247,33 @@ std::vector<std::vector<Id>> Resolver::TakePieces(
       isCut[facet.Facet] = 1;
     }
   }
+  this->TakePositions(isCut);
   this->PrepareSnapping(isCut, radius);
   std::vector<std::vector<Id>> ids = this->PlacePoints(subdivisions);
   this->Now.Replace(std::move(isCut), this->PlacedPieces(subdivisions, ids));
   return ids;
+}
+
+/** Notes the points that new ones may be on: these stay, rounded, in the box of what is cut. */
+void Resolver::TakePositions(const std::vector<char>& isCut)
+{
+  Box box = Box::Empty();
+  for (std::size_t f = 0; f < isCut.size(); ++f)
+  {
+    if (isCut[f])
+    {
+      box.Add(BoundingBox(this->Now.Points, this->Now.Facets[f]));
+    }
+  }
+  this->HasPlace.resize(this->Now.Points.size(), 0);
+  for (std::size_t p = 0; p < this->HasPlace.size(); ++p)
+  {
+    if (!this->HasPlace[p] && box.Holds(this->Now.Points[p]))
+    {
+      this->HasPlace[p] = 1;
+      this->Positions.Add(this->Now.Points[p], static_cast<Id>(p));
+    }
+  }
 }
 
 void Resolver::PrepareSnapping(const std::vector<char>& isCut, double radius)
@@ -340,6 +361,7 @@ Id Resolver::PlacePoint(const Point& p, Id root)
   }
   const Id id = this->Now.AddPoint(p, root);
   this->Positions.Add(p, id);
+  this->HasPlace.push_back(1);
   this->Nearby.Add(p, id);
   return id;
 }

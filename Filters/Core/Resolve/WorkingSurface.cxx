@@ -323,8 +323,10 @@ FacetComplex WorkingSurface::Assemble(const std::vector<Id>& leftOut, Monitor& m
 /** Where points come from: the given ones as they were, new ones from the facet they lie on. */
 std::vector<PointOrigin> WorkingSurface::OriginsOfPoints(Monitor& monitor) const
 {
-  std::vector<PointOrigin> origins = this->Given->Origins;
-  const Id given = static_cast<Id>(origins.size());
+  const Id given = static_cast<Id>(this->Given->Origins.size());
+  std::vector<PointOrigin> origins;
+  origins.reserve(this->Points.size());
+  origins = this->Given->Origins;
   origins.resize(this->Points.size());
   const double nanosecondsPerPoint = 1400;
   ParallelLoop(static_cast<Id>(this->Points.size()) - given, nanosecondsPerPoint, monitor,
