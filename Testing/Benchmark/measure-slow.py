@@ -5,8 +5,8 @@
 
 Makes prisms of N sides, 64, 250, 1,000 and 4,000 unless others are named: 10 high, 100 wide, both caps fans from one corner, so
 that all corners lie on one sphere. SURFACE... are files of one's own; those that have a target are known by their names. A run
-that is not over after the limit, 120 s by the clock, is stopped. Prints a row per surface and, for machines, ratio lines as Measure.h does:
-seconds where there is a target, and a prism's cells per side.
+that is not over after the limit, 120 s by the clock, is stopped. Prints a row per surface and, for machines, ratio lines as
+Measure.h does: seconds where there is a target, and a prism's cells per side.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ using Corners = std::array<VertexHandle, 3>;
 /** Flips towards Delaunay end by themselves but where doubles contradict one another. */
 constexpr std::size_t FlipsPerEdge = 20;
 
-/** From so many on, the walks to new ones through slivers took most of the time. */
+/** With more vertices, walks to new ones through slivers take most of the time. */
 constexpr std::size_t ManyVertices = 256;
 
 /** Rounding errs by some 1e-15 of the terms: points nearly on a circle are not in it, lest an edge
