@@ -46,16 +46,7 @@ bool FlipOperator::RemoveFace(Id cell, int face, const FlipTarget& target, const
 
 bool FlipOperator::IsLocked(const EdgeRing& ring) const
 {
-  for (std::size_t k = 0; k < ring.Cells.size(); ++k)
-  {
-    const Id cell = ring.Cells[k];
-    const Id next = ring.Points[(k + 1) % ring.Points.size()];
-    if (this->Mesh.Cell(cell).Facets[this->Mesh.CornerIndex(cell, next)] != None)
-    {
-      return true;
-    }
-  }
-  return this->Segments.Find(ring.U, ring.V) != None;
+  return ring.IsLocked || this->Segments.Find(ring.U, ring.V) != None;
 }
 
 /**

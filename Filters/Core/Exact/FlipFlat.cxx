@@ -54,17 +54,8 @@ bool FlatFlipper::FindRing(Id u, Id v)
   {
     return false;
   }
-  const EdgeRing& ring = this->Ring;
   this->Mesh.Ring(u, v, cell, this->Ring);
-  for (std::size_t k = 0; k < ring.Points.size(); ++k)
-  {
-    const Id next = ring.Points[(k + 1) % ring.Points.size()];
-    if (this->Mesh.Cell(ring.Cells[k]).Facets[this->Mesh.CornerIndex(ring.Cells[k], next)] != None)
-    {
-      return false;
-    }
-  }
-  return true;
+  return !this->Ring.IsLocked;
 }
 
 /** Append the outer faces of ring cell k. @return whether the cell is finite */

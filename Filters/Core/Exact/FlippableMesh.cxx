@@ -31,22 +31,7 @@ constexpr std::int64_t CellsPerWork = 2;
 
 /** And so many, one after the other, in the time that it takes to find one face. */
 constexpr std::size_t CellsPerSearch = 20;
-
-Triangle SortedFace(const Tetrahedron& t, int k)
-{
-  return SortedTriangle({ t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4] }).Points;
-}
 } // namespace
-
-const std::array<std::array<std::array<std::int8_t, 2>, 4>, 4> OtherCorners = { {
-  { { { { 0, 0 } }, { { 2, 3 } }, { { 3, 1 } }, { { 1, 2 } } } },
-  { { { { 3, 2 } }, { { 0, 0 } }, { { 0, 3 } }, { { 2, 0 } } } },
-  { { { { 1, 3 } }, { { 3, 0 } }, { { 0, 0 } }, { { 0, 1 } } } },
-  { { { { 2, 1 } }, { { 0, 2 } }, { { 1, 0 } }, { { 0, 0 } } } },
-} };
-
-const std::array<std::array<std::int8_t, 3>, 4> FaceSeenFrom = { { { { 1, 3, 2 } }, { { 0, 2, 3 } },
-  { { 0, 3, 1 } }, { { 0, 1, 2 } } } };
 
 FlippableMesh::FlippableMesh(
   const std::vector<Point>& points, std::vector<Id>& same, WorkBudget& work, Monitor& monitor)
@@ -82,8 +67,10 @@ FlippableMesh::FlippableMesh(
   const auto vertexOf = [&](Delaunay::Vertex_handle vertex) -> Id
   { return vertex == delaunay.infinite_vertex() ? this->InfiniteVertex : vertex->info(); };
 
-  this->CellOf.assign(points.size() + 1, None);
-  this->ChangeAround.assign(points.size() + 1, 0);
+  for (Id vertex = 0; vertex < this->AllVertices.Size(); ++vertex)
+  {
+    this->AppendVertex(0);
+  }
   Id count = 0;
   for (auto cell = delaunay.all_cells_begin(); cell != delaunay.all_cells_end(); ++cell)
   {
@@ -98,41 +85,22 @@ FlippableMesh::FlippableMesh(
       copy.Corners[k] = vertexOf(cell->vertex(k));
       copy.Neighbors[k] = cell->neighbor(k)->info();
       copy.Facets[k] = None;
-      this->CellOf[copy.Corners[k]] = this->NumberOfCells();
     }
     if (!delaunay.is_infinite(cell))
     {
       this->Spanning = copy.Corners;
     }
-    this->Cells.push_back(copy);
+    this->AppendCell(copy);
   }
-  this->Marks.assign(this->Cells.size(), 0);
 }
 
 void FlippableMesh::Star(Id vertex, std::vector<Id>& cells) const
 {
-  const Id first = this->CellOf[vertex];
-  if (first == None)
+  if (this->HasVertex(vertex))
   {
-    return;
+    Mesh::Star(vertex, cells, this->Own.Marks);
+    this->Work().Spend(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
   }
-  std::size_t next = cells.size();
-  this->StartMarking();
-  this->Mark(first);
-  cells.push_back(first);
-  for (; next < cells.size(); ++next)
-  {
-    const FlippableCell& cell = this->Cells[cells[next]];
-    for (int k = 0; k < 4; ++k)
-    {
-      if (cell.Corners[k] != vertex && !this->IsMarked(cell.Neighbors[k]))
-      {
-        this->Mark(cell.Neighbors[k]);
-        cells.push_back(cell.Neighbors[k]);
-      }
-    }
-  }
-  this->Work().Spend(static_cast<std::int64_t>(cells.size()) / CellsPerWork);
 }
 
 std::vector<Id> FlippableMesh::NeighborsOf(const std::vector<Id>& points) const
@@ -173,11 +141,12 @@ Id FlippableMesh::FindEdge(Id u, Id v) const
     return this->CellOf[v];
   }
   // Around both in turn: the smaller star decides, where the other may have thousands of cells.
-  this->StartMarking();
+  CellMarks& marks = this->Own.Marks;
+  marks.Start(this->NumberOfCells());
   const std::array<Id, 2> ends = { { u, v } };
   for (int side = 0; side < 2; ++side)
   {
-    this->Mark(this->CellOf[ends[side]]);
+    marks.Add(this->CellOf[ends[side]]);
     this->StarScratch[side].assign(1, this->CellOf[ends[side]]);
   }
   Id found = None;
@@ -191,7 +160,7 @@ Id FlippableMesh::FindEdge(Id u, Id v) const
       for (int k = 0; k < 4; ++k)
       {
         const Id neighbor = cell.Neighbors[k];
-        if (cell.Corners[k] == ends[side] || this->IsMarked(neighbor))
+        if (cell.Corners[k] == ends[side] || marks.Has(neighbor))
         {
           continue;
         }
@@ -199,7 +168,7 @@ Id FlippableMesh::FindEdge(Id u, Id v) const
         {
           found = neighbor;
         }
-        this->Mark(neighbor);
+        marks.Add(neighbor);
         this->StarScratch[side].push_back(neighbor);
       }
     }
@@ -283,7 +252,7 @@ void FlippableMesh::FindFacesInAllCells(
       {
         continue;
       }
-      const Triangle t = SortedFace(this->Cells[cell].Corners, k);
+      const Triangle t = SortedTriangle(this->FaceCorners(cell, k)).Points;
       for (const Wanted& triangle : wanted[static_cast<std::size_t>(t[0])])
       {
         if (triangle.Middle == t[1] && triangle.Highest == t[2])
@@ -296,117 +265,10 @@ void FlippableMesh::FindFacesInAllCells(
   this->Work().Spend(static_cast<std::int64_t>(this->Cells.size()) / CellsPerWork);
 }
 
-void FlippableMesh::Ring(Id u, Id v, Id cell, EdgeRing& ring) const
-{
-  ring.U = u;
-  ring.V = v;
-  ring.Points.clear();
-  ring.Cells.clear();
-  const Id first = cell;
-  do
-  {
-    const auto& others = OtherCorners[this->CornerIndex(cell, u)][this->CornerIndex(cell, v)];
-    ring.Points.push_back(this->Cells[cell].Corners[others[0]]);
-    ring.Cells.push_back(cell);
-    cell = this->Cells[cell].Neighbors[others[0]];
-  } while (cell != first);
-}
-
-Id FlippableMesh::NewCell()
-{
-  if (!this->FreeCells.empty())
-  {
-    const Id cell = this->FreeCells.back();
-    this->FreeCells.pop_back();
-    return cell;
-  }
-  this->Cells.push_back({});
-  this->Marks.push_back(0);
-  return static_cast<Id>(this->Cells.size() - 1);
-}
-
-FlippableMesh::PendingFace& FlippableMesh::Slot(const std::array<Id, 3>& corners)
-{
-  const std::size_t mask = this->Table.size() - 1;
-  std::size_t slot = (static_cast<std::size_t>(corners[0]) * 0x9E3779B1u ^
-    static_cast<std::size_t>(corners[1]) * 0x85EBCA77u ^
-    static_cast<std::size_t>(corners[2]) * 0xC2B2AE3Du);
-  slot = (slot ^ (slot >> 15)) & mask;
-  while (this->Table[slot].Cell != None && this->Table[slot].Corners != corners)
-  {
-    slot = (slot + 1) & mask;
-  }
-  return this->Table[slot];
-}
-
 void FlippableMesh::Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh)
 {
-  ++this->Changes;
-  std::size_t size = 16;
-  while (size < 6 * (old.size() + fresh.size()))
-  {
-    size *= 2;
-  }
-  this->Table.assign(size, { { { None, None, None } }, None, 0, None });
-
-  this->StartMarking();
-  for (const Id cell : old)
-  {
-    this->Mark(cell);
-  }
-  std::size_t open = 0;
-  for (const Id cell : old)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id neighbor = this->Cells[cell].Neighbors[k];
-      if (!this->IsMarked(neighbor))
-      {
-        const Triangle corners = SortedFace(this->Cells[cell].Corners, k);
-        this->Slot(
-          corners) = { corners, neighbor, this->MirrorIndex(cell, k), this->Cells[cell].Facets[k] };
-        ++open;
-      }
-    }
-  }
-  for (const Id cell : old)
-  {
-    // A vertex that is left without a cell gets one back below, or is no longer in the mesh.
-    for (const Id corner : this->Cells[cell].Corners)
-    {
-      this->CellOf[corner] = None;
-    }
-    this->Cells[cell].Corners[0] = None;
-    this->FreeCells.push_back(cell);
-  }
-  std::size_t matched = 0;
-  for (const Tetrahedron& corners : fresh)
-  {
-    const Id cell = this->NewCell();
-    this->Marks[cell] = 0;
-    this->Cells[cell] = { corners, { { None, None, None, None } }, { { None, None, None, None } } };
-    for (int k = 0; k < 4; ++k)
-    {
-      this->CellOf[corners[k]] = cell;
-      this->ChangeAround[corners[k]] = this->Changes;
-      const Triangle face = SortedFace(corners, k);
-      PendingFace& pending = this->Slot(face);
-      if (pending.Cell == None)
-      {
-        pending = { face, cell, k, None };
-        ++open;
-        continue;
-      }
-      this->Cells[cell].Neighbors[k] = pending.Cell;
-      this->Cells[cell].Facets[k] = pending.Facet;
-      this->Cells[pending.Cell].Neighbors[pending.Face] = cell;
-      ++matched;
-    }
-  }
-  if (matched != open)
-  {
-    throw Error(ErrorCode::Inconsistent, "cells were replaced by others with another boundary");
-  }
+  Mesh::Replace(
+    { old, fresh, {}, {} }, [](std::size_t, Id) { return HullPolicy::Content(); }, this->Own);
 }
 
 void FlippableMesh::SplitCell(Id cell, Id vertex)
@@ -464,8 +326,7 @@ Id FlippableMesh::VertexOffPlane(Id a, Id b, Id c) const
 
 Id FlippableMesh::AddVertex(const Point& point)
 {
-  this->CellOf.push_back(None);
-  this->ChangeAround.push_back(this->Changes);
+  this->AppendVertex(this->Own.Changes);
   return this->AllVertices.Add(point);
 }
 
@@ -479,8 +340,7 @@ void FlippableMesh::RemoveLastVertex()
 Id FlippableMesh::AddVertexBetween(Id first, Id second, const DyadicNumber& a,
   const DyadicNumber& b, const ExactVertices::Span& span)
 {
-  this->CellOf.push_back(None);
-  this->ChangeAround.push_back(this->Changes);
+  this->AppendVertex(this->Own.Changes);
   return this->AllVertices.AddBetween(first, second, a, b, span);
 }
 } // namespace insideout

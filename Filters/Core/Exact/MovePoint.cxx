@@ -56,10 +56,10 @@ bool PointMover::GrowCavity(Id point, Id apex)
   this->Cavity.erase(std::remove_if(this->Cavity.begin(), this->Cavity.end(),
                        [this](Id cell) { return this->Mesh.IsInfinite(cell); }),
     this->Cavity.end());
-  this->Mesh.StartMarking();
+  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
   for (const Id cell : this->Cavity)
   {
-    this->Mesh.Mark(cell);
+    this->Mesh.Marks().Add(cell);
   }
   for (std::size_t next = 0; next < this->Cavity.size(); ++next)
   {
@@ -67,7 +67,7 @@ bool PointMover::GrowCavity(Id point, Id apex)
     for (int k = 0; k < 4; ++k)
     {
       const bool hasPoint = cell.Corners[k] != point && this->Mesh.Has(this->Cavity[next], point);
-      if (hasPoint || this->Mesh.IsMarked(cell.Neighbors[k]))
+      if (hasPoint || this->Mesh.Marks().Has(cell.Neighbors[k]))
       {
         continue;
       }
@@ -83,7 +83,7 @@ bool PointMover::GrowCavity(Id point, Id apex)
       {
         return false;
       }
-      this->Mesh.Mark(cell.Neighbors[k]);
+      this->Mesh.Marks().Add(cell.Neighbors[k]);
       this->Cavity.push_back(cell.Neighbors[k]);
     }
   }
@@ -110,7 +110,7 @@ bool PointMover::KeepsSurface(Id point, Id apex)
     {
       const auto& f = FaceSeenFrom[k];
       const bool hasPoint = cell.Corners[k] != point && this->Mesh.Has(id, point);
-      if (hasPoint || this->Mesh.IsMarked(cell.Neighbors[k]))
+      if (hasPoint || this->Mesh.Marks().Has(cell.Neighbors[k]))
       {
         continue;
       }
@@ -149,7 +149,7 @@ bool PointMover::KeepsSurface(Id point, Id apex)
           return false;
         }
       }
-      const bool isInner = this->Mesh.IsMarked(cell.Neighbors[k]);
+      const bool isInner = this->Mesh.Marks().Has(cell.Neighbors[k]);
       const bool isHull = this->Mesh.IsInfinite(cell.Neighbors[k]);
       const int p = this->Mesh.CornerIndex(id, point);
       if (p >= 0 && p != k && (cell.Facets[k] != None || isHull))

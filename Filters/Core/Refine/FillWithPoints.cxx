@@ -114,7 +114,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
   std::deque<Candidate> queue; // what was looked at goes: there are far more than cells
   for (Id cell = 0; cell < mesh.NumberOfCells(); ++cell)
   {
-    queue.push_back({ cell, mesh.Version(cell) });
+    queue.push_back({ cell, mesh.Cell(cell).Version });
   }
   // Each cell that there will be is looked at some times.
   const LoopProgress looked(
@@ -125,7 +125,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     looked.Check(turn);
     const auto [cell, version] = queue.front();
     queue.pop_front();
-    if (mesh.IsDead(cell) || mesh.Version(cell) != version)
+    if (mesh.IsDead(cell) || mesh.Cell(cell).Version != version)
     {
       continue;
     }
@@ -152,7 +152,7 @@ void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolum
     budget -= isThin ? 1 : 0;
     for (const Id fresh : mesh.Fresh())
     {
-      queue.push_back({ fresh, mesh.Version(fresh) });
+      queue.push_back({ fresh, mesh.Cell(fresh).Version });
     }
   }
 }

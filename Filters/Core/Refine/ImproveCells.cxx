@@ -50,13 +50,13 @@ public:
   bool IsNew(const RefinableMesh& mesh, Id point)
   {
     this->At.resize(mesh.Points.size(), None);
-    const bool isNew = mesh.ChangedAt(point) > this->At[point];
+    const bool isNew = mesh.LastChangeAround(point) > this->At[point];
     this->At[point] = mesh.NumberOfChanges();
     return isNew;
   }
 
 private:
-  std::vector<Id> At;
+  std::vector<std::int64_t> At;
 };
 
 class Improvement
@@ -121,10 +121,10 @@ private:
   bool HasChanged(Id cell)
   {
     this->TriedAt.resize(this->Mesh.NumberOfCells(), None);
-    Id last = 0;
+    std::int64_t last = 0;
     for (const Id corner : this->Mesh.Cell(cell).Corners)
     {
-      last = std::max(last, this->Mesh.ChangedAt(corner));
+      last = std::max(last, this->Mesh.LastChangeAround(corner));
     }
     const bool hasChanged = last > this->TriedAt[cell];
     this->TriedAt[cell] = this->Mesh.NumberOfChanges();
@@ -199,7 +199,7 @@ private:
   const bool IsRemeshed;
   const double Good; ///< shape
   PointInsertion Insert;
-  std::vector<Id> TriedAt; ///< per cell, in changes of the mesh
+  std::vector<std::int64_t> TriedAt; ///< per cell, in changes of the mesh
   Tries SmoothedAt;
   Tries RemovedAt;
 };

@@ -55,14 +55,14 @@ void SurfaceInsertion::Start(const Point& place)
   this->Pieces.clear();
   this->Dropped.clear();
   this->Cavity.clear();
-  this->Mesh.StartMarking();
+  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
 }
 
 void SurfaceInsertion::AddCell(Id cell)
 {
-  if (!this->Mesh.IsMarked(cell))
+  if (!this->Mesh.Marks().Has(cell))
   {
-    this->Mesh.Mark(cell);
+    this->Mesh.Marks().Add(cell);
     this->Cavity.push_back(cell);
   }
 }
@@ -171,7 +171,7 @@ void SurfaceInsertion::GrowCavity()
     for (int k = 0; k < 4 && this->Cavity.size() < LargestCavity; ++k)
     {
       const Id neighbor = here.Neighbors[k];
-      if (here.Facets[k] == None && !this->Mesh.IsMarked(neighbor))
+      if (here.Facets[k] == None && !this->Mesh.Marks().Has(neighbor))
       {
         const auto [a, b, c, d] =
           insideout::CornersOf(this->Mesh.Points, this->Mesh.Cell(neighbor).Corners);
@@ -198,9 +198,9 @@ bool SurfaceInsertion::CollectWalls()
   for (const Id cell : this->Cavity)
   {
     const RefinableCell& here = this->Mesh.Cell(cell);
-    for (int k = 0; k < 4 && this->Mesh.IsMarked(cell); ++k)
+    for (int k = 0; k < 4 && this->Mesh.Marks().Has(cell); ++k)
     {
-      const bool isBehind = here.Neighbors[k] != None && this->Mesh.IsMarked(here.Neighbors[k]);
+      const bool isBehind = here.Neighbors[k] != None && this->Mesh.Marks().Has(here.Neighbors[k]);
       if ((here.Facets[k] == None && isBehind) ||
         (here.Facets[k] != None && this->IsDropped(cell, k)))
       {
@@ -215,7 +215,7 @@ bool SurfaceInsertion::CollectWalls()
       }
       else
       {
-        this->Mesh.Unmark(cell);
+        this->Mesh.Marks().Remove(cell);
         isChanged = true;
       }
     }
@@ -229,7 +229,8 @@ bool SurfaceInsertion::DropPieces()
   const auto isLost = [this](const PieceOfCell& piece)
   {
     const Id beyond = this->Mesh.Cell(piece.Cell).Neighbors[piece.Face];
-    return !this->Mesh.IsMarked(piece.Cell) || (beyond != None && !this->Mesh.IsMarked(beyond));
+    return !this->Mesh.Marks().Has(piece.Cell) ||
+      (beyond != None && !this->Mesh.Marks().Has(beyond));
   };
   const auto end = this->Pieces.begin() + static_cast<std::ptrdiff_t>(this->Certain);
   if (std::any_of(this->Pieces.begin(), end, isLost))
@@ -251,9 +252,9 @@ void SurfaceInsertion::KeepConnected()
   std::vector<Id> reached;
   const auto reach = [&](Id cell)
   {
-    if (cell != None && this->Mesh.IsMarked(cell))
+    if (cell != None && this->Mesh.Marks().Has(cell))
     {
-      this->Mesh.Unmark(cell);
+      this->Mesh.Marks().Remove(cell);
       reached.push_back(cell);
     }
   };
@@ -274,10 +275,10 @@ void SurfaceInsertion::KeepConnected()
     }
   }
   this->Cavity = std::move(reached);
-  this->Mesh.StartMarking();
+  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
   for (const Id cell : this->Cavity)
   {
-    this->Mesh.Mark(cell);
+    this->Mesh.Marks().Add(cell);
   }
 }
 
@@ -407,7 +408,7 @@ bool SurfaceInsertion::Complete()
 bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
 {
   const auto [u, v] = edge.Ends;
-  RefinableRing ring;
+  EdgeRing ring;
   this->Mesh.Ring(u, v, edge.Cell, ring);
   if (!ring.IsOnFacet() || this->Surface.IsLocked(u, v))
   {

@@ -65,15 +65,15 @@ void PointInsertion::GrowCavity(std::size_t most)
 {
   const std::vector<Point>& points = this->Mesh.Points;
   this->Cavity.assign(1, this->Holding);
-  this->Mesh.StartMarking();
-  this->Mesh.Mark(this->Holding);
+  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
+  this->Mesh.Marks().Add(this->Holding);
   for (std::size_t next = 0; next < this->Cavity.size() && this->Cavity.size() < most; ++next)
   {
     const RefinableCell& here = this->Mesh.Cell(this->Cavity[next]);
     for (int k = 0; k < 4 && this->Cavity.size() < most; ++k)
     {
       const Id neighbor = here.Neighbors[k];
-      if (here.Facets[k] != None || this->Mesh.IsMarked(neighbor))
+      if (here.Facets[k] != None || this->Mesh.Marks().Has(neighbor))
       {
         continue;
       }
@@ -83,7 +83,7 @@ void PointInsertion::GrowCavity(std::size_t most)
       // Where the cell is too flat for doubles it goes.
       if (!(SquaredDistance(sphere.Center, this->Place) >= sphere.SquaredRadius))
       {
-        this->Mesh.Mark(neighbor);
+        this->Mesh.Marks().Add(neighbor);
         this->Cavity.push_back(neighbor);
       }
     }
@@ -102,9 +102,9 @@ bool PointInsertion::CollectWalls(bool& isHopeless)
   for (const Id cell : this->Cavity)
   {
     const RefinableCell& here = this->Mesh.Cell(cell);
-    for (int k = 0; k < 4 && this->Mesh.IsMarked(cell); ++k)
+    for (int k = 0; k < 4 && this->Mesh.Marks().Has(cell); ++k)
     {
-      if (here.Facets[k] == None && this->Mesh.IsMarked(here.Neighbors[k]))
+      if (here.Facets[k] == None && this->Mesh.Marks().Has(here.Neighbors[k]))
       {
         continue;
       }
@@ -120,7 +120,7 @@ bool PointInsertion::CollectWalls(bool& isHopeless)
       }
       else
       {
-        this->Mesh.Unmark(cell);
+        this->Mesh.Marks().Remove(cell);
         isChanged = true;
       }
     }
@@ -132,24 +132,24 @@ bool PointInsertion::CollectWalls(bool& isHopeless)
 void PointInsertion::KeepConnected()
 {
   std::vector<Id> reached = { this->Holding };
-  this->Mesh.Unmark(this->Holding);
+  this->Mesh.Marks().Remove(this->Holding);
   for (std::size_t next = 0; next < reached.size(); ++next)
   {
     const RefinableCell& here = this->Mesh.Cell(reached[next]);
     for (int k = 0; k < 4; ++k)
     {
-      if (here.Facets[k] == None && this->Mesh.IsMarked(here.Neighbors[k]))
+      if (here.Facets[k] == None && this->Mesh.Marks().Has(here.Neighbors[k]))
       {
-        this->Mesh.Unmark(here.Neighbors[k]);
+        this->Mesh.Marks().Remove(here.Neighbors[k]);
         reached.push_back(here.Neighbors[k]);
       }
     }
   }
   this->Cavity = std::move(reached);
-  this->Mesh.StartMarking();
+  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
   for (const Id cell : this->Cavity)
   {
-    this->Mesh.Mark(cell);
+    this->Mesh.Marks().Add(cell);
   }
 }
 

@@ -73,8 +73,8 @@ RefinableMesh MakeRefinable(const TetrahedralMesh& mesh, const std::vector<Id>& 
   }
   for (std::size_t c = 0; c < mesh.Cells.size(); ++c)
   {
-    RefinableCell cell = { mesh.Cells[c], { { None, None, None, None } }, facetAt[c],
-      regions.empty() ? 0 : regions[c], static_cast<Id>(c) };
+    RefinableCell cell = { { regions.empty() ? 0 : regions[c], static_cast<Id>(c), 0 },
+      mesh.Cells[c], { { None, None, None, None } }, facetAt[c] };
     for (int k = 0; k < 4; ++k)
     {
       cell.Neighbors[CornerAcrossFrom[k]] = mesh.Neighbors[c][k];

@@ -119,7 +119,7 @@ bool Reconnection::HasCellsBehind(Id cell) const
 /** Whether the two pieces at an edge of the boundary may be others, and which (FreshPieces). */
 bool Reconnection::TurnDiagonal()
 {
-  const RefinableRing& ring = this->Around;
+  const EdgeRing& ring = this->Around;
   const Id first = ring.Points.front();
   const Id last = ring.Points.back();
   const auto piece = [this](Id a, Id b, Id c, Id facet)
@@ -171,7 +171,7 @@ bool Reconnection::RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted)
 
 bool Reconnection::MayRemoveEdge() const
 {
-  const RefinableRing& ring = this->Around;
+  const EdgeRing& ring = this->Around;
   const int n = static_cast<int>(ring.Points.size());
   return !ring.IsLocked && n >= (ring.IsClosed ? 3 : 2) && n <= LongestRing &&
     (ring.IsClosed ||
@@ -180,7 +180,7 @@ bool Reconnection::MayRemoveEdge() const
 
 bool Reconnection::RemoveEdge(double wanted)
 {
-  const RefinableRing& ring = this->Around;
+  const EdgeRing& ring = this->Around;
   if (!this->TriangulateRing(wanted) || (!ring.IsClosed && !this->TurnDiagonal()))
   {
     return false;

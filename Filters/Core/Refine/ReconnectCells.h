@@ -50,7 +50,7 @@ private:
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SurfaceBound& Bound;
-  RefinableRing Around;
+  EdgeRing Around;
   std::vector<double> Best; ///< of part i to j of the ring, the worst shape of its best cells
   std::vector<int> Middle;
   std::vector<Tetrahedron> FreshCells;

@@ -110,7 +110,7 @@ public:
       const Candidate next = queue.front();
       queue.pop_front();
       if (!this->Mesh.IsDead(next.Piece.Cell) &&
-        this->Mesh.Version(next.Piece.Cell) == next.Version)
+        this->Mesh.Cell(next.Piece.Cell).Version == next.Version)
       {
         this->InsertAmid(next, queue);
       }
@@ -249,7 +249,8 @@ private:
   {
     const auto [tried, isNew] = this->SplitTriedAt.emplace(ends, 0);
     const bool hasChanged = isNew ||
-      std::max(this->Mesh.ChangedAt(ends[0]), this->Mesh.ChangedAt(ends[1])) > tried->second;
+      std::max(this->Mesh.LastChangeAround(ends[0]), this->Mesh.LastChangeAround(ends[1])) >
+        tried->second;
     tried->second = this->Mesh.NumberOfChanges();
     return hasChanged;
   }
@@ -260,7 +261,7 @@ private:
     {
       if (this->Mesh.Cell(cell).Facets[k] != None)
       {
-        queue.push_back({ { cell, k }, this->Mesh.Version(cell) });
+        queue.push_back({ { cell, k }, this->Mesh.Cell(cell).Version });
       }
     }
   }
@@ -330,7 +331,7 @@ private:
 
   bool IsThere(const SurfaceEdge& edge) const
   {
-    return !this->Mesh.IsDead(edge.Cell) && this->Mesh.Version(edge.Cell) == edge.Version;
+    return !this->Mesh.IsDead(edge.Cell) && this->Mesh.Cell(edge.Cell).Version == edge.Version;
   }
 
   /** The edges of facets whose ratio is between two, the shortest first. */
@@ -352,7 +353,7 @@ private:
           const double ratio = this->RatioOf(ends);
           if (ratio > least && ratio < most)
           {
-            edges.push_back({ ratio, ends, c, this->Mesh.Version(c) });
+            edges.push_back({ ratio, ends, c, this->Mesh.Cell(c).Version });
           }
         }
       }
@@ -393,8 +394,8 @@ private:
   Contraction InSolid;
   Reconnection Reconnect;
   PointSmoothing Smooth;
-  RefinableRing Ring;
-  std::unordered_map<Edge, Id, HashOfEdge> SplitTriedAt; ///< in changes of the mesh
+  EdgeRing Ring;
+  std::unordered_map<Edge, std::int64_t, HashOfEdge> SplitTriedAt; ///< in changes of the mesh
 };
 } // namespace
 

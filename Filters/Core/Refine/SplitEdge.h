@@ -37,7 +37,7 @@ private:
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SurfaceBound& Bound;
-  RefinableRing Ring;
+  EdgeRing Ring;
   Point Middle;
   std::vector<SurfacePiece> Gone;
   std::vector<SurfacePiece> Halves; ///< in their place

@@ -244,6 +244,7 @@ TEST(FlippableMesh, RefusesToReplaceCellsByOthersWithAnotherBoundary)
   std::vector<Tetrahedron> cells = ThreeCells();
   cells.pop_back();
   FlippableMesh mesh = Bipyramid();
+  const MeshRecord before(mesh);
   try
   {
     mesh.Replace(FiniteCells(mesh), cells);
@@ -253,6 +254,7 @@ TEST(FlippableMesh, RefusesToReplaceCellsByOthersWithAnotherBoundary)
   {
     EXPECT_EQ(error.Code, ErrorCode::Inconsistent);
   }
+  ExpectUnchanged(mesh, before);
 }
 
 TEST(FlippableMesh, ReplacingTakesAVertexOutThatNoCellHasAnyMore)
@@ -363,17 +365,6 @@ TEST(FlippableMesh, GoesAroundAnEdgeInOneTurn)
       EXPECT_EQ(n, count);
     }
   }
-}
-
-TEST(FlippableMesh, MarksCellsForOneSearchOnly)
-{
-  const FlippableMesh mesh = Cube();
-  mesh.StartMarking();
-  mesh.Mark(3);
-  EXPECT_TRUE(mesh.IsMarked(3));
-  EXPECT_FALSE(mesh.IsMarked(2));
-  mesh.StartMarking();
-  EXPECT_FALSE(mesh.IsMarked(3));
 }
 
 TEST(FlippableMesh, FindsAVertexOffEachPlane)

@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Error.h"
+#include "Common/SortedTriangle.h"
+#include "Mesh/CellMarks.h"
+#include "Mesh/PendingFaces.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace insideout
+{
+/**
+ * A tetrahedralization that can be changed: cells with their neighbors and facets, and one change
+ * that all others are made of, "replace these cells by those". It knows no places of vertices.
+ *
+ * @tparam Policy has a type Content, what a cell has besides, and HasBoundary, whether faces may be
+ * without a second cell; if not, what is beyond the hull is cells, too
+ */
+template <class Policy>
+class Mesh
+{
+public:
+  using Content = typename Policy::Content;
+  using CellType = MeshCell<Content>;
+
+  /** A face of a cell that stays, and what Replace gives it. */
+  struct OuterFace
+  {
+    MeshFace Face;
+    Id Neighbor;
+    Id Facet;
+  };
+
+  /** What belongs to those who search in a mesh and change it: threads have one each. */
+  struct Workspace
+  {
+    CellMarks Marks;
+    std::int64_t Changes = 0;   ///< how many were made
+    std::vector<Id> FreeCells;  ///< dead ones, whose ids are given again, the last first
+    std::vector<Id> FreshCells; ///< those that the last Replace made
+
+    // Of Replace; kept for their memory.
+    PendingFaces Faces;
+    std::vector<CellType> Fresh;
+    std::vector<OuterFace> Outer;
+  };
+
+  /** Of all cells, dead ones too: their ids are below this. */
+  Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
+
+  /** Good until the next Replace. */
+  const CellType& Cell(Id cell) const { return this->Cells[cell]; }
+
+  /** Whether the cell was replaced; its id is given to another one day. */
+  bool IsDead(Id cell) const { return this->Cells[cell].Corners[0] == None; }
+  int CornerIndex(Id cell, Id vertex) const
+  {
+    return CornerIndexIn(this->Cells[cell].Corners, vertex);
+  }
+  bool Has(Id cell, Id vertex) const { return this->CornerIndex(cell, vertex) >= 0; }
+
+  /** One of the cells around a vertex, None where it is in no cell. */
+  Id CellAt(Id vertex) const { return this->CellOf[vertex]; }
+  bool HasVertex(Id vertex) const { return this->CellOf[vertex] != None; }
+
+  /** The index that `cell` has among the neighbors of the cell across its face k. */
+  int MirrorIndex(Id cell, int k) const;
+
+  /** The corner of the cell across face k that is not on it. */
+  Id Opposite(Id cell, int k) const
+  {
+    return this->Cells[this->Cells[cell].Neighbors[k]].Corners[this->MirrorIndex(cell, k)];
+  }
+
+  /** The corners of a face, counter-clockwise seen from the corner across. */
+  Triangle FaceCorners(Id cell, int face) const
+  {
+    return FaceAcross(this->Cells[cell].Corners, face);
+  }
+
+  /** Append the cells around a vertex that can be reached from CellAt through faces at it; none for
+   * a vertex that is in no cell. */
+  void Star(Id vertex, std::vector<Id>& cells, CellMarks& marks) const;
+
+  /** The cells around an edge of `cell`. */
+  void Ring(Id u, Id v, Id cell, EdgeRing& ring) const;
+
+  /** What Workspace::Changes was after the last change of the cells around a vertex. */
+  std::int64_t LastChangeAround(Id vertex) const { return this->ChangeAround[vertex]; }
+
+protected:
+  /** A vertex in no cell yet. */
+  void AppendVertex(std::int64_t changes)
+  {
+    this->CellOf.push_back(None);
+    this->ChangeAround.push_back(changes);
+  }
+
+  /** A cell with its neighbors' ids. */
+  void AppendCell(const CellType& cell);
+
+  /** What Replace is given. */
+  struct Replacement
+  {
+    const std::vector<Id>& Old;
+    const std::vector<Tetrahedron>& Fresh;
+    const std::vector<Triangle>& Gone;     ///< pieces of the boundary that go, sorted
+    const std::vector<FreshFacet>& Facets; ///< of fresh cells, or of those behind the old ones
+  };
+
+  /**
+   * Put fresh cells in place of old ones, which fill the same space. Faces between the two sets and
+   * the rest keep their facets, and inner ones have none, but for those that are given.
+   * @param[in] contentOf called with the number of a fresh cell and its id
+   * @throws Error Inconsistent, with the mesh as it was, where old cells are not there or the fresh
+   *   ones have another boundary
+   */
+  template <class ContentOf>
+  void Replace(const Replacement& exchange, const ContentOf& contentOf, Workspace& work);
+
+  std::vector<CellType> Cells;
+  std::vector<Id> CellOf;                 ///< per vertex, None for none
+  std::vector<std::int64_t> ChangeAround; ///< per vertex
+
+private:
+  void MarkOld(const std::vector<Id>& old, Workspace& work) const;
+  std::size_t EnterWalls(const Replacement& exchange, Workspace& work) const;
+  void NumberFresh(const Replacement& exchange, Workspace& work) const;
+  bool Match(Id number, int k, Workspace& work) const;
+  bool Place(const FreshFacet& facet, Workspace& work) const;
+  void Commit(const Replacement& exchange, Workspace& work);
+};
+
+// --- Looking around ------------------------------------------------------------------------------
+
+template <class Policy>
+int Mesh<Policy>::MirrorIndex(Id cell, int k) const
+{
+  // Two cells may share more than one face; the shared one is across from a corner of its own.
+  const CellType& other = this->Cells[this->Cells[cell].Neighbors[k]];
+  const Tetrahedron& t = this->Cells[cell].Corners;
+  for (int j = 0; j < 4; ++j)
+  {
+    const Id apex = other.Corners[j];
+    if (other.Neighbors[j] == cell && apex != t[(k + 1) % 4] && apex != t[(k + 2) % 4] &&
+      apex != t[(k + 3) % 4])
+    {
+      return j;
+    }
+  }
+  return -1;
+}
+
+template <class Policy>
+void Mesh<Policy>::Star(Id vertex, std::vector<Id>& cells, CellMarks& marks) const
+{
+  const Id first = this->CellOf[vertex];
+  if (first == None)
+  {
+    return;
+  }
+  std::size_t next = cells.size();
+  marks.Start(this->NumberOfCells());
+  marks.Add(first);
+  cells.push_back(first);
+  for (; next < cells.size(); ++next)
+  {
+    const CellType& cell = this->Cells[cells[next]];
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = cell.Neighbors[k];
+      if (cell.Corners[k] != vertex && (!Policy::HasBoundary || neighbor != None) &&
+        !marks.Has(neighbor))
+      {
+        marks.Add(neighbor);
+        cells.push_back(neighbor);
+      }
+    }
+  }
+}
+
+template <class Policy>
+void Mesh<Policy>::Ring(Id u, Id v, Id cell, EdgeRing& ring) const
+{
+  const auto others = [&](Id at) -> const std::array<std::int8_t, 2>&
+  { return OtherCorners[this->CornerIndex(at, u)][this->CornerIndex(at, v)]; };
+  ring.U = u;
+  ring.V = v;
+  ring.IsClosed = true;
+  ring.IsLocked = false;
+  ring.Points.clear();
+  ring.Cells.clear();
+  Id start = cell;
+  if constexpr (Policy::HasBoundary)
+  {
+    // Backward to the boundary, if there is one, then forward.
+    Id before = cell;
+    do
+    {
+      start = before;
+      before = this->Cells[start].Neighbors[others(start)[1]];
+    } while (before != None && before != cell);
+    ring.IsClosed = before != None;
+    start = ring.IsClosed ? cell : start;
+    ring.EndFacets[0] = this->Cells[start].Facets[others(start)[1]];
+  }
+  Id at = start;
+  do
+  {
+    const auto [first, second] = others(at);
+    const CellType& here = this->Cells[at];
+    ring.Points.push_back(here.Corners[first]);
+    ring.Cells.push_back(at);
+    at = here.Neighbors[first];
+    if (Policy::HasBoundary && at == None)
+    {
+      ring.Points.push_back(here.Corners[second]);
+      ring.EndFacets[1] = here.Facets[first];
+      return;
+    }
+    ring.IsLocked = ring.IsLocked || here.Facets[first] != None;
+  } while (at != start);
+}
+
+// --- Changes -------------------------------------------------------------------------------------
+
+template <class Policy>
+void Mesh<Policy>::AppendCell(const CellType& cell)
+{
+  for (const Id corner : cell.Corners)
+  {
+    this->CellOf[corner] = this->NumberOfCells();
+  }
+  this->Cells.push_back(cell);
+}
+
+template <class Policy>
+void Mesh<Policy>::MarkOld(const std::vector<Id>& old, Workspace& work) const
+{
+  work.Marks.Start(this->NumberOfCells());
+  for (const Id cell : old)
+  {
+    if (this->IsDead(cell) || work.Marks.Has(cell))
+    {
+      throw Error(ErrorCode::Inconsistent, "cells were replaced that are not there");
+    }
+    work.Marks.Add(cell);
+  }
+}
+
+/** Enter the faces between the marked cells and the rest. @return how many */
+template <class Policy>
+std::size_t Mesh<Policy>::EnterWalls(const Replacement& exchange, Workspace& work) const
+{
+  std::size_t walls = 0;
+  for (const Id cell : exchange.Old)
+  {
+    const CellType& here = this->Cells[cell];
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id neighbor = here.Neighbors[k];
+      const bool isOuter = Policy::HasBoundary && neighbor == None;
+      if (!isOuter && work.Marks.Has(neighbor))
+      {
+        continue;
+      }
+      const Triangle corners = SortedTriangle(FaceAcross(here.Corners, k)).Points;
+      if (!isOuter ||
+        std::find(exchange.Gone.begin(), exchange.Gone.end(), corners) == exchange.Gone.end())
+      {
+        work.Faces.Enter(work.Faces.At(corners), corners,
+          { neighbor, isOuter ? 0 : this->MirrorIndex(cell, k) }, None, here.Facets[k]);
+        ++walls;
+      }
+    }
+  }
+  return walls;
+}
+
+/** The ids that fresh cells get when the old ones are dead. */
+template <class Policy>
+void Mesh<Policy>::NumberFresh(const Replacement& exchange, Workspace& work) const
+{
+  work.FreshCells.clear();
+  const std::size_t count = exchange.Fresh.size();
+  const auto append = [&](const std::vector<Id>& dead)
+  {
+    const std::size_t some = std::min(dead.size(), count - work.FreshCells.size());
+    work.FreshCells.insert(
+      work.FreshCells.end(), dead.rbegin(), dead.rbegin() + static_cast<std::ptrdiff_t>(some));
+  };
+  append(exchange.Old);
+  append(work.FreeCells);
+  for (Id id = this->NumberOfCells(); work.FreshCells.size() < count; ++id)
+  {
+    work.FreshCells.push_back(id);
+  }
+}
+
+/** Connect face k of a fresh cell with the one that is entered. @return false where it is the first
+ */
+template <class Policy>
+bool Mesh<Policy>::Match(Id number, int k, Workspace& work) const
+{
+  CellType& cell = work.Fresh[number];
+  const Id id = work.FreshCells[number];
+  const Triangle corners = SortedTriangle(FaceAcross(cell.Corners, k)).Points;
+  PendingFace& face = work.Faces.At(corners);
+  if (!work.Faces.IsTaken(face))
+  {
+    work.Faces.Enter(face, corners, { id, k }, number, None);
+    return false;
+  }
+  if (face.Other != None)
+  {
+    throw Error(
+      ErrorCode::Inconsistent, "cells were replaced by others of which three share a face");
+  }
+  face.Other = number;
+  face.AtOther = static_cast<std::int8_t>(k);
+  cell.Neighbors[k] = face.Cell;
+  cell.Facets[k] = face.Facet;
+  if (face.Fresh != None)
+  {
+    work.Fresh[face.Fresh].Neighbors[face.At] = id;
+  }
+  else if (!Policy::HasBoundary || face.Cell != None)
+  {
+    work.Outer.push_back({ { face.Cell, face.At }, id, this->Cells[face.Cell].Facets[face.At] });
+  }
+  return true;
+}
+
+/**
+ * Make a face of the fresh cells a piece of a facet, or a wall, where the cell at it is gone
+ * without another. @return whether it is on the boundary
+ */
+template <class Policy>
+bool Mesh<Policy>::Place(const FreshFacet& facet, Workspace& work) const
+{
+  PendingFace& face = work.Faces.At(SortedTriangle(facet.Corners).Points);
+  if (!work.Faces.IsTaken(face) || face.Cell == None || face.IsOnBoundary)
+  {
+    throw Error(ErrorCode::Inconsistent, "a facet was put where no cell has a face");
+  }
+  face.IsOnBoundary = face.Other == None;
+  if (face.Fresh != None)
+  {
+    work.Fresh[face.Fresh].Facets[face.At] = facet.Facet;
+  }
+  else
+  {
+    work.Outer.push_back({ { face.Cell, face.At },
+      face.IsOnBoundary ? None : work.FreshCells[face.Other], facet.Facet });
+  }
+  if (!face.IsOnBoundary)
+  {
+    work.Fresh[face.Other].Facets[face.AtOther] = facet.Facet;
+  }
+  return face.IsOnBoundary;
+}
+
+/** Do what is prepared, which nothing can hinder. */
+template <class Policy>
+void Mesh<Policy>::Commit(const Replacement& exchange, Workspace& work)
+{
+  ++work.Changes;
+  for (const Id cell : exchange.Old)
+  {
+    // A vertex that is left without a cell gets one back below, or is no longer in the mesh.
+    for (const Id corner : this->Cells[cell].Corners)
+    {
+      this->CellOf[corner] = None;
+    }
+    this->Cells[cell].Corners[0] = None;
+    work.FreeCells.push_back(cell);
+  }
+  for (std::size_t i = 0; i < work.Fresh.size(); ++i)
+  {
+    const Id id = work.FreshCells[i];
+    if (work.FreeCells.empty())
+    {
+      this->Cells.push_back(work.Fresh[i]);
+    }
+    else
+    {
+      work.FreeCells.pop_back();
+      this->Cells[id] = work.Fresh[i];
+    }
+    for (const Id corner : work.Fresh[i].Corners)
+    {
+      this->CellOf[corner] = id;
+      this->ChangeAround[corner] = work.Changes;
+    }
+  }
+  for (const auto& [face, neighbor, facet] : work.Outer)
+  {
+    this->Cells[face.Cell].Neighbors[face.Face] = neighbor;
+    this->Cells[face.Cell].Facets[face.Face] = facet;
+  }
+  for (const FreshFacet& facet : exchange.Facets)
+  {
+    const PendingFace& face = work.Faces.At(SortedTriangle(facet.Corners).Points);
+    for (int k = 0; face.IsOnBoundary && k < 3; ++k)
+    {
+      this->CellOf[facet.Corners[k]] = face.Cell; // it may be in no fresh cell
+    }
+  }
+}
+
+template <class Policy>
+template <class ContentOf>
+void Mesh<Policy>::Replace(const Replacement& exchange, const ContentOf& contentOf, Workspace& work)
+{
+  const std::size_t count = exchange.Fresh.size();
+  work.Faces.Start(exchange.Old.size() + count);
+  work.Outer.clear();
+  work.Fresh.resize(count);
+  this->MarkOld(exchange.Old, work);
+  std::size_t alone = this->EnterWalls(exchange, work);
+  this->NumberFresh(exchange, work);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::array<Id, 4> none = { { None, None, None, None } };
+    work.Fresh[i] = { contentOf(i, work.FreshCells[i]), exchange.Fresh[i], none, none };
+    for (int k = 0; k < 4; ++k)
+    {
+      alone += this->Match(static_cast<Id>(i), k, work) ? -1 : 1;
+    }
+  }
+  for (const FreshFacet& facet : exchange.Facets)
+  {
+    alone -= this->Place(facet, work) ? 1 : 0;
+  }
+  if (alone != 0)
+  {
+    throw Error(ErrorCode::Inconsistent, "cells were replaced by others with another boundary");
+  }
+  this->Commit(exchange, work);
+}
+} // namespace insideout

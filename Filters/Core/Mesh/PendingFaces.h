@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Mesh/MeshCell.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** A face of which one cell is known, and the other is looked for. */
+struct PendingFace
+{
+  Triangle Corners; ///< ascending
+  std::uint32_t Epoch;
+  Id Cell;        ///< None beyond the boundary
+  Id Fresh;       ///< the number of that cell among the fresh ones, None for an old one
+  Id Facet;       ///< that fresh cells take over
+  Id Other;       ///< the number of the fresh cell that was found, None as long as there is none
+  std::int8_t At; ///< the faces of the two cells
+  std::int8_t AtOther;
+  bool IsOnBoundary; ///< no other cell is to come
+};
+
+/** A table of faces by their corners, which is emptied at once. */
+class PendingFaces
+{
+public:
+  /** Make room for the faces of so many cells, and forget those that were entered. */
+  void Start(std::size_t cells)
+  {
+    std::size_t size = 32;
+    while (size < 6 * cells)
+    {
+      size *= 2;
+    }
+    if (size > this->Slots.size())
+    {
+      this->Slots.assign(size, PendingFace());
+      this->Epoch = 0;
+    }
+    this->Mask = size - 1;
+    ++this->Epoch;
+  }
+
+  /** The slot that a face has or gets. */
+  PendingFace& At(const Triangle& sorted)
+  {
+    std::size_t slot = static_cast<std::size_t>(sorted[0]) * 0x9E3779B1u ^
+      static_cast<std::size_t>(sorted[1]) * 0x85EBCA77u ^
+      static_cast<std::size_t>(sorted[2]) * 0xC2B2AE3Du;
+    slot = (slot ^ (slot >> 15)) & this->Mask;
+    while (this->IsTaken(this->Slots[slot]) && this->Slots[slot].Corners != sorted)
+    {
+      slot = (slot + 1) & this->Mask;
+    }
+    return this->Slots[slot];
+  }
+
+  bool IsTaken(const PendingFace& face) const { return face.Epoch == this->Epoch; }
+
+  /** Enter a face in its slot. */
+  void Enter(PendingFace& slot, const Triangle& sorted, const MeshFace& of, Id fresh, Id facet)
+  {
+    slot = { sorted, this->Epoch, of.Cell, fresh, facet, None, static_cast<std::int8_t>(of.Face),
+      -1, false };
+  }
+
+private:
+  std::vector<PendingFace> Slots;
+  std::size_t Mask = 0;
+  std::uint32_t Epoch = 0;
+};
+} // namespace insideout

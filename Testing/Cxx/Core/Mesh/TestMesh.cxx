@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/Mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+using namespace insideout;
+
+namespace
+{
+/** Faces have two cells: those beyond the hull have a vertex at infinity. */
+struct ClosedPolicy
+{
+  struct Content
+  {
+  };
+  static constexpr bool HasBoundary = false;
+};
+
+/** Faces of the boundary have one cell, and each cell has a region. */
+struct OpenPolicy
+{
+  struct Content
+  {
+    Id Region;
+  };
+  static constexpr bool HasBoundary = true;
+};
+
+/** A ball of cells around vertex 0; where it is closed, with a vertex at infinity, the last. */
+template <class Policy>
+class SomeMesh : public Mesh<Policy>
+{
+public:
+  using Base = Mesh<Policy>;
+  using typename Base::CellType;
+  using typename Base::Content;
+
+  /** An octahedron: vertices 1 to 6, of which k and k + 3 are across from each other. */
+  SomeMesh()
+  {
+    for (Id vertex = 0; vertex < Vertices; ++vertex)
+    {
+      this->AppendVertex(0);
+    }
+    std::vector<Tetrahedron> corners;
+    for (int k = 0; k < 8; ++k)
+    {
+      const Id a = k & 1 ? 4 : 1;
+      const Id b = k & 2 ? 5 : 2;
+      const Id c = k & 4 ? 6 : 3;
+      const bool isTurned = (k & 1) ^ (k >> 1 & 1) ^ (k >> 2);
+      corners.push_back(isTurned ? Tetrahedron{ { 0, b, a, c } } : Tetrahedron{ { 0, a, b, c } });
+      if (!Policy::HasBoundary)
+      {
+        corners.push_back(
+          isTurned ? Tetrahedron{ { Infinite, a, b, c } } : Tetrahedron{ { Infinite, b, a, c } });
+      }
+    }
+    for (const Tetrahedron& t : corners)
+    {
+      CellType cell = { Content(), t, { { None, None, None, None } },
+        { { None, None, None, None } } };
+      for (int k = 0; k < 4; ++k)
+      {
+        for (std::size_t other = 0; other < corners.size(); ++other)
+        {
+          const auto isShared = [&](Id corner)
+          { return corner == t[k] || CornerIndexIn(corners[other], corner) >= 0; };
+          if (corners[other] != t && std::all_of(t.begin(), t.end(), isShared))
+          {
+            cell.Neighbors[k] = static_cast<Id>(other);
+          }
+        }
+      }
+      this->AppendCell(cell);
+    }
+  }
+
+  void Change(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh,
+    const std::vector<Triangle>& gone = {}, const std::vector<FreshFacet>& facets = {})
+  {
+    this->Replace(
+      { old, fresh, gone, facets }, [](std::size_t, Id) { return Content(); }, this->Own);
+  }
+
+  std::vector<Id> StarOf(Id vertex)
+  {
+    std::vector<Id> cells;
+    this->Star(vertex, cells, this->Own.Marks);
+    return cells;
+  }
+
+  void MarkFacet(Id cell, int k, Id facet)
+  {
+    this->Cells[cell].Facets[k] = facet;
+    if (const Id beyond = this->Cells[cell].Neighbors[k]; beyond != None)
+    {
+      this->Cells[beyond].Facets[this->MirrorIndex(cell, k)] = facet;
+    }
+  }
+
+  static constexpr Id Vertices = 8;
+  static constexpr Id Infinite = 7;
+  typename Base::Workspace Own;
+};
+
+/** All that can be read of a mesh. */
+template <class Policy>
+std::vector<std::array<Id, 12>> ReadAll(const SomeMesh<Policy>& mesh)
+{
+  std::vector<std::array<Id, 12>> all;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    const auto& cell = mesh.Cell(c);
+    std::array<Id, 12> row = {};
+    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+    {
+      row[k] = cell.Corners[k];
+      row[4 + k] = cell.Neighbors[k];
+      row[8 + k] = cell.Facets[k];
+    }
+    all.push_back(row);
+  }
+  for (Id v = 0; v < SomeMesh<Policy>::Vertices; ++v)
+  {
+    all.push_back({ mesh.CellAt(v), static_cast<Id>(mesh.LastChangeAround(v)) });
+  }
+  all.push_back({ static_cast<Id>(mesh.Own.Changes) });
+  return all;
+}
+
+/** Live cells and their neighbors name each other across shared faces, which carry one facet; a
+ * face has two cells, or one where there is a boundary; each vertex names a cell that has it. */
+template <class Policy>
+void ExpectLaws(const SomeMesh<Policy>& mesh)
+{
+  std::map<Triangle, int> faces;
+  std::set<Id> vertices;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4 && !mesh.IsDead(c); ++k)
+    {
+      vertices.insert(mesh.Cell(c).Corners[k]);
+      const Triangle face = SortedTriangle(mesh.FaceCorners(c, k)).Points;
+      ++faces[face];
+      const Id neighbor = mesh.Cell(c).Neighbors[k];
+      ASSERT_TRUE(Policy::HasBoundary || neighbor != None);
+      if (neighbor != None)
+      {
+        const int mirror = mesh.MirrorIndex(c, k);
+        ASSERT_GE(mirror, 0);
+        ASSERT_FALSE(mesh.IsDead(neighbor));
+        EXPECT_EQ(mesh.Cell(neighbor).Neighbors[mirror], c);
+        EXPECT_EQ(mesh.Cell(neighbor).Facets[mirror], mesh.Cell(c).Facets[k]);
+        EXPECT_EQ(SortedTriangle(mesh.FaceCorners(neighbor, mirror)).Points, face);
+        EXPECT_NE(SortedTriangle(mesh.FaceCorners(neighbor, mirror)).Turned,
+          SortedTriangle(mesh.FaceCorners(c, k)).Turned);
+      }
+      else
+      {
+        ++faces[face];
+      }
+    }
+  }
+  for (const auto& [face, cells] : faces)
+  {
+    EXPECT_EQ(cells, 2) << face[0] << ' ' << face[1] << ' ' << face[2];
+  }
+  for (Id v = 0; v < SomeMesh<Policy>::Vertices; ++v)
+  {
+    ASSERT_EQ(mesh.HasVertex(v), vertices.count(v) > 0) << v;
+    EXPECT_TRUE(
+      !mesh.HasVertex(v) || (!mesh.IsDead(mesh.CellAt(v)) && mesh.Has(mesh.CellAt(v), v)));
+  }
+}
+
+/** The ring of an edge of the octahedron from its middle becomes one of another axis. */
+template <class Policy>
+std::vector<Id> CellsWith(const SomeMesh<Policy>& mesh, Id u, Id v)
+{
+  std::vector<Id> cells;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    if (!mesh.IsDead(c) && mesh.Has(c, u) && mesh.Has(c, v))
+    {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
+/** Four cells around the axis from 1 to 4 in the place of the eight around the middle. */
+std::vector<Tetrahedron> AroundAxis()
+{
+  return { { { 4, 1, 2, 3 } }, { { 4, 1, 3, 5 } }, { { 4, 1, 5, 6 } }, { { 4, 1, 6, 2 } } };
+}
+
+template <class Policy>
+class MeshLaws : public testing::Test
+{
+};
+using Policies = testing::Types<ClosedPolicy, OpenPolicy>;
+TYPED_TEST_SUITE(MeshLaws, Policies);
+} // namespace
+
+TYPED_TEST(MeshLaws, HoldAfterTheMiddleIsTakenOut)
+{
+  SomeMesh<TypeParam> mesh;
+  ExpectLaws(mesh);
+  mesh.Change(mesh.StarOf(0), AroundAxis());
+  ExpectLaws(mesh);
+  EXPECT_FALSE(mesh.HasVertex(0));
+  EXPECT_EQ(mesh.Own.Changes, 1);
+  EXPECT_EQ(mesh.LastChangeAround(5), 1);
+  EXPECT_EQ(mesh.LastChangeAround(0), 0);
+  EXPECT_EQ(mesh.Own.FreshCells.size(), 4u);
+  EXPECT_EQ(mesh.Own.FreeCells.size(), 4u);
+}
+
+TYPED_TEST(MeshLaws, HoldAfterManyChangesThereAndBack)
+{
+  SomeMesh<TypeParam> mesh;
+  const Id cells = mesh.NumberOfCells();
+  const std::vector<Id> star = mesh.StarOf(0);
+  std::vector<Tetrahedron> around;
+  for (const Id cell : star)
+  {
+    around.push_back(mesh.Cell(cell).Corners);
+  }
+  for (int turn = 0; turn < 10; ++turn)
+  {
+    mesh.Change(mesh.StarOf(0), AroundAxis());
+    ExpectLaws(mesh);
+    mesh.Change(CellsWith(mesh, 1, 4), around);
+    ExpectLaws(mesh);
+    EXPECT_EQ(mesh.NumberOfCells(), cells);
+  }
+}
+
+TYPED_TEST(MeshLaws, FacetsStayBetweenOldCellsAndTheRestAndGoWithin)
+{
+  SomeMesh<TypeParam> mesh;
+  for (const Id cell : mesh.StarOf(0))
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      mesh.MarkFacet(cell, k, mesh.Cell(cell).Corners[k] == 0 ? cell : 99);
+    }
+  }
+  mesh.Change(mesh.StarOf(0), AroundAxis());
+  ExpectLaws(mesh);
+  int kept = 0;
+  for (const Id cell : CellsWith(mesh, 1, 4))
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Id corner = mesh.Cell(cell).Corners[k];
+      EXPECT_EQ(mesh.Cell(cell).Facets[k] != None, corner == 1 || corner == 4);
+      EXPECT_NE(mesh.Cell(cell).Facets[k], 99);
+      kept += mesh.Cell(cell).Facets[k] != None ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(kept, 8);
+}
+
+TYPED_TEST(MeshLaws, FacetsThatAreGivenAreOnBothSides)
+{
+  SomeMesh<TypeParam> mesh;
+  mesh.Change(mesh.StarOf(0), AroundAxis(), {}, { { { { 4, 2, 1 } }, 5 } });
+  ExpectLaws(mesh);
+  std::size_t found = 0;
+  for (const Id cell : CellsWith(mesh, 1, 4))
+  {
+    found += static_cast<std::size_t>(
+      std::count(mesh.Cell(cell).Facets.begin(), mesh.Cell(cell).Facets.end(), 5));
+  }
+  EXPECT_EQ(found, 2u);
+}
+
+TYPED_TEST(MeshLaws, WhatIsRefusedLeavesTheMeshAsItWas)
+{
+  SomeMesh<TypeParam> mesh;
+  mesh.Change({ mesh.StarOf(0)[0] }, { mesh.Cell(mesh.StarOf(0)[0]).Corners });
+  const std::vector<Id> star = mesh.StarOf(0);
+  const auto before = ReadAll(mesh);
+  std::vector<Tetrahedron> few = AroundAxis();
+  few.pop_back();
+  std::vector<Tetrahedron> many = AroundAxis();
+  many.push_back(many[0]);
+  std::vector<Tetrahedron> twice = AroundAxis();
+  twice[3] = twice[0]; // each face is met as often as it has to be, all in all
+  std::vector<Id> doubled = star;
+  doubled.push_back(star[0]);
+  const std::vector<FreshFacet> nowhere = { { { { 2, 3, 5 } }, 1 } };
+  EXPECT_THROW(mesh.Change(star, few), Error);
+  EXPECT_EQ(ReadAll(mesh), before);
+  EXPECT_THROW(mesh.Change(star, many), Error);
+  EXPECT_EQ(ReadAll(mesh), before);
+  EXPECT_THROW(mesh.Change(star, twice), Error);
+  EXPECT_EQ(ReadAll(mesh), before);
+  EXPECT_THROW(mesh.Change(doubled, AroundAxis()), Error);
+  EXPECT_EQ(ReadAll(mesh), before);
+  EXPECT_THROW(mesh.Change(star, AroundAxis(), {}, nowhere), Error);
+  EXPECT_EQ(ReadAll(mesh), before);
+  mesh.Change(star, AroundAxis());
+  ExpectLaws(mesh);
+  const auto after = ReadAll(mesh);
+  const std::vector<Id> dead = { star[0] == mesh.CellAt(1) ? star[7] : mesh.Own.FreeCells.back() };
+  EXPECT_THROW(mesh.Change(dead, { { { 0, 1, 2, 3 } } }), Error);
+  EXPECT_EQ(ReadAll(mesh), after);
+}
+
+TYPED_TEST(MeshLaws, RingsGoAroundAnEdgeInOneTurn)
+{
+  SomeMesh<TypeParam> mesh;
+  for (const Id first : mesh.StarOf(0))
+  {
+    const Tetrahedron t = mesh.Cell(first).Corners;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 4; ++j)
+      {
+        if (i == j)
+        {
+          continue;
+        }
+        EdgeRing ring;
+        mesh.Ring(t[i], t[j], first, ring);
+        const bool isInner = t[i] == 0 || t[j] == 0;
+        EXPECT_EQ(ring.IsClosed, isInner || !TypeParam::HasBoundary);
+        EXPECT_FALSE(ring.IsLocked);
+        const std::vector<Id> all = CellsWith(mesh, t[i], t[j]);
+        std::vector<Id> cells = ring.Cells;
+        std::sort(cells.begin(), cells.end());
+        EXPECT_EQ(cells, all);
+        EXPECT_EQ(ring.Points.size(), ring.Cells.size() + (ring.IsClosed ? 0 : 1));
+        for (std::size_t k = 0; k < ring.Cells.size(); ++k)
+        {
+          EXPECT_TRUE(mesh.Has(ring.Cells[k], ring.Points[k]));
+          EXPECT_TRUE(mesh.Has(ring.Cells[k], ring.Points[(k + 1) % ring.Points.size()]));
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(MeshLaws, AFaceAtAnEdgeThatIsAPieceOfAFacetLocksItsRing)
+{
+  SomeMesh<TypeParam> mesh;
+  const Id cell = mesh.StarOf(0)[0];
+  const int k = mesh.CornerIndex(cell, 0) == 0 ? 1 : 0;
+  mesh.MarkFacet(cell, k, 3);
+  for (int j = 1; j < 4; ++j)
+  {
+    EdgeRing ring;
+    mesh.Ring(0, mesh.Cell(cell).Corners[j], cell, ring);
+    EXPECT_EQ(ring.IsLocked, j != k);
+    EXPECT_EQ(ring.IsOnFacet(), j != k);
+  }
+}
+
+TEST(MeshWithBoundary, ACellMayGoFromItWithItsPieces)
+{
+  SomeMesh<OpenPolicy> mesh;
+  const Id cell = mesh.StarOf(0)[0];
+  const Tetrahedron t = mesh.Cell(cell).Corners;
+  const Triangle outer = SortedTriangle(mesh.FaceCorners(cell, 0)).Points;
+  std::vector<FreshFacet> facets;
+  for (int k = 1; k < 4; ++k)
+  {
+    facets.push_back({ mesh.FaceCorners(cell, k), k });
+  }
+  mesh.Change({ cell }, {}, { outer }, facets);
+  ExpectLaws(mesh);
+  EXPECT_EQ(CellsWith(mesh, t[0], t[1]).size(), 3u);
+  EdgeRing ring;
+  mesh.Ring(t[0], t[1], CellsWith(mesh, t[0], t[1])[0], ring);
+  EXPECT_FALSE(ring.IsClosed);
+  EXPECT_TRUE(std::set<Id>(ring.EndFacets.begin(), ring.EndFacets.end()) == (std::set<Id>{ 2, 3 }));
+}
+
+TEST(CellMarks, AreForOneSearchOnly)
+{
+  CellMarks marks;
+  marks.Start(4);
+  marks.Add(3);
+  EXPECT_TRUE(marks.Has(3));
+  EXPECT_FALSE(marks.Has(2));
+  marks.Remove(3);
+  EXPECT_FALSE(marks.Has(3));
+  marks.Add(1);
+  marks.Start(9);
+  EXPECT_FALSE(marks.Has(1));
+  EXPECT_FALSE(marks.Has(8));
+}
+
+TEST(PendingFaces, AreFoundByTheirCornersAndForgottenAtOnce)
+{
+  PendingFaces faces;
+  faces.Start(1000);
+  std::set<Triangle> entered;
+  std::mt19937 random(1);
+  for (int k = 0; k < 2000; ++k)
+  {
+    const Id low = static_cast<Id>(random() % 50);
+    const Triangle t = { { low, low + 1 + static_cast<Id>(random() % 9), low + 20 } };
+    PendingFace& face = faces.At(t);
+    ASSERT_EQ(faces.IsTaken(face), entered.count(t) > 0);
+    if (entered.insert(t).second)
+    {
+      faces.Enter(face, t, { low, 2 }, None, k);
+    }
+    ASSERT_EQ(faces.At(t).Corners, t);
+  }
+  faces.Start(2);
+  for (const Triangle& t : entered)
+  {
+    ASSERT_FALSE(faces.IsTaken(faces.At(t)));
+  }
+}
