@@ -8,7 +8,39 @@ namespace insideout
 {
 namespace
 {
-constexpr int Impossible = std::numeric_limits<int>::max() / 4;
+/** What a triangulation of a ring leaves in the way of a target. */
+struct CostsOfRing
+{
+  static constexpr int Edge = 0;
+  static constexpr int Impossible = std::numeric_limits<int>::max() / 4;
+
+  bool IsBetter(int a, int b) const { return a < b; }
+  bool IsEnough(int cost) const { return cost <= this->Most; }
+  int Join(int a, int b) const { return a + b; }
+
+  int OfTriangle(int i, int j, int k) const
+  {
+    const std::vector<Id>& p = this->Ring.Points;
+    const bool isPositive = this->Vertices.Orient(p[i], p[j], p[k], this->Ring.V) > 0 &&
+      this->Vertices.Orient(p[j], p[i], p[k], this->Ring.U) > 0;
+    return isPositive ? this->Target.CostOfFace(p[i], p[j], p[k]) : Impossible;
+  }
+
+  int OfDiagonal(int i, int j) const
+  {
+    const Id p = this->Ring.Points[i];
+    const Id q = this->Ring.Points[j];
+    const bool isOfRing = i == 0 && static_cast<std::size_t>(j) + 1 == this->Ring.Points.size();
+    return isOfRing ? 0
+                    : this->Target.CostOfEdge(p, q) + this->Target.CostOfFace(this->Ring.U, p, q) +
+        this->Target.CostOfFace(this->Ring.V, p, q);
+  }
+
+  const ExactVertices& Vertices;
+  const EdgeRing& Ring;
+  const FlipTarget& Target;
+  int Most;
+};
 } // namespace
 
 bool FlipOperator::RemoveFace(Id cell, int face, const FlipTarget& target, const Limits& limits)
@@ -68,48 +100,6 @@ bool FlipOperator::IsHullFlip(const EdgeRing& ring) const
     vertices.Orient(p, ring.V, q, inner) == side;
 }
 
-bool FlipOperator::IsPositive(int i, int j, int k) const
-{
-  const EdgeRing& ring = this->Around;
-  const ExactVertices& vertices = this->Mesh.Vertices();
-  return vertices.Orient(ring.Points[i], ring.Points[j], ring.Points[k], ring.V) > 0 &&
-    vertices.Orient(ring.Points[j], ring.Points[i], ring.Points[k], ring.U) > 0;
-}
-
-int FlipOperator::CostOfTriangle(int i, int j, int k) const
-{
-  const std::vector<Id>& p = this->Around.Points;
-  return this->IsPositive(i, j, k) ? this->Target->CostOfFace(p[i], p[j], p[k]) : Impossible;
-}
-
-int FlipOperator::CostOfDiagonal(int i, int j) const
-{
-  const EdgeRing& ring = this->Around;
-  const Id p = ring.Points[i];
-  const Id q = ring.Points[j];
-  return this->Target->CostOfEdge(p, q) + this->Target->CostOfFace(ring.U, p, q) +
-    this->Target->CostOfFace(ring.V, p, q);
-}
-
-void FlipOperator::AppendCells(int i, int j, int k, std::vector<Tetrahedron>& fresh) const
-{
-  const EdgeRing& ring = this->Around;
-  fresh.push_back({ { ring.Points[i], ring.Points[j], ring.Points[k], ring.V } });
-  fresh.push_back({ { ring.Points[j], ring.Points[i], ring.Points[k], ring.U } });
-}
-
-void FlipOperator::CollectTriangles(int i, int j, std::vector<Tetrahedron>& fresh) const
-{
-  if (j == i + 1)
-  {
-    return;
-  }
-  const int k = this->Middle[i * static_cast<int>(this->Around.Points.size()) + j];
-  this->AppendCells(i, k, j, fresh);
-  this->CollectTriangles(i, k, fresh);
-  this->CollectTriangles(k, j, fresh);
-}
-
 bool FlipOperator::RemoveEdge(Id u, Id v, Id cell, const FlipTarget& target, const Limits& limits)
 {
   EdgeRing& ring = this->Around;
@@ -132,59 +122,24 @@ bool FlipOperator::RemoveEdge(Id u, Id v, Id cell, const FlipTarget& target, con
       return false;
     }
   }
-  this->Target = &target;
-  int limit = limits.Increase + target.CostOfEdge(u, v);
+  CostsOfRing costs = { this->Mesh.Vertices(), ring, target,
+    limits.Increase + target.CostOfEdge(u, v) };
   for (const Id p : ring.Points)
   {
-    limit += target.CostOfFace(u, v, p);
+    costs.Most += target.CostOfFace(u, v, p);
   }
-
-  // Best[i * n + j]: least cost to triangulate the ring from point i to point j, their diagonal
-  // too.
   const int first = onHull ? 1 : 0;
-  this->Best.assign(static_cast<std::size_t>(n) * n, Impossible);
-  this->Middle.assign(static_cast<std::size_t>(n) * n, -1);
-  for (int i = first; i + 1 < n; ++i)
-  {
-    this->Best[i * n + i + 1] = 0;
-  }
-  for (int length = 2; length < n - first; ++length)
-  {
-    for (int i = first; i + length < n; ++i)
-    {
-      const int j = i + length;
-      int& best = this->Best[i * n + j];
-      for (int k = i + 1; k < j; ++k)
-      {
-        const int parts = this->Best[i * n + k] + this->Best[k * n + j];
-        if (parts > limit || parts >= best)
-        {
-          continue;
-        }
-        const int cost = parts + this->CostOfTriangle(i, k, j);
-        if (cost < best && cost <= limit)
-        {
-          best = cost;
-          this->Middle[i * n + j] = k;
-        }
-      }
-      if (best < Impossible && (onHull || length < n - 1))
-      {
-        best += this->CostOfDiagonal(i, j);
-      }
-    }
-  }
-  if (this->Best[first * n + n - 1] > limit)
+  if (!this->Triangulation.Find(costs, first, n))
   {
     return false;
   }
   std::vector<Tetrahedron> fresh;
-  this->CollectTriangles(first, n - 1, fresh);
+  this->Triangulation.AppendCells(ring, first, n - 1, fresh);
   if (onHull)
   {
-    this->AppendCells(0, 1, n - 1, fresh);
+    this->Triangulation.AppendPair(ring, 0, 1, n - 1, fresh);
   }
-  this->Mesh.Replace(std::vector<Id>(ring.Cells), fresh);
+  this->Mesh.Replace(ring.Cells, fresh);
   return true;
 }
 

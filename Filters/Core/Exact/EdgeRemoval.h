@@ -3,6 +3,7 @@
 
 #include "Exact/FlipTarget.h"
 #include "Exact/SegmentTable.h"
+#include "Mesh/RingTriangulation.h"
 
 namespace insideout
 {
@@ -48,19 +49,12 @@ public:
 private:
   bool IsLocked(const EdgeRing& ring) const;
   bool IsHullFlip(const EdgeRing& ring) const;
-  int CostOfTriangle(int i, int j, int k) const;
-  int CostOfDiagonal(int i, int j) const;
-  bool IsPositive(int i, int j, int k) const;
-  void CollectTriangles(int i, int j, std::vector<Tetrahedron>& fresh) const;
-  void AppendCells(int i, int j, int k, std::vector<Tetrahedron>& fresh) const;
 
   FlippableMesh& Mesh;
   const SegmentTable& Segments;
 
   // Of the edge at hand; members so that their memory is kept.
   EdgeRing Around;
-  const FlipTarget* Target = nullptr;
-  std::vector<int> Best;
-  std::vector<int> Middle;
+  RingTriangulation<int> Triangulation;
 };
 } // namespace insideout

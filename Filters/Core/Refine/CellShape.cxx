@@ -59,6 +59,16 @@ double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell)
   return ShapeOf(points[cell[0]], points[cell[1]], points[cell[2]], points[cell[3]]);
 }
 
+double WorstShapeOf(const RefinableMesh& mesh, const std::vector<Id>& cells)
+{
+  double worst = 1;
+  for (const Id cell : cells)
+  {
+    worst = std::min(worst, ShapeOf(mesh.Points, mesh.Cell(cell).Corners));
+  }
+  return worst;
+}
+
 double ShapeOfAngle(double degrees)
 {
   const double sine = std::sin(degrees * std::acos(-1.0) / 180);

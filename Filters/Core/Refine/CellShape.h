@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Common/Types.h"
+#include "Refine/RefinableMesh.h"
 
 #include <vector>
 
@@ -14,6 +14,9 @@ namespace insideout
  */
 double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d);
 double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell);
+
+/** The worst shape of some cells, at most 1. */
+double WorstShapeOf(const RefinableMesh& mesh, const std::vector<Id>& cells);
 
 /** A face, and what cells on its positive side have in common, to try many fourth corners. */
 class BaseOfCells

@@ -2,6 +2,7 @@
 #include "Refine/ContractEdge.h"
 
 #include "Common/PointPredicates.h"
+#include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 
@@ -13,12 +14,7 @@ double Contraction::WorstAround(Id point)
 {
   this->Cells.clear();
   this->Mesh.Star(point, this->Cells);
-  double worst = 1;
-  for (const Id cell : this->Cells)
-  {
-    worst = std::min(worst, ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners));
-  }
-  return worst;
+  return WorstShapeOf(this->Mesh, this->Cells);
 }
 
 bool Contraction::Remove(Id point, double wanted, double longest)
@@ -27,18 +23,13 @@ bool Contraction::Remove(Id point, double wanted, double longest)
   {
     return false;
   }
-  this->Cells.clear();
-  this->Walls.clear();
+  this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
   this->Targets.clear();
-  this->Mesh.Star(point, this->Cells);
-  for (const Id cell : this->Cells)
+  for (const Triangle& wall : this->Walls)
   {
-    this->Walls.push_back(
-      FaceAcross(this->Mesh.Cell(cell).Corners, this->Mesh.CornerIndex(cell, point)));
-    this->Targets.insert(this->Targets.end(), this->Walls.back().begin(), this->Walls.back().end());
+    this->Targets.insert(this->Targets.end(), wall.begin(), wall.end());
   }
-  std::sort(this->Targets.begin(), this->Targets.end());
-  this->Targets.erase(std::unique(this->Targets.begin(), this->Targets.end()), this->Targets.end());
+  SortUniquely(this->Targets);
 
   const std::vector<Point>& points = this->Mesh.Points;
   double best = wanted;

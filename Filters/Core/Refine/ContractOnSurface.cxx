@@ -149,8 +149,8 @@ void SurfaceContraction::MakePieces(Id point, Id target)
       {
         continue;
       }
-      Triangle face = FaceAcross(cell.Corners, k);
-      this->Gone.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
+      this->Gone.push_back(PieceAt(this->Mesh, c, k));
+      Triangle face = this->Gone.back().Corners;
       if (!Has(face, target))
       {
         this->Moved.push_back(this->Gone.back());
@@ -192,14 +192,7 @@ bool SurfaceContraction::KeepsLabels() const
 
 void SurfaceContraction::Replace()
 {
-  for (const SurfacePiece& piece : this->Gone)
-  {
-    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
-  }
-  for (const SurfacePiece& piece : this->Fresh)
-  {
-    this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });
-  }
+  ExchangePieces(this->Gone, this->Fresh, this->Exchange);
   this->Bound.Replace();
   this->Mesh.Replace(this->Exchange);
 }

@@ -22,12 +22,6 @@ constexpr std::size_t LargestCavity = 400;
 /** Cells as flat as that (ShapeOf) are of points that rounding put beside one plane. */
 constexpr double LeastShape = 1e-14;
 
-double SquaredDistance(const Point& a, const Point& b)
-{
-  const Point ab = Difference(b, a);
-  return Dot(ab, ab);
-}
-
 /** Whether a place in the plane of a triangle is in its circumcircle. */
 bool IsInCircle(const std::array<Point, 3>& t, const Point& place)
 {
@@ -50,21 +44,10 @@ Triangle SurfaceInsertion::CornersOf(const PieceOfCell& piece) const
 void SurfaceInsertion::Start(const Point& place)
 {
   this->Met = EdgeOfCell();
-  this->Place = place;
   this->Halved = { None, None };
   this->Pieces.clear();
   this->Dropped.clear();
-  this->Cavity.clear();
-  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
-}
-
-void SurfaceInsertion::AddCell(Id cell)
-{
-  if (!this->Mesh.Marks().Has(cell))
-  {
-    this->Mesh.Marks().Add(cell);
-    this->Cavity.push_back(cell);
-  }
+  this->Hole.Start(place);
 }
 
 /** With the cells on both sides. */
@@ -75,10 +58,10 @@ void SurfaceInsertion::AddPiece(const PieceOfCell& piece)
   {
     this->Dropped.push_back(key);
     this->Pieces.push_back(piece);
-    this->AddCell(piece.Cell);
+    this->Hole.Add(piece.Cell);
     if (const Id beyond = this->Mesh.Cell(piece.Cell).Neighbors[piece.Face]; beyond != None)
     {
-      this->AddCell(beyond);
+      this->Hole.Add(beyond);
     }
   }
 }
@@ -140,8 +123,8 @@ bool SurfaceInsertion::WalkTo(PieceOfCell& piece, const Point& place)
 /** Add the pieces of the same facets whose circumcircle holds the place. */
 void SurfaceInsertion::GrowPieces()
 {
-  for (std::size_t next = 0; next < this->Pieces.size() && this->Cavity.size() <= LargestCavity;
-       ++next)
+  for (std::size_t next = 0;
+       next < this->Pieces.size() && this->Hole.Cells().size() <= LargestCavity; ++next)
   {
     const PieceOfCell piece = this->Pieces[next];
     const Triangle t = this->CornersOf(piece);
@@ -152,7 +135,7 @@ void SurfaceInsertion::GrowPieces()
       {
         const PieceOfCell other = this->Across(piece, edge[0], edge[1]);
         if (IsInCircle(
-              insideout::CornersOf(this->Mesh.Points, this->CornersOf(other)), this->Place))
+              insideout::CornersOf(this->Mesh.Points, this->CornersOf(other)), this->Hole.Place))
         {
           this->AddPiece(other);
         }
@@ -161,76 +144,13 @@ void SurfaceInsertion::GrowPieces()
   }
 }
 
-/** Add the cells whose circumsphere holds the place, up to facets, the nearest first. */
-void SurfaceInsertion::GrowCavity()
-{
-  for (std::size_t next = 0; next < this->Cavity.size() && this->Cavity.size() < LargestCavity;
-       ++next)
-  {
-    const RefinableCell& here = this->Mesh.Cell(this->Cavity[next]);
-    for (int k = 0; k < 4 && this->Cavity.size() < LargestCavity; ++k)
-    {
-      const Id neighbor = here.Neighbors[k];
-      if (here.Facets[k] == None && !this->Mesh.Marks().Has(neighbor))
-      {
-        const auto [a, b, c, d] =
-          insideout::CornersOf(this->Mesh.Points, this->Mesh.Cell(neighbor).Corners);
-        const Circumsphere sphere = CircumsphereOf(a, b, c, d);
-        if (!(SquaredDistance(sphere.Center, this->Place) >= sphere.SquaredRadius))
-        {
-          this->AddCell(neighbor);
-        }
-      }
-    }
-  }
-}
-
-/**
- * Collect the walls of the cavity, and take out the cells with walls that the place does not see.
- * @return whether any was taken out
- */
-bool SurfaceInsertion::CollectWalls()
-{
-  const std::vector<Point>& points = this->Mesh.Points;
-  bool isChanged = false;
-  this->Walls.clear();
-  this->CellsOfWalls.clear();
-  for (const Id cell : this->Cavity)
-  {
-    const RefinableCell& here = this->Mesh.Cell(cell);
-    for (int k = 0; k < 4 && this->Mesh.Marks().Has(cell); ++k)
-    {
-      const bool isBehind = here.Neighbors[k] != None && this->Mesh.Marks().Has(here.Neighbors[k]);
-      if ((here.Facets[k] == None && isBehind) ||
-        (here.Facets[k] != None && this->IsDropped(cell, k)))
-      {
-        continue;
-      }
-      const Triangle f = FaceAcross(here.Corners, k);
-      if (Orient3D(points[f[0]], points[f[1]], points[f[2]], this->Place) > 0 &&
-        ShapeOf(points[f[0]], points[f[1]], points[f[2]], this->Place) > LeastShape)
-      {
-        this->Walls.push_back(f);
-        this->CellsOfWalls.push_back(cell);
-      }
-      else
-      {
-        this->Mesh.Marks().Remove(cell);
-        isChanged = true;
-      }
-    }
-  }
-  return isChanged;
-}
-
 /** Keep the pieces whose cells are still marked. @return whether those that hold the place are */
 bool SurfaceInsertion::DropPieces()
 {
   const auto isLost = [this](const PieceOfCell& piece)
   {
     const Id beyond = this->Mesh.Cell(piece.Cell).Neighbors[piece.Face];
-    return !this->Mesh.Marks().Has(piece.Cell) ||
-      (beyond != None && !this->Mesh.Marks().Has(beyond));
+    return !this->Hole.Has(piece.Cell) || (beyond != None && !this->Hole.Has(beyond));
   };
   const auto end = this->Pieces.begin() + static_cast<std::ptrdiff_t>(this->Certain);
   if (std::any_of(this->Pieces.begin(), end, isLost))
@@ -244,42 +164,6 @@ bool SurfaceInsertion::DropPieces()
     this->Dropped.push_back(SortedTriangle(this->CornersOf(piece)).Points);
   }
   return true;
-}
-
-/** Forget the marked cells that those at the certain pieces are no longer connected with. */
-void SurfaceInsertion::KeepConnected()
-{
-  std::vector<Id> reached;
-  const auto reach = [&](Id cell)
-  {
-    if (cell != None && this->Mesh.Marks().Has(cell))
-    {
-      this->Mesh.Marks().Remove(cell);
-      reached.push_back(cell);
-    }
-  };
-  for (std::size_t i = 0; i < this->Certain; ++i)
-  {
-    reach(this->Pieces[i].Cell);
-    reach(this->Mesh.Cell(this->Pieces[i].Cell).Neighbors[this->Pieces[i].Face]);
-  }
-  for (std::size_t next = 0; next < reached.size(); ++next)
-  {
-    const RefinableCell& here = this->Mesh.Cell(reached[next]);
-    for (int k = 0; k < 4; ++k)
-    {
-      if (here.Facets[k] == None || this->IsDropped(reached[next], k))
-      {
-        reach(here.Neighbors[k]);
-      }
-    }
-  }
-  this->Cavity = std::move(reached);
-  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
-  for (const Id cell : this->Cavity)
-  {
-    this->Mesh.Marks().Add(cell);
-  }
 }
 
 /** The edges of the pieces that no other of the same facet has, but for the one that is halved. */
@@ -312,23 +196,20 @@ void SurfaceInsertion::CollectRim()
 bool SurfaceInsertion::FitsTogether() const
 {
   std::vector<Edge> edges;
-  std::vector<Id> corners;
-  for (const Triangle& wall : this->Walls)
+  for (const Triangle& wall : this->Hole.Walls)
   {
-    corners.insert(corners.end(), wall.begin(), wall.end());
     for (int i = 0; i < 3; ++i)
     {
       edges.push_back(EdgeBetween(wall[i], wall[(i + 1) % 3]));
     }
   }
   std::sort(edges.begin(), edges.end());
-  SortUniquely(corners);
   std::vector<Edge> onBoundary;
   for (const RimEdge& rim : this->Rim)
   {
     const Edge edge = EdgeBetween(rim.From, rim.To);
     const std::array<Point, 3> t = { { this->Mesh.Points[rim.From], this->Mesh.Points[rim.To],
-      this->Place } };
+      this->Hole.Place } };
     const auto before = insideout::CornersOf(this->Mesh.Points, this->CornersOf(rim.Piece));
     if (!std::binary_search(edges.begin(), edges.end(), edge) ||
       !AreUnfolded({ { {}, t, None } }, NormalOf(before[0], before[1], before[2])))
@@ -351,13 +232,7 @@ bool SurfaceInsertion::FitsTogether() const
     }
     first = last;
   }
-  return std::all_of(this->Cavity.begin(), this->Cavity.end(),
-    [&](Id cell)
-    {
-      const Tetrahedron& t = this->Mesh.Cell(cell).Corners;
-      return std::all_of(t.begin(), t.end(),
-        [&](Id corner) { return std::binary_search(corners.begin(), corners.end(), corner); });
-    });
+  return this->Hole.KeepsItsPoints();
 }
 
 /** Whether the pieces between the rim and the place cross no others. */
@@ -374,7 +249,7 @@ bool SurfaceInsertion::StaysApart()
   for (const RimEdge& rim : this->Rim)
   {
     fresh.push_back({ { { rim.From, rim.To, this->Mesh.NextPoint() } },
-      { { this->Mesh.Points[rim.From], this->Mesh.Points[rim.To], this->Place } },
+      { { this->Mesh.Points[rim.From], this->Mesh.Points[rim.To], this->Hole.Place } },
       this->FacetOf(rim.Piece) });
   }
   return this->Bound.AllowsCut(gone, fresh);
@@ -384,18 +259,31 @@ bool SurfaceInsertion::StaysApart()
 bool SurfaceInsertion::Complete()
 {
   this->Certain = this->Pieces.size();
+  std::vector<Id> seeds;
+  for (const PieceOfCell& piece : this->Pieces)
+  {
+    seeds.push_back(piece.Cell);
+    seeds.push_back(this->Mesh.Cell(piece.Cell).Neighbors[piece.Face]);
+  }
   if (this->Surface.Treatment() == SurfaceTreatment::Split)
   {
     this->GrowPieces();
   }
-  this->GrowCavity();
-  while (this->CollectWalls())
+  const std::vector<Point>& points = this->Mesh.Points;
+  const auto isOpen = [this](Id cell, int k) { return this->IsDropped(cell, k); };
+  const auto isSeen = [&](const Triangle& f)
+  {
+    return Orient3D(points[f[0]], points[f[1]], points[f[2]], this->Hole.Place) > 0 &&
+      ShapeOf(points[f[0]], points[f[1]], points[f[2]], this->Hole.Place) > LeastShape;
+  };
+  this->Hole.Grow(LargestCavity);
+  while (this->Hole.CollectWalls(isOpen, isSeen))
   {
     if (!this->DropPieces())
     {
       return false;
     }
-    this->KeepConnected();
+    this->Hole.KeepConnected(seeds, isOpen);
     if (!this->DropPieces())
     {
       return false;
@@ -418,7 +306,7 @@ bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
   this->Halved = EdgeBetween(u, v);
   for (const Id cell : ring.Cells)
   {
-    this->AddCell(cell);
+    this->Hole.Add(cell);
     const RefinableCell& here = this->Mesh.Cell(cell);
     for (int k = 0; k < 4; ++k)
     {
@@ -444,7 +332,7 @@ bool SurfaceInsertion::FindOnFacet(PieceOfCell piece, const Point& place)
   const double height = Dot(Difference(place, t[0]), normal) / Dot(normal, normal);
   this->Start({ { place[0] - height * normal[0], place[1] - height * normal[1],
     place[2] - height * normal[2] } });
-  if (!IsFinite(this->Place) || !this->WalkTo(piece, this->Place))
+  if (!IsFinite(this->Hole.Place) || !this->WalkTo(piece, this->Hole.Place))
   {
     return false;
   }
@@ -459,25 +347,12 @@ EdgeOfCell SurfaceInsertion::Encroached() const
     const Point& a = this->Mesh.Points[rim.From];
     const Point& b = this->Mesh.Points[rim.To];
     if (this->Surface.IsRidge(rim.From, rim.To) &&
-      Dot(Difference(a, this->Place), Difference(b, this->Place)) < 0)
+      Dot(Difference(a, this->Hole.Place), Difference(b, this->Hole.Place)) < 0)
     {
       return { EdgeBetween(rim.From, rim.To), rim.Piece.Cell };
     }
   }
   return EdgeOfCell();
-}
-
-double SurfaceInsertion::SquaredSpacing() const
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (const Triangle& wall : this->Walls)
-  {
-    for (const Id corner : wall)
-    {
-      least = std::min(least, SquaredDistance(this->Mesh.Points[corner], this->Place));
-    }
-  }
-  return least;
 }
 
 bool SurfaceInsertion::Insert(SizingField& sizes)
@@ -489,16 +364,16 @@ bool SurfaceInsertion::Insert(SizingField& sizes)
   const bool isOnRidge =
     this->Halved[0] != None && this->Surface.IsRidge(this->Halved[0], this->Halved[1]);
   const double size = this->SizeThere(sizes);
-  sizes.Append(this->Cavity.front(), this->Place);
-  const Id point =
-    this->Mesh.AddPoint(this->Place, isOnRidge ? PointKind::OnRidge : PointKind::InFacet, size);
+  sizes.Append(this->Hole.Cells().front(), this->Hole.Place);
+  const Id point = this->Mesh.AddPoint(
+    this->Hole.Place, isOnRidge ? PointKind::OnRidge : PointKind::InFacet, size);
   CellExchange exchange;
-  exchange.Old = this->Cavity;
+  exchange.Old = this->Hole.Cells();
   exchange.Gone = this->Dropped;
-  for (std::size_t w = 0; w < this->Walls.size(); ++w)
+  for (std::size_t w = 0; w < this->Hole.Walls.size(); ++w)
   {
-    const Triangle& wall = this->Walls[w];
-    exchange.Add({ { wall[0], wall[1], wall[2], point } }, this->CellsOfWalls[w]);
+    const Triangle& wall = this->Hole.Walls[w];
+    exchange.Add({ { wall[0], wall[1], wall[2], point } }, this->Hole.CellsOfWalls[w]);
   }
   for (const RimEdge& rim : this->Rim)
   {

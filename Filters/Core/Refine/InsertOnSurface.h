@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Refine/Cavity.h"
 #include "Refine/RefinableSurface.h"
 #include "Refine/SizingField.h"
 #include "Refine/SurfaceBound.h"
@@ -37,6 +38,7 @@ public:
     : Mesh(mesh)
     , Surface(surface)
     , Bound(bound)
+    , Hole(mesh)
   {
   }
 
@@ -57,12 +59,12 @@ public:
   EdgeOfCell Encroached() const;
 
   /** The square of how far the nearest corner of the cells to be replaced is. */
-  double SquaredSpacing() const;
+  double SquaredSpacing() const { return this->Hole.SquaredSpacing(); }
 
   /** How long edges are to be at the place. */
   double SizeThere(const SizingField& sizes) const
   {
-    return sizes.At(this->Cavity.front(), this->Place);
+    return sizes.At(this->Hole.Cells().front(), this->Hole.Place);
   }
 
   /** Insert what was found, unless pieces at it would cross others. @return whether it was */
@@ -78,7 +80,6 @@ private:
   };
 
   void Start(const Point& place);
-  void AddCell(Id cell);
   void AddPiece(const PieceOfCell& piece);
   Triangle CornersOf(const PieceOfCell& piece) const;
   Id FacetOf(const PieceOfCell& piece) const
@@ -89,11 +90,8 @@ private:
   bool WalkTo(PieceOfCell& piece, const Point& place);
   PieceOfCell Across(PieceOfCell piece, Id u, Id v) const;
   void GrowPieces();
-  void GrowCavity();
   bool Complete();
-  bool CollectWalls();
   bool DropPieces();
-  void KeepConnected();
   void CollectRim();
   bool FitsTogether() const;
   bool StaysApart();
@@ -102,14 +100,11 @@ private:
   RefinableSurface& Surface;
   SurfaceBound& Bound;
   EdgeOfCell Met;
-  Point Place;
   Edge Halved;             ///< the edge in whose middle the place is, if it is
   std::size_t Certain = 0; ///< of the pieces: those that hold the place
   std::vector<PieceOfCell> Pieces;
   std::vector<Triangle> Dropped; ///< these, sorted
-  std::vector<Id> Cavity;
-  std::vector<Triangle> Walls;
-  std::vector<Id> CellsOfWalls;
+  Cavity Hole;
   std::vector<RimEdge> Rim;
 };
 } // namespace insideout

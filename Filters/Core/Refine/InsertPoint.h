@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Refine/RefinableMesh.h"
-
-#include <vector>
+#include "Refine/Cavity.h"
+#include "Refine/CellShape.h"
 
 namespace insideout
 {
@@ -16,6 +15,7 @@ class PointInsertion
 public:
   explicit PointInsertion(RefinableMesh& mesh)
     : Mesh(mesh)
+    , Hole(mesh)
   {
   }
 
@@ -44,10 +44,10 @@ public:
   Id Holder() const { return this->Holding; }
 
   /** The square of how far the nearest corner of the cells to be replaced is. */
-  double SquaredSpacing() const;
+  double SquaredSpacing() const { return this->Hole.SquaredSpacing(); }
 
   /** The worst shape (ShapeOf) of the cells to be replaced. */
-  double WorstShapeBefore() const;
+  double WorstShapeBefore() const { return WorstShapeOf(this->Mesh, this->Hole.Cells()); }
 
   /** Move the place found to where the new cells would be better. @return their worst shape */
   double OptimizePlace();
@@ -57,16 +57,9 @@ public:
 
 private:
   bool Walk(Id cell);
-  void GrowCavity(std::size_t most);
-  bool CollectWalls(bool& isHopeless);
-  void KeepConnected();
-  bool TrimCavity();
-  bool KeepsItsPoints() const;
 
   RefinableMesh& Mesh;
-  Point Place;
   Id Holding = None;
-  std::vector<Id> Cavity;
-  std::vector<Triangle> Walls; ///< counter-clockwise seen from within
+  Cavity Hole;
 };
 } // namespace insideout

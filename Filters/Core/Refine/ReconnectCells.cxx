@@ -17,87 +17,37 @@ constexpr int LongestRing = 9;
 /** What gets better by less is left, so that changes come to an end. */
 constexpr double LeastGain = 1.0001;
 
-constexpr double Impossible = -1;
-} // namespace
-
-double Reconnection::ShapeOfTriangle(int i, int j, int k) const
+/** The worst shape of the cells of a triangulation of a ring. */
+struct ShapesOfRing
 {
-  const std::vector<Id>& p = this->Around.Points;
-  const std::vector<Point>& points = this->Mesh.Points;
-  const double above = ShapeOf(points[p[i]], points[p[j]], points[p[k]], points[this->Around.V]);
-  return above <= 0
-    ? above
-    : std::min(above, ShapeOf(points[p[j]], points[p[i]], points[p[k]], points[this->Around.U]));
-}
+  static constexpr double Edge = 1;
+  static constexpr double Impossible = -1;
 
-void Reconnection::CollectTriangles(int i, int j)
-{
-  if (j == i + 1)
+  bool IsBetter(double a, double b) const { return a > b; }
+  bool IsEnough(double shape) const { return shape > this->Wanted; }
+  double Join(double a, double b) const { return std::min(a, b); }
+  double OfDiagonal(int /*i*/, int /*j*/) const { return Edge; }
+
+  double OfTriangle(int i, int j, int k) const
   {
-    return;
+    const std::vector<Id>& p = this->Ring.Points;
+    const auto shape = [&](int a, int b, Id end) {
+      return ShapeOf(this->Points[p[a]], this->Points[p[b]], this->Points[p[k]], this->Points[end]);
+    };
+    const double above = shape(i, j, this->Ring.V);
+    return above <= 0 ? above : std::min(above, shape(j, i, this->Ring.U));
   }
-  const std::vector<Id>& p = this->Around.Points;
-  const int k = this->Middle[i * static_cast<int>(p.size()) + j];
-  this->FreshCells.push_back({ { p[i], p[k], p[j], this->Around.V } });
-  this->FreshCells.push_back({ { p[k], p[i], p[j], this->Around.U } });
-  this->CollectTriangles(i, k);
-  this->CollectTriangles(k, j);
-}
+
+  const std::vector<Point>& Points;
+  const EdgeRing& Ring;
+  double Wanted;
+};
+} // namespace
 
 bool Reconnection::ArePositive() const
 {
   return std::all_of(this->FreshCells.begin(), this->FreshCells.end(),
     [this](const Tetrahedron& cell) { return Orient3D(this->Mesh.Points, cell) > 0; });
-}
-
-double Reconnection::ShapeOfRing() const
-{
-  double worst = 1;
-  for (const Id c : this->Around.Cells)
-  {
-    worst = std::min(worst, ShapeOf(this->Mesh.Points, this->Mesh.Cell(c).Corners));
-  }
-  return worst;
-}
-
-/** The cells of the best triangulation of the ring, if they are better than wanted. */
-bool Reconnection::TriangulateRing(double wanted)
-{
-  const int n = static_cast<int>(this->Around.Points.size());
-  this->Best.assign(static_cast<std::size_t>(n) * n, Impossible);
-  this->Middle.assign(static_cast<std::size_t>(n) * n, -1);
-  for (int i = 0; i + 1 < n; ++i)
-  {
-    this->Best[i * n + i + 1] = 1;
-  }
-  for (int length = 2; length < n; ++length)
-  {
-    for (int i = 0; i + length < n; ++i)
-    {
-      const int j = i + length;
-      double& best = this->Best[i * n + j];
-      for (int k = i + 1; k < j; ++k)
-      {
-        const double parts = std::min(this->Best[i * n + k], this->Best[k * n + j]);
-        if (parts > wanted && parts > best)
-        {
-          const double shape = std::min(parts, this->ShapeOfTriangle(i, k, j));
-          if (shape > best)
-          {
-            best = shape;
-            this->Middle[i * n + j] = k;
-          }
-        }
-      }
-    }
-  }
-  if (this->Best[n - 1] <= wanted)
-  {
-    return false;
-  }
-  this->FreshCells.clear();
-  this->CollectTriangles(0, n - 1);
-  return this->ArePositive();
 }
 
 /** Whether the faces of a cell that hold not both ends of the edge lead to others of its region:
@@ -159,14 +109,16 @@ bool Reconnection::TurnDiagonal()
 bool Reconnection::RemoveEdge(Id u, Id v, Id cell)
 {
   this->Mesh.Ring(u, v, cell, this->Around);
-  return this->MayRemoveEdge() && this->RemoveEdge(std::max(this->ShapeOfRing(), 0.0) * LeastGain);
+  return this->MayRemoveEdge() &&
+    this->RemoveEdge(std::max(WorstShapeOf(this->Mesh, this->Around.Cells), 0.0) * LeastGain);
 }
 
 bool Reconnection::RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted)
 {
   this->Mesh.Ring(u, v, cell, this->Around);
   return this->MayRemoveEdge() &&
-    this->RemoveEdge(std::min(wanted, std::max(this->ShapeOfRing(), 0.0) / 2));
+    this->RemoveEdge(
+      std::min(wanted, std::max(WorstShapeOf(this->Mesh, this->Around.Cells), 0.0) / 2));
 }
 
 bool Reconnection::MayRemoveEdge() const
@@ -181,7 +133,14 @@ bool Reconnection::MayRemoveEdge() const
 bool Reconnection::RemoveEdge(double wanted)
 {
   const EdgeRing& ring = this->Around;
-  if (!this->TriangulateRing(wanted) || (!ring.IsClosed && !this->TurnDiagonal()))
+  const int n = static_cast<int>(ring.Points.size());
+  if (!this->Triangulation.Find(ShapesOfRing{ this->Mesh.Points, ring, wanted }, 0, n))
+  {
+    return false;
+  }
+  this->FreshCells.clear();
+  this->Triangulation.AppendCells(ring, 0, n - 1, this->FreshCells);
+  if (!this->ArePositive() || (!ring.IsClosed && !this->TurnDiagonal()))
   {
     return false;
   }
@@ -194,14 +153,7 @@ bool Reconnection::RemoveEdge(double wanted)
   this->Exchange.Old = ring.Cells;
   this->Exchange.Fresh = this->FreshCells;
   this->Exchange.Models.assign(this->FreshCells.size(), ring.Cells.front());
-  for (const SurfacePiece& piece : this->GonePieces)
-  {
-    this->Exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
-  }
-  for (const SurfacePiece& piece : this->FreshPieces)
-  {
-    this->Exchange.Facets.push_back({ piece.Corners, piece.Facet });
-  }
+  ExchangePieces(this->GonePieces, this->FreshPieces, this->Exchange);
   this->Bound.Replace();
   this->Mesh.Replace(this->Exchange);
   return true;
@@ -217,11 +169,8 @@ bool Reconnection::RemoveFace(Id cell, int face)
   const Id other = near.Neighbors[face];
   const std::vector<Point>& points = this->Mesh.Points;
   const Id p = near.Corners[face];
-  const Id q = this->Mesh.Cell(other).Corners[this->Mesh.MirrorIndex(cell, face)];
-  const double wanted =
-    std::max(0.0,
-      std::min(ShapeOf(points, near.Corners), ShapeOf(points, this->Mesh.Cell(other).Corners))) *
-    LeastGain;
+  const Id q = this->Mesh.Opposite(cell, face);
+  const double wanted = std::max(0.0, WorstShapeOf(this->Mesh, { cell, other })) * LeastGain;
   const Triangle f = FaceAcross(near.Corners, face);
   this->FreshCells.clear();
   for (int k = 0; k < 3; ++k)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Mesh/RingTriangulation.h"
 #include "Refine/RefinableSurface.h"
 #include "Refine/SurfaceBound.h"
 
@@ -37,22 +38,17 @@ public:
   bool ImproveCell(Id cell);
 
 private:
-  double ShapeOfRing() const;
   bool MayRemoveEdge() const;
   bool RemoveEdge(double wanted);
-  bool TriangulateRing(double wanted);
   bool HasCellsBehind(Id cell) const;
   bool TurnDiagonal();
-  double ShapeOfTriangle(int i, int j, int k) const;
-  void CollectTriangles(int i, int j);
   bool ArePositive() const;
 
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SurfaceBound& Bound;
   EdgeRing Around;
-  std::vector<double> Best; ///< of part i to j of the ring, the worst shape of its best cells
-  std::vector<int> Middle;
+  RingTriangulation<double> Triangulation;
   std::vector<Tetrahedron> FreshCells;
   CellExchange Exchange;
   std::vector<Id> Star;

@@ -27,6 +27,18 @@ Id RefinableMesh::AddPoint(const Point& place, PointKind kind, double size)
   return static_cast<Id>(this->Points.size() - 1);
 }
 
+void RefinableMesh::StarWithWalls(
+  Id point, std::vector<Id>& cells, std::vector<Triangle>& walls) const
+{
+  cells.clear();
+  walls.clear();
+  this->Star(point, cells);
+  for (const Id cell : cells)
+  {
+    walls.push_back(this->FaceCorners(cell, this->CornerIndex(cell, point)));
+  }
+}
+
 void RefinableMesh::Move(Id point, const Point& place, const std::vector<Triangle>& walls)
 {
   ++this->Own.Changes;

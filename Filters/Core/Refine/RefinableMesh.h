@@ -76,6 +76,9 @@ public:
   using Mesh::Star;
   void Star(Id point, std::vector<Id>& cells) const { Mesh::Star(point, cells, this->Own.Marks); }
 
+  /** The cells around a point, and their faces across from it, counter-clockwise seen from it. */
+  void StarWithWalls(Id point, std::vector<Id>& cells, std::vector<Triangle>& walls) const;
+
   /** Mesh::Replace of cells of one region, without facets within. */
   void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh);
 

@@ -18,18 +18,6 @@ constexpr double LeastGain = 1.001;
 constexpr double LeastMove = 0.03;
 } // namespace
 
-void PointSmoothing::Collect(Id point)
-{
-  this->Cells.clear();
-  this->Walls.clear();
-  this->Mesh.Star(point, this->Cells);
-  for (const Id cell : this->Cells)
-  {
-    this->Walls.push_back(
-      FaceAcross(this->Mesh.Cell(cell).Corners, this->Mesh.CornerIndex(cell, point)));
-  }
-}
-
 bool PointSmoothing::MoveTo(Id point, const Point& place)
 {
   const std::vector<Point>& points = this->Mesh.Points;
@@ -50,13 +38,11 @@ void PointSmoothing::CollectPieces(Id point)
   this->Pieces.clear();
   for (const Id c : this->Cells)
   {
-    const RefinableCell& cell = this->Mesh.Cell(c);
     for (int k = 0; k < 4; ++k)
     {
-      if (cell.Corners[k] != point && this->Mesh.HasPiece(c, k))
+      if (this->Mesh.Cell(c).Corners[k] != point && this->Mesh.HasPiece(c, k))
       {
-        const Triangle face = FaceAcross(cell.Corners, k);
-        this->Pieces.push_back({ face, CornersOf(this->Mesh.Points, face), cell.Facets[k] });
+        this->Pieces.push_back(PieceAt(this->Mesh, c, k));
       }
     }
   }
@@ -139,7 +125,7 @@ bool PointSmoothing::Relax(Id point, double wanted)
   {
     return false;
   }
-  this->Collect(point);
+  this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
   this->CollectPieces(point);
   Point mean = { { 0, 0, 0 } };
   double weights = 0;
@@ -173,14 +159,14 @@ bool PointSmoothing::Smooth(Id point)
 {
   if (this->Mesh.Kinds[point] == PointKind::InFacet)
   {
-    this->Collect(point);
+    this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
     return this->SmoothInFacet(point);
   }
   if (this->Mesh.Kinds[point] != PointKind::Free)
   {
     return false;
   }
-  this->Collect(point);
+  this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
   const std::vector<Point>& points = this->Mesh.Points;
   Point place = points[point];
   const double before = std::max(

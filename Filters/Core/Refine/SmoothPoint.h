@@ -32,7 +32,6 @@ public:
   bool Relax(Id point, double wanted);
 
 private:
-  void Collect(Id point);
   void CollectPieces(Id point);
   Point NormalOfPieces() const;
   Point PlaceOnSurface(const Point& place) const;

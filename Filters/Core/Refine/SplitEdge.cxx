@@ -93,14 +93,14 @@ bool EdgeSplitting::StaysApart()
       const bool isAtEdge = cell.Corners[k] != this->Ring.U && cell.Corners[k] != this->Ring.V;
       if (isAtEdge && this->Mesh.HasPiece(c, k))
       {
-        const Triangle face = FaceAcross(cell.Corners, k);
-        const std::array<Point, 3> places = CornersOf(this->Mesh.Points, face);
-        this->Gone.push_back({ face, places, cell.Facets[k] });
+        this->Gone.push_back(PieceAt(this->Mesh, c, k));
         for (const Id end : { this->Ring.V, this->Ring.U })
         {
-          SurfacePiece half = { With(face, middle, end), places, cell.Facets[k] };
-          half.Places[std::find(face.begin(), face.end(), end) - face.begin()] = this->Middle;
-          this->Halves.push_back(half);
+          this->Halves.push_back(this->Gone.back());
+          auto& [corners, places, facet] = this->Halves.back();
+          const auto at = std::find(corners.begin(), corners.end(), end) - corners.begin();
+          corners[at] = middle;
+          places[at] = this->Middle;
         }
       }
     }
@@ -125,14 +125,7 @@ Id EdgeSplitting::Split(SizingField& sizes)
     exchange.Add(With(cell.Corners, middle, v), c);
     exchange.Add(With(cell.Corners, middle, u), c);
   }
-  for (const SurfacePiece& piece : this->Gone)
-  {
-    exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
-  }
-  for (const SurfacePiece& half : this->Halves)
-  {
-    exchange.Facets.push_back({ half.Corners, half.Facet });
-  }
+  ExchangePieces(this->Gone, this->Halves, exchange);
   this->Bound.Replace();
   this->Mesh.Replace(exchange);
   this->Surface.Split(u, v, middle);

@@ -61,6 +61,25 @@ bool EachLooksAlike(const std::vector<SurfacePiece>& before, const std::vector<S
     { return LooksWhere(now, NormalOf(then)); });
 }
 
+SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k)
+{
+  const Triangle face = mesh.FaceCorners(cell, k);
+  return { face, CornersOf(mesh.Points, face), mesh.Cell(cell).Facets[k] };
+}
+
+void ExchangePieces(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh,
+  CellExchange& exchange)
+{
+  for (const SurfacePiece& piece : gone)
+  {
+    exchange.Gone.push_back(SortedTriangle(piece.Corners).Points);
+  }
+  for (const SurfacePiece& piece : fresh)
+  {
+    exchange.Facets.push_back({ piece.Corners, piece.Facet });
+  }
+}
+
 std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)
 {
   std::vector<SurfacePiece> pieces;
@@ -71,8 +90,7 @@ std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh)
       const RefinableCell& cell = mesh.Cell(c);
       if (cell.Facets[k] != None && cell.Neighbors[k] < c)
       {
-        const Triangle face = FaceAcross(cell.Corners, k);
-        pieces.push_back({ face, CornersOf(mesh.Points, face), cell.Facets[k] });
+        pieces.push_back(PieceAt(mesh, c, k));
       }
     }
   }

@@ -32,6 +32,14 @@ bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfaceP
 bool EachLooksAlike(
   const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh);
 
+/** The piece that the face of a cell across from corner k is, counter-clockwise seen from within.
+ */
+SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k);
+
+/** Let pieces take the place of others in an exchange. */
+void ExchangePieces(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh,
+  CellExchange& exchange);
+
 /** All pieces of facets, each once, by the points of the mesh. */
 std::vector<SurfacePiece> PiecesOf(const RefinableMesh& mesh);
 } // namespace insideout

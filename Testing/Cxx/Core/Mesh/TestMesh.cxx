@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/Mesh.h"
+#include "Mesh/RingTriangulation.h"
 
 #include <gtest/gtest.h>
 
@@ -421,5 +422,70 @@ TEST(PendingFaces, AreFoundByTheirCornersAndForgottenAtOnce)
   for (const Triangle& t : entered)
   {
     ASSERT_FALSE(faces.IsTaken(faces.At(t)));
+  }
+}
+
+namespace
+{
+/** The number of triangles of one kind, to be as few as can be; diagonals are counted, too. */
+struct CountOfTriangles
+{
+  static constexpr int Edge = 0;
+  static constexpr int Impossible = 1000;
+  bool IsBetter(int a, int b) const { return a < b; }
+  bool IsEnough(int a) const { return a <= this->Most; }
+  int Join(int a, int b) const { return a + b; }
+  int OfTriangle(int i, int j, int k) const { return this->Costs[i][j] * 3 + this->Costs[j][k]; }
+  int OfDiagonal(int i, int j) const { return i == 0 && j == 5 ? 0 : this->Costs[j][i]; }
+
+  std::array<std::array<int, 6>, 6> Costs;
+  int Most;
+};
+
+/** The least of all ways, tried one by one. */
+int LeastByTrying(const CountOfTriangles& measure, int i, int j)
+{
+  int best = j == i + 1 ? 0 : CountOfTriangles::Impossible;
+  for (int k = i + 1; k < j; ++k)
+  {
+    best = std::min(best,
+      LeastByTrying(measure, i, k) + LeastByTrying(measure, k, j) + measure.OfTriangle(i, k, j) +
+        measure.OfDiagonal(i, j));
+  }
+  return best;
+}
+} // namespace
+
+TEST(RingTriangulation, IsTheBestOfAllAndOneAnEdgeLess)
+{
+  std::mt19937 random(1);
+  EdgeRing ring = { 10, 11, true, false, { 0, 1, 2, 3, 4, 5 }, {}, {} };
+  RingTriangulation<int> triangulation;
+  for (int turn = 0; turn < 200; ++turn)
+  {
+    CountOfTriangles measure;
+    for (auto& row : measure.Costs)
+    {
+      for (int& cost : row)
+      {
+        cost = static_cast<int>(random() % 7);
+      }
+    }
+    measure.Most = LeastByTrying(measure, 0, 5);
+    ASSERT_TRUE(triangulation.Find(measure, 0, 6));
+    std::vector<Tetrahedron> fresh;
+    triangulation.AppendCells(ring, 0, 5, fresh);
+    ASSERT_EQ(fresh.size(), 8u);
+    int cost = 0;
+    for (std::size_t t = 0; t < fresh.size(); t += 2)
+    {
+      const auto [i, j, k, end] = fresh[t];
+      EXPECT_EQ(end, 11);
+      EXPECT_EQ(fresh[t + 1], (Tetrahedron{ { j, i, k, 10 } }));
+      cost += measure.OfTriangle(i, j, k) + measure.OfDiagonal(i, k);
+    }
+    EXPECT_EQ(cost, measure.Most);
+    --measure.Most;
+    EXPECT_FALSE(triangulation.Find(measure, 0, 6));
   }
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Refine/Cavity.h"
+
+#include "Common/Vectors.h"
+#include "Refine/CellShape.h"
+
+#include <limits>
+
+namespace insideout
+{
+double SquaredDistance(const Point& a, const Point& b)
+{
+  const Point ab = Difference(b, a);
+  return Dot(ab, ab);
+}
+
+void Cavity::Start(const Point& place)
+{
+  this->Place = place;
+  this->AllCells.clear();
+  this->Mesh.Marks().Start(this->Mesh.NumberOfCells());
+}
+
+void Cavity::Add(Id cell)
+{
+  if (!this->Has(cell))
+  {
+    this->Mesh.Marks().Add(cell);
+    this->AllCells.push_back(cell);
+  }
+}
+
+void Cavity::Grow(std::size_t most)
+{
+  for (std::size_t next = 0; next < this->AllCells.size() && this->AllCells.size() < most; ++next)
+  {
+    const RefinableCell& here = this->Mesh.Cell(this->AllCells[next]);
+    for (int k = 0; k < 4 && this->AllCells.size() < most; ++k)
+    {
+      const Id neighbor = here.Neighbors[k];
+      if (here.Facets[k] == None && !this->Has(neighbor))
+      {
+        const auto [a, b, c, d] = CornersOf(this->Mesh.Points, this->Mesh.Cell(neighbor).Corners);
+        const Circumsphere sphere = CircumsphereOf(a, b, c, d);
+        // Where the cell is too flat for doubles it goes.
+        if (!(SquaredDistance(sphere.Center, this->Place) >= sphere.SquaredRadius))
+        {
+          this->Add(neighbor);
+        }
+      }
+    }
+  }
+}
+
+bool Cavity::KeepsItsPoints() const
+{
+  std::vector<Id> corners;
+  for (const Triangle& wall : this->Walls)
+  {
+    corners.insert(corners.end(), wall.begin(), wall.end());
+  }
+  std::sort(corners.begin(), corners.end());
+  return std::all_of(this->AllCells.begin(), this->AllCells.end(),
+    [&](Id cell)
+    {
+      const Tetrahedron& t = this->Mesh.Cell(cell).Corners;
+      return std::all_of(t.begin(), t.end(),
+        [&](Id corner) { return std::binary_search(corners.begin(), corners.end(), corner); });
+    });
+}
+
+double Cavity::SquaredSpacing() const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Triangle& wall : this->Walls)
+  {
+    for (const Id corner : wall)
+    {
+      least = std::min(least, SquaredDistance(this->Mesh.Points[corner], this->Place));
+    }
+  }
+  return least;
+}
+} // namespace insideout

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Refine/RefinableMesh.h"
+
+#include <vector>
+
+namespace insideout
+{
+/**
+ * The cells that give way to those between a place and the walls around them (Bowyer 1981, Watson
+ * 1981): those whose circumsphere holds it, as far as it sees their walls. They are marked in the
+ * mesh.
+ */
+class Cavity
+{
+public:
+  explicit Cavity(const RefinableMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /** Begin with no cells. */
+  void Start(const Point& place);
+
+  /** Add a cell that is not there yet. */
+  void Add(Id cell);
+
+  bool Has(Id cell) const { return this->Mesh.Marks().Has(cell); }
+
+  /**
+   * Add the cells whose circumsphere holds the place, up to facets, the nearest first in steps from
+   * cell to cell. @param[in] most cells that there are to be
+   */
+  void Grow(std::size_t most);
+
+  /**
+   * Collect the walls, and unmark the cells with walls that the place does not see.
+   * @param[in] isOpen (cell, k) of a face with a facet, whether it goes
+   * @param[in] isSeen of a wall
+   * @return whether any was unmarked: KeepConnected is to follow
+   */
+  template <class IsOpen, class IsSeen>
+  bool CollectWalls(const IsOpen& isOpen, const IsSeen& isSeen);
+
+  /** Forget the unmarked cells, and those that `seeds` are not connected with. */
+  template <class IsOpen>
+  void KeepConnected(const std::vector<Id>& seeds, const IsOpen& isOpen);
+
+  /** Whether every corner of the cells is at a wall. */
+  bool KeepsItsPoints() const;
+
+  /** The square of how far the nearest corner is. */
+  double SquaredSpacing() const;
+
+  const std::vector<Id>& Cells() const { return this->AllCells; }
+
+  std::vector<Triangle> Walls;  ///< counter-clockwise seen from within
+  std::vector<Id> CellsOfWalls; ///< on their inner sides
+  Point Place;
+
+private:
+  const RefinableMesh& Mesh;
+  std::vector<Id> AllCells;
+};
+
+double SquaredDistance(const Point& a, const Point& b);
+
+template <class IsOpen, class IsSeen>
+bool Cavity::CollectWalls(const IsOpen& isOpen, const IsSeen& isSeen)
+{
+  bool isChanged = false;
+  this->Walls.clear();
+  this->CellsOfWalls.clear();
+  for (const Id cell : this->AllCells)
+  {
+    const RefinableCell& here = this->Mesh.Cell(cell);
+    for (int k = 0; k < 4 && this->Has(cell); ++k)
+    {
+      if (here.Facets[k] == None ? this->Has(here.Neighbors[k]) : isOpen(cell, k))
+      {
+        continue;
+      }
+      const Triangle wall = FaceAcross(here.Corners, k);
+      if (isSeen(wall))
+      {
+        this->Walls.push_back(wall);
+        this->CellsOfWalls.push_back(cell);
+      }
+      else
+      {
+        this->Mesh.Marks().Remove(cell);
+        isChanged = true;
+      }
+    }
+  }
+  return isChanged;
+}
+
+template <class IsOpen>
+void Cavity::KeepConnected(const std::vector<Id>& seeds, const IsOpen& isOpen)
+{
+  std::vector<Id> reached;
+  const auto reach = [&](Id cell)
+  {
+    if (cell != None && this->Has(cell))
+    {
+      this->Mesh.Marks().Remove(cell);
+      reached.push_back(cell);
+    }
+  };
+  std::for_each(seeds.begin(), seeds.end(), reach);
+  for (std::size_t next = 0; next < reached.size(); ++next)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const RefinableCell& here = this->Mesh.Cell(reached[next]);
+      if (here.Facets[k] == None || isOpen(reached[next], k))
+      {
+        reach(here.Neighbors[k]);
+      }
+    }
+  }
+  this->Start(this->Place);
+  for (const Id cell : reached)
+  {
+    this->Add(cell);
+  }
+}
+} // namespace insideout
