@@ -13,7 +13,7 @@ namespace insideout
 /**
  * A mesh on its way to having facets: the mesh, the facets between its vertices, and their
  * segments. A facet is *there* when faces of the mesh are marked as its pieces, *lost* when none
- * is. A copy is a state to go back to; the work that was done is not undone by that.
+ * is.
  */
 class ConstrainedMesh
 {

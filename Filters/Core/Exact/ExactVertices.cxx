@@ -322,8 +322,30 @@ Point ExactVertices::Nearest(Id vertex) const
   return this->Places[vertex];
 }
 
+void ExactVertices::StartJournal()
+{
+  this->Past = { true, {}, this->Places.size(), this->ExactPoints.size() };
+}
+
+void ExactVertices::GoBack()
+{
+  for (auto move = this->Past.Moves.rbegin(); move != this->Past.Moves.rend(); ++move)
+  {
+    this->Places[move->Vertex] = move->Place;
+    this->ExactOf[move->Vertex] = move->Exact;
+  }
+  this->Places.resize(this->Past.Size);
+  this->ExactOf.resize(this->Past.Size);
+  this->ExactPoints.resize(this->Past.NumberOfExact);
+  this->EndJournal();
+}
+
 void ExactVertices::MoveTo(Id vertex, const Point& point)
 {
+  if (this->Past.IsKept)
+  {
+    this->Past.Moves.push_back({ vertex, this->Places[vertex], this->ExactOf[vertex] });
+  }
   this->Places[vertex] = point;
   this->ExactOf[vertex] = None;
 }

@@ -78,6 +78,11 @@ public:
 
   void MoveTo(Id vertex, const Point& point);
 
+  /** Keep a journal from now on: GoBack makes the vertices what they are now. */
+  void StartJournal();
+  void EndJournal() { this->Past = Journal(); }
+  void GoBack();
+
   /** Forget the exact coordinates of vertices that are not in use: they are long. */
   template <typename IsInUse>
   void ForgetExactly(const IsInUse& isInUse);
@@ -88,6 +93,21 @@ private:
     std::array<DyadicNumber, 4> Coordinates;
     std::array<double, 3> Beyond; ///< to be added to the place in doubles
     Span Within;
+  };
+
+  /** What the vertices were when the journal began. */
+  struct Journal
+  {
+    struct Move
+    {
+      Id Vertex;
+      Point Place;
+      Id Exact;
+    };
+    bool IsKept = false;
+    std::vector<Move> Moves; ///< from there, in their order
+    std::size_t Size;
+    std::size_t NumberOfExact;
   };
 
   /** What is to be added to the place in doubles. */
@@ -104,6 +124,7 @@ private:
   std::vector<Id> ExactOf; ///< into ExactPoints, None for doubles
   std::vector<ExactPoint> ExactPoints;
   WorkBudget* Budget;
+  Journal Past;
 };
 
 template <typename IsInUse>

@@ -298,6 +298,8 @@ void FlippableMesh::SplitEdge(const EdgeRing& ring, Id vertex)
 void FlippableMesh::SetFacet(Id cell, int face, Id facet)
 {
   const Id neighbor = this->Cells[cell].Neighbors[face];
+  this->Record(cell, this->Own);
+  this->Record(neighbor, this->Own);
   this->Cells[neighbor].Facets[this->MirrorIndex(cell, face)] = facet;
   this->Cells[cell].Facets[face] = facet;
 }
@@ -342,5 +344,23 @@ Id FlippableMesh::AddVertexBetween(Id first, Id second, const DyadicNumber& a,
 {
   this->AppendVertex(this->Own.Changes);
   return this->AllVertices.AddBetween(first, second, a, b, span);
+}
+
+void FlippableMesh::StartJournal()
+{
+  Mesh::StartJournal(this->Own);
+  this->AllVertices.StartJournal();
+}
+
+void FlippableMesh::EndJournal()
+{
+  this->Own.Past.IsKept = false;
+  this->AllVertices.EndJournal();
+}
+
+void FlippableMesh::GoBack()
+{
+  Mesh::GoBack(this->Own);
+  this->AllVertices.GoBack();
 }
 } // namespace insideout

@@ -96,11 +96,24 @@ public:
   /** Give a vertex another place, where all cells around it have to stay positive. */
   void MoveVertex(Id vertex, const Point& place) { this->AllVertices.MoveTo(vertex, place); }
 
+  /** From now on it is known how to go back to what the mesh is. */
+  void StartJournal();
+
+  /** Stay with what the mesh is. */
+  void EndJournal();
+
+  /** Make the mesh what it was when the journal began. */
+  void GoBack();
+
   /** How many times Replace or Touch was called. */
   std::int64_t NumberOfChanges() const { return this->Own.Changes; }
 
   /** Take what is around a vertex as changed, where no cell but a constraint has. */
-  void Touch(Id vertex) { this->ChangeAround[vertex] = ++this->Own.Changes; }
+  void Touch(Id vertex)
+  {
+    this->RecordVertex(vertex, this->Own);
+    this->ChangeAround[vertex] = ++this->Own.Changes;
+  }
 
   /** Of those who have no marks of their own. */
   CellMarks& Marks() const { return this->Own.Marks; }

@@ -27,7 +27,8 @@ void LostFacetRecovery::Recover(const std::vector<Point>& points, SegmentRecover
       static_cast<double>(work.Spent() - begin) / static_cast<double>(mostWork));
     from = from == SegmentRecovery::From::LowerEnd ? SegmentRecovery::From::HigherEnd
                                                    : SegmentRecovery::From::LowerEnd;
-    const ConstrainedMesh before = this->Constrained;
+    this->Constrained.Mesh.StartJournal();
+    const SegmentTable segments = this->Constrained.Segments;
     bool isBetter =
       this->Recreate(this->ChooseRuins(wanted), from, tries >= EngineLimits::TriesBeforeSplitting);
     std::vector<Id> now;
@@ -38,12 +39,14 @@ void LostFacetRecovery::Recover(const std::vector<Point>& points, SegmentRecover
     }
     if (isBetter)
     {
+      this->Constrained.Mesh.EndJournal();
       lost = std::move(now);
       wanted = Without(hopeless, lost);
     }
     else
     {
-      this->Constrained = before;
+      this->Constrained.Mesh.GoBack();
+      this->Constrained.Segments = segments;
     }
     work.Spend(this->Constrained.Mesh.NumberOfCells());
   }

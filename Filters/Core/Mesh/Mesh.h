@@ -33,6 +33,26 @@ public:
     Id Facet;
   };
 
+  /** What a mesh was when the journal began, as far as it has changed since. */
+  struct Journal
+  {
+    struct OldVertex
+    {
+      Id Vertex;
+      Id Cell;
+      std::int64_t Change;
+    };
+    bool IsKept = false;
+    std::vector<std::pair<Id, CellType>> Cells;
+    std::vector<OldVertex> Vertices;
+    CellMarks HasCell; ///< each is written down once
+    CellMarks HasVertex;
+    Id NumberOfCells = 0;
+    Id NumberOfVertices = 0;
+    std::vector<Id> FreeCells;
+    std::int64_t Changes = 0;
+  };
+
   /** What belongs to those who search in a mesh and change it: threads have one each. */
   struct Workspace
   {
@@ -40,6 +60,7 @@ public:
     std::int64_t Changes = 0;   ///< how many were made
     std::vector<Id> FreeCells;  ///< dead ones, whose ids are given again, the last first
     std::vector<Id> FreshCells; ///< those that the last Replace made
+    Journal Past;
 
     // Of Replace; kept for their memory.
     PendingFaces Faces;
@@ -120,6 +141,34 @@ protected:
   template <class ContentOf>
   void Replace(const Replacement& exchange, const ContentOf& contentOf, Workspace& work);
 
+  /** Keep a journal from now on, to go back to what the mesh is; one that is kept begins anew. */
+  void StartJournal(Workspace& work) const;
+
+  /** Make the mesh what it was when the journal began, and keep none any more. */
+  void GoBack(Workspace& work);
+
+  /** Write down a cell that is to change. */
+  void Record(Id cell, Workspace& work) const
+  {
+    Journal& past = work.Past;
+    if (past.IsKept && cell < past.NumberOfCells && !past.HasCell.Has(cell))
+    {
+      past.HasCell.Add(cell);
+      past.Cells.emplace_back(cell, this->Cells[cell]);
+    }
+  }
+
+  /** Write down a vertex that is to change. */
+  void RecordVertex(Id vertex, Workspace& work) const
+  {
+    Journal& past = work.Past;
+    if (past.IsKept && vertex < past.NumberOfVertices && !past.HasVertex.Has(vertex))
+    {
+      past.HasVertex.Add(vertex);
+      past.Vertices.push_back({ vertex, this->CellOf[vertex], this->ChangeAround[vertex] });
+    }
+  }
+
   std::vector<CellType> Cells;
   std::vector<Id> CellOf;                 ///< per vertex, None for none
   std::vector<std::int64_t> ChangeAround; ///< per vertex
@@ -130,6 +179,7 @@ private:
   void NumberFresh(const Replacement& exchange, Workspace& work) const;
   bool Match(Id number, int k, Workspace& work) const;
   bool Place(const FreshFacet& facet, Workspace& work) const;
+  void RecordAll(const Replacement& exchange, Workspace& work) const;
   void Commit(const Replacement& exchange, Workspace& work);
 };
 
@@ -362,10 +412,80 @@ bool Mesh<Policy>::Place(const FreshFacet& facet, Workspace& work) const
   return face.IsOnBoundary;
 }
 
+template <class Policy>
+void Mesh<Policy>::StartJournal(Workspace& work) const
+{
+  Journal& past = work.Past;
+  past.IsKept = true;
+  past.Cells.clear();
+  past.Vertices.clear();
+  past.NumberOfCells = this->NumberOfCells();
+  past.NumberOfVertices = static_cast<Id>(this->CellOf.size());
+  past.HasCell.Start(past.NumberOfCells);
+  past.HasVertex.Start(past.NumberOfVertices);
+  past.FreeCells = work.FreeCells;
+  past.Changes = work.Changes;
+}
+
+template <class Policy>
+void Mesh<Policy>::GoBack(Workspace& work)
+{
+  Journal& past = work.Past;
+  for (const auto& [id, cell] : past.Cells)
+  {
+    this->Cells[id] = cell;
+  }
+  for (const auto& [vertex, cell, change] : past.Vertices)
+  {
+    this->CellOf[vertex] = cell;
+    this->ChangeAround[vertex] = change;
+  }
+  this->Cells.resize(static_cast<std::size_t>(past.NumberOfCells));
+  this->CellOf.resize(static_cast<std::size_t>(past.NumberOfVertices));
+  this->ChangeAround.resize(static_cast<std::size_t>(past.NumberOfVertices));
+  work.FreeCells = past.FreeCells;
+  work.Changes = past.Changes;
+  past.IsKept = false;
+}
+
+/** Write down all that Commit changes. */
+template <class Policy>
+void Mesh<Policy>::RecordAll(const Replacement& exchange, Workspace& work) const
+{
+  for (const Id cell : exchange.Old)
+  {
+    this->Record(cell, work);
+  }
+  for (std::size_t i = exchange.Old.size(); i < work.FreshCells.size(); ++i)
+  {
+    this->Record(work.FreshCells[i], work);
+  }
+  for (const OuterFace& outer : work.Outer)
+  {
+    this->Record(outer.Face.Cell, work);
+  }
+  const auto recordCorners = [&](const auto& corners)
+  {
+    for (const Id corner : corners)
+    {
+      this->RecordVertex(corner, work);
+    }
+  };
+  for (const Id cell : exchange.Old)
+  {
+    recordCorners(this->Cells[cell].Corners);
+  }
+  std::for_each(exchange.Fresh.begin(), exchange.Fresh.end(), recordCorners);
+}
+
 /** Do what is prepared, which nothing can hinder. */
 template <class Policy>
 void Mesh<Policy>::Commit(const Replacement& exchange, Workspace& work)
 {
+  if (work.Past.IsKept)
+  {
+    this->RecordAll(exchange, work);
+  }
   ++work.Changes;
   for (const Id cell : exchange.Old)
   {

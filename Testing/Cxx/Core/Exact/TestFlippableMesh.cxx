@@ -431,3 +431,63 @@ TEST(FlippableMesh, ACopyThatIsPutBackUndoesWhatCameAfterIt)
     ExpectFlippableMeshLaws(mesh.Mesh, before);
   }
 }
+
+TEST(FlippableMesh, GoesBackToWhatItWasWhenTheJournalBegan)
+{
+  for (unsigned seed = 1; seed <= 6; ++seed)
+  {
+    MeshWithFacets mesh = RandomMeshWithFacets(seed, 14, 5);
+    std::mt19937 random(seed);
+    mesh.FlipAtRandom(random, 20);
+    mesh.SplitCell(FiniteCells(mesh.Mesh)[0]);
+    const Id rounded = mesh.SplitFace({ FiniteCells(mesh.Mesh)[1], 2 });
+    const MeshWithFacets copy = mesh;
+    const MeshRecord before(mesh.Mesh);
+    mesh.Mesh.StartJournal();
+    mesh.FlipAtRandom(random, 20);
+    mesh.SplitCell(FiniteCells(mesh.Mesh)[2]);
+    const Id split = mesh.SplitFace({ FiniteCells(mesh.Mesh)[3], 1 });
+    for (const Id vertex : { rounded, split })
+    {
+      mesh.Mesh.MoveVertex(vertex, mesh.Mesh.Vertices().Nearest(vertex));
+    }
+    mesh.Mesh.SetFacet(FiniteCells(mesh.Mesh)[4], 0, 77);
+    mesh.Mesh.Touch(3);
+    EXPECT_FALSE(Differences(before, MeshRecord(mesh.Mesh)).empty());
+    mesh.Mesh.GoBack();
+    ExpectUnchanged(mesh.Mesh, before);
+    EXPECT_EQ(mesh.Mesh.NumberOfChanges(), copy.Mesh.NumberOfChanges());
+    EXPECT_EQ(mesh.Mesh.NumberOfCells(), copy.Mesh.NumberOfCells());
+    EXPECT_EQ(mesh.Mesh.Vertices().Size(), copy.Mesh.Vertices().Size());
+    for (Id vertex = 0; vertex < mesh.Mesh.Vertices().Size(); ++vertex)
+    {
+      EXPECT_EQ(mesh.Mesh.CellAt(vertex), copy.Mesh.CellAt(vertex));
+      EXPECT_EQ(mesh.Mesh.LastChangeAround(vertex), copy.Mesh.LastChangeAround(vertex));
+      EXPECT_EQ(mesh.Mesh.Vertices().IsDouble(vertex), copy.Mesh.Vertices().IsDouble(vertex));
+    }
+    // What comes after that is the same, too: ids that are free are given in the same order.
+    MeshWithFacets other = copy;
+    mesh.Segments = copy.Segments;
+    for (MeshWithFacets* one : { &mesh, &other })
+    {
+      std::mt19937 again(seed);
+      one->FlipAtRandom(again, 40);
+      one->SplitCell(FiniteCells(one->Mesh)[2]);
+    }
+    EXPECT_TRUE(Differences(MeshRecord(other.Mesh), MeshRecord(mesh.Mesh)).empty());
+  }
+}
+
+TEST(FlippableMesh, StaysAsItIsWhereTheJournalEnds)
+{
+  FlippableMesh mesh = Bipyramid();
+  mesh.StartJournal();
+  mesh.Replace(FiniteCells(mesh), ThreeCells());
+  const MeshRecord after(mesh);
+  mesh.EndJournal();
+  ExpectUnchanged(mesh, after);
+  mesh.StartJournal();
+  mesh.Touch(1);
+  mesh.GoBack();
+  ExpectUnchanged(mesh, after);
+}

@@ -89,6 +89,9 @@ public:
       { old, fresh, gone, facets }, [](std::size_t, Id) { return Content(); }, this->Own);
   }
 
+  void Start() { this->StartJournal(this->Own); }
+  void Back() { this->GoBack(this->Own); }
+
   std::vector<Id> StarOf(Id vertex)
   {
     std::vector<Id> cells;
@@ -314,6 +317,33 @@ TYPED_TEST(MeshLaws, WhatIsRefusedLeavesTheMeshAsItWas)
   const std::vector<Id> dead = { star[0] == mesh.CellAt(1) ? star[7] : mesh.Own.FreeCells.back() };
   EXPECT_THROW(mesh.Change(dead, { { { 0, 1, 2, 3 } } }), Error);
   EXPECT_EQ(ReadAll(mesh), after);
+}
+
+TYPED_TEST(MeshLaws, TheJournalLeadsBackOverAnyNumberOfChanges)
+{
+  SomeMesh<TypeParam> mesh;
+  std::vector<Tetrahedron> around;
+  for (const Id cell : mesh.StarOf(0))
+  {
+    around.push_back(mesh.Cell(cell).Corners);
+  }
+  mesh.Change(mesh.StarOf(0), AroundAxis());
+  const auto before = ReadAll(mesh);
+  const std::vector<Id> free = mesh.Own.FreeCells;
+  for (int changes = 1; changes < 6; ++changes)
+  {
+    mesh.Start();
+    for (int k = 0; k < changes; ++k)
+    {
+      const bool isAxis = k % 2 == 0;
+      mesh.Change(isAxis ? CellsWith(mesh, 1, 4) : mesh.StarOf(0), isAxis ? around : AroundAxis());
+    }
+    EXPECT_NE(ReadAll(mesh), before);
+    mesh.Back();
+    EXPECT_EQ(ReadAll(mesh), before);
+    EXPECT_EQ(mesh.Own.FreeCells, free);
+    ExpectLaws(mesh);
+  }
 }
 
 TYPED_TEST(MeshLaws, RingsGoAroundAnEdgeInOneTurn)
