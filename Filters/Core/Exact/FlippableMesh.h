@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Of a Mesh whose hull's faces have cells beyond them, too, with a vertex at infinity. */
+/** The policy of a Mesh whose hull's faces have cells beyond them, with a vertex at infinity. */
 struct HullPolicy
 {
   struct Content
@@ -78,7 +78,7 @@ public:
    */
   void MarkFace(Id a, Id b, Id c, Id facet);
 
-  /** Of four vertices that span space, one that is not in the plane of three others. */
+  /** One of four vertices that span space that is not in the plane of three others. */
   Id VertexOffPlane(Id a, Id b, Id c) const;
 
   /** A vertex in no cell yet. */
@@ -115,7 +115,7 @@ public:
     this->ChangeAround[vertex] = ++this->Own.Changes;
   }
 
-  /** Of those who have no marks of their own. */
+  /** Marks for searches that have none of their own. */
   CellMarks& Marks() const { return this->Own.Marks; }
 
 private:

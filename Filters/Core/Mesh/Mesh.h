@@ -33,7 +33,7 @@ public:
     Id Facet;
   };
 
-  /** What a mesh was when the journal began, as far as it has changed since. */
+  /** The state of the mesh when the journal began, as far as it has changed since. */
   struct Journal
   {
     struct OldVertex
@@ -53,28 +53,28 @@ public:
     std::int64_t Changes = 0;
   };
 
-  /** What belongs to those who search in a mesh and change it: threads have one each. */
+  /** Scratch and counts of whoever searches in a mesh and changes it: threads have one each. */
   struct Workspace
   {
     CellMarks Marks;
-    std::int64_t Changes = 0;   ///< how many were made
+    std::int64_t Changes = 0;   ///< number of changes made
     std::vector<Id> FreeCells;  ///< dead ones, whose ids are given again, the last first
     std::vector<Id> FreshCells; ///< those that the last Replace made
     Journal Past;
 
-    // Of Replace; kept for their memory.
+    // Scratch of Replace, kept for its memory.
     PendingFaces Faces;
     std::vector<CellType> Fresh;
     std::vector<OuterFace> Outer;
   };
 
-  /** Of all cells, dead ones too: their ids are below this. */
+  /** The number of all cells, dead ones too: their ids are below this. */
   Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
 
-  /** Good until the next Replace. */
+  /** Valid until the next Replace. */
   const CellType& Cell(Id cell) const { return this->Cells[cell]; }
 
-  /** Whether the cell was replaced; its id is given to another one day. */
+  /** Whether the cell was replaced; its id may be given to another. */
   bool IsDead(Id cell) const { return this->Cells[cell].Corners[0] == None; }
   int CornerIndex(Id cell, Id vertex) const
   {
@@ -108,7 +108,7 @@ public:
   /** The cells around an edge of `cell`. */
   void Ring(Id u, Id v, Id cell, EdgeRing& ring) const;
 
-  /** What Workspace::Changes was after the last change of the cells around a vertex. */
+  /** Workspace::Changes after the last change of the cells around a vertex. */
   std::int64_t LastChangeAround(Id vertex) const { return this->ChangeAround[vertex]; }
 
 protected:
@@ -122,7 +122,7 @@ protected:
   /** A cell with its neighbors' ids. */
   void AppendCell(const CellType& cell);
 
-  /** What Replace is given. */
+  /** The arguments of Replace. */
   struct Replacement
   {
     const std::vector<Id>& Old;
@@ -448,7 +448,7 @@ void Mesh<Policy>::GoBack(Workspace& work)
   past.IsKept = false;
 }
 
-/** Write down all that Commit changes. */
+/** Write down the cells and vertices that Commit changes. */
 template <class Policy>
 void Mesh<Policy>::RecordAll(const Replacement& exchange, Workspace& work) const
 {
@@ -478,7 +478,7 @@ void Mesh<Policy>::RecordAll(const Replacement& exchange, Workspace& work) const
   std::for_each(exchange.Fresh.begin(), exchange.Fresh.end(), recordCorners);
 }
 
-/** Do what is prepared, which nothing can hinder. */
+/** Make the prepared change. Nothing but a lack of memory stops it. */
 template <class Policy>
 void Mesh<Policy>::Commit(const Replacement& exchange, Workspace& work)
 {

@@ -25,7 +25,7 @@ struct PendingFace
 class PendingFaces
 {
 public:
-  /** Make room for the faces of so many cells, and forget those that were entered. */
+  /** Make room for the faces of a number of cells, and forget those that were entered. */
   void Start(std::size_t cells)
   {
     std::size_t size = 32;

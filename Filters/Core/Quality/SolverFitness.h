@@ -19,7 +19,7 @@ struct SolverFitness
    * 1e-20, CalculiX's limit, at one of its integration points, in doubles and in its order. */
   Id RefusedCells = 0;
 
-  /** Of these: cells whose size alone is too small. In a smaller unit they pass. */
+  /** Those refused cells whose size alone is too small. In a smaller unit they pass. */
   Id TooSmallCells = 0;
 
   /** Other cells with a dihedral angle below 1 degree, which cost a solver steps and digits. */

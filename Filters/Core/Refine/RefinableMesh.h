@@ -6,7 +6,7 @@
 
 namespace insideout
 {
-/** Of a Mesh of a solid: faces on its boundary have one cell. */
+/** The policy of a Mesh of a solid: faces on its boundary have one cell. */
 struct SolidPolicy
 {
   struct Content
@@ -96,7 +96,7 @@ public:
 
   std::int64_t NumberOfChanges() const { return this->Own.Changes; }
 
-  /** Of those who have no marks of their own. */
+  /** Marks for searches that have none of their own. */
   CellMarks& Marks() const { return this->Own.Marks; }
 
 private:
