@@ -20,7 +20,8 @@
  * input cell that holds its barycentre. But FacetIds and FacetMultiplicity (4 components, one value
  * per face) are those of the face of the boundary or between regions that it is, is a piece of, or,
  * where the surface is remeshed, is next to; and -1 and 0 on all others, also where the input had
- * facets within a region. Point data of points that stay are the same; of new ones they are
+ * facets within a region. Where the surface is kept, cells of different InBody (integers) are of
+ * different regions, too. Point data of points that stay are the same; of new ones they are
  * interpolated in the input cell that holds them (0 in integer arrays). vtkOriginalPointIds of a
  * point that stays is its value in the input's array of that name, else the input point; -1 for a
  * new one. Field data: the input's, and Statistics (named by StatisticsNames) of AddedPoints and
@@ -31,12 +32,13 @@
  * (how far it is from the input's) and InputDistance (how far that is from it).
  *
  * They have the quality of the cells, too, as vtkSolidQuality names it, from MinDihedralAngle to
- * SurfaceEdgesUnder5Degrees, and that of the input's by the same names with Before in front. The
- * last two count where the surface itself forces sharp cells.
+ * SurfaceEdgesUnder5Degrees, which counts where the surface itself forces sharp cells, with
+ * RefusedCells and PoorCells; and those of the input's by the same names with Before in front.
  *
  * Where cells stay larger than MaximumVolume, or triangles as they are though they were to be split
- * or remeshed, a warning says how many. Errors, which name the
- * culprit, leave the output empty.
+ * or remeshed, a warning says how many; another says where edges of the surface stay longer than
+ * twice EdgeLength, or half of them below half of it. Errors, which name the culprit, leave the
+ * output empty.
  *
  * @sa vtkRobustTetrahedralize
  *

@@ -49,16 +49,20 @@ int vtkSolidQuality::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
 
 namespace
 {
-/** The regions of tetrahedra; empty where no array tells them. */
+/** The regions of tetrahedra; empty where no array of one integer per cell tells them. */
 std::vector<Id> RegionsOf(const vtkInsideOut::GridTetrahedra& tetrahedra, vtkUnstructuredGrid* grid)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
-  std::vector<Id> regions(array ? tetrahedra.Cells.size() : 0);
-  for (std::size_t c = 0; c < regions.size(); ++c)
+  if (!array || array->GetNumberOfComponents() != 1 || !vtkInsideOut::HasIntegers(array, grid))
   {
-    regions[c] = static_cast<Id>(array->GetComponent(tetrahedra.CellIds[c], 0));
+    return {};
   }
-  return regions;
+  std::vector<double> values;
+  for (const vtkIdType cell : tetrahedra.CellIds)
+  {
+    values.push_back(array->GetComponent(cell, 0));
+  }
+  return vtkInsideOut::NumberedAnew(values);
 }
 
 /** An array with a value for each tetrahedron, and 0 for other cells. */

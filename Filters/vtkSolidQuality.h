@@ -31,7 +31,7 @@
  * - MinMeanRatio, AverageMeanRatio
  * - RefusedCells, whose Jacobian determinants are not positive for a solver, in doubles at the
  *   integration points of linear or quadratic cells; PoorCells, others with a dihedral angle below
- * 1 degree, from which it suffers. A warning counts both, and names the option that helps
+ *   1 degree, from which it suffers. A warning counts both, and names the option that helps
  * - CellsUnder10Degrees and CellsUnder5Degrees, which have a dihedral angle below
  * - SurfaceEdgesUnder10Degrees and SurfaceEdgesUnder5Degrees, edges of the boundary where the solid
  *   itself is that sharp, so that some cells have to be

@@ -78,9 +78,9 @@ void vtkSolidWriter::WriteData()
       vtkInsideOut::AlgorithmMonitor monitor(this, { Stages::Writing });
       auto* boundary = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
       const SolidMesh solid = vtkInsideOut::ReadSolid(this->GetInput(), boundary);
-      WriteSolid(this->FileName, solid, insideout::MshVersion(this->MshVersion), monitor);
       const SolverFitness fitness = FitnessForSolver(PointsInFile(this->FileName, solid.Points),
-        solid.Cells, solid.Midpoints, solid.RegionOfCell, monitor, { Stages::Writing, 1, 1 });
+        solid.Cells, solid.Midpoints, solid.RegionOfCell, monitor, { Stages::Writing, 0, 0 });
+      WriteSolid(this->FileName, solid, insideout::MshVersion(this->MshVersion), monitor);
       this->RefusedCells = fitness.RefusedCells;
       this->PoorCells = fitness.PoorCells;
       if (!fitness.IsGood())

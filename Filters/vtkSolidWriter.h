@@ -33,10 +33,10 @@
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
  * permissions of an earlier file are kept. Devices and pipes are written at once.
  *
- * No cell is changed. A warning counts the cells that a solver refuses, as their Jacobian
- * determinants are not positive in doubles, at the integration points of linear or quadratic cells,
- * with the digits that the file has; and those that it suffers from, with a dihedral angle below 1
- * degree. It names the option that helps.
+ * No cell is changed. A warning counts the cells that a solver refuses, whose Jacobian determinants
+ * are below 1e-20 (CalculiX's limit) in doubles, at the integration points of linear or quadratic
+ * cells, with the digits that the file has; and those that it suffers from, with a dihedral angle
+ * below 1 degree. It names the option that helps.
  *
  * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
  * which cell, point, triangle or array is wrong. It gives 0 without one when it was aborted.

@@ -2,6 +2,7 @@
 #include "In/ReadGrid.h"
 
 #include "Common/Error.h"
+#include "Common/SortUniquely.h"
 #include "Common/Vectors.h"
 #include "Data/Arrays.h"
 #include "GraphCut/ConnectCells.h"
@@ -238,5 +239,20 @@ std::vector<double> ReadSizes(vtkUnstructuredGrid* grid)
     }
   }
   return CellSizes(points, simplices, static_cast<Id>(grid->GetNumberOfCells()));
+}
+bool HasIntegers(vtkDataArray* array, vtkUnstructuredGrid* grid)
+{
+  return array->GetDataType() != VTK_DOUBLE && array->GetDataType() != VTK_FLOAT &&
+    array->GetNumberOfTuples() == grid->GetNumberOfCells();
+}
+
+std::vector<Id> NumberedAnew(const std::vector<double>& values)
+{
+  std::vector<double> sorted = values;
+  SortUniquely(sorted);
+  std::vector<Id> numbers(values.size());
+  std::transform(values.begin(), values.end(), numbers.begin(),
+    [&](double value) { return static_cast<Id>(IndexIn(sorted, value)); });
+  return numbers;
 }
 } // namespace vtkInsideOut

@@ -12,7 +12,9 @@
 #include <vtkType.h>
 
 #include <string>
+#include <vector>
 
+class vtkDataArray;
 class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
@@ -67,4 +69,9 @@ insideout::CellParts ReadSides(vtkUnstructuredGrid* grid);
 
 /** The sizes of cells, by the tetrahedra or triangles that VTK cuts them into. */
 std::vector<double> ReadSizes(vtkUnstructuredGrid* grid);
+/** Whether an array has integers for each cell. */
+bool HasIntegers(vtkDataArray* array, vtkUnstructuredGrid* grid);
+
+/** Numbers from 0 in the order of values, none of which is NaN. */
+std::vector<insideout::Id> NumberedAnew(const std::vector<double>& values);
 } // namespace vtkInsideOut

@@ -73,42 +73,17 @@ void CheckGrid(vtkUnstructuredGrid* grid)
   }
 }
 
-/** Numbers from 0 in the order of values. */
-std::vector<Id> NumberedAnew(const std::vector<double>& values)
-{
-  std::vector<double> sorted = values;
-  SortUniquely(sorted);
-  std::vector<Id> numbers(values.size());
-  std::transform(values.begin(), values.end(), numbers.begin(),
-    [&](double value) { return static_cast<Id>(IndexIn(sorted, value)); });
-  return numbers;
-}
-
-/** An array of integers per cell; nullptr where there is none. @throws Error with these words */
-vtkDataArray* FindIntegers(vtkUnstructuredGrid* grid, const char* name, const char* otherwise)
-{
-  vtkDataArray* array = grid->GetCellData()->GetArray(name);
-  const bool isReal =
-    array && (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
-  if (array && (isReal || array->GetNumberOfTuples() != grid->GetNumberOfCells()))
-  {
-    throw Error(ErrorCode::InvalidParameter, otherwise);
-  }
-  return array;
-}
-
 /** The cells' RegionId, numbered anew; empty where there is none. */
 std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
 {
-  constexpr const char* otherwise = "the cell array RegionId is not one integer per cell";
-  vtkDataArray* array = FindIntegers(grid, "RegionId", otherwise);
+  vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
   if (!array)
   {
     return {};
   }
-  if (array->GetNumberOfComponents() != 1)
+  if (!HasIntegers(array, grid) || array->GetNumberOfComponents() != 1)
   {
-    throw Error(ErrorCode::InvalidParameter, otherwise);
+    throw Error(ErrorCode::InvalidParameter, "the cell array RegionId is not one integer per cell");
   }
   std::vector<double> values(grid->GetNumberOfCells());
   for (std::size_t c = 0; c < values.size(); ++c)
@@ -118,13 +93,13 @@ std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
   return NumberedAnew(values);
 }
 
-/** Regions whose cells are each in the same bodies, too: what lies within a region of several stays
- * told apart. */
+/** Regions whose cells are each in the same bodies, too, by InBody as vtkRobustTetrahedralize has
+ * it: bodies within a region stay apart. Other arrays of that name are not looked at. */
 std::vector<Id> SplitByBodies(std::vector<Id> regions, vtkUnstructuredGrid* grid)
 {
-  vtkDataArray* bodies =
-    FindIntegers(grid, "InBody", "the cell array InBody is not integers for each cell");
-  for (int body = 0; bodies && body < bodies->GetNumberOfComponents(); ++body)
+  vtkDataArray* bodies = grid->GetCellData()->GetArray("InBody");
+  const bool isOfBodies = bodies && HasIntegers(bodies, grid);
+  for (int body = 0; isOfBodies && body < bodies->GetNumberOfComponents(); ++body)
   {
     std::vector<double> values(grid->GetNumberOfCells());
     for (std::size_t c = 0; c < values.size(); ++c)
@@ -306,7 +281,7 @@ double StatisticOf(const RefinedMesh& refined, const std::string& wanted)
   return 0;
 }
 
-/** The lengths of edges of the boundary and between regions, once for each face. */
+/** The lengths of edges of the boundary and between regions, once for each face of a cell there. */
 std::vector<double> SurfaceEdges(const RefinedMesh& refined)
 {
   std::vector<double> lengths;

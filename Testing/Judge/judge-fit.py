@@ -115,6 +115,8 @@ def main() -> int:
             if case.refused > 0 or not agrees:
                 told = "" if agrees else f", and InsideOut counts {case.told}"
                 print(f"{case.name} in {unit}: CalculiX refuses {case.refused} of {case.cells} cells{told}; {case.flat} are flat exactly", flush=True)
+    if not cases:
+        parser.error("no solid was judged")
     for unit in UNITS:
         those = [case for case in cases if case.unit == unit]
         some = sum(case.refused > 0 for case in those)

@@ -10,6 +10,7 @@ import insideout
 import numpy as np
 from command import CommandLine, run_here
 from insideout import demo
+from insideout.deck import Deck
 
 AREA_OF_CLAMP = 1080.0
 """In square millimeters, seen from where the load presses."""
@@ -66,6 +67,20 @@ class TestDeck(CommandLine):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"insideout: .*solid\.inp: there is no tag clam: the boundary has .*clamp.*load")
         self.assertFalse(Path(self.solid).exists())
+
+    def test_a_tag_may_have_any_name(self):
+        surface = self.path("walls.obj")
+        Path(surface).write_text(Path(self.bracket).read_text(encoding="utf-8").replace("clamp", "Wände"), encoding="utf-8")
+        done = run_here("mesh", surface, self.solid, "--material", "steel", "--fix", "Wände")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(Path(self.solid).read_text(encoding="utf-8"), r"\*BOUNDARY\nW\w+nde, 1, 3\n")
+
+    def test_a_tag_goes_before_a_set_of_another_tag_with_its_name(self):
+        deck = Deck("steel", ["A_b"], [], False)
+        self.assertIn("*BOUNDARY\nA_b_2, 1, 3\n", deck.text_behind("** A_b: tag 1, A b\n** A_b_2: tag 2, A_b\n"))
+        self.assertIn("*BOUNDARY\nA_b, 1, 3\n", deck.text_behind("** A_b: tag 1, A b\n"))
+        with self.assertRaisesRegex(insideout.Error, "^several tags are called A_b: name one of A_b, A_b_2$"):
+            deck.text_behind("** A_b: tag 1, A_b\n** A_b_2: tag 2, A_b\n")
 
     def test_a_pressure_is_a_number(self):
         for value in ("much", "nan", "inf"):

@@ -3,6 +3,7 @@
 
 import itertools
 import json
+import os
 import re
 import subprocess
 import unittest
@@ -133,6 +134,35 @@ class Default(CommandLine):
         with self.assertRaisesRegex(insideout.Error, r"b\.txt: unknown ending"):
             insideout.tetrahedralize(self.surface, output=self.path("b.txt"))
 
+    def test_a_file_that_cannot_be_written_is_told_before_the_work(self):
+        with self.assertRaisesRegex(insideout.Error, r"b\.inp: such a file has the solid's cells, and surface_only leaves these away"):
+            insideout.tetrahedralize(self.surface, output=self.path("b.inp"), surface_only=True)
+        square = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+        with self.assertRaisesRegex(insideout.Error, r"b\.msh: such a file has tetrahedra here"):
+            insideout.tetrahedralize(square, output=self.path("b.msh"))
+
+    def test_a_file_that_has_nothing_in_it_is_not_written(self):
+        sheet = surfaces.polydata([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.1)], [(0, 1, 2), (0, 2, 3)])
+        with self.assertWarnsRegex(insideout.Warning, r"b\.inp is not written, for nothing is inside"):
+            insideout.tetrahedralize(sheet, output=self.path("b.inp"))
+        self.assertFalse(os.path.exists(self.path("b.inp")))
+
+    def test_a_check_of_refined_cells_advises_no_refinement(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", insideout.Warning)
+            small = insideout.tetrahedralize(slanting_plate(), refine=True)
+        found = insideout.check_solid(small.solid)
+        self.assertNotIn("refining makes better ones", " ".join(found.warnings))
+        self.assertNotIn("RefinedCells", found.statistics)
+
+    def test_regions_that_are_no_integers_are_not_looked_at(self):
+        bad = self.plain.solid.NewInstance()
+        bad.ShallowCopy(self.plain.solid)
+        surfaces.add_array(bad.GetCellData(), "RegionId", np.full(bad.GetNumberOfCells(), np.nan))
+        expected = insideout.check_solid(self.plain.solid).statistics
+        self.assertEqual(insideout.check_solid(bad).statistics["PoorCells"], expected["PoorCells"])
+        self.assertGreater(expected["PoorCells"], 0)
+
     def test_of_writing_is_to_leave_cells_as_they_are(self):
         with self.assertWarnsRegex(insideout.Warning, r"c\.inp: a solver suffers from \d+ of \d+ cells, .*: refining makes better ones \(refine\)"):
             insideout.write(self.plain, self.path("c.inp"))
@@ -210,7 +240,8 @@ class Unfit(CommandLine):
         done = run_here("mesh", surface, self.path("solid.msh"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"Warning: .*solid\.msh: a solver .*(they|\d+ of them) lie on needles of the surface, for which --surface-treatment remeshed")
-        done = run_here("mesh", surface, self.path("solid.msh"), "--surface-treatment", "remeshed")
+        done = run_here("mesh", surface, self.path("solid.msh"), "--surface-treatment", "remeshed", "--force")
+        self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("a solver", done.stdout)
 
     def test_files_for_no_solver_have_no_word_of_it(self):

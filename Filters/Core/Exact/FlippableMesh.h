@@ -19,8 +19,8 @@ struct HullPolicy
 using FlippableCell = MeshCell<HullPolicy::Content>;
 
 /**
- * A tetrahedralization of the convex hull, with exact vertices. What is beyond the hull is
- * tetrahedra, too, between the hull's faces and a vertex at infinity, so every face has two cells.
+ * A tetrahedralization of the convex hull, with exact vertices. Tetrahedra between the hull's faces
+ * and a vertex at infinity fill the space beyond the hull, so every face has two cells.
  *
  * Cells are positively oriented (ExactVertices::Orient); one with the infinite vertex is turned as
  * if that lay outside.
@@ -87,7 +87,7 @@ public:
   Id AddVertexBetween(Id first, Id second, const DyadicNumber& a, const DyadicNumber& b,
     const ExactVertices::Span& span);
 
-  /** Forget what is needed no more of vertices in no cell, so that a copy of the mesh is small. */
+  /** Drop exact coordinates of vertices in no cell. No journal may be kept. */
   void ForgetUnused()
   {
     this->AllVertices.ForgetExactly([this](Id vertex) { return this->HasVertex(vertex); });

@@ -301,20 +301,22 @@ private:
     std::vector<Judgement> judged = JudgeByMeans(outside);
     for (int more = lines; 2 * more <= MostLines; more *= 2)
     {
-      bool isSure = true;
+      std::vector<OutsideShell*> unsure;
       for (std::size_t i = 0; i < outside.size(); ++i)
       {
-        const Id next = more * static_cast<Id>(outside[i].Places.size());
-        if (!outside[i].IsSure(judged[i].Seal) && drawn + next <= LinesOfAll)
+        if (!outside[i].IsSure(judged[i].Seal))
         {
-          this->AddLines(sampler, open, more, outside[i]);
-          drawn += next;
-          isSure = false;
+          unsure.push_back(&outside[i]);
+          drawn += more * static_cast<Id>(outside[i].Places.size());
         }
       }
-      if (isSure)
+      if (unsure.empty() || drawn > LinesOfAll)
       {
         break;
+      }
+      for (OutsideShell* shell : unsure)
+      {
+        this->AddLines(sampler, open, more, *shell);
       }
       judged = JudgeByMeans(outside);
     }

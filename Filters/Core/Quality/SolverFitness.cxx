@@ -196,7 +196,7 @@ std::string SomeOf(Id count, Id all)
   return count == all ? std::string("they") : std::to_string(count) + " of them";
 }
 
-/** What helps; empty where all has been done. */
+/** Advice; empty where it has all been followed. */
 std::string AdviceFor(const SolverFitness& fitness, CellTreatment done)
 {
   std::string advice;
@@ -276,7 +276,7 @@ std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done)
   if (fitness.RefusedCells > 0)
   {
     words = "a solver refuses " + CountOf(fitness.RefusedCells, fitness.Cells) +
-      ", whose Jacobian determinants are not positive in doubles";
+      ", whose Jacobian determinants are below its limit of 1e-20";
     words += fitness.PoorCells > 0
       ? ", and suffers from " + std::to_string(fitness.PoorCells) + " more" + poor
       : "";

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an .inp file takes besides the mesh for CalculiX to run it: material, supports and loads of a static analysis."""
+"""Material, supports and loads of a static analysis, with which CalculiX runs an .inp file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ USUAL_UNIT = "mm"
 
 @dataclass(frozen=True)
 class Deck:
-    """What is done to a solid. The forces of consistent units are newtons: millimeters go with megapascals and tonnes."""
+    """A static analysis of a solid. The forces of consistent units are newtons: millimeters go with megapascals and tonnes."""
 
     material: str
     fixed: Sequence[str]
@@ -49,6 +49,7 @@ class Deck:
         for tag in self.tags():
             if tag not in names:
                 raise Error(f"there is no tag {tag}: the boundary has {', '.join(dict.fromkeys(names))}")
+            _check_is_one(tag, mesh)
         modulus, ratio, density = MATERIALS[self.material]
         meters = float(UNITS[self.unit])
         steps = [f"*DSLOAD\n{names[tag]}, P, {float(value):.15g}\n" for tag, value in self.pressures]
@@ -65,6 +66,13 @@ class Deck:
 
 
 def _names_of_tags(mesh: str) -> dict[str, str]:
-    """What the sets of tags are called in an .inp file, by the tags and by these names."""
+    """The names of tags' sets in an .inp file, by the tags, and by these names where no tag is called so."""
     found = re.findall(r"^\*\* (\w+): tag \d+, (.*)$", mesh, re.MULTILINE)
-    return {**{tag: name for name, tag in found}, **{name: name for name, _ in found}}
+    return {**{name: name for name, _ in found}, **{tag: name for name, tag in found}}
+
+
+def _check_is_one(tag: str, mesh: str) -> None:
+    """Raise `Error` where several tags have this name."""
+    names = re.findall(rf"^\*\* (\w+): tag \d+, {re.escape(tag)}$", mesh, re.MULTILINE)
+    if len(names) > 1:
+        raise Error(f"several tags are called {tag}: name one of {', '.join(names)}")

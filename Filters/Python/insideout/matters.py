@@ -110,7 +110,7 @@ def _of_command(asked: Asked) -> Optional[str]:
     usable = {*_OF_COMMANDS[options.command]} | ({"plot"} if options.command == "check" and asked.has_solids_alone() else set())
     others = (*MESH_OPTIONS, *DECK_OPTIONS, *(("output", "force", "dry_run") if options.command == "check" else ()))
     found = next((name for name in others if name not in usable and asked.has(name)), None)
-    return found and f"{options.called} {WHY_NOT[options.command]}: it goes without {flag_of(found)}"
+    return found and f"{options.called} {WHY_NOT[options.command]}: it goes without {asked.flag(found)}"
 
 
 def _of_solid(asked: Asked) -> Optional[str]:
@@ -118,7 +118,7 @@ def _of_solid(asked: Asked) -> Optional[str]:
     solid = asked.solid()
     names = ("from", "to", "together", "defects", "marked", *OPTIONS)
     found = solid and next((name for name in names if name != "surface_only" and asked.has(name)), None)
-    return found and f"{flag_of(found)} is about surfaces: it goes without {solid}"
+    return found and f"{asked.flag(found)} is about surfaces: it goes without {solid}"
 
 
 def _of_defects(asked: Asked) -> Optional[str]:
@@ -127,7 +127,7 @@ def _of_defects(asked: Asked) -> Optional[str]:
         return None
     usable = (*CHECK_OPTIONS, "plot", "surface_only")
     found = next((name for name in MESH_OPTIONS if name not in usable and asked.has(name)), None)
-    return found and f"--defects meshes nothing: it goes without {flag_of(found)}"
+    return found and f"--defects meshes nothing: it goes without {asked.flag(found)}"
 
 
 def _by_rules(asked: Asked) -> Optional[str]:

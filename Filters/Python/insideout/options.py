@@ -127,7 +127,7 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
 
     def for_solver(self) -> Options:
         """The same for a solver's file: refined, unless something else is asked for."""
-        return replace(self, refine=not self.surface_only) if self.refine is None else self
+        return replace(self, refine=True) if self.refine is None and not self.surface_only else self
 
     def parts(self) -> bool:
         """Whether the solid has more points or cells than the hull has of it."""

@@ -14,7 +14,7 @@ from .checking import Finding, find_among
 from .data import Tetrahedra, as_type
 from .defects import Defect
 from .options import in_words_of_python
-from .pipeline import Progress, run, statistics_of
+from .pipeline import Progress, add_statistic, run, statistics_of
 from .results import MeshResult
 from .solids import AnySolid, as_solid
 from .statistics import Statistics
@@ -26,7 +26,7 @@ SOLID_DEFECTS = (
     Defect(*("FlatCells", "flat cell", "flat cells"), "they have no volume, exactly: solvers divide by it", True),
     Defect(
         *("RefusedCells", "cell that a solver refuses", "cells that a solver refuses"),
-        "their Jacobian determinants are not positive in doubles: it stops",
+        "their Jacobian determinants are below CalculiX's limit of 1e-20: it stops",
         True,
     ),
     Defect(*("CrowdedFaces", "face of more than two cells", "faces of more than two cells"), "cells overlap there", True),
@@ -77,6 +77,10 @@ class SolidCheck(MeshResult):
         return {"quality": self.solid}
 
 
+_TREATMENTS = ("RefinedCells", "SurfaceDistance")
+"""Statistics that tell which advice was followed already."""
+
+
 @for_users
 def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> SolidCheck:
     """What is wrong with a solid of tetrahedra, and how good they are. Nothing is changed.
@@ -94,9 +98,12 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
     bare = vtkUnstructuredGrid()
     bare.ShallowCopy(grid)
     bare.SetFieldData(vtkFieldData())  # statistics of another run are not this one's
+    told = {name: value for name, value in statistics_of(grid).items() if name in _TREATMENTS}
+    for name, value in told.items():
+        add_statistic(name, value, bare)
     measure.SetInputData(bare)
     warnings = warnings + in_words_of_python(run(measure, progress))
-    statistics = statistics_of(measure.GetOutput())
+    statistics = {name: value for name, value in statistics_of(measure.GetOutput()).items() if name not in told}
     return SolidCheck(
         solid=as_type(Tetrahedra, measure.GetOutput()),
         statistics=statistics,

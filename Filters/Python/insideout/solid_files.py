@@ -84,8 +84,9 @@ def write_solid(
     if ending(path) != XDMF:
         write_grid(grid, path)
         return []
+    warnings = [] if is_flat(grid) or grid.GetNumberOfCells() == 0 else _fitness_of(grid, path, figures)
     _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
-    return [] if is_flat(grid) or grid.GetNumberOfCells() == 0 else _fitness_of(grid, path, figures)
+    return warnings
 
 
 def _fitness_of(grid: vtkUnstructuredGrid, path: str, figures: Dict[str, float]) -> list[str]:
@@ -102,14 +103,17 @@ def _write_with_deck(writer: vtkSolidWriter, path: str, deck: Deck) -> list[str]
     """Write mesh and deck, both or none."""
     with temporary_folder() as folder:
         whole = os.path.join(folder, "whole.inp")
-        warnings = run_writer(writer, whole)
-        with open(whole, encoding="ascii") as file:
+        try:
+            warnings = run_writer(writer, whole)
+        except Error as error:
+            raise Error(str(error).replace(whole, path)) from None
+        with open(whole, encoding="utf-8") as file:
             mesh = file.read()
     try:
         text = deck.text_behind(mesh)
     except Error as error:
         raise Error(f"{path}: {error}") from None
-    write_bytes((mesh + text).encode("ascii"), path)
+    write_bytes((mesh + text).encode(), path)
     return [warning.replace(whole, path) for warning in warnings]
 
 

@@ -17,13 +17,13 @@ from .calling import for_users
 from .checking import check
 from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import is_boundary_alone, mesh_of_solid
-from .files import WRITABLE_SURFACES, Path, check_output
+from .files import WRITABLE_SURFACES, Path, check_output, ending
 from .inputs import path_of
 from .lengths import Length
 from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
-from .solid_files import WRITABLE_GRIDS, check_format, is_for_solver, write_result
+from .solid_files import WRITABLE_GRIDS, check_format, check_holds_triangles, is_for_solver, write_result
 from .statistics import Statistics
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
@@ -173,7 +173,7 @@ def tetrahedralize(
     surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...;
               or a dict of such by their names, which are the bodies of one mesh
     output    the file to write the result to, as `write` does. Where it is for a solver (.msh, .inp, .mesh, .xdmf) the
-              cells are refined, unless refine is False
+              cells are refined, unless refine is False. A warning says that nothing is inside, where no file is written
     progress  called with the stage and the fraction of all the work that is done; what it
               raises stops the work and is raised
 
@@ -187,12 +187,15 @@ def tetrahedralize(
         output = path_of("output", output)
         check_output(output, WRITABLE_GRIDS + WRITABLE_SURFACES)
         check_format(output)
+        if options.surface_only and ending(output) not in WRITABLE_SURFACES:
+            raise Error(f"{output}: such a file has the solid's cells, and surface_only leaves these away")
         options = options.for_solver() if is_for_solver(output) else options
     polygons, warnings, body_array = as_bodies(surface, options.factor(), options.body_array)
     options = options.measured_on(polygons)
     algorithm: Any = options.set_on(vtkRobustTetrahedralize())
     algorithm.SetBodyArrayName(body_array or "")
     if options.is_planar(polygons):
+        check_holds_triangles(output or "")
         algorithm, more = _triangulator(options, polygons, body_array)
         warnings += more
     algorithm.SetInputData(polygons)
@@ -210,6 +213,8 @@ def tetrahedralize(
     cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (Tetrahedra, TriangleSurface)
     if output is not None and boundary.GetNumberOfCells() > 0:
         warnings += write_result(as_type(cells, solid), as_type(faces, boundary), output)
+    elif output is not None:
+        warnings.append(f"{output} is not written, for nothing is inside")
     return Tetrahedralization(
         solid=as_type(cells, solid),
         boundary=as_type(faces, boundary),

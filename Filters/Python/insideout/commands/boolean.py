@@ -65,7 +65,9 @@ class BooleanJob(Job):
         output, boundary = self.files.output or "", self.files.boundary
         work_on(output)
         if takes_cells:
-            self.warnings = self.warnings + write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1", self.statistics)
+            told = write_solid(result.solid, output, result.surface, self.options.msh_version or "4.1", self.statistics)
+            # This command does not refine.
+            self.warnings = self.warnings + [words.replace("(refine)", "(insideout refine)") for words in told]
         else:
             self.warnings = self.warnings + write_surface(result.surface, output)
         self.outputs["solid" if takes_cells else "surface"] = output

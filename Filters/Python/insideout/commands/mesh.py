@@ -150,8 +150,11 @@ class MeshJob(Job):
         def write_with_boundary(solid: Tetrahedra, path: str) -> list[str]:
             return write_solid(solid, path, result.boundary, version, self.statistics, self.deck)
 
+        def write_hull(hull: Tetrahedra, path: str) -> None:
+            write_solid(hull, path, msh_version=version)  # no option changes its cells: advice on them is left out
+
         if files.hull is not None:
-            yield "hull", result.hull, files.hull, lambda hull, path: write_solid(hull, path, msh_version=version)
+            yield "hull", result.hull, files.hull, write_hull
         if result.boundary.GetNumberOfCells() > 0:
             if ending(files.output or "") in WRITABLE_SURFACES:
                 yield "surface", outer_boundary(result.boundary), files.output, write_surface

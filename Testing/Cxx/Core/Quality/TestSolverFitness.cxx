@@ -69,7 +69,6 @@ TEST(SolverFitness, CountsCellsThatAreFlatInDoublesThoughTheyArePositive)
   ASSERT_TRUE(testtetrahedra::AllPositive(mesh));
   const SolverFitness fitness = FitnessOf(mesh.Points, mesh.Cells);
   EXPECT_GT(fitness.RefusedCells, 0);
-  EXPECT_GT(fitness.RefusedCells + fitness.PoorCells, 0);
   EXPECT_EQ(fitness.TooSmallCells, 0);
 }
 
@@ -153,7 +152,7 @@ TEST(SolverFitness, AdvisesNothingTwice)
   fitness.PoorCells = 3;
   const auto words = [&fitness](CellTreatment done) { return WordsOfFitness(fitness, done); };
   EXPECT_EQ(words(CellTreatment::None),
-    "a solver refuses 2 of 10 cells, whose Jacobian determinants are not positive in doubles, and "
+    "a solver refuses 2 of 10 cells, whose Jacobian determinants are below its limit of 1e-20, and "
     "suffers from 3 more, whose dihedral angles are below 1 degree: refining makes better ones "
     "(Refine)");
   EXPECT_NE(words(CellTreatment::Refined).find("SurfaceTreatment remeshed"), std::string::npos);
