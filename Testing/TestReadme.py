@@ -24,7 +24,11 @@ from typing import NamedTuple
 BUILD = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
 
-PAGES = ("README.md", "Filters/Python/README.md", "Plugin/README.md", "Filters/README.md", "Examples/README.md", "Filters/CMake/README.md")
+DECISIONS = "Filters/Decisions.md"
+PAGES = (
+    *("README.md", "Filters/Python/README.md", "Plugin/README.md", DECISIONS, "Filters/README.md", "Examples/README.md"),
+    "Filters/CMake/README.md",
+)
 LARGEST = 8192  # bytes of the first
 
 REASONS = ("installs packages", "opens a window", "takes minutes")
@@ -201,6 +205,14 @@ class TestPages(unittest.TestCase):
             f"cmake --install '{BUILD}' --prefix prefix >/dev/null\n"
             "cmake -S ../source -B made -G Ninja -DCMAKE_PREFIX_PATH=$PWD/prefix\ncmake --build made\nmade/tetrahedralize\n"
         )
+
+    def test_the_messages_explained_are_in_the_code(self):
+        section = (ROOT / DECISIONS).read_text(encoding="utf-8").split("\n## When something goes wrong\n")[1].split("\n## ")[0]
+        messages = [words for row in re.findall(r"^\| (`.*?) \| ", section, re.MULTILINE) for words in re.findall(r"`([^`]+)`", row)]
+        sources = [file.read_text(encoding="utf-8") for file in (ROOT / "Filters").rglob("*") if file.suffix in (".cxx", ".py")]
+        code = re.sub(r'"\s*\n\s*"', "", "\n".join(sources))  # strings that go on in the next line
+        self.assertGreater(len(messages), 30)
+        self.assertEqual([message for message in messages if message not in code], [])
 
     def test_every_example_is_listed(self):
         """On the page of its folder, which the page of all links, or else on that itself."""
