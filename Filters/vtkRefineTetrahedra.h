@@ -62,8 +62,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Upper limit on the length of edges, in units of the input. Edges of faces that stay may be
-   * longer. Default 0: as the edges of the surface allow. Range 0 to infinity. */
+  /** The length of edges to aim at, in units of the input: some are longer. Edges of faces that
+   * stay may be much longer. Default 0: as the edges of the surface allow. Range 0 to infinity. */
   vtkInsideOutSetRangeMacro(EdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeLength, double);
   ///@}

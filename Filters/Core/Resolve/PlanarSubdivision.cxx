@@ -214,13 +214,15 @@ VertexHandle Subdivider::Insert(PlanarSite& site, std::initializer_list<Id> line
  * short. */
 VertexHandle Subdivider::NearestKnown(const PlanarSite& site, std::initializer_list<Id> lines) const
 {
-  const auto [x, y] = Near(site);
+  const std::array<double, 2> place = Near(site);
   VertexHandle nearest;
   double least = std::numeric_limits<double>::infinity();
   const auto look = [&](VertexHandle vertex)
   {
-    const auto [u, v] = Near(vertex);
-    const double distance = (u - x) * (u - x) + (v - y) * (v - y);
+    const std::array<double, 2> other = Near(vertex);
+    const double x = other[0] - place[0];
+    const double y = other[1] - place[1];
+    const double distance = x * x + y * y;
     if (distance < least)
     {
       least = distance;
@@ -232,7 +234,7 @@ VertexHandle Subdivider::NearestKnown(const PlanarSite& site, std::initializer_l
     if (this->IsKnown(line))
     {
       const Constraint& constraint = this->Constraints[line];
-      const auto behind = constraint.Along.lower_bound(constraint.WideAxis() == 0 ? x : y);
+      const auto behind = constraint.Along.lower_bound(place[constraint.WideAxis()]);
       if (behind != constraint.Along.end())
       {
         look(behind->second);
