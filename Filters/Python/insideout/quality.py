@@ -103,7 +103,7 @@ def check_solid(solid: AnySolid, *, progress: Optional[Progress] = None) -> Soli
         add_statistic(name, value, bare)
     measure.SetInputData(bare)
     warnings = warnings + in_words_of_python(run(measure, progress))
-    statistics = {name: value for name, value in statistics_of(measure.GetOutput()).items() if name not in told}
+    statistics = Statistics({name: value for name, value in statistics_of(measure.GetOutput()).items() if name not in told})
     return SolidCheck(
         solid=as_type(Tetrahedra, measure.GetOutput()),
         statistics=statistics,
