@@ -29,9 +29,10 @@
  *   than a hundredth of all six angles of all cells
  * - MaxRadiusEdgeRatio, and RadiusEdgeRatio99Percent, the least that is no less than 99 % of them
  * - MinMeanRatio, AverageMeanRatio
- * - RefusedCells, whose Jacobian determinants are not positive for a solver, in doubles at the
- *   integration points of linear or quadratic cells; PoorCells, others with a dihedral angle below
- *   1 degree, from which it suffers. A warning counts both, and names the option that helps
+ * - RefusedCells, whose Jacobian determinants are below 1e-20 (CalculiX's limit), in doubles at
+ *   the integration points of linear or quadratic cells; PoorCells, others with a dihedral angle
+ *   below 1 degree, from which a solver suffers. A warning counts both, and names the option that
+ *   helps
  * - CellsUnder10Degrees and CellsUnder5Degrees, which have a dihedral angle below
  * - SurfaceEdgesUnder10Degrees and SurfaceEdgesUnder5Degrees, edges of the boundary where the solid
  *   itself is that sharp, so that some cells have to be

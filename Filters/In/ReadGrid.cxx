@@ -240,6 +240,7 @@ std::vector<double> ReadSizes(vtkUnstructuredGrid* grid)
   }
   return CellSizes(points, simplices, static_cast<Id>(grid->GetNumberOfCells()));
 }
+
 bool HasIntegers(vtkDataArray* array, vtkUnstructuredGrid* grid)
 {
   return array->GetDataType() != VTK_DOUBLE && array->GetDataType() != VTK_FLOAT &&

@@ -69,6 +69,7 @@ insideout::CellParts ReadSides(vtkUnstructuredGrid* grid);
 
 /** The sizes of cells, by the tetrahedra or triangles that VTK cuts them into. */
 std::vector<double> ReadSizes(vtkUnstructuredGrid* grid);
+
 /** Whether an array has integers for each cell. */
 bool HasIntegers(vtkDataArray* array, vtkUnstructuredGrid* grid);
 

@@ -79,7 +79,7 @@ class TestDeck(CommandLine):
         deck = Deck("steel", ["A_b"], [], False)
         self.assertIn("*BOUNDARY\nA_b_2, 1, 3\n", deck.text_behind("** A_b: tag 1, A b\n** A_b_2: tag 2, A_b\n"))
         self.assertIn("*BOUNDARY\nA_b, 1, 3\n", deck.text_behind("** A_b: tag 1, A b\n"))
-        with self.assertRaisesRegex(insideout.Error, "^several tags are called A_b: name one of A_b, A_b_2$"):
+        with self.assertRaisesRegex(insideout.Error, "^2 tags are called A_b: give them different names$"):
             deck.text_behind("** A_b: tag 1, A_b\n** A_b_2: tag 2, A_b\n")
 
     def test_a_pressure_is_a_number(self):

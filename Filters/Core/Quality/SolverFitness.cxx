@@ -18,7 +18,7 @@ namespace insideout
 {
 namespace
 {
-/** What a cell takes. */
+/** Time per cell. */
 constexpr double NanosecondsPerCell = 100;
 
 /** CalculiX refuses cells below it, in whatever unit. */

@@ -4,6 +4,7 @@
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace insideout
@@ -42,7 +43,7 @@ void Cavity::Grow(std::size_t most)
       {
         const auto [a, b, c, d] = CornersOf(this->Mesh.Points, this->Mesh.Cell(neighbor).Corners);
         const Circumsphere sphere = CircumsphereOf(a, b, c, d);
-        // Where the cell is too flat for doubles it goes.
+        // A cell too flat for doubles goes.
         if (!(SquaredDistance(sphere.Center, this->Place) >= sphere.SquaredRadius))
         {
           this->Add(neighbor);

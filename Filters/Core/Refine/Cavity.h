@@ -3,6 +3,7 @@
 
 #include "Refine/RefinableMesh.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace insideout

@@ -7,7 +7,6 @@
 #include "Refine/CellShape.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace insideout
 {

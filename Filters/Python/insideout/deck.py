@@ -45,11 +45,7 @@ class Deck:
 
     def text_behind(self, mesh: str) -> str:
         """The lines that go behind those of a mesh. Raises `Error` for a tag that this does not have."""
-        names = _names_of_tags(mesh)
-        for tag in self.tags():
-            if tag not in names:
-                raise Error(f"there is no tag {tag}: the boundary has {', '.join(dict.fromkeys(names))}")
-            _check_is_one(tag, mesh)
+        names = _names_of_sets(mesh, self.tags())
         modulus, ratio, density = MATERIALS[self.material]
         meters = float(UNITS[self.unit])
         steps = [f"*DSLOAD\n{names[tag]}, P, {float(value):.15g}\n" for tag, value in self.pressures]
@@ -65,14 +61,16 @@ class Deck:
         )
 
 
-def _names_of_tags(mesh: str) -> dict[str, str]:
-    """The names of tags' sets in an .inp file, by the tags, and by these names where no tag is called so."""
+def _names_of_sets(mesh: str, tags: Sequence[str]) -> dict[str, str]:
+    """The names of tags' sets in an .inp file, by the tags; by themselves where no tag is called so.
+
+    Raises `Error` for one of the tags that is not there, and where several have its name.
+    """
     found = re.findall(r"^\*\* (\w+): tag \d+, (.*)$", mesh, re.MULTILINE)
+    for tag in tags:
+        sets = [name for name, other in found if other == tag]
+        if len(sets) > 1:
+            raise Error(f"{len(sets)} tags are called {tag}: give them different names")
+        if not sets and all(tag != name for name, _ in found):
+            raise Error(f"there is no tag {tag}: the boundary has {', '.join(dict.fromkeys(other for _, other in found))}")
     return {**{name: name for name, _ in found}, **{tag: name for name, tag in found}}
-
-
-def _check_is_one(tag: str, mesh: str) -> None:
-    """Raise `Error` where several tags have this name."""
-    names = re.findall(rf"^\*\* (\w+): tag \d+, {re.escape(tag)}$", mesh, re.MULTILINE)
-    if len(names) > 1:
-        raise Error(f"several tags are called {tag}: name one of {', '.join(names)}")

@@ -25,7 +25,7 @@ MshVersion = Literal["4.1", "2.2"]
 
 XDMF = ".xdmf"
 WRITABLE_SOLIDS = (".msh", ".inp", ".mesh")
-"""What vtkSolidWriter writes: files for solvers, with regions and tags."""
+"""Files for solvers that vtkSolidWriter writes, with regions and tags."""
 
 WRITABLE_GRIDS = (GRID, *WRITABLE_SOLIDS, XDMF)
 
@@ -90,7 +90,7 @@ def write_solid(
 
 
 def _fitness_of(grid: vtkUnstructuredGrid, path: str, figures: Dict[str, float]) -> list[str]:
-    """What vtkSolidWriter says of the files that it writes."""
+    """The warnings that vtkSolidWriter has for its files."""
     measure = vtkSolidQuality()
     measure.SetInputData(grid)
     warnings = in_words_of_python(run(measure))
