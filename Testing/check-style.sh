@@ -18,7 +18,7 @@ vtk_in_core=$(grep -rlE '#include *[<"]vtk' Filters/Core Filters/Tetgen Testing/
 [ -z "$vtk_in_core" ] || complain "VTK headers in the algorithms: $vtk_in_core"
 
 files=$(find Filters Plugin Testing Examples -type f \
-  ! -name LICENSE ! -path '*/Data/*' ! -path '*/__pycache__/*' ! -name '*.plugin' ! -name '*.png' ! -name '*.md')
+  ! -name LICENSE ! -path '*/Data/*' ! -path '*/__pycache__/*' ! -name '*.plugin' ! -name '*.png' ! -name '*.md' ! -name '*.csv')
 for file in $files; do
   head -n 3 "$file" | grep -q 'SPDX-License-Identifier: A\{0,1\}GPL-3.0-or-later' ||
     complain "$file: no SPDX line"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How good tetrahedra are, ours and those that TetGen, gmsh and Netgen make of the boundary of our solid.
 
-    measure-quality.py [SURFACE...] [--table TABLE.md] [--inputs FOLDER] [--limit SECONDS] [--set NAME=VALUE]... [--only WORDS]
+    measure-quality.py [SURFACE...] [--table TABLE.csv] [--inputs FOLDER] [--limit SECONDS] [--set NAME=VALUE]... [--only WORDS]
 
 Without a surface it takes 30 dirty and 10 clean ones of Debian's packages libcgal-demo and openfoam-examples.
 Each surface is meshed by the command line as it comes, without refinement. Every other mesher gets the boundary of
@@ -9,14 +9,17 @@ that solid, watertight and without crossings, with a point in each cavity: vtkRe
 Each runs in a process of its own, with a limit of processor time (120 s) and memory, with its defaults for sizes; its
 seconds are its own, without files. Where our 1 % angle is below another's that has more cells, ours is meshed again with a
 Grading that gives about as many. --set sets a property of vtkRefineTetrahedra, to bring our number of cells near another's:
-`--set EdgeLength=0.1`. --only runs those meshers whose names match a regular expression. --table writes all figures as Markdown, --inputs keeps what the meshers were given.
+`--set EdgeLength=0.1`. --only runs those meshers whose names match a regular expression. --table writes all figures,
+--inputs keeps the files that the meshers were given.
 
-Prints lines as Measure.h does: of the 1 % quantiles of dihedral angles where both made a mesh, and of the seconds.
+Prints lines as Measure.h does: of the 1 % quantiles of dihedral angles where both made a mesh, and of the seconds. The
+summary before them is the table of README.md.
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
 import math
 import re
 import statistics
@@ -59,7 +62,8 @@ LIKE_NUMBER = (0.8, 1.0)
 GRADINGS = (0.001, 0.5)
 MOST_TRIES = 8
 
-COLUMNS = ("surface", "mesher", "cells", "least angle", "1 %", "largest", "radius-edge 99 %", "largest", "seconds", "")
+OF_SURFACE = ("surface", "triangles", "edges under 10 degrees", "cavities")
+OF_MESH = ("mesher", "cells", "least angle", "1 %", "largest angle", "radius-edge 99 %", "radius-edge largest", "seconds", "trouble")
 FIGURES = ("MinDihedralAngle", "DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio")
 
 
@@ -87,24 +91,23 @@ class Row:
         own, other = self.one_percent(ours), self.one_percent(peer)
         return own is not None and other is not None and own < other
 
-    def lines(self) -> list[str]:
+    def lines(self) -> list[list[str]]:
         """Of the table."""
         if self.trouble:
-            return [_cells(self.name, "ours, as it comes", *[""] * 7, self.trouble)]
-        name = f"{self.name}, {self.triangles:,} triangles, {self.sharp:,} edges under 10 degrees"
-        name += f", {self.cavities} cavities" if self.cavities else ""
-        return [_line(name if k == 0 else "", mesher, outcome) for k, (mesher, outcome) in enumerate(self.outcomes.items())]
+            return [[self.name, "", "", "", "ours, as it comes", *[""] * 7, self.trouble]]
+        surface = [self.name, str(self.triangles), str(self.sharp), str(self.cavities)]
+        return [[*surface, *_figures(mesher, outcome)] for mesher, outcome in self.outcomes.items()]
+
+
+def _figures(mesher: str, outcome: Outcome) -> list[str]:
+    if outcome.figures is None:
+        return [mesher, *[""] * 7, outcome.trouble]
+    figures = (f"{outcome.figures[figure]:.3g}" for figure in FIGURES)
+    return [mesher, str(outcome.figures["Cells"]), *figures, f"{outcome.seconds:.2f}", outcome.trouble]
 
 
 def _cells(*cells: str) -> str:
     return "| " + " | ".join(cells) + " |"
-
-
-def _line(name: str, mesher: str, outcome: Outcome) -> str:
-    if outcome.figures is None:
-        return _cells(name, mesher, *[""] * 7, outcome.trouble)
-    figures = (f"{outcome.figures[figure]:.3g}" for figure in FIGURES)
-    return _cells(name, mesher, f"{outcome.figures['Cells']:,}", *figures, f"{outcome.seconds:.2f}", outcome.trouble)
 
 
 def chosen(options: argparse.Namespace) -> list[Mesher]:
@@ -211,10 +214,8 @@ def overview(rows: list[Row]) -> list[str]:
 
 
 def write_table(rows: list[Row], path: str) -> None:
-    text = ["Angles are dihedral, in degrees; the 1 % quantile is of all dihedral angles of all cells.", ""]
-    text += [_cells(*COLUMNS), _cells(*["---"] * len(COLUMNS))]
-    text += [line for row in rows for line in row.lines()]
-    Path(path).write_text("\n".join([*text, *overview(rows), ""]))
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([[*OF_SURFACE, *OF_MESH], *(line for row in rows for line in row.lines())])
 
 
 def main(options: argparse.Namespace) -> None:
@@ -233,7 +234,7 @@ def main(options: argparse.Namespace) -> None:
             folder = Path(options.inputs or temporary, re.sub(r"\W", "-", Path(surface).name)).resolve()
             folder.mkdir(parents=True, exist_ok=True)
             rows.append(measure(surface, folder, options))
-            print("\n".join([*rows[-1].lines(), *ratio_lines(rows[-1])]), flush=True)
+            print("\n".join([*(_cells(*line) for line in rows[-1].lines()), *ratio_lines(rows[-1])]), flush=True)
             if options.table:
                 write_table(rows, options.table)
     print("\n".join([*overview(rows), *median_lines(rows)]))
@@ -242,7 +243,7 @@ def main(options: argparse.Namespace) -> None:
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("surfaces", nargs="*", metavar="SURFACE")
-    parser.add_argument("--table", metavar="TABLE.md")
+    parser.add_argument("--table", metavar="TABLE.csv")
     parser.add_argument("--inputs", metavar="FOLDER")
     parser.add_argument("--limit", type=float, default=120, metavar="SECONDS")
     parser.add_argument("--only", default="", metavar="WORDS")

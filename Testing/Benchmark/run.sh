@@ -5,7 +5,7 @@
 # line `ratio NAME VALUE at most|at least LIMIT` per target. Builds in build-benchmark/, and draws
 # the thesis's figures 8.10 and 8.11 in build-benchmark/figures. What winding numbers are compared
 # with needs libembree-dev, drawing python3-matplotlib; what tetrahedra are compared with, in
-# build-benchmark/quality.md, needs tetgen, gmsh, python3-netgen and python3-meshio.
+# build-benchmark/quality.csv, needs tetgen, gmsh, python3-netgen and python3-meshio.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
@@ -68,7 +68,7 @@ if cmake -S "$root" -B "$filters" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     /usr/bin/python3 "$here/measure-voxels.py" "$vtk" "$@" "$open_surfaces"/* &&
     /usr/bin/python3 "$here/measure-total.py" "$bin/BenchmarkConstrainedDelaunay" "$@" &&
     /usr/bin/python3 "$here/measure-ranks.py" &&
-    /usr/bin/python3 "$here/measure-quality.py" --table "$build/quality.md" "$@")
+    /usr/bin/python3 "$here/measure-quality.py" --table "$build/quality.csv" "$@")
 else
   echo "missing: the filters cannot be built ($build/filters.log); rerun is not measured"
 fi

@@ -7,7 +7,8 @@ Takes the surfaces given, and the real ones of Debian's packages libcgal-demo an
 goes through the command line, and raw to the peers: TetGen (-p), on the resolved surface too, vtkDelaunay3D with
 vtkSelectEnclosedPoints, gmsh, Netgen, and fTetWild if FloatTetwild_bin is there; each in a process of its own, with a limit
 of processor time and memory. A
-model of the thesis, by its name and size, has the thesis's row beneath. Writes table.md, table.csv and peers.csv.
+model of the thesis, by its name and size, has the thesis's row beneath. Writes table.csv and
+peers.csv, and prints the summary of README.md.
 
 An answer is right where its cells are positive and fit together, exactly, and its volume is ours to a hundredth. It keeps the
 facets where as many places on them as in ours lie on faces of cells. The farthest of those that ours keeps tells, in
@@ -216,13 +217,9 @@ def triangles_as_they_come(path: str) -> insideout.TriangleSurface:
 # What is written
 
 
-def table(header: list[str], lines: list[list[str]]) -> list[str]:
-    return ["| " + " | ".join(line) + " |" for line in (header, ["---"] * len(header), *lines)]
-
-
 def overview(rows: list[Row]) -> list[list[str]]:
     """What each mesher did with all surfaces."""
-    lines = []
+    lines = [["mesher", "answers", "right", "and keeps facets", "seconds, median", "farthest, median"], ["---"] * 6]
     meshed = [row for row in rows if row.verdicts]
     for name in dict.fromkeys(name for row in meshed for name in row.verdicts):
         made = [row.verdicts[name] for row in meshed if name in row.verdicts]
@@ -236,17 +233,12 @@ def overview(rows: list[Row]) -> list[list[str]]:
 
 
 def write(rows: list[Row], folder: Path) -> None:
-    header = ["model", *COLUMNS, "rung", ""]
     both = [line for row in rows for line in (row.cells(), thesis_row(row.name, row.figures.get("Facets", 0))) if line]
-    escaped = [column.replace("|", "\\|") for column in header]
-    peers = table(["mesher", "answers", "right", "and keeps facets", "seconds, median", "farthest, median"], overview(rows))
-    text = ["Seconds; |E| counts the cells inside.", "", *table(escaped, both), "", "Right are sound cells with a volume like ours:", "", *peers, ""]
-    (folder / "table.md").write_text("\n".join(text))
     with (folder / "table.csv").open("w", newline="") as file:
-        csv.writer(file).writerows([[*header[:-1], "trouble"], *both])
+        csv.writer(file, lineterminator="\n").writerows([["model", *COLUMNS, "rung", "trouble"], *both])
     with (folder / "peers.csv").open("w", newline="") as file:
         lines = [[row.name, name, *vars(made).values()] for row in rows for name, made in row.verdicts.items()]
-        csv.writer(file).writerows([["model", "mesher", *vars(Verdict())], *lines])
+        csv.writer(file, lineterminator="\n").writerows([["model", "mesher", *vars(Verdict())], *lines])
 
 
 def main(options: argparse.Namespace) -> None:
@@ -267,7 +259,8 @@ def main(options: argparse.Namespace) -> None:
             right = [name for name, made in rows[-1].verdicts.items() if made.is_right]
             print(f"{k} of {len(surfaces)}: {rows[-1].name}: {rows[-1].trouble or 'right: ' + ', '.join(right)}", flush=True)
             write(rows, folder)
-    print(f"written to {folder}: table.md, table.csv and peers.csv")
+    print("\n".join("| " + " | ".join(line) + " |" for line in overview(rows)))
+    print(f"written to {folder}: table.csv and peers.csv")
 
 
 def is_large(path: str) -> bool:
