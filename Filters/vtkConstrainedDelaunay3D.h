@@ -15,14 +15,16 @@
  * tetrahedra of the points alone. Warnings say which way gave the mesh and why the others did not;
  * GetRungName of the statistic Rung names the way.
  *
- * Output: positively oriented vtkTetra with two cell arrays of four components, one for each face
- * in VTK's order: FacetIds (vtkIdType: the input cell that the face lies on, -1 for none; of
- * several one whose normal leaves the cell, else the lowest) and FacetMultiplicity (short: by how
- * much the winding number rises when entering the cell there). Points carry vtkOriginalPointIds (-1
- * for Steiner points) and the input's point data: interpolated on facets, NaN (0 for integers) in
- * the volume. Field data: Statistics with StatisticsNames (Rung, HullPoints, HullCells,
- * SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT), and LostCellIds (vtkIdType): the
- * input cells of facets that are lost, empty where none is.
+ * Output: positively oriented vtkTetra, with the input's point data: interpolated on facets, NaN
+ * (0 for integers) in the volume. Arrays of four components have one for each face in VTK's order.
+ * - FacetIds (vtkIdType, cells, 4 components): the input cell that the face lies on, -1 for none;
+ *   of several one whose normal leaves the cell, else the lowest
+ * - FacetMultiplicity (short, cells, 4 components): by how much the winding number rises when
+ *   entering the cell there
+ * - vtkOriginalPointIds (vtkIdType, points): the input's point, -1 for a Steiner point
+ * - LostCellIds (vtkIdType, field data): input cells of facets that the mesh does not follow
+ * - Statistics, StatisticsNames (double and string, field data): figures and their names: Rung,
+ *   HullPoints, HullCells, SteinerPoints, SurfaceSteinerPoints, LostFacets, SecondsCDT
  *
  * Errors, with an empty output: facets that cross, points not finite or ids out of range; lines,
  * and polygons in one plane, which are for vtkRobustTriangulate.

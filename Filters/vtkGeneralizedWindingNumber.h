@@ -9,10 +9,12 @@
  * closed surface w is an exact integer in every cell; holes make it a fraction that fades
  * smoothly.
  *
- * Output: as of vtkConstrainedDelaunay3D, and the cell array w (double). Field data: Statistics,
- * named by StatisticsNames, among them what was wrong with the surface and the seconds of each
- * stage, LeftOutCellIds (see vtkResolveSelfIntersections), LostCellIds (see
- * vtkConstrainedDelaunay3D) and TurnedCellIds: input cells that the orientation turned over.
+ * Output: that of vtkConstrainedDelaunay3D with its arrays, LeftOutCellIds of
+ * vtkResolveSelfIntersections, statistics of the surface's defects and the seconds of each stage,
+ * and
+ * - w (double, cells): the winding number: an integer where the surface is closed, a fraction near
+ *   holes
+ * - TurnedCellIds (vtkIdType, field data): input cells that the orientation turned over
  *
  * Statistics of the orientation: Shells (sets of facets that face one way together), of these
  * ClosedShells, HoledShells, SheetShells (which enclose nothing, and count only if they seal off

@@ -9,10 +9,12 @@
  * inside as far as w is large, and neighbours with nearly equal w want the same label. The
  * result is a global minimum, of several the one with the fewest cells inside.
  *
- * Output: the input's cells with their data and the cell array Inside (unsigned char, 1 or 0), or
- * with ExtractInside, the default, only the cells inside. Field data: Statistics (named by
- * StatisticsNames) of InsideCells, Energy and SecondsCut. On tetrahedra also: EnergyOfCut, before
- * the constraints; ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells
+ * Output: the input's cells with their data, or with ExtractInside, the default, only the cells
+ * inside.
+ * - Inside (unsigned char, cells): 1 inside, 0 outside
+ *
+ * Statistics: InsideCells, Energy and SecondsCut. On tetrahedra also: EnergyOfCut, before the
+ * constraints; ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells
  * (labelled inside for a constraint), ChangedCells (changed by all constraints), UnsatisfiedFacets
  * (pieces that seeds keep outside, or of dropped regions), NonManifoldPoints (that remain),
  * SeedConflicts; DroppedRegions, DroppedVolume, FilledCavities, FilledVolume, JoinedRegions (paths

@@ -11,13 +11,19 @@
  * in vtkSelectEnclosedPoints, depends on the ray. It takes that filter's place: SetSurfaceData,
  * SetSurfaceConnection, InsideOut, IsInside and IsInsideSurface are the same.
  *
- * Output: the input with all its data, and w (double) and Inside (unsigned char, 1 where w is above
- * Threshold, else 0) on its points or cells; with Distance also Distance (double), and with
- * ClosestPoints also ClosestPoint (double, 3 components) and ClosestCellId (vtkIdType). On the
- * surface itself w is the mean of its values around the point, weighted by solid angle: on a
- * polygon of a closed surface the mean of both sides, a half. Images and rectilinear grids are the
- * fastest, for their rows are asked as a whole: an image of 300 by 300 by 300 points takes a
- * second. Distance gives how far the surface is, too.
+ * Output: the input with all its data, and these arrays on its points or cells:
+ * - w (double, points or cells): the winding number; on the surface itself the mean of its values
+ *   around the point, weighted by solid angle: on a polygon of a closed surface the mean of both
+ *   sides, a half
+ * - Inside (unsigned char, points or cells): 1 where w is above Threshold, else 0
+ * - Distance (double, points or cells): with Distance, how far the nearest polygon is; negative
+ *   inside
+ * - ClosestPoint (double, points or cells, 3 components): with ClosestPoints, the nearest point on
+ *   the surface
+ * - ClosestCellId (vtkIdType, points or cells): with ClosestPoints, the cell of that point
+ *
+ * Images and rectilinear grids are the fastest, for their rows are asked as a whole: an image of
+ * 300 by 300 by 300 points takes a second.
  *
  * What is inside out is turned over (see Orientation), and duplicates, two-sided parts and
  * degenerate polygons count, as in vtkGeneralizedWindingNumber: both give the same answer. A point

@@ -9,13 +9,16 @@
  * until a check with exact predicates finds nothing. Points of the input keep their coordinates
  * to the last bit.
  *
- * Output: points are double, with vtkOriginalPointIds (input point, -1 for a new one). Cells carry
- * vtkOriginalCellIds (the input cell, the lowest of several) and FacetMultiplicity (short: how
- * often the input covers the facet along its own orientation, signed; 0 where it cancels). The
- * input's point data are interpolated at new points, its cell data are copied. Field data:
- * Statistics, named by StatisticsNames; LeftOutCellIds, the input cells of facets that still cross
- * others after the last round of rounding and are left out (a warning says so; hardly any model has
- * one).
+ * Output: points are double. The input's point data are interpolated at new points, its cell data
+ * are copied.
+ * - vtkOriginalPointIds (vtkIdType, points): the input's point, -1 for a new one
+ * - vtkOriginalCellIds (vtkIdType, cells): the input's cell, the lowest of several
+ * - FacetMultiplicity (short, cells): how often the input covers the facet along its own
+ *   orientation, signed; 0 where it cancels
+ * - LeftOutCellIds (vtkIdType, field data): the input cells of facets that still cross others
+ *   after the last round of rounding and are left out (a warning says so; hardly any model has
+ *   one)
+ * - Statistics, StatisticsNames (double and string, field data): figures and their names
  *
  * Lines and vertices beside polygons are ignored with a warning, degenerate polygons are left out
  * and counted. Errors, with an empty output: a point that is not finite, a cell with a point out of

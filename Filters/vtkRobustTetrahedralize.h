@@ -10,46 +10,52 @@
  * of the hull, with its exact coordinates. Lines, and polygons in one plane, are errors: they are
  * for vtkRobustTriangulate.
  *
- * Output 0, the solid: vtkTetra with the cell arrays w, Inside, FacetIds and FacetMultiplicity (see
- * vtkConstrainedDelaunay3D) and RegionId, and with field data Statistics (named by
- * StatisticsNames), LeftOutCellIds (see vtkResolveSelfIntersections), LostCellIds (see
- * vtkConstrainedDelaunay3D), TurnedCellIds and what each region weighs. Output 1, its boundary:
- * triangles, oriented outward and watertight, with vtkOriginalCellIds (the input cell each lies on,
- * -1 where a hole was closed), Turned (1 where that was turned over, see Orientation) and
- * BoundaryTag. Output 2, the outliers: the pieces of input facets that are no face of a cell
- * inside, with the cell array OutlierReason (unsigned char, see OutlierReasonType; their names are
- * the field array OutlierReasonNames). All carry the input's point data and vtkOriginalPointIds,
- * the surfaces its cell data. Normals and texture coordinates stay active. Output 3, made with
- * GenerateHull: all cells of the convex hull, with the arrays of output 0 as they were before
- * NonManifold Split, SeparateOverlaps and Refine.
+ * Output 0, the solid: vtkTetra with Inside, the arrays of vtkGeneralizedWindingNumber and
+ * - RegionId (int, cells): part that faces connect, or body, from 0 by its first cell; -1 outside
+ * - RegionVolume, RegionCenterOfMass, RegionInertia (double, field data): mass of each region,
+ *   density 1; inertia XX, YY, ZZ, XY, YZ, XZ about its own center
+ *
+ * Output 1, its boundary: triangles, oriented outward and watertight.
+ * - vtkOriginalCellIds (vtkIdType, cells): the input's cell, -1 where a hole was closed
+ * - Turned (unsigned char, cells): 1 where that cell was turned over, see Orientation
+ * - BoundaryTag (int, cells): that cell's group, material, solid, block or value of TagArrayName
+ * - BoundaryTagNames (string, field data): the names of these tags
+ *
+ * Output 2, the outliers: the pieces of input facets that are no face of a cell inside.
+ * - OutlierReason (unsigned char, cells): 0 segmented as outside, 1 lost by the mesh, 2 left out
+ *   by the resolver, 3 degenerate
+ * - OutlierReasonNames (string, field data): these reasons in words
+ *
+ * Output 3, made with GenerateHull: all cells of the convex hull, as they were before NonManifold
+ * Split, SeparateOverlaps and Refine. All outputs carry the input's point data and
+ * vtkOriginalPointIds, the surfaces its cell data. Normals and texture coordinates stay active.
  *
  * The options of the surface and its winding number belong to the filter that GetWindingNumber()
  * hands out, those of the cut to GetSegmentation(), those of the refinement to GetRefinement(). A
  * change there is a change of this filter, which has methods for those that most users set, too.
  *
- * RegionId (int, -1 outside) numbers the parts of the solid that faces connect, from 0 by their
- * first cell. The field arrays RegionVolume, RegionCenterOfMass (3 components) and RegionInertia
- * (6: XX, YY, ZZ, XY, YZ, XZ, about the region's own center) have a tuple for each.
- *
- * BoundaryTag (int, from 0) is what the input says of the cell that a triangle of the boundary lies
- * on: its group, material, solid or block, or what TagArrayName chooses; BoundaryTagNames
- * (vtkStringArray) in the field data names each. A surface that says nothing has one tag, surface.
- * Triangles that close a hole have the last tag, hole (hole_2 where the input has such a name).
- * Slabs, and the rims around them, have the tag of their sheet's facet (see Thicken).
+ * A surface without tags has one tag, surface. Triangles that close a hole have the last tag, hole
+ * (hole_2 where the input has it). Slabs and their rims have the tag of their sheet's facet.
  *
  * Several bodies become one mesh where BodyArrayName or BlocksAreBodies says which facets are
  * whose. Each body is oriented, has its winding number and is cut as if it were alone; all are
- * resolved together. Cells inside any body are the solid, and w is the sum over the bodies. Added
- * are the cell arrays BodyW (double) and InBody (unsigned char), with a component for each body, of
- * its name; and the field arrays BodyNames, BodyVolume (of each body alone, before refinement),
- * RegionNames (the bodies of each region, joined by "+") and RegionBodies (a tuple for each region,
- * a component for each body). RegionId follows from RegionRule. Output 1 is the boundary of all
- * and, behind that, the interfaces between regions, each triangle once, with RegionIds (int, 2
- * components): the regions behind and before it, -1 for outside. BoundaryTag is by both, as in
- * "bone|fat" and "fat|outside", unless TagArrayName says what lies outside. Facets that no cell of
- * their own bodies touches are outliers. The seeds' point array Body (a string or a number) names
- * their body; seeds outside may name none. LargestRegions and Topology hold for each body alone.
- * MergeCoplanarPieces, SplitSeams, SeparateOverlaps and NONMANIFOLD_SPLIT are errors.
+ * resolved together. Cells inside any body are the solid, and w is the sum over the bodies. Output
+ * 1 is the boundary of all and, behind that, the interfaces between regions, each triangle once.
+ * Tags are by both sides, as in "bone|fat" and "fat|outside", unless TagArrayName says what lies
+ * outside. RegionId follows from RegionRule.
+ * - BodyW, InBody (double and unsigned char, cells): winding number, and 1 inside, in a component
+ *   for each body, of its name
+ * - BodyNames, BodyVolume (string and double, field data): each body's name; volume of it alone,
+ *   before refinement
+ * - RegionNames, RegionBodies (string and unsigned char, field data): bodies of each region,
+ *   joined by "+"; a component for each body
+ * - RegionIds (int, cells of output 1, 2 components): regions behind and before it, -1 for outside
+ * - BodyIds (int, cells of outputs 1 and 2): with BlocksAreBodies, the block
+ *
+ * Facets that no cell of their own bodies touches are outliers. The seeds' point array Body (a
+ * string or a number) names their body; seeds outside may name none. LargestRegions and Topology
+ * hold for each body. MergeCoplanarPieces, SplitSeams, SeparateOverlaps and NONMANIFOLD_SPLIT are
+ * errors.
  *
  * The filter keeps the hull of its input: a change of the segmentation, its seeds or the refinement
  * does not mesh again. ReleaseDataFlagOn() saves that memory.

@@ -16,14 +16,15 @@
  * BoundaryTag. Output 2, the outliers: polylines that are no edge of a triangle inside, with
  * OutlierReason (see vtkRobustTetrahedralize). Outputs 3 and 4 are made with GenerateHull: all
  * triangles of the convex hull, with w, Inside and RegionId; and the input as polylines that meet
- * in shared points only, with FacetMultiplicity as Orientation has it. All carry the input's
- * point data and vtkOriginalPointIds, the lines its cell data.
+ * in shared points only, with FacetMultiplicity as Orientation has it. All carry the input's point
+ * data and vtkOriginalPointIds, the lines its cell data.
  *
- * Field data of output 0: Statistics, named by StatisticsNames, LeftOutCellIds, TurnedCellIds, and
- * RegionArea and RegionCenterOfMass (3 components) of each region. Statistics are those of
- * vtkRobustTetrahedralize, with Area instead of Volume. With Refine they are also AddedPoints,
- * SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the angles of the
- * triangles before, which begin with Before.
+ * Field data of output 0: LeftOutCellIds, TurnedCellIds, and
+ * - RegionArea, RegionCenterOfMass (double, field data): area and center of each region, density 1
+ *
+ * Statistics are those of vtkRobustTetrahedralize, with Area instead of Volume. With Refine they
+ * are also AddedPoints, SurfacePoints, RefinedCells, MinAngle, Angle1Percent and MaxAngle, and the
+ * angles of the triangles before, which begin with Before.
  *
  * The options of the cut and of the refinement belong to the two filters that GetSegmentation()
  * and GetRefinement() hand out; a change there is a change of this filter. The filter keeps the

@@ -19,9 +19,10 @@
  * - Orientation (signed char): 1 where its volume is positive, 0 where it is flat, -1 where it is
  *   negative
  *
- * Field data Statistics, named by StatisticsNames: - Cells; Regions, the parts that are joined
- * through faces; NegativeCells, FlatCells - BoundaryFaces, of one cell; CrowdedFaces, of more than
- * two; OverlappingFaces, whose two cells
+ * Statistics:
+ *
+ * - Cells; Regions, the parts that are joined through faces; NegativeCells, FlatCells
+ * - BoundaryFaces, of one cell; CrowdedFaces, of more than two; OverlappingFaces, whose two cells
  *   lie on the same side; ContactPairs, pairs of boundary faces that meet beyond the points and
  *   edges that they share, as where a point lies in the middle of another cell's face
  * - Conforms: 1 without crowded or overlapping faces and contacts; the boundary is watertight then
@@ -40,8 +41,8 @@
  *   SolidEulerCharacteristic, BoundaryComponents and so on, and Genus, as vtkRobustTetrahedralize
  *   has them
  *
- * The field array DihedralAngleHistogram (vtkIdType, 36 values) says how many angles are in each 5
- * degrees.
+ * - DihedralAngleHistogram (vtkIdType, field data, 36 values): how many angles are in each 5
+ *   degrees
  *
  * A point that is not finite, a cell with a point out of range or one twice, and a volume that is
  * no tetrahedron are errors that name them; the output is then empty.

@@ -13,8 +13,9 @@
  * - ComponentId (int): components of facets joined through edges, numbered from 0 by first cell; -1
  *   for cells with no area
  * - ShellId (int): shells, sets of facets that face one way together, from 0; -1 for cells that
- *   count nothing. The field array ShellVolumes has what each encloses once it is turned as the
- *   orientation asks, holes capped: negative for a cavity, 0 for a sheet
+ *   count nothing
+ * - ShellVolumes (double, field data): the volume that each shell encloses once it is turned as
+ *   the orientation asks, holes capped: negative for a cavity, 0 for a sheet
  * - SelfIntersections (int): how many facets it meets beyond shared corners and edges
  * - Degenerate (unsigned char): 1 where a triangle has no area
  * - Duplicate (unsigned char): 1 where an earlier triangle has the same three points

@@ -8,13 +8,14 @@
  * trusted: an id out of range, a count that the file does not hold, or a truncated file is an error
  * that names the line or the element, and the output is empty.
  *
- * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors, GroupIds
- * (OBJ's objects and groups, or the solids of an STL file that has several) and MaterialIds, and
- * any other property of a PLY file under its own name. The field arrays GroupNames and
- * MaterialNames (vtkStringArray) have the name for each such id. An OBJ group is called by its
- * object where that tells all apart, else by its own name where that does, else OBJECT/GROUP.
- * Points stand in the file's order; where an OBJ file gives a point several normals or texture
- * coordinates, copies follow behind the last.
+ * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors, and any
+ * other property of a PLY file under its own name. Points stand in the file's order; where an OBJ
+ * file gives a point several normals or texture coordinates, copies follow behind the last.
+ * - GroupIds, MaterialIds (int, cells): OBJ's objects and groups, or the solids of an STL file
+ *   that has several; OBJ's materials
+ * - GroupNames, MaterialNames (string, field data): the name for each such id. An OBJ group is
+ *   called by its object where that tells all apart, else by its own name where that does, else
+ *   OBJECT/GROUP
  *
  * @sa vtkRobustTetrahedralize
  *

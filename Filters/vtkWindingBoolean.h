@@ -20,12 +20,14 @@
  * how), and the cells where the expression holds are the result.
  *
  * Output 0 is the surface: watertight, oriented outward, its triangles meet in shared points and
- * edges only. Cells carry BodyId (int: the body that the triangle is a piece of, of several the
- * lowest that faces outward there; -1 where a hole was closed), vtkOriginalCellIds (the cell of
- * that body's input; -1 likewise) and Turned (unsigned char, 1 where the orientation turned the
- * input's cell over; what a difference cuts out is not counted). Points carry BodyId and
- * vtkOriginalPointIds (-1 for a new one). Field data: Statistics, named by StatisticsNames;
- * BodyNames, by BodyId.
+ * edges only.
+ * - BodyId (int, cells and points): the body that a triangle is a piece of, from 0; of several the
+ *   lowest that faces outward there; -1 where a hole was closed, and for a new point
+ * - BodyNames (string, field data): the names by BodyId
+ * - vtkOriginalCellIds, vtkOriginalPointIds (vtkIdType, cells and points): the cell or point of
+ *   that body's input; -1 likewise
+ * - Turned (unsigned char, cells): 1 where the orientation turned the input's cell over; what a
+ *   difference cuts out is not counted
  *
  * Point and cell data of all inputs are passed on: an array that a body has not is NaN there, 0 in
  * arrays of integers. Arrays of one name that are of strings and numbers, or have different numbers

@@ -101,10 +101,10 @@ install(FILES
   ${CMAKE_BINARY_DIR}/${INSIDEOUT_CMAKE_DESTINATION}/InsideOutConfigVersion.cmake
   DESTINATION ${INSIDEOUT_CMAKE_DESTINATION})
 
-# The page of all options.
-set(reference ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DOCDIR}/Options.md)
+# The reference of classes, options and arrays.
+set(reference_folder ${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_DOCDIR})
+set(reference ${reference_folder}/Reference.md ${reference_folder}/Reference.html)
 file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/Filters/vtk*.h)
-get_filename_component(reference_folder ${reference} DIRECTORY)
 file(MAKE_DIRECTORY ${reference_folder})
 add_custom_command(
   OUTPUT  ${reference}

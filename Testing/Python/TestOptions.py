@@ -304,12 +304,27 @@ class Headers(unittest.TestCase):
             self.assertLessEqual(forwarded, stages | NOT_BY_MACROS, class_name)
 
     def test_the_page_has_each_of_them_in_a_row(self):
-        text = (Path(insideout.__file__).parents[4] / "share/doc/InsideOut/Options.md").read_text(encoding="utf-8")
+        text = (Path(insideout.__file__).parents[4] / "share/doc/InsideOut/Reference.md").read_text(encoding="utf-8")
         sections = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL))
         for class_name in CLASSES:
             declared = DECLARED.options_of(ROOT / f"Filters/{class_name}.h")
             rows = re.findall(r"^\| `(\w+)` \| .* \|$", sections.get(class_name, ""), re.MULTILINE)
             self.assertEqual(rows, list(declared), class_name)
+
+    def test_the_page_describes_each_array_of_the_outputs(self):
+        text = (Path(insideout.__file__).parents[4] / "share/doc/InsideOut/Reference.md").read_text(encoding="utf-8")
+        described: dict[str, set[str]] = {}
+        for names, kinds in re.findall(r"^\| (`\w+`(?:, `\w+`)*) \| ([^|]*) \| \[", text, re.MULTILINE):
+            for name in re.findall(r"\w+", names):
+                described.setdefault(name, set()).update(re.findall(r"\b(?:int|short|double|string|(?:un)?signed char|vtkIdType)\b", kinds))
+        names = {"idtype": "vtkIdType"}
+        bodies = insideout.tetrahedralize({"a": surfaces.box(), "b": surfaces.box(low=(0.5, 0, 0))})
+        defects = insideout.check(surfaces.box())
+        for made in (bodies.solid, bodies.boundary, bodies.outliers, bodies.hull, defects.surface, defects.lines):
+            for data in (made.GetPointData(), made.GetCellData(), made.GetFieldData()):
+                for array in (data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())):
+                    kind = names.get(array.GetDataTypeAsString(), array.GetDataTypeAsString())
+                    self.assertIn(kind, described.get(array.GetName(), ()), array.GetName())
 
     def test_the_readme_tells_of_those_that_are_something_else(self):
         parsed = arguments.parse(["broken.ply", "solid.vtu", "--hull", "hull.vtu", "--constrained-array", "Some"])[0]
