@@ -21,7 +21,7 @@ constexpr double LeastSquaredRadius = 1e-180;
 // How well it is known from where on a part is far: 2^-10 of it.
 constexpr int Halvings = 10;
 
-constexpr int Terms = 3;
+constexpr int Terms = 3; // all that FarField has
 
 /** What the first three terms leave out of points within `radius` of a centre, at `distance` from
  * it, by the sum of their areas over squared distances. */

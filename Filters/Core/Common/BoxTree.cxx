@@ -11,6 +11,7 @@ namespace insideout
 {
 namespace
 {
+/** Speed alone: 4 to 32 boxes take equally long. */
 constexpr Id LeafSize = 4;
 
 /** Subtrees that one thread each builds. The levels above them are built one after the other. */

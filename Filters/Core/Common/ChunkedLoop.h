@@ -20,7 +20,7 @@ template <class Body>
 void ChunkedLoop(
   Id count, double cost, Monitor& monitor, const ProgressRange& progress, const Body& body)
 {
-  const double nanosecondsPerChunk = 1e8;
+  const double nanosecondsPerChunk = 1e8; // the monitor is asked ten times a second
   const Id perChunk =
     static_cast<Id>(std::min(std::max(nanosecondsPerChunk / std::max(cost, 1.0), 16.0), 1e9));
   for (std::int64_t first = 0; first < count; first += perChunk)

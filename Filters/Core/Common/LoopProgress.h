@@ -12,7 +12,7 @@ namespace insideout
 class LoopProgress
 {
 public:
-  static constexpr std::size_t TurnsPerCheck = 4096;
+  static constexpr std::size_t TurnsPerCheck = 4096; ///< ten questions a second, or more
 
   /** @param[in] turns how many there will be; a guess will do */
   LoopProgress(Monitor& monitor, const ProgressRange& range, std::size_t turns)

@@ -35,7 +35,7 @@ PowerOfTwo::PowerOfTwo(int exponent)
 
 bool IsNear(const Point& scaled)
 {
-  constexpr double Afar = 0x1p50;
+  constexpr double Afar = 0x1p50; // in sizes of the surface: beyond, w is below 2^-90
   return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
 }
 

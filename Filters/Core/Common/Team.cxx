@@ -23,6 +23,7 @@ namespace
  * guess. */
 constexpr double NanosecondsPerThread = 250000;
 
+/** More gain nothing and take memory: 30,000 threads once stalled a machine. */
 constexpr int ThreadsPerProcessor = 4;
 const int Processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 

@@ -14,7 +14,8 @@ namespace insideout
 {
 namespace
 {
-/** Those of this library take 64 KiB of a thread, and all others far less. */
+/** Those of this library take 64 KiB of a thread, and all others far less.
+ * Without them allocated early the program would end where memory does. */
 constexpr std::size_t BytesOfThreadLocals = std::size_t(128) << 10;
 
 thread_local volatile bool IsOfThisLibrary = false;

@@ -15,6 +15,7 @@ namespace insideout
 {
 namespace
 {
+/** Independent estimates, whose differences give the standard error. */
 constexpr int Grids = 8;
 
 /** Student's t of 99 %, two-sided, for Grids - 1 degrees of freedom. The bounds hold in 95 % of
@@ -26,7 +27,7 @@ constexpr double StudentsT = 3.499;
 constexpr double PlacesMissed = 3;
 
 /** Strata along each axis: more for more facets, fewer for more open edges, whose number is the
- * cost of w at a point. */
+ * cost of w at a point. A usual surface has 33,000 to 262,000 points, of 1 us each. */
 constexpr double LeastStrata = 8;
 constexpr double UsualStrata = 16;
 constexpr double MostStrata = 32;

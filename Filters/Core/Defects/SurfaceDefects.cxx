@@ -17,7 +17,8 @@ namespace insideout
 {
 namespace
 {
-/** Points nearer than this fraction of the surface's size are hardly meant to be two. */
+/** Points nearer than this fraction of the surface's size are hardly meant to be two: it is some
+ * ten spacings of floats. */
 constexpr double NearFraction = 1e-6;
 
 using Segments = std::vector<std::array<Id, 2>>;

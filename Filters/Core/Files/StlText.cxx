@@ -320,8 +320,8 @@ private:
 
 bool LooksLikeText(const FileContent& file)
 {
-  constexpr std::uint64_t looked = 1024;
-  constexpr char endOfFile = '\x1a'; // that of old systems
+  constexpr std::uint64_t looked = 1024; // binary files titled "solid" have other bytes there
+  constexpr char endOfFile = '\x1a';     // that of old systems
   const char* const end = file.Begin() + std::min<std::uint64_t>(file.Size, looked);
   return std::none_of(file.Begin(), end,
     [](char c)

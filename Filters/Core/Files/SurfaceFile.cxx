@@ -155,7 +155,7 @@ PolygonSurface ReadCompressedOrNot(
   const bool isCalledSo = EqualsIgnoringCase(path.extension().string(), ".gz");
   if (isCompressed)
   {
-    constexpr double shareOfMachine = 0.75;
+    constexpr double shareOfMachine = 0.75; // that a small file may ask for
     file = Gunzip(file, shareOfMachine * MachineMemory(), monitor);
     CheckNotEmpty(file);
   }

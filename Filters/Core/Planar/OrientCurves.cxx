@@ -17,7 +17,8 @@ namespace insideout
 {
 namespace
 {
-/** A chain whose gap is a larger part of its length than this is a sheet. */
+/** A chain whose gap is a larger part of its length than this is a sheet. Half a circle has
+ * 0.64, and encloses nothing in particular. */
 constexpr double LargestGap = 0.5;
 
 /** Segments joined through points where exactly two meet, and which of them run against the first.

@@ -14,7 +14,8 @@ namespace insideout
 {
 namespace
 {
-/** A facet tells its plane if it is at least this many times as high as layers are thick. */
+/** A facet tells its plane if it is at least this many times as high as layers are thick: snapping
+ * then tilts it by less than 1/100. */
 constexpr double LeastHeight = 256;
 
 /** Facets of a group are this much along the axis that they are seen along: cosine of the angle. */

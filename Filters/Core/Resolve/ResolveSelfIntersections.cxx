@@ -25,7 +25,8 @@ namespace insideout
 {
 namespace
 {
-/** Rounds after which what still crosses is left out. Most real models take one to three. */
+/** Rounds after which what still crosses is left out. Most real models take one to three. With
+ * SnappingRadius it bounds how far points move, by 1e-12 of the largest coordinate. */
 constexpr int MaximumRounds = 10;
 
 /** Rounds without fewer crossings than ever before, after which no more are tried. */

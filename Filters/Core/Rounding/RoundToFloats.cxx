@@ -25,10 +25,10 @@ namespace insideout
 {
 namespace
 {
-/** What Defects/SurfaceDefects counts as near. */
+/** What Defects/SurfaceDefects counts as near: some ten spacings of floats. */
 constexpr double NearFraction = 1e-6;
 
-/** How far points may go, in these units. */
+/** How far points may go, in these units; a contraction goes by 1 at most. */
 constexpr double Reach = 2.0;
 
 /** A pass over all that crosses helps the next one; few are needed. */

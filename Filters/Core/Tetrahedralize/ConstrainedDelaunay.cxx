@@ -98,6 +98,8 @@ bool IsFailureOfARung(const Error& error)
 TetrahedralizerBudget BudgetOfARung(
   const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters)
 {
+  // Many times TetGen's usual processor time, and five times its usual memory: against endless
+  // runs.
   constexpr double MinimumSeconds = 4;
   constexpr double SecondsPerElement = 3e-4;
   constexpr double MinimumMebibytes = 1024;

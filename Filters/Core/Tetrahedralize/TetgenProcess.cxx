@@ -30,6 +30,7 @@ namespace
 using namespace tetgenprotocol;
 using Clock = std::chrono::steady_clock;
 
+/** A stop is noticed well within a second. */
 constexpr int MillisecondsBetweenChecks = 50;
 /** How long a helper that closed its output may take to end before it is killed. */
 constexpr std::chrono::seconds GraceToEnd(1);

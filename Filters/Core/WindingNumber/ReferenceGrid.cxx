@@ -16,7 +16,8 @@ namespace
 {
 constexpr double NanosecondsPerFacet = 60; // in each of two passes, of a few cubes each
 
-// About so many cubes, and entries of facets in cubes, there are at most per facet.
+// Cubes, and entries of facets in cubes, per facet: more take longer to build, fewer to query.
+// MostEntries fits counts of 32 bits.
 constexpr double CubesPerFacet = 2;
 constexpr double EntriesPerFacet = 8;
 constexpr double MostCubesPerAxis = 1024;

@@ -14,7 +14,7 @@ namespace insideout
 namespace
 {
 constexpr double NanosecondsPerPlace = 7;
-constexpr int BitsPerAxis = 10;
+constexpr int BitsPerAxis = 10; // of three axes in 32 bits
 constexpr std::uint32_t CellsPerAxis = 1u << BitsPerAxis;
 
 /** Spread 10 bits out to every third. */

@@ -24,7 +24,7 @@ struct WindingNumberParameters
 {
   WindingNumberMethod Method = WindingNumberMethod::Exact;
   int ApproximationOrder = 2; ///< 1 to 3, of Approximate
-  double Accuracy = 2;        ///< at least 1, of Approximate: how many radii away is far
+  double Accuracy = 2; ///< at least 1, of Approximate: radii away that are far (Barill et al.)
 };
 
 /**
