@@ -3,15 +3,15 @@
  * @class   vtkConstrainedDelaunay3D
  * @brief   tetrahedra of the convex hull of a surface that respect each of its facets
  *
- * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills
- * its convex hull with tetrahedra so that every facet is a union of their faces and every vertex
- * one of their points. Steiner points are added only where there is no other way. Flips and cuts
- * decided by exact predicates do the work in this process. Should they lose a facet, or as Engine
- * says, TetGen does it in a program of its own, insideout-tetgen, so that nothing it does can take
- * the host down; the environment variable INSIDEOUT_TETGEN names another place for that program.
+ * Takes a surface whose facets do not cross (vtkResolveSelfIntersections makes one) and fills its
+ * convex hull with tetrahedra. Every facet is a union of their faces, every vertex one of their
+ * points. Steiner points are added only where there is no other way. Flips and cuts decided by
+ * exact predicates do the work in this process. Should they lose a facet, or as Engine says, TetGen
+ * does it in a program of its own, insideout-tetgen, so that nothing it does can take the host
+ * down; the environment variable INSIDEOUT_TETGEN names another place for that program.
  *
- * What comes back is checked with exact predicates. Where no way keeps every facet, for facets
- * cross or the budgets are used up, the mesh that loses fewest is taken, if need be the Delaunay
+ * The result is checked with exact predicates. If facets cross or the budgets are used up, no way
+ * may keep every facet. Then the mesh that loses fewest is taken, if need be the Delaunay
  * tetrahedra of the points alone. Warnings say which way gave the mesh and why the others did not;
  * GetRungName of the statistic Rung names the way.
  *

@@ -3,7 +3,7 @@
  * @class   vtkGeneralizedWindingNumber
  * @brief   the winding number of a surface in tetrahedra of its convex hull
  *
- * Takes any triangle or polygon surface, however broken, resolves its self-intersections,
+ * Takes any triangle or polygon surface, however broken. Resolves its self-intersections,
  * tetrahedralizes its convex hull and computes in each cell the generalized winding number w of
  * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around the cell. On a
  * closed surface w is an exact integer in every cell; holes make it a fraction that fades

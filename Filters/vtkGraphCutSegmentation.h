@@ -4,10 +4,10 @@
  * @brief   labels the cells of a grid inside or outside by their winding numbers
  *
  * Takes a conforming grid (cells of one dimension, 2 or 3, that meet in whole faces) with a cell
- * array w of one component and finds the labelling that minimizes the energy of Jacobson, Kavan
- * and Sorkine-Hornung (2013), equations 8.8 to 8.10, as a minimum cut: each cell wants to be
- * inside as far as w is large, and neighbours with nearly equal w want the same label. The
- * result is a global minimum, of several the one with the fewest cells inside.
+ * array w of one component. Finds the labelling of least energy (Jacobson, Kavan and
+ * Sorkine-Hornung 2013, equations 8.8 to 8.10) by a minimum cut: each cell wants to be inside as
+ * far as w is large, and neighbours with nearly equal w want the same label. The result is a global
+ * minimum, of several the one with the fewest cells inside.
  *
  * Output: the input's cells with their data, or with ExtractInside, the default, only the cells
  * inside.
@@ -15,7 +15,7 @@
  *
  * Statistics: InsideCells, Energy and SecondsCut. On tetrahedra also: EnergyOfCut, before the
  * constraints; ForcedFacets (pieces of facets that a cell was labelled inside for), ForcedCells
- * (labelled inside for a constraint), ChangedCells (changed by all constraints), UnsatisfiedFacets
+ * (labelled inside for a constraint), ChangedCells (changed by all constraints); UnsatisfiedFacets
  * (pieces that seeds keep outside, or of dropped regions), NonManifoldPoints (that remain),
  * SeedConflicts; DroppedRegions, DroppedVolume, FilledCavities, FilledVolume, JoinedRegions (paths
  * made between two), EnergyBeforeTopology; SplitPoints (copies by NonManifold of the kind Split)
@@ -83,7 +83,7 @@ public:
   ///@{
   /**
    * Keep every piece of every facet as a face of a cell inside, thin sheets included. Default off.
-   * What is inside is then a local minimum. Requires tetrahedra with the cell array FacetIds: faces
+   * The labels are then a local minimum. Requires tetrahedra with the cell array FacetIds: faces
    * where it is not negative are kept.
    */
   vtkSetMacro(ConstrainFacets, bool);
@@ -91,7 +91,7 @@ public:
   vtkBooleanMacro(ConstrainFacets, bool);
   ///@}
 
-  /** What becomes of the solid's boundary where it is no 2-manifold. */
+  /** Treatment of the solid's boundary where it is no 2-manifold. */
   enum NonManifoldType
   {
     NONMANIFOLD_KEEP = 0, ///< it stays so
@@ -153,7 +153,7 @@ public:
   vtkBooleanMacro(FillCavities, bool);
   ///@}
 
-  /** What the solid's topology is to be, once regions are dropped and cavities filled. */
+  /** Topology that the solid is to have, once regions are dropped and cavities filled. */
   enum TopologyType
   {
     TOPOLOGY_ANY = 0,             ///< as the segmentation has it

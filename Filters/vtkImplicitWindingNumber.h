@@ -9,7 +9,7 @@
  * vtkContourFilter and vtkExtractGeometry. The surface is neither resolved nor meshed.
  *
  * The function jumps across the surface: it is no distance. On a closed surface it is constant on
- * each side (1/2 and -1/2 where w is 0 and 1), so that a contour of its samples is only as fine as
+ * each side (1/2 and -1/2 where w is 0 and 1). So a contour of its samples is only as fine as
  * these. EvaluateGradient gives its gradient away from the surface, analytically: zero everywhere
  * on a closed surface, and a Biot-Savart integral over the open edges of an open one.
  *
@@ -21,7 +21,7 @@
  * surface, or where it cannot be used, which is an error that names the culprit, the function is
  * 1/2: everything is outside. Where x is not finite it is NaN.
  *
- * Of lines without polygons, which have to lie in one plane, it is the winding number of the curve
+ * For lines without polygons, which have to lie in one plane, it is the winding number of the curve
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *

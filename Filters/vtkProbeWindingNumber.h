@@ -3,8 +3,8 @@
  * @class   vtkProbeWindingNumber
  * @brief   the winding number of a surface at the points or cells of any data set
  *
- * Takes any data set (port 0) and any triangle or polygon surface (port 1), however broken, and
- * evaluates at each point, or at the centre of each cell, the generalized winding number w of
+ * Takes any data set (port 0) and any triangle or polygon surface (port 1), however broken.
+ * Evaluates at each point, or at the centre of each cell, the generalized winding number w of
  * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around it. The surface is
  * neither resolved nor meshed. It may cross itself, and it may be open: w is then a fraction that
  * fades smoothly near the holes, and w > 1/2 still tells inside from outside, where ray casting, as
@@ -25,12 +25,12 @@
  * Images and rectilinear grids are the fastest, for their rows are asked as a whole: an image of
  * 300 by 300 by 300 points takes a second.
  *
- * What is inside out is turned over (see Orientation), and duplicates, two-sided parts and
- * degenerate polygons count, as in vtkGeneralizedWindingNumber: both give the same answer. A point
+ * Parts that are inside out are turned over (see Orientation). Duplicates, two-sided parts and
+ * degenerate polygons count as in vtkGeneralizedWindingNumber: both give the same answer. A point
  * of the input that is not finite has w = NaN and is not inside. A point of the surface that is not
  * finite, or a cell with a point out of range, is an error that names it.
  *
- * Of lines without polygons, which have to lie in one plane, it is the winding number of the curve
+ * For lines without polygons, which have to lie in one plane, it is the winding number of the curve
  * there: 1 inside one that runs counter-clockwise seen from where the largest component of the
  * plane's normal is positive. Places above or below the plane have that of the place under them.
  *
@@ -49,13 +49,13 @@
  * others none; other options, which are of polygons, do not matter. A point of the cloud that is
  * not finite, or has a normal of length 0 or an area below 0, is an error that names it.
  *
- * Of several processes (MPI) each evaluates at its own piece of the data set, against the whole
+ * Each of several processes (MPI) evaluates at its own piece of the data set, against the whole
  * surface, and has the same w as one that does it all. Pieces of the surface (ghost cells apart)
  * are gathered in the first process, which validates and turns it as a whole. One of up to
  * FacetsAtOnce polygons is then sent to all; a larger one is cut into pieces of at most as many
- * facets, which all processes have in turn, so that but the first none holds more than a piece and
- * its own places. Lines and clouds are sent to all. Field data: the statistic SurfacePieces, how
- * many pieces there were, 1 where the surface was whole. ClosestCellId then counts the cells of all
+ * facets, which all processes have in turn. So only the first holds more than a piece and its own
+ * places. Lines and clouds are sent to all. Field data: the statistic SurfacePieces, how many
+ * pieces there were, 1 where the surface was whole. ClosestCellId then counts the cells of all
  * pieces, one after the other. Where an input fails in one process there is no output in any, and
  * an error in each says in which. Where an input is composite each process asks for the whole
  * surface instead.
@@ -203,7 +203,7 @@ public:
 
   ///@{
   /**
-   * The processes that hold pieces of the surface and work together where each is asked for its own
+   * The processes that hold pieces of the surface. They work together if each is asked for its own
    * piece of the output, as in pvserver and pvbatch, or by UpdatePiece(rank, ranks, 0). Default
    * vtkMultiProcessController's global one; none is this process alone.
    */

@@ -7,10 +7,10 @@
  * gives other tetrahedra of the same solid: points are added where edges are longer than asked for,
  * and the thin cells are improved as far as points that may move allow it. By default every
  * triangle of the boundary, and between cells of different RegionId (an optional cell array of
- * integers), stays as it is, bit by bit, and so do its points; SurfaceTreatment says what else may
- * become of them. Every cell has a positive volume, exactly, and no triangles of the boundary
- * cross; cells of the input that are turned over are turned back. The same input gives the same
- * output, on any number of threads.
+ * integers), stays bit by bit, with its points; SurfaceTreatment says what else may become of them.
+ * Every cell has a positive volume, exactly, and no triangles of the boundary cross; cells of the
+ * input that are turned over are turned back. The same input gives the same output, on any number
+ * of threads.
  *
  * An optional second input, any data set, is a background: its point array of the name
  * SizingArrayName is how long edges are to be, linear between its points. Outside it there is no
@@ -18,18 +18,19 @@
  *
  * Output: vtkTetra, or with QuadraticCells vtkQuadraticTetra. Each cell has the cell data of the
  * input cell that holds its barycentre. But FacetIds and FacetMultiplicity (4 components, one value
- * per face) are those of the face of the boundary or between regions that it is, is a piece of, or,
- * where the surface is remeshed, is next to; and -1 and 0 on all others, also where the input had
- * facets within a region. Where the surface is kept, cells of different InBody (integers) are of
- * different regions, too. Point data of points that stay are the same; of new ones they are
- * interpolated in the input cell that holds them (0 in integer arrays). vtkOriginalPointIds of a
- * point that stays is its value in the input's array of that name, else the input point; -1 for a
- * new one. Field data: the input's, and Statistics (named by StatisticsNames) of AddedPoints and
- * RemovedPoints (a point that moved counts in both; without the points amid edges), RefinedCells,
- * CellsAboveMaximumVolume where MaximumVolume is given, and SecondsRefine; of a surface that is not
- * kept SurfacePoints (of the points, those added on it) and KeptFacets (that stay as they are since
- * they cross others), of a remeshed one SurfaceTolerance and, found by samples, SurfaceDistance
- * (how far it is from the input's) and InputDistance (how far that is from it).
+ * per face) are those of the input's face on the boundary or between regions: the same face, the
+ * one that it is a piece of, or the one next to it where the surface is remeshed; and -1 and 0 on
+ * all others, also where the input had facets within a region. Where the surface is kept, cells of
+ * different InBody (integers) are of different regions, too. Point data of points that stay are the
+ * same; of new ones they are interpolated in the input cell that holds them (0 in integer arrays).
+ * vtkOriginalPointIds of a point that stays is its value in the input's array of that name, else
+ * the input point; -1 for a new one. Field data: the input's, and Statistics (named by
+ * StatisticsNames) of AddedPoints and RemovedPoints (a point that moved counts in both; without the
+ * points amid edges), RefinedCells, CellsAboveMaximumVolume where MaximumVolume is given, and
+ * SecondsRefine; of a surface that is not kept SurfacePoints (of the points, those added on it) and
+ * KeptFacets (that stay as they are since they cross others); of a remeshed one SurfaceTolerance
+ * and, found by samples, SurfaceDistance (how far it is from the input's) and InputDistance (how
+ * far that is from it).
  *
  * They have the quality of the cells, too, as vtkSolidQuality names it, from MinDihedralAngle to
  * SurfaceEdgesUnder5Degrees, which counts where the surface itself forces sharp cells, with

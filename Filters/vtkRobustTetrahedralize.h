@@ -4,11 +4,11 @@
  * @brief   from a broken surface to tetrahedra of the solid that it means
  *
  * Takes any triangle or polygon surface, with holes, self-intersections, duplicates or non-manifold
- * edges. Facets are cut where they cross, the convex hull is tetrahedralized so that each of them
- * is a union of faces, and the tetrahedra are labelled inside or outside by the generalized winding
- * number and a graph cut (Jacobson, Kavan and Sorkine-Hornung 2013). Every input vertex is a point
- * of the hull, with its exact coordinates. Lines, and polygons in one plane, are errors: they are
- * for vtkRobustTriangulate.
+ * edges. Facets are cut where they cross, and the convex hull is tetrahedralized so that each of
+ * them is a union of faces. The tetrahedra are labelled inside or outside by the generalized
+ * winding number and a graph cut (Jacobson, Kavan and Sorkine-Hornung 2013). Every input vertex is
+ * a point of the hull, with its exact coordinates. Lines, and polygons in one plane, are errors:
+ * they are for vtkRobustTriangulate.
  *
  * Output 0, the solid: vtkTetra with Inside, the arrays of vtkGeneralizedWindingNumber and
  * - RegionId (int, cells): part that faces connect, or body, from 0 by its first cell; -1 outside
@@ -63,7 +63,7 @@
  * Statistics are those of the stages, and more. SharedPoints: copies by NonManifold of the kind
  * Split that only the boundary has. SeparateOverlaps: Overlaps, SeparatedOverlaps, CopiedCells. The
  * outliers: OutlierFacets, a count for each reason, and LostShare of the surface's area. The solid:
- * Regions; with density 1 and in the units of the input Volume, CenterOfMassX to Z, and the inertia
+ * Regions; with density 1 and in the units of the input Volume, CenterOfMassX to Z; the inertia
  * tensor about it, InertiaXX to InertiaXZ (XX is the integral of y^2 + z^2, XY of -x y). Topology:
  * SolidComponents, SolidTunnels and SolidCavities, the Betti numbers of the cells with all that
  * they touch in; SolidEulerCharacteristic; those of the boundary; Genus, half of BoundaryTunnels.
@@ -247,7 +247,7 @@ public:
   /**
    * Cell array of the input that tags the boundary, one integer or string per cell. Default empty:
    * its groups, materials or solids do, or the blocks of a composite input. Strings are numbered in
-   * the order of their first cells, integers in their own order, called by the field array of
+   * the order of their first cells. Integers are in their own order, called by the field array of
    * strings that goes with the array (GroupNames with GroupIds, PartNames with Part), or else as
    * they are written; floats are whole. A point array with equal values in each cell will do, too.
    * Empty: the first of BoundaryTag, GroupIds, MaterialIds, STLSolidLabeling that differs by cell.
@@ -304,7 +304,7 @@ public:
   vtkBooleanMacro(PartsApart, bool);
   ///@}
 
-  /** What becomes a region where there are bodies. */
+  /** Cells that become a region where there are bodies. */
   enum RegionRuleType
   {
     BY_PRIORITY = 0, ///< a region for each body; where several are, the one that comes first

@@ -5,8 +5,8 @@
  *
  * Takes a vtkPolyData that lies in a plane, any in space: lines and polylines, closed or open,
  * whose direction counts; or polygons and strips, whose edges all count and whose interiors may
- * overlap. Outlines may cross, overlap and have gaps. Segments are cut where they meet, the convex
- * hull is triangulated so that each segment is a union of edges, and the triangles are labelled
+ * overlap. Outlines may cross, overlap and have gaps. Segments are cut where they meet, and the
+ * convex hull is triangulated so that each segment is a union of edges. The triangles are labelled
  * inside or outside by the winding number of the outlines and a graph cut, as
  * vtkRobustTetrahedralize does it in space. Every input point keeps its exact coordinates.
  *

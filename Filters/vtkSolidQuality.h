@@ -5,8 +5,8 @@
  *
  * Takes a grid of tetrahedra, of first or second order (vtkTetra, vtkQuadraticTetra; the corners
  * of the latter count, but for RefusedCells), and finds cells that are flat or negative, where
- * cells do not fit together, and the quality of each. Nothing is changed. What is flat, negative or
- * does not fit is decided by exact predicates. Cells of fewer dimensions are passed over, with a
+ * cells do not fit together, and the quality of each. Nothing is changed. Exact predicates decide
+ * what is flat, negative or does not fit. Cells of fewer dimensions are passed over, with a
  * warning.
  *
  * The output is the input with these cell arrays, 0 where a cell is no tetrahedron:

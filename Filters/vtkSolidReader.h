@@ -7,9 +7,9 @@
  * Reads what vtkSolidWriter writes, and what other programs write in these formats, by the file
  * name's ending: .msh (gmsh 4.1 and 2.x, ascii), .inp (Abaqus and CalculiX) or .mesh (Medit,
  * ascii). Coordinates keep all their digits (points are double). Nothing in the file is trusted: an
- * element that refers to a point which is not there, a count that the file does not hold, a
- * coordinate that is not finite, or a truncated file is an error that names the line and the
- * element, and the outputs are empty.
+ * element that refers to a missing point, a count that the file does not hold, a coordinate that is
+ * not finite, or a truncated file is an error. It names the line and the element, and the outputs
+ * are empty.
  *
  * First output: the tetrahedra (vtkTetra, or vtkQuadraticTetra where all are quadratic), with the
  * cell array RegionId, and the names of regions in the field array RegionNames where the file has

@@ -17,9 +17,9 @@
  * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
  *   and BoundaryTag plus 1; of what is outside, the one behind the last.
  * - .inp has elements C3D4 or C3D10, an element set and a node set for each region, a node set and
- *   a surface by element face for each tag, and the sets Eall and Nall of all.
- * - .mesh has the same numbers as references; names are in comments. Of quadratic
- *   cells it has the sections TrianglesP2 and TetrahedraP2, which not every program reads.
+ * a surface by element face for each tag; Eall and Nall are the sets of all.
+ * - .mesh has the same numbers as references; names are in comments. For quadratic cells it has the
+ * sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *
  * Point p is number p + 1 in each. What a format does not take in a name becomes an underscore, and
  * of equal names the later end in _2, _3 and so on. Coordinates are read back to the last bit; but
@@ -33,10 +33,10 @@
  * disk, whatever fails on the way. Symbolic links stay, and what they lead to is replaced; the
  * permissions of an earlier file are kept. Devices and pipes are written at once.
  *
- * No cell is changed. A warning counts the cells that a solver refuses, whose Jacobian determinants
- * are below 1e-20 (CalculiX's limit) in doubles, at the integration points of linear or quadratic
- * cells, with the digits that the file has; and those that it suffers from, with a dihedral angle
- * below 1 degree. It names the option that helps.
+ * No cell is changed. A warning counts the cells that a solver refuses: their Jacobian determinants
+ * are below 1e-20 (CalculiX's limit), in doubles with the file's digits, at an integration point;
+ * and those that it suffers from, with a dihedral angle below 1 degree. It names the option that
+ * helps.
  *
  * Write() gives 1, or 0 after an error event that says which file cannot be written, and why, or
  * which cell, point, triangle or array is wrong. It gives 0 without one when it was aborted.

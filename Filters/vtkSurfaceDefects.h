@@ -39,8 +39,8 @@
  * Both carry field data Statistics, named by StatisticsNames: the counts of
  * vtkResolveSelfIntersections, and IntersectingFacets, InconsistentEdges, UnbalancedEdges (edges on
  * which the facets' signed sum is not 0; without any the surface is closed), Planar (1: all facets
- * lie in one plane), NearPoints (points nearer than NearDistance, a millionth of the size, to
- * another), EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where w is 2 or
+ * lie in one plane); NearPoints (points nearer than NearDistance, a millionth of the size, to
+ * another); EnclosedVolume (of the solid that a mesh would have) and OverlapVolume (where w is 2 or
  * more). EnclosedVolumeLow, EnclosedVolumeHigh, OverlapVolumeLow and OverlapVolumeHigh are bounds
  * that hold these volumes in 95 of 100 cases; they are equal if a volume is exact. A solid that was
  * made has the OverlapVolume of its cells, without bounds. The statistics of orientation are

@@ -5,8 +5,8 @@
  *
  * Reads polygons from the four formats that surfaces travel in, ascii or binary, compressed with
  * gzip or not. Coordinates keep all their digits (points are double), and nothing in the file is
- * trusted: an id out of range, a count that the file does not hold, or a truncated file is an error
- * that names the line or the element, and the output is empty.
+ * trusted: an id out of range, a count that the file does not hold, or a truncated file is an
+ * error. It names the line or the element, and the output is empty.
  *
  * Output: polygons with the attributes that the file gives: Normals, TCoords and Colors, and any
  * other property of a PLY file under its own name. Points stand in the file's order; where an OBJ

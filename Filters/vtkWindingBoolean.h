@@ -14,10 +14,10 @@
  *
  * There are two ways to the result, and the statistic Tetrahedra says which was taken (0 or 1).
  * Where all surfaces are closed, all are cut where they meet, exactly, and each piece stays or goes
- * by the winding numbers of all bodies on its two sides: no tetrahedra are made. Where one is open,
- * where bodies may be nearer to each other than MergeTolerance, or with Tetrahedra on, all become
- * one mesh of tetrahedra, in which each body has a cut of its own (vtkRobustTetrahedralize says
- * how), and the cells where the expression holds are the result.
+ * by the winding numbers of all bodies on its two sides: no tetrahedra are made. If one is open, if
+ * bodies may be nearer to each other than MergeTolerance, or with Tetrahedra on, all become one
+ * mesh of tetrahedra. Each body has a cut of its own in it (vtkRobustTetrahedralize says how), and
+ * the cells where the expression holds are the result.
  *
  * Output 0 is the surface: watertight, oriented outward, its triangles meet in shared points and
  * edges only.
@@ -103,7 +103,7 @@ public:
 
   ///@{
   /**
-   * What bodies are called in Expression and in BodyNames, one after the other. A body without a
+   * The names of bodies in Expression and in BodyNames, one after the other. A body without a
    * name, or with an empty one, has that of its block, or a letter. GetBodyName counts from 0, and
    * gives nullptr where no name was added. Default none.
    */

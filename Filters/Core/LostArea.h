@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** What share of a surface's area is no part of the solid, neither its boundary nor within. */
+/** The share of a surface's area that is neither on the solid's boundary nor within it. */
 struct LostArea
 {
   double Share = 0;  ///< of all below

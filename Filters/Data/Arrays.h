@@ -34,7 +34,7 @@ std::vector<insideout::Point> ReadPoints(vtkDataSet* input, const std::string& n
  * Before VTK's arrays take memory: they end the program where there is none, if VTK was built with
  * assertions, as Debian's is.
  *
- * @throws std::bad_alloc where there are not so many bytes, and some more
+ * @throws std::bad_alloc if this number of bytes, and some more, are not free
  */
 void RequireMemory(vtkIdType bytes);
 

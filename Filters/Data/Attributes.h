@@ -68,7 +68,7 @@ void PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
 void CopyCellData(vtkDataSet* input, const std::vector<insideout::Id>& cells, vtkCellData* output,
   std::vector<std::string>& warnings);
 
-/** What a point of a refined grid is made of: points of the input. */
+/** The sources of a point of a refined grid: points of the input. */
 struct Mixture
 {
   std::array<insideout::Id, 4> Points;
@@ -94,8 +94,8 @@ void PassAll(vtkDataSet* input, std::initializer_list<const char*> added, vtkDat
   std::vector<std::string>& warnings);
 
 /**
- * Per input point the lowest one that was merged into the same and has the same texture
- * coordinates and normals (the active ones, to the bit but for the sign of 0).
+ * Per input point the lowest one that was merged into the same and has the same active texture
+ * coordinates and normals, to the bit but for the sign of 0.
  *
  * @param[in] mergedInto per point the one that it became, or itself
  */
@@ -106,8 +106,8 @@ std::vector<insideout::Id> AlikePoints(
  * The data of several data sets, one behind the other. An array that one of them has not is NaN
  * there (0 in integer arrays, empty in others), except for active normals, which are left out
  * with a warning; numbers of different types become doubles. Arrays of one name that are of strings
- * and numbers, or have different numbers of components, stay apart as DATA/ARRAY. What is active in
- * the first that has it is active.
+ * and numbers, or have different numbers of components, stay apart as DATA/ARRAY. An array that is
+ * active in the first that has it is active.
  *
  * @param[in] names of the data sets
  * @param[in] first the first tuple of each, and the end

@@ -28,7 +28,7 @@ public:
   ~Spool() override;
 
   /**
-   * Write it to a file. What is written leaves the memory.
+   * Write it to a file. Bytes that are written leave the memory.
    * @throws std::bad_alloc if it is not all there; Error of the file
    */
   void MoveTo(insideout::OutputFile& file);

@@ -13,7 +13,7 @@
 
 extern "C"
 {
-  /** What a listener is told. */
+  /** The message to a listener. */
   enum vtkInsideOutEvent
   {
     VTK_INSIDEOUT_PROGRESS = 0,       ///< text: what is being done; fraction: how much of all is

@@ -2,7 +2,7 @@
 /**
  * @file
  * Each block of a composite data set is a surface of its own: VTK runs a filter once for each, and
- * shows it nothing but the block. What is said of point 3 has to say of which block, too.
+ * shows it nothing but the block. A message about point 3 has to name its block, too.
  *
  * A partitioned data set (vtkPartitionedDataSet, vtkMultiPieceDataSet) is one block. VTK runs a
  * filter once for each of its partitions: the first stands for all, and the others are done then.

@@ -14,7 +14,7 @@ namespace vtkInsideOut
 /**
  * Give the outputs the time steps, and the range of time, of all inputs together: from
  * RequestInformation. Each execution gives them once more, for VTK takes those of the first input
- * again when it has gone through the blocks of one. What was made is marked with the time that was
+ * again when it has gone through the blocks of one. The output is marked with the time that was
  * asked for where other inputs than the first move.
  *
  * @return 1, as RequestInformation has to

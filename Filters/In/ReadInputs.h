@@ -40,8 +40,8 @@ struct Inputs
 };
 
 /**
- * Read them. What has no name is called by a letter, A the first, or by its number from the 27th
- * on. A surface without polygons is a body without triangles.
+ * Read them. A body without a name is called by a letter, A the first, or by its number from the
+ * 27th on. A surface without polygons is a body without triangles.
  *
  * @throws insideout::Error that names the body, and the cell or point at fault
  */

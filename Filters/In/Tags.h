@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * What the cells of a surface are tagged with, for the boundary of the solid that is made of it.
+ * The tags of the cells of a surface, for the boundary of the solid that is made of it.
  */
 #pragma once
 
@@ -32,16 +32,15 @@ struct Tags
 
 /**
  * The tags that a cell array of integers or strings gives to the polygons of a surface, or to its
- * lines where it has no polygons. Integers are numbered in their order, and called by the field
- * array of strings that goes with the array (GroupNames with GroupIds, BoundaryTagNames with
- * BoundaryTag) or else as they are written; strings are numbered in the order of their first cells.
- * Cells with one name have one tag. A point array will do if it is constant in each cell.
+ * lines where it has no polygons. Integers are numbered in their order. Their names are those of
+ * the field array of strings that goes with the array (GroupNames with GroupIds, BoundaryTagNames
+ * with BoundaryTag), else themselves; strings are numbered in the order of their first cells. Cells
+ * with one name have one tag. A point array will do if it is constant in each cell.
  *
- * Where no array is named it is the first that tells cells apart, of the tags of a boundary that
- * this house made (BoundaryTag), groups (GroupIds), materials (MaterialIds), the solids of VTK's
- * STL reader (STLSolidLabeling), and the blocks of a composite data set, of which this surface is
- * one. If none does all cells have one tag: the one name that the first of these gives, or else
- * surface.
+ * Where no array is named it is the first that tells cells apart: the tags of a boundary made here
+ * (BoundaryTag), groups (GroupIds), materials (MaterialIds), solids of VTK's STL reader
+ * (STLSolidLabeling); the blocks of a composite data set, of which this surface is one. If none
+ * does all cells have one tag: the one name that the first of these gives, or else surface.
  *
  * @throws insideout::Error when the surface has no such array, or it holds something else
  */

@@ -4,9 +4,8 @@
  * @file
  * What filters share that need all of their input in one place.
  *
- * A surface means one solid. Where several processes work on pieces of the data (MPI) the first of
- * them asks for the whole and makes the one result, and the others ask for nothing and have none;
- * a solid of each piece would be wrong.
+ * A surface means one solid. Among several processes (MPI) the first asks for the whole and makes
+ * the one result. The others ask for nothing and have none; a solid of each piece would be wrong.
  */
 #pragma once
 

@@ -15,7 +15,7 @@
 
 namespace vtkInsideOut
 {
-/** What the points and triangles of the boundary are to be. */
+/** The points and triangles that the boundary is to have. */
 struct BoundaryOptions
 {
   bool MergePieces = false; ///< of input triangles

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * What of a hull is inside, and in which region: of one body, or of several that each have a cut.
+ * The cells of a hull that are inside, and their regions: of one body, or of several that each have
+ * a cut.
  */
 #pragma once
 
@@ -24,7 +25,7 @@ struct SegmentOptions
   bool MembranesSeparateRegions; ///< of one body
 };
 
-/** What is inside, and the regions of that. */
+/** The cells inside, and their regions. */
 struct SegmentedHull
 {
   insideout::MeshSegmentation All;                  ///< inside any body

@@ -31,7 +31,7 @@ struct SurfaceOptions
   bool Distance = false;        ///< whether that is asked for, too
 };
 
-/** What of a surface is nearest to a place. Facets have their numbers in the whole surface. */
+/** The point of a surface nearest to a place. Facets have their numbers in the whole surface. */
 struct NearestPoint : insideout::SurfaceDistance::Nearest
 {
   vtkIdType Cell; ///< of the input; -1 where the place is not finite
@@ -71,7 +71,7 @@ class InputWindingNumber
 {
 public:
   /**
-   * Of what counts in a surface, which is neither resolved nor meshed.
+   * The winding number of the facets that count in a surface, which is neither resolved nor meshed.
    *
    * @param[in,out] warnings gains what was passed over or looks wrong
    * @throws insideout::Error that names the cell or point at fault
@@ -79,7 +79,7 @@ public:
   InputWindingNumber(vtkPolyData* input, const SurfaceOptions& options, insideout::Monitor& monitor,
     std::vector<std::string>& warnings);
 
-  /** Of a piece; without its distance. */
+  /** For a piece; without its distance. */
   InputWindingNumber(
     const SurfaceChunk& piece, const SurfaceOptions& options, insideout::Monitor& monitor);
 

@@ -37,7 +37,7 @@ struct Assembly
 std::string Agree(
   Assembly& parts, vtkDataObjectTree* output, vtkMultiProcessController* controller);
 
-/** Of each part, on all ranks together. */
+/** For each part, on all ranks together. */
 std::vector<vtkIdType> CountCells(const Assembly& parts, vtkMultiProcessController* controller);
 
 /**

@@ -9,8 +9,8 @@
  * ranks tell each other how that went before any of them goes on. While inputs are asked for data
  * objects and information it is not known yet whether all ranks work: that it failed is kept back
  * until they are asked for data. An input without a data object, as of a reader that learns from
- * its file of which type it is, has an empty one until then. (Of extents VTK goes on where they
- * fail.)
+ * its file of which type it is, has an empty one until then. (VTK goes on where requests for
+ * extents fail.)
  */
 #pragma once
 
@@ -24,7 +24,7 @@ namespace vtkInsideOut
 class FailTogether
 {
 public:
-  /** What vtkAlgorithm::ModifyRequest is to do and to return. */
+  /** The work and the result of vtkAlgorithm::ModifyRequest. */
   int ModifyRequest(vtkAlgorithm* algorithm, vtkMultiProcessController* controller,
     vtkInformation* request, int when);
 

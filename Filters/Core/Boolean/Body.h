@@ -38,7 +38,7 @@ Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriang
 std::vector<Body> SplitBodies(const TriangleSoup& soup, const std::vector<Id>& bodyOfTriangle,
   const std::vector<std::string>& names);
 
-/** What is said of a body. */
+/** Properties of a body. */
 inline std::string WordsOf(const std::string& body, const std::string& words)
 {
   return body.empty() ? words : "body " + body + ": " + words;

@@ -53,7 +53,7 @@ BodyOrder InnerFirst(const std::vector<std::vector<unsigned char>>& inside,
 
 /**
  * Which region each cell is of. By Priority they have the numbers of the bodies, also of those that
- * others cover whole, so that some may have no cell. Of All they are numbered by their bodies in
+ * others cover whole, so that some may have no cell. With All they are numbered by their bodies in
  * the order of dictionaries: {0}, {0, 1}, {0, 1, 2}, {0, 2}, {1}, ...
  *
  * @param[in] inside of each body, not 0 for the cells that it has
@@ -63,7 +63,7 @@ BodyOrder InnerFirst(const std::vector<std::vector<unsigned char>>& inside,
 BodyRegions FindBodyRegions(const std::vector<std::vector<unsigned char>>& inside, RegionRule rule,
   const std::vector<Id>& priority, Monitor& monitor, const ProgressRange& progress);
 
-/** What regions are called: by their bodies, joined by "+" where these are several. */
+/** The names of regions: by their bodies, joined by "+" where these are several. */
 std::vector<std::string> NamesOfRegions(
   const BodyRegions& regions, const std::vector<std::string>& bodies);
 } // namespace insideout

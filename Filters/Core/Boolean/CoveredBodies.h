@@ -9,10 +9,9 @@
 namespace insideout
 {
 /**
- * Tell a user what bodies lose to others, and the options that change it: bodies without a cell,
- * parts of bodies without one, bodies that keep less than half of their volume because others come
- * before them, and bodies that come before those within them in vain. No body loses anything with
- * RegionRule All.
+ * Tell a user what bodies lose to others, and the options that change it: bodies or parts of bodies
+ * without a cell; bodies that keep less than half of their volume because others come before them;
+ * bodies that come before those within them in vain. No body loses anything with RegionRule All.
  *
  * @param[in] inside, order, regions as FindBodyRegions took and gave them
  * @param[in] names of all bodies

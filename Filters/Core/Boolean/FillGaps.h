@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** What was given to bodies. */
+/** The gaps that were given to bodies. */
 struct FilledGaps
 {
   Id Cells = 0;
@@ -20,13 +20,12 @@ struct FilledGaps
  * Close narrow gaps between bodies, as between round faces that are triangulated differently: cells
  * of no body that lie in one are given to a body beside it, so that the two share faces.
  *
- * A cell lies in a gap where no point of it is farther than the tolerance from the cells of either
- * of two bodies (StaysNear), and both of these have faces on the part of the gap that it is in:
- * cells that lie in a gap between the same two and are joined through faces. So a dent of one body
- * is no gap, however near another body is behind it. A cell that reaches out of the gap stays
- * outside.
+ * A cell lies in a gap if no point of it is farther than the tolerance from the cells of either of
+ * two bodies (StaysNear). Both bodies have faces on the part of the gap that it is in: cells that
+ * lie in a gap between the same two and are joined through faces. So a dent of one body is no gap,
+ * however near another body is behind it. A cell that reaches out of the gap stays outside.
  *
- * Of the bodies that a cell lies between the last in the order gets it: those before keep their
+ * The last in the order of the bodies that a cell lies between gets it: those before keep their
  * shape.
  *
  * @param[in] tolerance above 0

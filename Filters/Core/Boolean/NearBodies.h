@@ -20,8 +20,8 @@ struct NearBodies
 
 /**
  * Find bodies that touch but for a hair's breadth: facets of different bodies lie above each other,
- * within the radius that the resolver snaps in (FindLayers, SnappingRadius). What is so near and
- * crosses has become one; what does not cross stays as it is, for that is exact, though hardly ever
+ * within the radius that the resolver snaps in (FindLayers, SnappingRadius). Facets so near that
+ * cross have become one; what does not cross stays as it is, for that is exact, though hardly ever
  * what is meant.
  *
  * @return by bodies

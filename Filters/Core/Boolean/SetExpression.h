@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** What is made of several bodies. */
+/** A set expression of several bodies. */
 enum class SetOperation
 {
   Union,              ///< what is in one of them at least
@@ -37,7 +37,7 @@ public:
    */
   SetExpression(const std::string& text, const std::vector<std::string>& names);
 
-  /** The same operation for so many bodies. */
+  /** The same operation for a number of bodies. */
   SetExpression(SetOperation operation, Id numberOfBodies);
 
   /** The bodies that it names, ascending. What it holds depends on no other. */

@@ -4,7 +4,7 @@
 #include "Boolean/ResolveBodies.h"
 #include "Validate/FacetEdges.h"
 
-/** What is left of each body among all that are resolved together. */
+/** The rest of each body among all that are resolved together. */
 namespace insideout
 {
 /**

@@ -28,7 +28,7 @@ struct Touches
 /**
  * Move points of bodies onto the faces of earlier ones that they touch but for rounding: onto a
  * corner, else an edge, else a facet, the nearest that is within the tolerance. The resolver then
- * makes one interface of the facets. No other point moves, and a point stays where its move would
+ * makes one interface of the facets. No other point moves; a point stays if its move would
  * turn a facet over, make facets of its body cross, or put it on another point of the body.
  *
  * Bodies that touch exactly are left to the resolver as they are.

@@ -67,7 +67,7 @@ private:
     double SquaredRadius; ///< of a disk of its area
   };
 
-  /** Of a part of the tree. */
+  /** A part of the tree. */
   struct Far
   {
     FarField Field;

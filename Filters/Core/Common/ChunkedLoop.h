@@ -9,9 +9,9 @@
 namespace insideout
 {
 /**
- * Calls body(i) for every i in [0, count), on as many threads as that is worth, and asks the
- * monitor between chunks of about a tenth of a second, from outside any parallel loop and equally
- * often for any number of threads.
+ * Calls body(i) for every i in [0, count), on as many threads as that is worth. Asks the monitor
+ * between chunks of about a tenth of a second, outside any parallel loop, equally often for any
+ * number of threads.
  *
  * @param[in] cost of one call of body, in nanoseconds; a guess will do
  * @throws what a body or the monitor throws

@@ -107,7 +107,7 @@ public:
   }
 
 private:
-  /** To sort or to visit the faces of a point takes so many nanoseconds. */
+  /** Nanoseconds to sort or to visit the faces of a point. */
   static constexpr double CostOfPoint = 500;
 
   /** Behind the last of the entries from `first` on that are of the same face as `wanted`. */

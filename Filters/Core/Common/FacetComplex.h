@@ -56,7 +56,7 @@ struct FacetSource
  * shared points and edges, and no point lies within a constraint or an edge of one.
  *
  * Facet f is made of the input triangles Sources[SourceOffsets[f]] to Sources[SourceOffsets[f +
- * 1]], one as often as pieces of it lie there, and Multiplicity[f] is their signed count along the
+ * 1]], one as often as pieces of it lie there. Multiplicity[f] is their signed count along the
  * facet's own orientation by the rules of the counted chain (CountedChain.h), which may be 0.
  */
 struct FacetComplex

@@ -11,7 +11,7 @@
 /** CGAL's geometry. Whoever wants only a sign takes PointPredicates.h, which compiles sooner. */
 namespace insideout
 {
-/** Predicates are exact: filtered, so fast where nothing is near degenerate. What it constructs is
+/** Predicates are exact: filtered, so fast where nothing is near degenerate. Its constructions are
  * rounded. */
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using FilteredPoint = Kernel::Point_3;

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** What a tetrahedralizer gives, whichever it is. Ids are in range; what else holds it says. */
+/** The result of any tetrahedralizer. Ids are in range; what else holds it says. */
 struct RawTetrahedra
 {
   std::vector<Point> Points; ///< those given, bit by bit, and then Steiner points

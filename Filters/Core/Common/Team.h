@@ -16,7 +16,7 @@ int AllowedThreads();
 std::string TooManyThreads();
 
 /**
- * How many threads are worth their while for work that takes one thread so many nanoseconds. At
+ * The number of threads that pays for work of this many nanoseconds of one thread. At
  * most AllowedThreads; one within a team.
  */
 int TeamSize(double nanoseconds);

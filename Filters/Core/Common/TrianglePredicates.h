@@ -12,8 +12,8 @@ namespace insideout
 std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other);
 
 /**
- * An axis along which the triangle can be projected: its image in the other two has an area. Of
- * the three, the one along which the normal is longest as far as doubles tell.
+ * An axis along which the triangle can be projected: its image in the other two has an area. The
+ * axis along which the normal is longest as far as doubles tell.
  */
 int ProjectionAxis(const FilteredTriangle& triangle);
 

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** What is wrong with an input triangle. The triangles of one facet (CountedChain.h) differ in
+/** The defects of an input triangle. The triangles of one facet (CountedChain.h) differ in
  * Duplicate only. */
 struct TriangleDefects
 {
@@ -62,7 +62,7 @@ struct SurfaceDefects
 };
 
 /**
- * What is wrong with a surface: the columns of the thesis's table 8.1, and where its figure 8.22
+ * The defects of a surface: the columns of the thesis's table 8.1, and where its figure 8.22
  * draws them. Facets and edges are those of the counted chain, before anything is cut or turned.
  * Edges are judged in the direction in which a facet counts: one that is given both ways, and so
  * counts 0, agrees with any neighbor.

@@ -18,7 +18,7 @@ public:
   SurfaceDistance(
     const std::vector<Point>& points, const std::vector<Triangle>& facets, int exponent);
 
-  /** What is nearest to a place. */
+  /** The nearest point of the surface. */
   struct Nearest
   {
     double Distance; ///< in units of the surface; NaN where the place is not finite
@@ -26,8 +26,8 @@ public:
     Id Facet; ///< of several the lowest, as far as rounding tells; None where it is not finite
     double Squared; ///< the distance's square, scaled; 0 from afar, where all facets are as near
 
-    /** Of what two parts of a surface, scaled alike, have nearest to a place: whether the whole has
-     * this, and not the other, if facets have their numbers in the whole. */
+    /** The nearer of the nearest points of two parts of a surface, scaled alike: whether the whole
+     * has this, and not the other, if facets have their numbers in the whole. */
     bool IsNearerThan(const Nearest& other) const
     {
       return this->Squared < other.Squared ||

@@ -39,7 +39,7 @@ public:
    */
   std::vector<Id> SteinerPoints(std::int64_t since) const;
 
-  /** The facets that have one of the points, or a cell so many cells away from it. */
+  /** The facets that have one of the points, or a cell within this number of cells of it. */
   std::set<Id> FacetsAround(const std::vector<Id>& points, int rings) const;
 
   /** Let facets go: no face is a piece of them any more, and flips may change what was. So are the

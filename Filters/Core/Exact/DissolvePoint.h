@@ -9,9 +9,9 @@ namespace insideout
 /**
  * Takes Steiner points out of a mesh. The facets (and faces of the hull) that have the point cut
  * the cells around it into sectors. The facets are triangulated without the point, and each sector
- * is filled with cells that meet in one of its own corners, if there is a corner that sees all of
- * the sector's boundary; or else, where that is allowed, in a new point within (the idea of George,
- * Borouchaki and Saltel 2003: a point that splits a segment goes into the volume on each side).
+ * is filled with cells that meet in one of its own corners, if one sees all of its boundary; or
+ * else, where that is allowed, in a new point within (the idea of George, Borouchaki and Saltel
+ * 2003: a point that splits a segment goes into the volume on each side).
  */
 class PointDissolver
 {

@@ -39,8 +39,8 @@ public:
   bool RemoveEdge(Id u, Id v, Id cell, const FlipTarget& target, const Limits& limits);
 
   /**
-   * The same; if it cannot be done at once, first make the ring smaller by removing edges between
-   * it and u or v, down to `depth` levels.
+   * The same; if that fails, first make the ring smaller by removing edges between it and u or v,
+   * down to `depth` levels.
    * @param[in,out] budget how many more edges may be tried
    */
   bool RemoveEdgeDeeply(

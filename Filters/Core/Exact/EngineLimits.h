@@ -30,7 +30,7 @@ struct EngineLimits
 {
   // --- Flips (FlipRounds.h, RecoverSegments.h, RecoverFacets.h) ---
 
-  /** Only flips that leave less in the way than before. Of larger rings few can be triangulated. */
+  /** Only flips that leave less in the way than before. Few larger rings can be triangulated. */
   static constexpr FlipEffort PlainFlips = { { -1, 10 }, 0, 0 };
 
   /** For a round of plain flips, per point and constraint: some 0.02 ms. Surfaces of which flips
@@ -67,10 +67,10 @@ struct EngineLimits
   /** Binary digits of a place on a segment: cells are not thinner, for doubles have 1074. */
   static constexpr int DigitsOnSegment = 500;
 
-  /** Of cells that give way to a point that moves: nearly all moves change fewer. */
+  /** Cells that give way to a point that moves: nearly all moves change fewer. */
   static constexpr std::size_t LargestCavity = 400;
 
-  /** Removing points one by one is over when fewer than one in so many goes, or after so many
+  /** Stop removing points one by one when fewer than one in this many goes, or after this many
    * passes, which none was seen to take. */
   static constexpr std::size_t LeastYield = 50;
   static constexpr int RemovingPasses = 1000;
@@ -81,17 +81,18 @@ struct EngineLimits
   static constexpr std::size_t FlipsPerCell = 2;
   static constexpr std::size_t FlipsPerShake = 200;
 
-  /** Points are shaken so often without getting fewer. */
+  /** Stop after this many rounds of shaking that remove no point. */
   static constexpr int ShakesWithoutGain = 12;
 
-  /** Steiner points that have places are shaken for one part in so many of the work that this
-   * recovery took, and some ms. */
+  /** Share of the work of this recovery, as a divisor, that may go into shaking Steiner points that
+   * have places; some ms more. */
   static constexpr std::int64_t WorkPerShake = 10;
   static constexpr std::int64_t WorkOnShaking = 1000000;
 
   // --- Rounding (RoundPoints.h) ---
 
-  /** Where many points are tried again and again, so many of their hundreds of places are. */
+  /** Places that are tried per point, of its hundreds, where many points are tried again and again.
+   */
   static constexpr int PlacesAtRandom = 60;
 
   /** Other places that are tried for a point which is in the way, or for one more. */
@@ -99,10 +100,10 @@ struct EngineLimits
 
   // --- Taking out and recovering anew (RecoverConstraints.h, RecoverLostFacets.h) ---
 
-  /** Facets are given up in so many rings of cells around points that find no place. */
+  /** Rings of cells around points that find no place in which facets are given up. */
   static constexpr int RingsGivenUp = 5;
 
-  /** Facets that are taken out are fewer than so many rings of cells around a lost one. */
+  /** Rings of cells around a lost facet; the facets that are taken out lie within. */
   static constexpr unsigned RingsOfRuins = 3;
 
   /** Nearly all facets that are lost at first are there after fewer tries, without more points. */
@@ -115,7 +116,7 @@ struct EngineLimits
    * that they may be tried hard. */
   static constexpr FlipEffort TwinFlips = { { 0, 12 }, 2, 200 };
 
-  /** The mesh is begun anew so often, before it is made without any facet. */
+  /** Attempts from scratch before meshing without facets. */
   static constexpr int Attempts = 8;
 };
 } // namespace insideout

@@ -24,19 +24,19 @@ struct ExactTetrahedralization
  * they end.
  *
  * It begins with the Delaunay tetrahedralization of the points. Edges of facets that are not there
- * are recovered by flips (FlipOperator), then the facets between them. What flips do not recover is
- * cut into the mesh by Steiner points that lie exactly on it, which always works. They are removed
- * again, or moved into the volume, after each cut, and once more after flips at random around them;
- * what is left on the surface is rounded to doubles where exact tests allow it. Facets that have
- * points without a place in doubles are let go together with those around, and all of these
- * recovered in another order, as long as the work on that is not more than all the rest.
+ * are recovered by flips (FlipOperator), then the facets between them. Steiner points that lie
+ * exactly on a facet or segment cut into the mesh whatever flips do not recover; this always works.
+ * They are removed again, or moved into the volume, after each cut, and once more after flips at
+ * random around them; what is left on the surface is rounded to doubles where exact tests allow it.
+ * Facets that have points without a place in doubles are let go together with those around. All of
+ * these are recovered in another order, as long as that takes no more work than all the rest.
  *
  * It ends, for work is limited. Thread-safe, and deterministic: the same input gives the same mesh
  * on every machine, however busy, for all limits are counts of work and none is time.
  *
  * @param[in] points finite, spanning space. Where several are equal the first stands for all
  * @param[in] facets ids in range; no two may meet but in shared points and edges, and no point may
- *            lie within one of their edges. What breaks this is lost
+ *            lie within one of their edges. A facet that breaks this is lost
  * @param[in] monitor hears the phases by name (Phases.h), and a fraction that only grows
  * @param[in] workPerElement for each point and facet (WorkBudget). When it is done nothing is cut
  *            any more, and what is missing then is lost. The default is some 4 ms for each; of 150

@@ -13,8 +13,8 @@ namespace insideout
 /**
  * The vertices of a tetrahedralization under construction: doubles, and Steiner points that lie
  * exactly where two lines or a line and a plane meet. The latter have homogeneous coordinates (x,
- * y, z, w), w > 0, which sums and products suffice for, and nearly the same place in doubles and in
- * double-doubles, which decide nearly every predicate.
+ * y, z, w), w > 0, for which sums and products suffice. They also have nearly the same place in
+ * doubles and in double-doubles, which decide nearly every predicate.
  */
 class ExactVertices
 {
@@ -28,7 +28,7 @@ public:
   /** @param[in] work what predicates are counted in; it has to live as long as the vertices do */
   ExactVertices(const std::vector<Point>& points, WorkBudget& work);
 
-  /** What is spent on predicates; callers add what they do besides. */
+  /** The work spent on predicates; callers add what they do besides. */
   WorkBudget& Work() const { return *this->Budget; }
 
   Id Size() const { return static_cast<Id>(this->Places.size()); }
@@ -95,7 +95,7 @@ private:
     Span Within;
   };
 
-  /** What the vertices were when the journal began. */
+  /** The vertices as they were when the journal began. */
   struct Journal
   {
     struct Move
@@ -110,7 +110,7 @@ private:
     std::size_t NumberOfExact;
   };
 
-  /** What is to be added to the place in doubles. */
+  /** The correction of the coordinates in doubles. */
   Point Beyond(Id vertex) const;
 
   /** PlaneThrough in double-doubles. @return whether these have digits enough */

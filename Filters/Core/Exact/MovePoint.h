@@ -7,10 +7,10 @@
 namespace insideout
 {
 /**
- * Moves a vertex to another place and connects it anew there, as if it were taken out and inserted
- * (Bowyer 1981 and Watson 1981, with visibility in the place of empty spheres): the cells around
- * it, and then each cell behind a face that does not see the new place, give way to cells between
- * the vertex and the boundary of their union. All other vertices, facets and segments stay.
+ * Moves a vertex to another place and reconnects it as if it were removed and inserted (Bowyer
+ * 1981, Watson 1981, with visibility in the place of empty spheres): the cells around it give way,
+ * then each cell behind a face that does not see the new place. New cells join the vertex with the
+ * boundary of their union. All other vertices, facets and segments stay.
  */
 class PointMover
 {

@@ -6,10 +6,9 @@
 namespace insideout
 {
 /**
- * What the exact engine is at, in the order in which it comes there first, and the part of its
- * progress that each phase takes: about its share of the time on real surfaces. What comes again
- * and again within others takes none. Several phases come anew where facets are lost; the progress
- * waits meanwhile.
+ * The phases of the exact engine, in the order in which it first comes there, with their shares of
+ * its progress: about its share of the time on real surfaces. What comes again and again within
+ * others takes none. Several phases come anew where facets are lost; the progress waits meanwhile.
  */
 struct Phases
 {

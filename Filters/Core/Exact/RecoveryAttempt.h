@@ -40,7 +40,7 @@ public:
   /** The cells, and the faces with facets. */
   RawTetrahedra Result() const;
 
-  /** What was done (WorkBudget). */
+  /** The work done (WorkBudget). */
   std::int64_t WorkSpent() const { return this->Work.Spent(); }
 
 private:

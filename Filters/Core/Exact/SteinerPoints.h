@@ -34,8 +34,8 @@ public:
   void FlipAround(Id vertex, std::mt19937& random);
 
   /**
-   * Of the Steiner points from `first` on, replace those on facets by points beside them, where the
-   * mesh cannot do without, and then remove what it can do without: in the volume that is more.
+   * Among the Steiner points from `first` on, replace those on facets by points beside them, where
+   * the mesh cannot do without, and then remove what it can do without: in the volume that is more.
    * @param[in] since points around which nothing has changed since (FlippableMesh::NumberOfChanges)
    *            stay as they are
    */

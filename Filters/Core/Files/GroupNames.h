@@ -25,8 +25,8 @@ struct GroupNames
 
 /**
  * Names for the groups of a solid, each another than all others, regions' and tags' alike, for some
- * formats and readers do not tell these apart. What is not valid becomes `_`, what is too long is
- * cut, and of equal names the later ones end in `_2`, `_3` and so on.
+ * formats and readers do not tell these apart. A character that is not valid becomes `_`, a name
+ * that is too long is cut, and the later of equal names end in `_2`, `_3` and so on.
  *
  * @param[in] taken names that no group may have
  */

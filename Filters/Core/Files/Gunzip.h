@@ -9,7 +9,7 @@ namespace insideout
 bool IsGzip(const FileContent& file);
 
 /**
- * What is compressed in such a file, in all of its members. It is decompressed twice: first to see
+ * The content of such a file, of all of its members. It is decompressed twice: first to see
  * that it is whole and how long it is, and only then into memory.
  * @param most as many bytes may be in it
  * @throws Error FileMalformed, TooLarge, Stopped

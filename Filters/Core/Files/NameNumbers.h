@@ -13,7 +13,7 @@ namespace insideout
 class NameNumbers
 {
 public:
-  /** What the next polygons are called. */
+  /** The name of the next polygons. */
   void Choose(const std::string& name);
 
   /** Whether any name was chosen, used or not. */

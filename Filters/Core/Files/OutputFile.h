@@ -23,7 +23,7 @@ namespace insideout
  * kept. Devices, pipes and descriptors (`/dev/stdout`) cannot be replaced: they are written at
  * once.
  *
- * What fails is an Error FileUnwritable, with the file and the system's reason. The monitor is told
+ * A failure is an Error FileUnwritable, with the file and the system's reason. The monitor is told
  * of Stages::Writing, and may stop the writing until the file is in its place.
  */
 class OutputFile

@@ -89,7 +89,7 @@ struct SolidElements
   std::vector<SolidGroup> Groups; ///< by ascending number; what has no name has an empty one
 };
 
-/** What is read of a solver's file: tetrahedra, and triangles of their boundary and between
+/** The content of a solver's file: tetrahedra, and triangles of their boundary and between
  * regions; or triangles alone, which are cells of their own. */
 struct SolidContent
 {
@@ -116,8 +116,8 @@ struct SolidContent
  * volumes and faces are counted in a warning; points, lines and what is no mesh are passed over.
  * A group has the number of the file where all of these are from 0 to 65535, and else one by their
  * order; what is in none has the number behind the last. Nothing in the file is trusted: a number
- * of no point, one that is there twice, a coordinate that is not finite, a truncated or malformed
- * file is an error whose message names the file, the line and the element.
+ * of no point, a number given twice, a coordinate that is not finite, and a truncated or malformed
+ * file are errors that name file, line and element.
  *
  * `monitor` is told of Stages::Reading.
  *

@@ -12,9 +12,10 @@ bool LooksLikeText(const FileContent& file);
 bool BeginsAsStlText(const FileContent& file, Monitor& monitor);
 
 /**
- * Read ascii STL. What the format does not have, and can be understood, is read with a warning:
- * comments, text outside of solids and behind `endloop` and `endfacet`, `end solid` and the like,
- * facets without `solid`, solids without `endsolid`. Line ends mean nothing but the end of a name.
+ * Read ascii STL. Text that the format does not have, but can be understood, is read with a
+ * warning: comments, text outside of solids and behind `endloop` and `endfacet`, `end solid` and
+ * the like, facets without `solid`, solids without `endsolid`. Line ends mean nothing but the end
+ * of a name.
  */
 PolygonSurface ReadStlText(const FileContent& file, Monitor& monitor);
 } // namespace insideout

@@ -43,21 +43,21 @@ struct PolygonSurface
 };
 
 /**
- * Read a surface from an OBJ, OFF, PLY or STL file, ascii or binary, by its content where it has
- * the mark of a format and else by the name's ending, upper or lower case. (OFF is read as ascii
- * only, OBJ has no other.) Each may be compressed with gzip, and its name then end in `.gz`. Where
- * the name says something else than the content there is a warning. Coordinates are kept to the
- * last bit; what is written in decimal becomes the nearest double, whatever its declared type and
- * the locale. Every count and id is checked before it is used: an id out of range, a truncated or
- * malformed file is an error whose message names the file, then the line or the element.
- * Coordinates may be infinite or NaN here: validation names the point.
+ * Read a surface from an OBJ, OFF, PLY or STL file, ascii or binary, by the mark of a format, or
+ * else by the name's ending, upper or lower case. (OFF is read as ascii only, OBJ has no other.)
+ * Each may be compressed with gzip, and its name then end in `.gz`. Where the name says something
+ * else than the content there is a warning. Coordinates are kept to the last bit; what is written
+ * in decimal becomes the nearest double, whatever its declared type and the locale. Every count and
+ * id is checked before it is used: an id out of range, a truncated or malformed file is an error
+ * whose message names the file, then the line or the element. Coordinates may be infinite or NaN
+ * here: validation names the point.
  *
  * Points keep the file's order. Where an OBJ file gives one point several texture coordinates or
  * normals, a copy of the point per combination follows behind the last. STL points are the corners
  * of the facets, three each. Polygons keep the file's order too; those with fewer than 3 corners
- * are passed over with a warning, and so are lines (but for those of an OBJ file without faces,
- * whose PolygonAttributes are then theirs), points, unknown statements and elements of other names.
- * PLY's strips of triangles (`tristrips`) are taken apart where there are no faces.
+ * are passed over with a warning. So are points, unknown statements, elements of other names, and
+ * lines, but for those of an OBJ file without faces, whose PolygonAttributes are then theirs. PLY's
+ * strips of triangles (`tristrips`) are taken apart where there are no faces.
  *
  * PointAttributes and PolygonAttributes:
  * - `Normals` (3 floats or doubles) and `TCoords` (2) of points, and PLY's `Normals` of polygons;
@@ -71,7 +71,8 @@ struct PolygonSurface
  *   several. `MaterialIds` (int): `usemtl` in OBJ. Both number what polygons use, in the order of
  *   first use, and solids even where they have one name. Names has `GroupNames` and
  *   `MaterialNames`: of solids as they stand in the file, which may be empty or the same for
- *   several; of OBJ see NamesOfGroups and NamesOrDefault. What is no UTF-8 is read as Latin-1.
+ *   several; of OBJ see NamesOfGroups and NamesOrDefault. Text that is not UTF-8 is read as
+ * Latin-1.
  * - Every other number of a PLY vertex or face under its own name: unsigned char for uchar, int for
  *   integers that fit, float for float, else double. Lists are passed over with a warning.
  *

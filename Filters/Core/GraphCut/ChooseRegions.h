@@ -32,8 +32,8 @@ struct RegionChanges
 
 /**
  * Drop the parts of the solid that are not wanted, then fill its cavities: the parts of the outside
- * that sides of cells do not connect with the hull. Of parts of one volume the one with the lowest
- * cell comes first. A cavity with a cell that a seed wants outside stays.
+ * that sides of cells do not connect with the hull. Parts of equal volume come in the order of
+ * their lowest cells. A cavity with a cell that a seed wants outside stays.
  *
  * @param[in] demands per cell 1 to be inside, -1 outside, 0 either; or empty
  * @param[in,out] inside one label per cell

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** What a labelling that is made one piece may not change. */
+/** The labels that joining regions may not change. */
 struct FixedLabels
 {
   std::vector<unsigned char> Cells;                ///< per cell not 0 where its label stays

@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** What the solid is to be, whatever energy it takes. */
+/** The topology that the solid is to have, whatever energy it takes. */
 enum class TopologyGoal
 {
   Any,            ///< as the cut has it
@@ -32,7 +32,7 @@ struct ControlTopologyParameters
   }
 };
 
-/** What else the labels are to satisfy. */
+/** Further constraints on the labels. */
 struct OtherConstraints
 {
   const std::vector<std::int8_t>* Demands; ///< as CellGraph has them
@@ -51,9 +51,9 @@ struct ControlledTopology
 };
 
 /**
- * Last step of the cut: choose among the solid's regions and cavities, then make it one part or a
- * ball where that is asked for, greedily improve around what changed as long as it stays so, and
- * make the boundary a manifold once more. What was chosen to go, or to be filled, stays so.
+ * Last step of the cut: choose among the solid's regions and cavities; make it one part or a ball
+ * where that is asked for; greedily improve around the changes as long as it stays so; make the
+ * boundary a manifold once more. Dropped regions stay dropped, filled cavities filled.
  *
  * @param[in,out] inside one label per cell
  * @throws Error InvalidParameter, Stopped

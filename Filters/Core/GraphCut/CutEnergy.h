@@ -41,9 +41,9 @@ enum class DataTerm
  *
  * Larger values smooth better and better until they cut limbs off, all at once. And sigma has a
  * bound: a face between w = 0 and w = 1 costs gamma exp(-1 / (2 sigma^2)) times its area over the
- * mean, which with the defaults stays below the data terms whatever the area, for fewer than 2^31
- * faces: closed surfaces then give exactly the cells with w = 1. With sigma = 0.2 that needs fewer
- * than 130,000 faces.
+ * mean. With the defaults that stays below the data terms for fewer than 2^31 faces: closed
+ * surfaces then give exactly the cells with w = 1. With sigma = 0.2 that needs fewer than 130,000
+ * faces.
  */
 struct GraphCutParameters
 {
@@ -87,10 +87,10 @@ struct CellGraph
  * size. VolumeWeighted multiplies u_i by the cell's volume over the mean volume of all cells.
  *
  * Beside E there are its terms as integers, by which labellings are compared exactly: scaled by a
- * power of two so that all terms around any cell sum to less than 2^52, and rounded. Of a cell's
- * two data terms only the difference matters; one that outweighs all faces of the cell is cut down
- * to twice what they sum to, and a demand is such a difference, so that it is met in every minimum
- * as if it were larger than the sum of all other terms.
+ * power of two so that all terms around any cell sum to less than 2^52, and rounded. Only the
+ * difference of a cell's two data terms matters; one that outweighs all faces of the cell is cut
+ * down to twice their sum. A demand is such a difference, so that every minimum meets it as if it
+ * were larger than all other terms together.
  */
 class CutEnergy
 {
@@ -119,7 +119,7 @@ public:
   /** By how much E's data term of the cell is larger inside than outside. */
   double ExtraInside(Id cell) const;
 
-  /** What a neighbour's cost is in E, but for rounding. */
+  /** A neighbour's cost in E, but for rounding. */
   double CostInEnergy(const Neighbor& neighbor) const;
 
   /** 1 where the cell has to be inside, -1 outside, 0 where either will do. */

@@ -58,8 +58,8 @@ public:
   void ReleaseAndImprove();
 
   /**
-   * Change the label of every cell where this makes the energy less, no constraint objects, and the
-   * cell is one of `cells`, next to one of them, or next to one that was changed; until there is
+   * Change the label of every cell if this lowers the energy and no constraint objects. The cell
+   * has to be one of `cells`, next to one of them, or next to one that was changed; until there is
    * none left to change among these. Neither demands nor kept cells are violated.
    */
   void ImproveAround(const std::vector<Id>& cells);

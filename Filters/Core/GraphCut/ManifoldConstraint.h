@@ -14,9 +14,9 @@ namespace insideout
  * edges in exactly two of its faces, the faces at each of its points one closed fan.
  *
  * Everything is read off the link of a point: each boundary face at the point gives the edge from
- * its second to its third corner, and since the boundary of cells is oriented, these edges balance
- * at every point of the link. The point is manifold where they are one circle or none; the edge to
- * a point of the link is, where only one edge of the link begins there.
+ * its second to its third corner. These edges balance at every point of the link, since the
+ * boundary of cells is oriented. The point is manifold where they are one circle or none; the edge
+ * to a point of the link is, where only one edge of the link begins there.
  *
  * When all cells at a point are inside, its boundary faces are those on the hull. A convex hull is
  * a manifold, so that filling always helps in the end; beyond the hull nothing can be labelled, and

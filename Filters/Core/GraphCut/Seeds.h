@@ -25,7 +25,7 @@ struct SeededCells
 
 /**
  * The cells that contain the seeds, by exact predicates; of several that share the seed's place,
- * the one of the lowest id. Of several seeds in one cell the first counts, and the others are
+ * the one of the lowest id. The first of several seeds in one cell counts; the others are
  * conflicts where they ask for the opposite; so is a seed that is to be inside and lies outside all
  * cells.
  *

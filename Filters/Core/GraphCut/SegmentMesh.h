@@ -24,18 +24,18 @@ struct MeshSegmentation
 };
 
 /**
- * Stage cut on tetrahedra, with all that may be asked of it: the minimum cut that puts the seeds'
- * cells where they are to be, then the constraints on facets, then those on manifoldness, then the
- * choice of regions and what the solid's topology is to be. Seeds win over constraints, and the
- * choice of regions over both; what they make impossible is counted and warned about.
+ * Stage cut on tetrahedra, with all that may be asked of it: the minimum cut with the seeds' cells
+ * where they are to be, then the constraints on facets, on manifoldness, on regions and on
+ * topology. Seeds win over constraints, and the choice of regions over both; what they make
+ * impossible is counted and warned about.
  *
- * Statistics: Energy of the result, EnergyOfCut before the constraints, ForcedFacets (pieces of
+ * Statistics: Energy of the result, EnergyOfCut before the constraints; ForcedFacets (pieces of
  * facets that a cell was labelled inside for), ForcedCells (cells labelled inside for a
- * constraint), ChangedCells (labels that differ from the cut's), UnsatisfiedFacets (pieces that
- * seeds keep outside, or that were of dropped regions), NonManifoldPoints (that could not be
- * helped), SeedConflicts (seeds that do not count, pieces and points that seeds keep from being
+ * constraint); ChangedCells (labels that differ from the cut's), UnsatisfiedFacets (pieces that
+ * seeds keep outside, or that were of dropped regions); NonManifoldPoints (that could not be
+ * helped); SeedConflicts (seeds that do not count, pieces and points that seeds keep from being
  * satisfied, seeds that were dropped with their region); EnergyBeforeTopology (with the regions
- * that were chosen, before any were joined or dropped to be one), DroppedRegions and DroppedVolume
+ * that were chosen, before any were joined or dropped to be one); DroppedRegions and DroppedVolume
  * (an area in a plane), FilledCavities and FilledVolume, JoinedRegions (ways made between two
  * regions).
  *
@@ -50,7 +50,7 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
 /** Whether the statistics of a segmentation tell of regions that were dropped. */
 bool DropsRegions(const Statistics& statistics);
 
-/** What is asked of the mesh where it is needed. */
+/** Supplies parts of the mesh where they are needed. */
 struct MeshToSegment
 {
   insideout::MakeManifold MakeManifold;

@@ -33,8 +33,8 @@ private:
  * outside, as walls across tunnels and ways into cavities. *Fill*: the hull shrinks through simple
  * cells outside; what it cannot leave stays inside, as membranes across tunnels, and cavities.
  * Either takes deep cells first, those many sides from the solid's boundary, so that walls and
- * membranes stand where it is narrow. Of both, and of cutting once some holes are filled, what has
- * less energy is taken: the holes are tried one by one, the membranes that cost least first.
+ * membranes stand where it is narrow. The way of least energy is taken, among both and cutting once
+ * some holes are filled: the holes are tried one by one, the membranes that cost least first.
  *
  * @param[in,out] inside one label per cell; left alone where no way obeys what is fixed
  * @return whether it is a ball now

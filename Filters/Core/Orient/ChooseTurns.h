@@ -17,17 +17,17 @@ struct ShellTurns
 
 /**
  * The law of orientation. A solid is where w is 1; where w is above 1 parts overlap; where w is
- * below -1/2 nothing can be meant. Of all ways to turn shells over, take one with
+ * below -1/2 nothing can be meant. Among all ways to turn shells over, take one with
  *
  *   1. the least volume where w is below -1/2, of these
  *   2. the least volume where w is not 0 or 1; but overlap that is there as given, or with all
- *      turned over, is not counted: it is meant. Of these
+ *      turned over, is not counted: it is meant. Among these
  *   3. the fewest facets turned against the others; all of them turned over are none. As given
  *      goes before turned over.
  *
  * So an inward shell within an outward one stays a cavity; both the wrong way round are turned as a
  * whole; and of two bodies that overlap only the one that is inside out is turned. Shells that no
- * region has in common are independent. Of up to `MostTried` that are not, all ways are looked at;
+ * region has in common are independent. For up to `MostTried` that are not, all ways are looked at;
  * of more, shells are turned one by one, larger ones first, as long as one gains by it.
  *
  * Volumes are sampled: they are taken as equal if their difference is below a share of the volume

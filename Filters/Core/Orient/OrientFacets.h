@@ -17,14 +17,15 @@ enum class Orientation
   Outward    ///< every shell that encloses something faces outward, whatever lies within what
 };
 
-/** What is known of facets that meet beyond the corners and edges that they share. */
+/** Facets that meet beyond the corners and edges that they share. */
 enum class Crossings
 {
   Unknown,
   Absent ///< no two facets do
 };
 
-/** What was turned over, and how the surface is made up. A shell is what Shells.h says. */
+/** The facets that were turned over, and the make-up of the surface. A shell is what Shells.h says.
+ */
 struct FacetTurns
 {
   std::vector<std::int16_t> Multiplicity; ///< one per facet: how often it counts in the end

@@ -15,11 +15,11 @@ struct SurfacePatches
 };
 
 /**
- * Patches: the largest sets of facets that are joined through edges where exactly two facets meet,
- * which run along the edge opposite ways and count as often, and of whose copies as many cancel
- * (FacetComplex::Opposed). On a resolved surface nothing else
- * comes near such an edge, so that the winding number just beside a patch changes by no jump along
- * it, on either side (Zhou, Grinspun, Zorin and Jacobson 2016, section 4).
+ * Patches: the largest sets of facets joined through edges of exactly two,
+ * which run along the edge opposite ways, count as often, and have as many copies that cancel
+ * (FacetComplex::Opposed). On a resolved surface nothing else comes near such an edge. So the
+ * winding number just beside a patch does not jump along it, on either side (Zhou, Grinspun, Zorin
+ * and Jacobson 2016, section 4).
  *
  * @param[in] edges those of surface.Facets
  */

@@ -13,12 +13,12 @@ struct ThickenParameters
 };
 
 /**
- * Give facets a thickness: a closed slab around each set of facets that are joined through edges of
- * exactly two, from half the width before them to half the width behind, with rims along what is
- * left of their edges. Slabs may cross each other, themselves and the rest: resolving and winding
- * numbers make one solid of all. Facets that enclose nothing count 0 from then on, but stay, within
- * the slab. Where facets bend, corners of the slab are as far from them as keeps the width, at most
- * twice as far. (The thesis, section 8.7, names thin sheets as what it does not treat.)
+ * Give facets a thickness: a closed slab around each set of facets joined through edges of exactly
+ * two. It reaches half the width to either side, with rims along the other edges. Slabs may cross
+ * each other, themselves and the rest: resolving and winding numbers make one solid of all. Facets
+ * that enclose nothing count 0 from then on, but stay, within the slab. Where facets bend, corners
+ * of the slab are as far from them as keeps the width, at most twice as far. (The thesis,
+ * section 8.7, names thin sheets as what it does not treat.)
  *
  * Facets of the slab have as source that of the facet that they belong to; points take the data of
  * the point that they belong to.

@@ -11,20 +11,21 @@ struct ManifoldSurface
 {
   std::vector<Triangle> Triangles; ///< the faces, in their order, by the points below
   std::vector<Id> Places;          ///< the solid's point where each point stands
-  Id SharedPoints = 0; ///< copies that cells share: so many more points than places there are
-  Id LeftEdges = 0;    ///< edges with more than two triangles
+  Id SharedPoints =
+    0;              ///< copies that cells share: the number of points beyond the number of places
+  Id LeftEdges = 0; ///< edges with more than two triangles
 };
 
 /**
  * The boundary of a solid whose points are parted (PartPoints), as a 2-manifold: every edge has two
- * triangles, those at every point are one fan. What is duplicated is points alone, in their place.
+ * triangles, those at every point are one fan. Only points are duplicated, in their place.
  *
  * Parting the cells' points leaves what no copy of a cell's point can part: cells around a point
  * are connected through faces, and go around something that they do not fill. Two cavities that
  * touch in a point are an example, and an edge whose cells are two fans at both of whose ends these
  * are connected. There the surface alone gets copies, which the cells share; to part the cells,
- * too, would take a crack through the solid, or a new point (Attene et al. 2009 put one amid such
- * an edge), and a new point is rounded.
+ * too, would take a crack through the solid, or a new point, which is rounded (Attene et al. 2009
+ * put one amid such an edge).
  *
  * At an edge with more than two faces those are joined that bound the same space outside the solid.
  * That parts the edge's ends: let the cells at one of them be connected, and draw them on a small

@@ -9,7 +9,8 @@
 
 namespace insideout
 {
-/** Of a solid of density 1, in the units of its points. All 0 where there is no solid. */
+/** Mass properties of a solid of density 1, in the units of its points. All 0 where there is no
+ * solid. */
 struct MassProperties
 {
   double Volume = 0;
@@ -23,7 +24,7 @@ struct MassProperties
 /**
  * The mass properties of the cells inside, to some units in the last place: each is a sum of the
  * cells' own moments (Tonon 2004, Explicit exact formulas for the 3-D tetrahedron inertia tensor)
- * about their common center, with the rounding errors added up beside it. The same for any
+ * about their common center. Rounding errors are added up beside it. The same for any
  * number of threads. Infinite where a double cannot hold it.
  *
  * @param[in] inside one label per cell, not 0 for those inside

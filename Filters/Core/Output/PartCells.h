@@ -24,8 +24,8 @@ struct PartedCells
  * The cells inside at a point fall into parts: sides that have the point lead from one cell of a
  * part to any other of it. The first part keeps the point, each other one gets a copy (vertex and
  * edge duplication of Attene, Giorgi, Ferri and Falcidieno 2009). Copies are numbered by the first
- * cell that has them, so that cells inside have the points that they had, but for the number of
- * copies, and the same sides in common.
+ * cell that has them. So cells inside have the points that they had, but for the number of copies,
+ * and share the same sides.
  *
  * In the plane the parts are fans, and at each point of the boundary two of its edges end. In space
  * a part may go around what it does not fill, and touch itself: see ManifoldBoundary.

@@ -10,7 +10,7 @@
 namespace insideout
 {
 /** The hull with a solid in it, some of whose points may stand in one place several times, and some
- * of whose cells twice. What is outside is as it was. */
+ * of whose cells twice. Cells outside are as they were. */
 struct PartedSolid
 {
   TetrahedralMesh Mesh;

@@ -14,7 +14,7 @@ struct RegionBoundaries
    * their cells. */
   std::vector<BoundaryFace> Faces;
 
-  /** Of each face the region of its cell, and the one beyond: None for outside. */
+  /** For each face the region of its cell, and the one beyond: None for outside. */
   std::vector<std::array<Id, 2>> Regions;
 };
 

@@ -7,9 +7,9 @@
 namespace insideout
 {
 /**
- * The parts of the solid, numbered by their first cell. Faces connect: cells that have no more than
- * an edge or a point in common belong to one region only if there is a way from one to the other
- * through faces of cells inside. Facets between cells inside part nothing.
+ * The parts of the solid, numbered by their first cell. Faces connect: cells that share no more
+ * than an edge or a point belong to one region only if faces of cells inside connect them. Facets
+ * between cells inside part nothing.
  *
  * @param[in] inside one value per cell, 0 for outside
  * @throws Error InvalidParameter when there is not one label per cell; Stopped

@@ -27,8 +27,8 @@ struct OverlapCounts
  * and both bound the same layer. Or w is near 1, 0 and 1 again: there two sheets cross, and each
  * bounds another layer. An overlap is separated where this says of all its faces which of at most
  * two layers they bound, and no face contradicts. It stays as it is, glued, where w is near 3 or
- * more in it, where part of it is outside the solid, where a face of its boundary is no facet or
- * steps by more than 1, where sheets meet in an edge in other ways than these, and where faces are
+ * more in it, or where part of it is outside the solid; where a face of its boundary is no facet or
+ * steps by more than 1; where sheets meet in an edge in other ways than these; and where faces are
  * not connected through edges, so that nothing tells which of two layers they bound.
  *
  * Points of overlaps that are separated are parted (PartPoints), so that the layers have no more in

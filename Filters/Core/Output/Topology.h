@@ -16,7 +16,7 @@ struct BettiNumbers
   Id EulerCharacteristic() const { return this->Components - this->Tunnels + this->Cavities; }
 };
 
-/** Of a solid of tetrahedra, and of its boundary. */
+/** Betti numbers of a solid of tetrahedra, and of its boundary. */
 struct SolidTopology
 {
   BettiNumbers Solid;

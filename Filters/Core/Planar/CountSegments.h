@@ -36,8 +36,8 @@ struct CountedCurve
 };
 
 /**
- * Stage validate in a plane, by the rules of CountFacets: points with equal coordinates become one,
- * segments without length are left out, and those with the same two points become one, whose
+ * Stage validate in a plane, by the rules of CountFacets: points with equal coordinates become one;
+ * segments without length are left out; those with the same two points become one, whose
  * multiplicity counts them once per direction, opposite ones cancelling; it stays a constraint at
  * 0, unless a closed curve is given both ways as a whole (KeepTwoSidedCurves). Where the soup comes
  * with multiplicities, or duplicates are to be counted, these add instead.
@@ -52,7 +52,8 @@ CountedCurve CountSegments(const SegmentSoup& soup, const Plane& plane,
 /** @throws Error what CountSegments throws of segments and points that are no good */
 void CheckSegments(const SegmentSoup& soup);
 
-/** Points at which so many more segments end than begin, all counted: the curve's open ends. */
+/** Points with the number of segments that end there less those that begin, all counted: the
+ * curve's open ends. */
 Id NumberOfOpenEnds(const SegmentComplex& curve);
 
 /** The counts under their names, for `statistics`. */

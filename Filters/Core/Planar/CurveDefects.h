@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** What is wrong at a point of a curve. */
+/** The defects at a point of a curve. */
 enum class CurveDefect : unsigned char
 {
   OpenEnd,  ///< more segments begin than end there, or the other way round
@@ -21,7 +21,7 @@ struct CurveDefectPoint
   CurveDefect Type;
 };
 
-/** What is wrong with an input segment. */
+/** The defects of an input segment. */
 struct SegmentDefects
 {
   Id Component = None; ///< of segments joined through points, by first segment; None: degenerate
@@ -42,7 +42,7 @@ struct CurveDefects
 };
 
 /**
- * What is wrong with a curve in a plane, which nothing is changed in.
+ * The defects of a curve in a plane, of which nothing is changed.
  *
  * @throws Error what MeshPlanarHull throws
  */

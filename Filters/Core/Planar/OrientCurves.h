@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** What was turned over. */
+/** The segments that were turned over. */
 struct CurveTurns
 {
   std::vector<Id> Segments; ///< of the soup; ascending

@@ -64,7 +64,8 @@ Id SplitPoints(SegmentComplex& curve, PlanarMesh& mesh, const std::vector<unsign
 SolidRegions FindRegions(const PlanarMesh& mesh, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress);
 
-/** Of a part of the plane, in the units of its points. All 0 where there is no part. */
+/** Mass properties of a part of the plane, in the units of its points. All 0 where there is no
+ * part. */
 struct AreaProperties
 {
   double Area = 0;

@@ -17,9 +17,9 @@ struct ResolvedCurve
  * Stage pre in a plane: segments cut where they cross, touch or overlap, which exact predicates
  * decide; crossings are rounded to doubles, and what that makes cross is cut again, until nothing
  * does. Points of the input never move. Where a crossing is nearer to an end of a segment than
- * rounding can tell, both pass through that end. What is nearer than that grows from round to
- * round, to less than 1e-12 of the size, so that this ends; segments that still cross in the last
- * round are left out (NumberOfConstraints).
+ * rounding can tell, both pass through that end. That distance grows from round to round, to less
+ * than 1e-12 of the size, so that this ends; segments that still cross in the last round are left
+ * out (NumberOfConstraints).
  *
  * The pieces of a segment are one behind the other along it. Pieces of several segments that
  * coincide become one, whose multiplicities add. Points come in the order of the given ones, then

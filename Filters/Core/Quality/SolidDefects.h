@@ -9,15 +9,15 @@
 
 namespace insideout
 {
-/** What is wrong with tetrahedra, decided exactly. */
+/** The defects of tetrahedra, decided exactly. */
 struct SolidDefects
 {
-  /** Of each cell: 1 where its volume is positive as vtkTetra orders its points, 0 where it is
+  /** For each cell:  1 where its volume is positive as vtkTetra orders its points, 0 where it is
    * flat, -1 where it is negative. */
   std::vector<std::int8_t> Orientations;
 
-  /** Of each cell the part of the solid that it is in, parts being joined through faces: from 0, by
-   * their first cells. */
+  /** For each cell the part of the solid that it is in, parts being joined through faces: from 0,
+   * by their first cells. */
   std::vector<Id> Regions;
 
   Id NumberOfRegions = 0;
@@ -42,7 +42,7 @@ struct SolidDefects
 };
 
 /**
- * What is wrong with tetrahedra.
+ * The defects of tetrahedra.
  *
  * @param[in] points finite coordinates
  * @param[in] cells ids in range, each with four different ones

@@ -32,7 +32,7 @@ struct SolverFitness
   bool IsGood() const { return this->RefusedCells == 0 && this->PoorCells == 0; }
 };
 
-/** What has been done for the cells, and is not to be advised again. */
+/** The remedies that were taken, and are not to be advised again. */
 enum class CellTreatment
 {
   None, ///< or nothing that is known

@@ -16,8 +16,8 @@ double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle
   const Point& place, double enough);
 
 /**
- * Move a place to where the worst shape of the cells between it and the walls is better, uphill
- * along the shortest vector between the gradients of the worst cells' shapes (Freitag and
+ * Move a place to where the worst shape of the cells between it and the walls is better. Steps go
+ * uphill along the shortest vector between the gradients of the worst cells' shapes (Freitag and
  * Ollivier-Gooch 1997, Tetrahedral Mesh Improvement Using Swapping and Smoothing).
  *
  * @param[in,out] place it may lie beyond walls in the beginning

@@ -41,7 +41,7 @@ private:
   double Inverse; ///< of the square of the normal
 };
 
-/** The shape whose least dihedral angle has so many degrees. */
+/** The shape whose least dihedral angle has this many degrees. */
 double ShapeOfAngle(double degrees);
 
 Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell);

@@ -17,8 +17,8 @@ public:
   }
 
   /**
-   * Move a point into the one of its neighbours that gives the best cells, if their worst shape is
-   * above `wanted` and no edge gets longer than `longest` times the sizes at its ends.
+   * Move a point into the neighbour that gives the best cells, if their shapes are above `wanted`
+   * and no edge gets longer than `longest` times the sizes at its ends.
    */
   bool Remove(Id point, double wanted, double longest);
 

@@ -10,7 +10,7 @@ namespace insideout
 {
 /**
  * Takes points out of a surface that is remeshed, each by moving it along an edge of the surface
- * into the next point, where the surface stays near enough and what is connected stays so (the link
+ * into the next point. The surface has to stay near enough, and connected as it was (the link
  * conditions of Dey, Edelsbrunner, Guha and Nekhayev 1999, Topology Preserving Edge Contraction).
  */
 class SurfaceContraction
@@ -24,7 +24,7 @@ public:
   }
 
   /**
-   * Move a point into a neighbour, if all new cells have a shape (ShapeOf) above `wanted`, at least
+   * Move a point into a neighbour, if all new shapes (ShapeOf) are above `wanted`, at least
    * 0, and no edge gets longer than `longest` times the sizes at its ends.
    */
   bool Contract(Id point, Id target, double wanted, double longest);
@@ -39,7 +39,7 @@ public:
   bool Remove(Id point, double wanted, double longest);
 
 private:
-  /** What is around a point. */
+  /** The surroundings of a point. */
   struct Around
   {
     std::vector<Id> Cells;

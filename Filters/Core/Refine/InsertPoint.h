@@ -7,8 +7,8 @@
 namespace insideout
 {
 /**
- * Insertion of a point in the cells whose circumsphere holds it, as Bowyer (1981) and Watson (1981)
- * do, but never across a facet, and only in cells whose faces it sees, exactly.
+ * Inserts a point in the cells whose circumsphere holds it (Bowyer 1981, Watson 1981), but never
+ * across a facet, and only in cells whose faces it sees, exactly.
  */
 class PointInsertion
 {

@@ -50,7 +50,7 @@ public:
 private:
   using Place = RefinableTriangles::Place;
 
-  /** What is to be looked at: a triangle, or one of its constraints. */
+  /** The triangles to be looked at: a triangle, or one of its constraints. */
   struct Task
   {
     double Length; ///< the longest come first

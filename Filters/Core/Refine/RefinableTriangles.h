@@ -10,7 +10,7 @@ namespace insideout
 {
 /**
  * The triangles inside a curve, to be refined: constrained Delaunay before and after each step, by
- * exact predicates, and each triangle positive, exactly. What is outside is not there.
+ * exact predicates, and each triangle positive, exactly. There are no triangles outside.
  */
 class RefinableTriangles
 {

@@ -67,8 +67,8 @@ struct RefinedMesh
  *
  * @param[in] mesh of any solid; its facets do not matter
  * @param[in] regions one per cell; empty: all are one
- * @throws Error InvalidParameter, which names the culprit (a cell without volume, two that overlap
- * at a face, a length that is not positive), TooLarge when there would be more cells than can be
+ * @throws Error InvalidParameter, which names the culprit: a cell without volume, two that overlap
+ * at a face, a length that is not positive; TooLarge when there would be more cells than can be
  * counted, Stopped
  */
 RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,

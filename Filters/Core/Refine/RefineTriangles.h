@@ -36,7 +36,7 @@ struct RefinedTriangles
  * larger, and a warning counts them. Split: a constraint is cut where a centre or a point is within
  * the circle around it, or where it is too long; then no angle is below 20.7 degrees but near sharp
  * corners of the curve. Cuts near corners below 60 degrees are at powers of two from these
- * (Ruppert's concentric shells). What stays thin is the triangle at such a corner; and below half a
+ * (Ruppert's concentric shells). The triangle at such a corner stays thin; and below half a
  * degree all those between shells, for good ones would be too many.
  *
  * Every triangle is positive, exactly, and the same for the same input, always.

@@ -57,7 +57,7 @@ public:
   double EstimatedCells() const;
 
 private:
-  /** What the surface allows, and what is asked for. */
+  /** The length that the surface allows, and the one asked for. */
   struct Lengths
   {
     double Surface;

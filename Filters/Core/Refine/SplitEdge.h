@@ -22,8 +22,8 @@ public:
 
   /**
    * Look for the cells around an edge of `cell`.
-   * @return false where it is locked, where a piece at it has a much longer edge, or where rounding
-   * leaves no room between its ends, or puts its middle beyond another piece
+   * @return false if it is locked, a piece at it has a much longer edge, or rounding leaves no room
+   * between its ends or puts its middle beyond another piece
    */
   bool Find(Id u, Id v, Id cell);
 

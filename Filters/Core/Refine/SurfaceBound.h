@@ -15,10 +15,9 @@ namespace insideout
 /**
  * Says which pieces of a surface may take the place of others: of the boundary those that cross no
  * other piece of it. Where it is remeshed it stays near the input's, too, both ways: no point of it
- * is farther than the tolerance, and neither are the corners, the amids of the edges and the
- * centres of the input's facets from it (each of them is followed to the piece that it is next to;
- * as Hu et al. 2017, Error-Bounded and Feature Preserving Surface Remeshing with Minimal Angle
- * Improvement).
+ * is farther than the tolerance. Neither are the corners, edge middles and centres of the input's
+ * facets from it (each of them is followed to the piece that it is next to; as Hu et al. 2017,
+ * Error-Bounded and Feature Preserving Surface Remeshing with Minimal Angle Improvement).
  */
 class SurfaceBound
 {
@@ -45,7 +44,7 @@ public:
   /** Whether others that differ only in how they are cut, but for rounding, may. */
   bool AllowsCut(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
-  /** What was allowed last was done. */
+  /** The step that was allowed last was done. */
   void Replace();
 
   /** The point of the input's surface that is nearest to a place near a facet: only where it is
@@ -62,7 +61,7 @@ private:
 
   TriangleTree::Nearest NearestTo(Id point, const Point& place, Id facet);
 
-  /** What a point was nearest to when it was asked for last. */
+  /** The facet that a point was nearest to when last asked for. */
   struct NearestToPoint
   {
     Point Place;
@@ -78,7 +77,7 @@ private:
   std::vector<Point> Places; ///< of the samples
   std::unordered_map<Triangle, Samples, HashOfTriangle> AtPieces;
 
-  /** What was allowed last. */
+  /** The step that was allowed last. */
   std::vector<SurfacePiece> Gone;
   std::vector<SurfacePiece> Fresh;
   std::vector<Samples> AtFresh;

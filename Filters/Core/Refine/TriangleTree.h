@@ -55,7 +55,7 @@ public:
 private:
   static constexpr double Precision = 0.1;
 
-  /** Of a distance: what it need not be told better than, and more than. */
+  /** About a distance: what it need not be told better than, and more than. */
   struct Interest
   {
     double Precision;

@@ -15,7 +15,7 @@ struct Meeting
 };
 
 /**
- * How two facets meet, decided with exact predicates. Of facets that overlap it says no more.
+ * How two facets meet, decided with exact predicates. It says no more of facets that overlap.
  *
  * @param[in] a, b non-degenerate facets that have a point in common
  */

@@ -6,7 +6,7 @@
 
 namespace insideout
 {
-/** What is wrong with a surface in floats, and was not in doubles. */
+/** The defects of a surface in floats that it has not in doubles. */
 struct FloatRounding
 {
   Id NearPoints = 0;        ///< that are nearer to another one than a millionth of the size
@@ -17,7 +17,8 @@ struct FloatRounding
  * Round the points of a surface of triangles to floats, for a file that holds no doubles. Points
  * that become one are one; triangles that lose their area are taken out, so that what was closed
  * stays closed. Edges shorter than a millionth of the size are contracted, and points take another
- * float near by, where no more triangles meet then. What meets already in doubles stays as it is.
+ * float near by, where no more triangles meet then. Triangles that meet already in doubles stay as
+ * they are.
  *
  * Attributes of points are lost; a part of a triangle has the attributes of the whole. Triangles
  * keep their order; new ones come last. Nothing changes where not all polygons are triangles, or

@@ -15,9 +15,9 @@ namespace insideout
  * the Euler characteristic is 2; exactly one point is the largest in lexicographic order among its
  * neighbours, and its ring goes round once. That suffices: let k(v) be how often the ring of v goes
  * round. The normals of a surface whose edges are all convex cover the sphere d = 1 + sum (k(v) -
- * 1) / 2 times, by the theorem of Gauss and Bonnet, and d is how many points are the largest in a
- * general direction, each counted k times. So d and every k are 1, and a surface that is convex at
- * every point is the boundary of a convex body.
+ * 1) / 2 times, by the theorem of Gauss and Bonnet. Each point that is the largest in a general
+ * direction counts k times in d. So d and every k are 1, and a surface that is convex at every
+ * point is the boundary of a convex body.
  *
  * A Steiner point on the hull is rounded: at edges with such a point, a dent of 1e-12 of the mesh's
  * size passes.

@@ -48,17 +48,17 @@ struct Tetrahedralization
  * Stage CDT: tetrahedra of the convex hull of the complex in which every constraint is a union of
  * faces (thesis, chapter 8).
  *
- * TetrahedralizeExactly kept all facets of 145 real surfaces, most of them chosen because they are
- * difficult, with Steiner points of 0.09 % of the points at the median and below 1.9 % on nine in
- * ten. TetGen's first way failed on 16 of these. On the other 129 both take about as long, at
- * the median and in sum; the exact way takes up to eight times as long where flips leave many edges
- * to be cut, a quarter of an hour for one surface of 600,000 facets that TetGen cannot do. TetGen
- * works in a program of its own (TetgenProcess.h), for it exits, crashes or loops on some inputs.
- * What comes back from either is checked before it is believed (AssembleMesh.h): points in place,
- * exact positive volumes, every face shared by at most two cells, the hull convex, facets present.
+ * TetrahedralizeExactly kept all facets of 145 real, mostly difficult surfaces, with Steiner points
+ * of 0.09 % of the points at the median and below 1.9 % on nine in ten. TetGen's first way failed
+ * on 16 of these. On the other 129 both take about as long, at the median and in sum; the exact way
+ * takes up to eight times as long where flips leave many edges to be cut. It takes a quarter of an
+ * hour for one surface of 600,000 facets that TetGen cannot do. TetGen works in a program of its
+ * own (TetgenProcess.h), for it exits, crashes or loops on some inputs. The result of either is
+ * checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
+ * face shared by at most two cells, the hull convex, facets present.
  *
  * Where one way fails the next is tried, a rung further down the ladder (Ladder.cxx lists them).
- * The last is the Delaunay tetrahedralization of the points without regard to facets. Of meshes
+ * The last is the Delaunay tetrahedralization of the points without regard to facets. Among meshes
  * that lose facets the one that loses fewest is taken; it names them in LostFacets.
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.

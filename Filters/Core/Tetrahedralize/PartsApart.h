@@ -11,8 +11,8 @@ namespace insideout
  * all that has a box which meets theirs, until no two boxes meet. Then no convex hull meets another
  * part, and a part that is closed has a winding number of 0 beyond its own.
  *
- * What is open has not, and a solid may reach from one open piece to another: all open pieces are
- * of one part, wherever they are. So are those that lie in a plane, for they have no volume to
+ * An open surface has not, and a solid may reach from one open piece to another: all open pieces
+ * are of one part, wherever they are. So are those that lie in a plane, for they have no volume to
  * fill; where all of these do, the first piece that neither is open nor does joins them.
  *
  * @param[in] surface resolved, of valid ids and finite points

@@ -26,10 +26,10 @@ struct TetgenOptions
 /**
  * Run TetGen on points and facets in a process of its own, the program insideout-tetgen: the one
  * that the environment variable INSIDEOUT_TETGEN names, else libexec/insideout-tetgen in the folder
- * of the library or program that holds this code, or in one of the five folders above it. Nothing
- * that TetGen does harms the caller, and no process, file, descriptor or signal handler is left
- * behind, not even where the caller's process is killed: the helper ends with it. May be called
- * from several threads at once.
+ * of this code's library or program, or in one of the five folders above it. Nothing that TetGen
+ * does harms the caller, and no process, file, descriptor or signal handler is left behind, not
+ * even where the caller's process is killed: the helper ends with it. May be called from several
+ * threads at once.
  *
  * The monitor is asked every 50 ms. When it says stop, or the budget is used up, the helper is
  * killed and reaped. An answer of more bytes than the memory budget is refused before it is read.

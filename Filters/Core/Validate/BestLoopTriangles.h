@@ -26,8 +26,8 @@ struct LoopTriangles
 };
 
 /**
- * Of all triangulations of a loop the one of least area, and of those whose area is the same to
- * `margin` the one with the least sum of (a^2 + b^2 + c^2) / area over triangles with edges a, b
+ * The triangulation of a loop that has the least area. Among those whose area is the same to
+ * `margin` it has the least sum of (a^2 + b^2 + c^2) / area over triangles with edges a, b
  * and c. In a plane that is the constrained Delaunay one (Musin 1997, Properties of the Delaunay
  * triangulation). By dynamic programming (Klincsek 1980, Minimal triangulations of polygonal
  * domains; Barequet and Sharir 1995, Filling gaps in the boundary of a polyhedron).

@@ -29,8 +29,8 @@ struct EnclosedTriangles
  * of points and edges but by the ids that it gives.
  *
  * Where a point lies on an edge the triangle of all three, which is degenerate, stands between the
- * edge and its parts. Where edges cross, one goes around through an end of the other, and so many
- * triangles overlap. Where points differ only along the axis, triangles stand upright between them.
+ * edge and its parts. Where edges cross, one goes around through an end of the other, and triangles
+ * overlap. Where points differ only along the axis, triangles stand upright between them.
  *
  * @param[in] points no two of them equal
  * @param[in] outline not empty; as many edges begin as end at each point

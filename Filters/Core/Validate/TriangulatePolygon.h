@@ -17,10 +17,10 @@ namespace insideout
  * which the outline runs twice, and it may touch itself. Where it is not flat, the triangles are
  * those of least area among the candidates (README.md).
  *
- * The same polygon in another place of the list, begun elsewhere or run through the other way, or
- * with other ids of the same coordinates, gives the same triangles, turned over in the second case.
- * A triangle may be degenerate where the outline touches itself within an edge or has no area;
- * there is always at least one triangle.
+ * The same polygon gives the same triangles in another place of the list, begun elsewhere, or with
+ * other ids of the same coordinates; run through the other way it gives them turned over. A
+ * triangle may be degenerate where the outline touches itself within an edge or has no area; there
+ * is always at least one triangle.
  *
  * @param[in] points finite, of any size
  * @param[in] corners three or more, as the outline runs

@@ -14,8 +14,8 @@ struct TwoSidedComponents
 
 /**
  * Find the components in which every facet has multiplicity 0, for it was given in both
- * orientations. Of these, a patch (facets joined through edges of exactly two) that closes a volume
- * when each facet is kept once gets multiplicities of +1 and -1 that turn it outward: modellers
+ * orientations. A patch of these (facets joined through edges of exactly two) may close a volume
+ * when each facet is kept once. It gets multiplicities of +1 and -1 that turn it outward: modellers
  * mean the solid. The others are sheets, and stay at 0.
  *
  * @param[in,out] surface Multiplicity changes

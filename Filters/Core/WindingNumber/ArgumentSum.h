@@ -49,7 +49,7 @@ private:
  * of the distance (Greengard and Rokhlin 1987). In a tree of places, one that is far from the point
  * is such a series, cut off behind a double's last digit. Where it meets the ray to the left, on
  * which the argument jumps, the places on the one side of the ray are a whole turn off: how many
- * these are is found among their heights. What is near is summed place by place.
+ * these are is found among their heights. Ends nearby are summed place by place.
  */
 class ArgumentSum
 {

@@ -18,8 +18,8 @@
  *
  * where s(u) = (1 + z, x + i y) / norm points to the direction u = (x, y, z). Scaling a spinor by
  * any complex number changes nothing, for each stands once in a bra and once in a ket. So the norm
- * can be left out, u need not be a unit vector, and (x - i y, 1 - z), the same spinor without
- * cancellation where z is negative, may stand in for it. A point costs one root, an edge two
+ * can be left out, and u need not be a unit vector. (x - i y, 1 - z) is the same spinor without
+ * cancellation where z is negative, and may stand in for it. A point costs one root, an edge two
  * complex products, and there is no division, no arctangent and no branch.
  */
 namespace insideout

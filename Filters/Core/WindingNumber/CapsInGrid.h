@@ -14,14 +14,15 @@ namespace insideout
  *
  * Away from a cap its winding number is a harmonic function, which a polynomial through few values
  * tells to rounding. So the slices are cut into boxes, again and again: caps that are far from a
- * box are summed at the nodes of a polynomial in it, and the others in its halves, which take over
- * the polynomial at their nodes. A box with no more places than nodes has its places for nodes.
+ * box are summed at the nodes of a polynomial in it. The others are summed in its halves, which
+ * take over the polynomial at their nodes. A box with no more places than nodes has its places for
+ * nodes.
  */
 class CapsInGrid
 {
 public:
   /**
-   * Of the slices from first to last, this not included.
+   * For the slices from first to last, this not included.
    *
    * @param[in] points of the caps, below 1 in each coordinate
    * @param[in] caps each a chain of triangles that are not degenerate
@@ -55,7 +56,7 @@ private:
     std::vector<double> Values; ///< at the nodes, x fastest; empty for zero
     std::vector<Id> Near;       ///< caps that are not in the values
 
-    /** Of the nodes' polynomials the values at place after place; in x of node after node. */
+    /** The values of the nodes' polynomials at place after place; in x of node after node. */
     std::array<std::vector<double>, 3> Basis;
   };
 

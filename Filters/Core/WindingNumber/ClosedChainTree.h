@@ -82,7 +82,7 @@ private:
   std::unique_ptr<ReferenceGrid> Grid; ///< none where doubles did not do
   std::vector<char> IsWanted;          ///< of the grid's cubes; empty for all
 
-  /** Of the grid's cubes that hold many facets; without a grid one of the whole. */
+  /** For the grid's cubes that hold many facets; without a grid one of the whole. */
   std::vector<std::unique_ptr<const ReferenceTree>> Trees;
   std::vector<std::size_t> Crowded; ///< those cubes, ascending
   Box Whole;                        ///< that of the one tree

@@ -17,8 +17,8 @@ namespace insideout
  *
  *   w = winding number of (chain - caps) + winding number of caps
  *
- * where the first is a whole number, found in a tree (ClosedChainTree.h) in time that grows with
- * the logarithm of the number of triangles, and the second costs a few operations per open edge
+ * where the first is a whole number. A tree (ClosedChainTree.h) finds it in time that grows with
+ * the logarithm of the number of triangles. The second costs a few operations per open edge
  * (WindingNumberOfCaps.h), nothing where the chain is closed.
  *
  * On the chain w is the mean of its values around the place, weighted by solid angle.

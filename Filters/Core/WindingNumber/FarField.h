@@ -35,7 +35,7 @@ struct FarField
   /** Add a vector area in a single place, d from the centre. */
   void AddDipole(const Point& n, const Point& d);
 
-  /** w by so many terms, 1 to 3, at a place from which r leads to the centre. */
+  /** w by this number of terms, 1 to 3, at a place from which r leads to the centre. */
   double At(const Point& r, int terms) const;
 
   /** The gradient of w by all three terms there. */

@@ -61,7 +61,7 @@ public:
   bool IsClosed() const { return this->LooseEnds.empty(); }
 
 private:
-  /** A point at which so many more segments end than begin. */
+  /** A point, and the number of segments that end there less those that begin. */
   struct LooseEnd
   {
     Id Point;

@@ -37,7 +37,7 @@ public:
   ReferenceTree(const ChainFacets& facets, const std::vector<Point>* wanted, Region region,
     Monitor& monitor, const ProgressRange& progress);
 
-  /** What is known around a site in the box. */
+  /** The known winding number around a site in the box. */
   KnownBox At(const RoundedSite& site) const;
 
 private:

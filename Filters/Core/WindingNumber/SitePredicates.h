@@ -17,7 +17,7 @@ struct PreparedSite : RoundedSite
   Site Exact;
 };
 
-/** What decides quickly on which side of a triangle a place is. */
+/** Decides quickly on which side of a triangle a place is. */
 struct PlaneOfTriangle
 {
   PlaneOfTriangle() = default;

@@ -10,7 +10,7 @@ namespace insideout
 /** Weights of the four corners of a cell, whose exact sum is 1. */
 using SiteWeights = std::array<double, 4>;
 
-/** Of the barycentre. */
+/** The weights of the barycentre. */
 constexpr SiteWeights BarycentreWeights = { { 0.25, 0.25, 0.25, 0.25 } };
 
 /**
@@ -60,7 +60,7 @@ struct RoundedSite
   Point Low;
 };
 
-/** The cells {p, p, p, p} of so many points. */
+/** The cells {p, p, p, p} of this number of points. */
 std::vector<Tetrahedron> CellsOfPoints(std::size_t count);
 
 /** The same place in each of many cells. A cell {p, p, p, p} makes point p a site. */

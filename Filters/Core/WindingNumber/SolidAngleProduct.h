@@ -9,10 +9,10 @@
  * The sum of solid angles in doubles, side by side for a block of sites (WindingNumberSum.h).
  *
  * A sum of arctangents is the argument of a product. The solid angle of a facet is twice the
- * argument of z = real + i imaginary (SolidAngle.h), so instead of adding arctangents the product
- * of all z is kept, and the number of times that its argument wraps around; one arctangent at the
- * end gives the rest. What remains are multiplications and comparisons, which the compiler
- * vectorizes over a block of sites.
+ * argument of z = real + i imaginary (SolidAngle.h). So the product of all z is kept instead of a
+ * sum of arctangents, with the number of turns of its argument; one arctangent at the end gives the
+ * rest. There remain multiplications and comparisons, which the compiler vectorizes over a block of
+ * sites.
  *
  * With u, v, w the unit vectors from the site to the facet's corners,
  *

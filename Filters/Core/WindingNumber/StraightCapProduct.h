@@ -38,7 +38,7 @@ CapTriangle MakeCapTriangle(const std::array<Point, 3>& corners, double height);
 const CapTriangle* MultiplyByTriangles(const CapTriangle* first, const CapTriangle* last,
   const SiteBlock& sites, Products& products, double (&undecided)[Lanes]);
 
-/** A triangle about as thin as rounding errors, and so often. */
+/** A triangle about as thin as rounding errors, and how often it counts. */
 struct Sliver
 {
   std::array<Point, 3> Corners;

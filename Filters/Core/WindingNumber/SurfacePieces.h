@@ -14,8 +14,8 @@ struct CountedPiece
 };
 
 /**
- * Cut a surface into pieces whose winding numbers add up to its own, at any place and on the
- * surface, too, so that they can be held one after the other.
+ * Cut a surface into pieces whose winding numbers add up to its own, also on the surface, so that
+ * they can be held one after the other.
  *
  * Space is halved again and again, so that each piece lies in a box of its own but for facets on
  * the border. Where that cuts the surface in two, one side loses what the other gains: caps (as in

@@ -72,9 +72,8 @@ public:
 
   /**
    * The gradient of w, by the Biot-Savart integral over the open edges: w is smooth away from the
-   * surface and jumps by whole numbers across it, so that facets add nothing, and on a closed
-   * surface the gradient is 0 everywhere. 0 on an open edge itself. Safe to call from several
-   * threads.
+   * surface and jumps by whole numbers across it, so facets add nothing. On a closed surface the
+   * gradient is 0 everywhere. It is 0 on an open edge itself. Safe to call from several threads.
    */
   Point Gradient(const Point& point) const;
 

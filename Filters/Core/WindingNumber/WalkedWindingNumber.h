@@ -18,7 +18,7 @@ namespace insideout
 std::vector<double> WalkedWindingNumbers(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor);
 
-/** What every face of the mesh counts for, as far as the facets in it are whole. */
+/** The count of every face of the mesh, as far as the facets in it are whole. */
 class FaceCounts
 {
 public:

@@ -11,8 +11,8 @@ namespace insideout
  * The winding number of a chain of triangles that is small against the region where it is wanted:
  * the caps that close the holes of a surface.
  *
- * The chain is given in parts, its caps. A site that is so far from some caps that their winding
- * numbers together are below 1/2 by their areas gets these from the boundaries alone
+ * The chain is given in parts, its caps. Caps that are far from a site have winding numbers that
+ * together are below 1/2, by their areas. The site gets these from the boundaries alone
  * (BoundaryProduct.h), which say it modulo 1. The other caps are summed, triangle by triangle, with
  * exact decisions on which side of a triangle the site lies (SolidAngleProduct.h). Either way the
  * value is right to rounding and never off by one. Neighbouring caps make a bunch, so that where it
