@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Rules of the source tree, run from its root: formatting, no VTK in Core, a licence line in each file,
-# and those of its structure.
+# and those of its structure and of its texts.
 set -u
 failed=0
 complain() {
@@ -25,5 +25,6 @@ for file in $files; do
 done
 
 python3 Testing/check-structure.py || failed=1
+python3 Testing/check-texts.py || failed=1
 
 exit $failed
