@@ -26,7 +26,7 @@ public:
   std::vector<Triangle> Facets;
   SegmentTable Segments;
 
-  /** The facets that are not there, after a look whether one is a face by chance. */
+  /** The facets missing in the mesh, after a search for those that are faces by chance. */
   std::vector<Id> FindLost(Monitor& monitor);
 
   /** The segments of facets, each once, ascending. */

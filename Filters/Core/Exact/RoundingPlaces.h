@@ -11,7 +11,7 @@ namespace insideout
 /**
  * Places in doubles for a Steiner point, the ones first that leave it nearest to what it lies on:
  * on its segment exactly, its nearest doubles, beside the segment, around, and all along the
- * segment. Nothing says that cells around stay positive there.
+ * segment. The cells around need not stay positive there.
  */
 std::vector<Point> PlacesFor(const FlippableMesh& mesh, const SegmentTable& segments, Id point);
 

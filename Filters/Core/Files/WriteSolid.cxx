@@ -54,7 +54,8 @@ void CheckSolid(const SolidMesh& solid)
   if (solid.RegionOfCell.size() != cells || solid.TagOfFace.size() != solid.Faces.size() ||
     (IsQuadratic(solid) && solid.Midpoints.size() != cells))
   {
-    Refuse("the cells' midpoints or regions, or the faces' tags, are not as many as these");
+    Refuse(
+      "the numbers of cells and of their midpoints or regions differ, or those of faces and tags");
   }
   CheckGroups(solid.RegionOfCell, solid.Regions, "cell");
   CheckGroups(solid.TagOfFace, solid.Tags, "face");

@@ -35,7 +35,7 @@ struct ManifoldSurface
  * each copy of the edge has other ends than the others, and two faces.
  *
  * Where overlaps were separated there may be nothing that tells which space a face bounds. Then
- * those are joined that bound the same cells, and the edge may be left with several triangles.
+ * faces of the same cells are joined, and the edge may keep more than two triangles.
  *
  * @param[in] solid all of whose points are parted
  * @param[in] faces of its boundary (BoundaryFaces)

@@ -36,7 +36,7 @@ struct CurveDefects
   std::vector<CurveDefectPoint> Points; ///< by type
   CurveCounts Counts;
   std::size_t IntersectingPairs = 0;
-  std::vector<Id> TurnedSegments; ///< of the soup: turned over as the orientation asks; ascending
+  std::vector<Id> TurnedSegments; ///< ids of segments that the orientation turns over, ascending
   AreaReadings Areas;             ///< enclosed then
   std::vector<std::string> Warnings;
 };

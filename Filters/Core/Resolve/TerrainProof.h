@@ -68,8 +68,8 @@ struct BorderEdge
  * the number is 0, and it is nowhere below, so n is 0: each place beside the border's image is
  * covered once or not at all, and the insides of no two images overlap.
  *
- * Say that the images of two facets have a point x in common. It is on the edges of both, for all
- * around a point inside one is covered by that alone.
+ * Say that the images of two facets have a point x in common. It lies on edges of both: all around
+ * a point inside one image is covered by that image alone.
  *   - Within an edge that cancels there is a facet on either side, and they cover all around x:
  * these are the two, and x is on the edge that they share.
  *   - At a corner that has no edge of the border, facets that share it cover all around it: the two

@@ -24,9 +24,9 @@ struct EnclosedTriangles
 };
 
 /**
- * What an outline encloses seen along an axis, by a constrained Delaunay triangulation in which
- * each triangle counts as often as the winding number there says. It does not depend on the order
- * of points and edges but by the ids that it gives.
+ * The triangles that an outline encloses, seen along an axis: those of a constrained Delaunay
+ * triangulation, each as often as the winding number there says. It does not depend on the order of
+ * points and edges but by the ids that it gives.
  *
  * Where a point lies on an edge the triangle of all three, which is degenerate, stands between the
  * edge and its parts. Where edges cross, one goes around through an end of the other, and triangles

@@ -29,7 +29,7 @@ public:
   };
 
   /**
-   * @param[in] wanted where sites are, of which the region wants some; null for any place. At
+   * @param[in] wanted the sites of which the region wants some; null for any place. At
    * places that are not wanted the winding number may be unknown.
    * @param[in] monitor asked where the region is large, whose parts are built on all threads
    * @throws Error (Stopped)

@@ -60,7 +60,7 @@ struct UntouchedParts
 /**
  * Walk within each part, from its first cell to all others.
  *
- * @param[in] touched one per cell, not 0 for those that belong to no part
+ * @param[in] touched one flag per cell, not 0 for cells that belong to no part
  * @throws Error (Inconsistent) when two ways to a cell give different numbers
  */
 UntouchedParts WalkParts(

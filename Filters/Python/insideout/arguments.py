@@ -47,7 +47,7 @@ class Files:
     report: Optional[str] = None
 
     def name(self) -> str:
-        """What messages call the surface."""
+        """The name of the surface in messages."""
         name = STANDARD_INPUT if self.surface == "-" else self.surface
         return f"{name} and {len(self.others)} more" if self.others else name
 

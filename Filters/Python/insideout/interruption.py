@@ -48,7 +48,7 @@ def told() -> None:
 
 
 def exit_status(interrupt: KeyboardInterrupt) -> int:
-    """As a shell gives it for a program that the signal has ended."""
+    """The exit status that a shell gives to a program ended by this signal."""
     return 128 + _signal_of(interrupt)
 
 

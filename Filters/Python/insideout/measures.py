@@ -14,7 +14,7 @@ FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
 
 
 def enclosed_volume(points: Points, triangles: Ids) -> float:
-    """What triangles enclose, which are counted by the sides that they face; the place of the origin does not matter if they are closed."""
+    """The signed volume that triangles enclose. It does not depend on the origin if they are closed."""
     if len(triangles) == 0:
         return 0.0
     a, b, c = (points[corner] for corner in triangles.T)

@@ -20,7 +20,7 @@ CHECK_SOLID = (VALIDATING, FINDING, "measuring quality")
 WINDING = (VALIDATING, ORIENTING, WINDING_NUMBERS)
 
 UNNAMED = "working"
-"""For what VTK reports at the very start and end."""
+"""The stage that VTK reports at the very start and end."""
 
 READING, WRITING, DRAWING = "reading", "writing", "drawing"
 """What only the command does."""

@@ -60,7 +60,7 @@ def defects(statistics: Mapping[str, float]) -> list[str]:
 
 
 def tetrahedralizer(statistics: Mapping[str, float]) -> Optional[str]:
-    """What made the tetrahedra, in words."""
+    """The engine that made the tetrahedra, in words."""
     return vtkConstrainedDelaunay3D.GetRungName(int(statistics["Rung"])) if "Rung" in statistics else None
 
 

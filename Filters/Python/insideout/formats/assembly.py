@@ -95,7 +95,7 @@ class Assembly:
         return surface
 
     def warnings(self) -> list[str]:
-        """What is worth knowing, and what was passed over in one line."""
+        """Remarks, and one line about all that was passed over."""
         counts = ", ".join(f"{count} {what}" for what, count in self.passed_over.items())
         return [*self.notes, *([f"passed over: {counts}"] if counts else [])]
 
