@@ -137,7 +137,7 @@ void WarnOfLost(vtkFieldData* piece, vtkFieldData* whole, std::set<std::string>&
     if (name && !whole->HasArray(name))
     {
       warnings.insert(std::string("the array ") + name +
-        " is left out of a part, for not all its pieces have it, of one type");
+        " is left out of a part: some of its pieces lack it, or have it in another type");
     }
   }
 }

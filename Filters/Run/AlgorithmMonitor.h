@@ -27,8 +27,8 @@ public:
    */
   AlgorithmMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages);
 
-  /** The algorithm does nothing any more: the name of its last stage is not to stand at the next
-   * run's beginning. */
+  /** Clears the progress text, lest the last stage's name stand at the beginning of the next run.
+   */
   ~AlgorithmMonitor() override;
 
   bool Continue(const char* stage, double fraction) override;

@@ -57,7 +57,7 @@ public:
   /** A positive multiple of the volume: the product of the four weights w times it. */
   DyadicNumber Determinant(Id a, Id b, Id c, Id d) const;
 
-  /** The points x with Normal . (x - origin) = Offset; Normal has no certain length. */
+  /** The points x with Normal . (x - origin) = Offset; Normal has any length. */
   struct Plane
   {
     std::array<double, 3> Normal;

@@ -114,10 +114,10 @@ struct SolidContent
  * Points and cells are in the order of their numbers; points that no cell has stay. Cells are all
  * quadratic or all linear: where both are in a file midpoints are dropped, with a warning. Other
  * volumes and faces are counted in a warning; points, lines and what is no mesh are passed over.
- * A group has the number of the file where all of these are from 0 to 65535, and else one by their
- * order; what is in none has the number behind the last. Nothing in the file is trusted: a number
- * of no point, a number given twice, a coordinate that is not finite, and a truncated or malformed
- * file are errors that name file, line and element.
+ * Groups keep the numbers of the file if all of these are from 0 to 65535, else they are numbered
+ * in their order. Cells and faces of no group get the number behind the last. Nothing in the file
+ * is trusted: a number of no point, a number given twice, a coordinate that is not finite, and a
+ * truncated or malformed file are errors that name file, line and element.
  *
  * `monitor` is told of Stages::Reading.
  *

@@ -42,8 +42,9 @@ struct RefinedMesh
    */
   std::vector<Id> OriginalCells;
 
-  /** Per face of each cell, where it is on the boundary or between regions: 4 * cell + face of the
-   * input's face, on the same side, that it is a piece of, or (Remeshed) nearest to. None else. */
+  /** The input's face, as 4 * cell + face, for each face of each cell on the boundary or between
+   * regions: the one, on the same side, that it is a piece of, or (Remeshed) nearest to. None for
+   * other faces. */
   std::vector<std::array<Id, 4>> OriginalFaces;
 
   /** Per point, a cell of the input that holds it, or is near it. */

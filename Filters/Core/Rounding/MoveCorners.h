@@ -30,9 +30,9 @@ public:
   bool IsThere(Id triangle) const { return this->Alive[triangle] != 0; }
 
   /**
-   * Contract the edge between two points, so that they are where `kept` is. Nothing changes where
-   * there is no such edge, where it would join more than the triangles beside the edge, or make a
-   * triangle degenerate or a crossing more.
+   * Contract the edge between two points, so that they are where `kept` is. Nothing changes if
+   * there is no such edge, if more than the triangles beside it would merge, or if a triangle would
+   * become degenerate or a crossing be added.
    */
   bool Contract(Id gone, Id kept);
 
