@@ -30,8 +30,8 @@ struct NearBodies
 std::vector<NearBodies> FindNearBodies(const ResolvedBodies& bodies, Monitor& monitor);
 
 /**
- * A line for each pair of bodies, of many for the first: which they are, and the touch tolerance
- * that makes them touch where a larger one than was used does.
+ * A line for each of the first pairs of bodies: their names, and the touch tolerance that makes
+ * them touch, if one larger than the present does.
  *
  * @param[in] names of all bodies
  * @param[in] tolerance that was used

@@ -53,8 +53,8 @@ SolverFitness FitnessForSolver(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<std::array<Id, 6>>& midpoints,
   const std::vector<Id>& regions, Monitor& monitor, const ProgressRange& progress);
 
-/** How many cells a solver refuses or suffers from, and which option helps, by its name; empty
- * where it takes each gladly. */
+/** The numbers of cells that a solver refuses or suffers from, and the name of the option that
+ * helps; empty if there are none. */
 std::string WordsOfFitness(const SolverFitness& fitness, CellTreatment done);
 
 /** RefusedCells and PoorCells under their names, with a word in front ("Before"). */

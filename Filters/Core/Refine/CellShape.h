@@ -54,7 +54,7 @@ struct Circumsphere
 };
 Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/** Where all three corners of a triangle are equally far in its plane, and the square of how far.
+/** The circumcentre of a triangle in its plane, and the squared radius.
  */
 struct CircleOfTriangle
 {
