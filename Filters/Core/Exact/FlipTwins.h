@@ -7,8 +7,8 @@ namespace insideout
 {
 /**
  * Where a Steiner point beside its exact place splits a facet, the whole facet may be a face, too:
- * its *twin*. Which of both is the facet, each reader of the mesh would have to guess: flip that
- * face away, where that is possible.
+ * its *twin*. Readers of the mesh cannot tell which of both is the facet: flip that face away where
+ * possible.
  */
 void FlipTwinsAway(ConstrainedMesh& constrained);
 } // namespace insideout
