@@ -35,7 +35,7 @@ constexpr int NobodyListens = 3;
 
 struct Request
 {
-  std::int64_t Options = 0;
+  bool LeaveSteinerPoints = false;
   std::vector<double> Points;
   std::vector<std::int32_t> Facets;
 };
@@ -80,14 +80,15 @@ Request ReadRequest()
 {
   RequestHeader header;
   ReadBytes(&header, sizeof(header));
-  if (header.Magic != RequestMagic || header.NumberOfPoints < 4 ||
+  if (header.Magic != RequestMagic || header.LeaveSteinerPoints < 0 ||
+    header.LeaveSteinerPoints > 1 || header.NumberOfPoints < 4 ||
     header.NumberOfPoints > MaximumCount || header.NumberOfFacets < 0 ||
     header.NumberOfFacets > MaximumCount)
   {
     _exit(BadRequest);
   }
   Request request;
-  request.Options = header.Options;
+  request.LeaveSteinerPoints = header.LeaveSteinerPoints == 1;
   request.Points.resize(3 * static_cast<std::size_t>(header.NumberOfPoints));
   request.Facets.resize(3 * static_cast<std::size_t>(header.NumberOfFacets));
   ReadBytes(request.Points.data(), request.Points.size() * sizeof(double));
@@ -139,25 +140,9 @@ std::string Switches(const Request& request)
   std::string switches = "cJQ";
   if (!request.Facets.empty())
   {
-    switches += "pM";
-    if (request.Options & LeaveSurfaceSteinerPoints)
-    {
-      switches += "Y0";
-    }
-    else if (!(request.Options & AllowSurfaceSteinerPoints))
-    {
-      switches += "Y";
-    }
+    switches += request.LeaveSteinerPoints ? "pMY0" : "pMY";
   }
-  if (request.Options & FlipIncrementally)
-  {
-    switches += "l";
-  }
-  if (request.Options & KeepOrderOfPoints)
-  {
-    switches += "b0";
-  }
-  return switches;
+  return request.LeaveSteinerPoints ? switches + "lb0" : switches;
 }
 
 /**
@@ -285,7 +270,7 @@ int main()
       const Request request = ReadRequest();
       FillInput(request, input);
       behavior = Behavior(request);
-      if (request.Options & LeaveSurfaceSteinerPoints)
+      if (request.LeaveSteinerPoints)
       {
         LeaveSteinerPoints();
       }

@@ -22,39 +22,24 @@ struct Attempt
   Monitor& Caller;
 };
 
-TetrahedralMesh UseTetgen(const Attempt& attempt, const TetgenOptions& options)
+TetrahedralMesh UseTetgen(const Attempt& attempt, SurfaceSteinerPoints steiner)
 {
   const FacetComplex& surface = attempt.Surface;
   const std::vector<Triangle> constraints(
     surface.Facets.begin(), surface.Facets.begin() + surface.NumberOfConstraints);
   return AssembleMesh(surface,
-    RunTetgen(surface.Points, constraints, options, attempt.Budget, attempt.Caller),
+    RunTetgen(surface.Points, constraints, steiner, attempt.Budget, attempt.Caller),
     attempt.Caller);
 }
 
 TetrahedralMesh KeepPointsOffFacets(const Attempt& attempt)
 {
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid });
-}
-
-TetrahedralMesh FlipInGivenOrder(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Avoid, true, true });
+  return UseTetgen(attempt, SurfaceSteinerPoints::Avoid);
 }
 
 TetrahedralMesh LeavePointsOnFacets(const Attempt& attempt)
 {
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave });
-}
-
-TetrahedralMesh LeavePointsAndFlipInGivenOrder(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Leave, true, true });
-}
-
-TetrahedralMesh PutPointsOnFacets(const Attempt& attempt)
-{
-  return UseTetgen(attempt, { SurfaceSteinerPoints::Allow });
+  return UseTetgen(attempt, SurfaceSteinerPoints::Leave);
 }
 
 /** Ends the exact rung when the time is over that a user gave it: without one there is no clock. */
@@ -113,20 +98,14 @@ struct Rung
 
 /**
  * The exact way comes first by what was measured (ConstrainedDelaunay.h). TetGen crashes most often
- * where it takes Steiner points out of facets again. Only its first two rungs, the
- * second and the third, try that: else some tens of them are left. Where else it crashes depends on
- * the tetrahedra that it begins with, so that another way to these helps. With points wherever it
- * likes there are ten times as many as the facets have corners.
+ * where it removes Steiner points from facets, and elsewhere by the tetrahedra that it begins with.
+ * So its second rung leaves these points and begins otherwise: the two keep every facet of each
+ * surface that any of five ways kept.
  */
 const Rung Ladder[] = {
   { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },
   { "TetGen, points kept off facets", KeepPointsOffFacets, { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points kept off facets, flips in the order given", FlipInGivenOrder,
-    { Engine::Automatic, Engine::TetGen } },
   { "TetGen, points left on facets", LeavePointsOnFacets, { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points left on facets, flips in the order given", LeavePointsAndFlipInGivenOrder,
-    { Engine::Automatic, Engine::TetGen } },
-  { "TetGen, points put on facets", PutPointsOnFacets, { Engine::Automatic, Engine::TetGen } },
   { "Delaunay tetrahedra of the points alone", IgnoreFacets,
     { Engine::Automatic, Engine::Exact, Engine::TetGen } },
 };

@@ -535,18 +535,10 @@ Bytes BytesOf(const std::vector<T>& array)
 {
   return { reinterpret_cast<const char*>(array.data()), array.size() * sizeof(T) };
 }
-
-std::int64_t BitsOf(const TetgenOptions& options)
-{
-  return (options.Steiner == SurfaceSteinerPoints::Allow ? AllowSurfaceSteinerPoints : 0) |
-    (options.Steiner == SurfaceSteinerPoints::Leave ? LeaveSurfaceSteinerPoints : 0) |
-    (options.FlipIncrementally ? FlipIncrementally : 0) |
-    (options.KeepOrderOfPoints ? KeepOrderOfPoints : 0);
-}
 } // namespace
 
 RawTetrahedra RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  const TetgenOptions& options, const TetrahedralizerBudget& budget, Monitor& monitor)
+  SurfaceSteinerPoints steiner, const TetrahedralizerBudget& budget, Monitor& monitor)
 {
   CheckSize("points", points.size());
   CheckSize("facets", facets.size());
@@ -561,7 +553,7 @@ RawTetrahedra RunTetgen(const std::vector<Point>& points, const std::vector<Tria
   Helper helper(path, theirs.Number);
   theirs.Close();
 
-  const RequestHeader header = { RequestMagic, BitsOf(options),
+  const RequestHeader header = { RequestMagic, steiner == SurfaceSteinerPoints::Leave,
     static_cast<std::int64_t>(points.size()), static_cast<std::int64_t>(facets.size()) };
   std::vector<Bytes> request = { { reinterpret_cast<const char*>(&header), sizeof(header) },
     BytesOf(points), BytesOf(facets) };

@@ -7,20 +7,12 @@
 
 namespace insideout
 {
-/** Whether TetGen may put points on facets and their edges. */
+/** How TetGen recovers facets. Where one way crashes or gives up, the other may not. */
 enum class SurfaceSteinerPoints
 {
-  Avoid, ///< only where TetGen cannot move them into the volume
-  Leave, ///< where it needs them to recover a facet, without trying to take them away again
-  Allow  ///< wherever it makes an edge or a facet Delaunay
-};
-
-/** How TetGen goes to work. Where it crashes or gives up one way it may not in another. */
-struct TetgenOptions
-{
-  SurfaceSteinerPoints Steiner = SurfaceSteinerPoints::Avoid;
-  bool FlipIncrementally = false; ///< the first Delaunay tetrahedra by flips, not by cavities
-  bool KeepOrderOfPoints = false; ///< insert points in the order given, not sorted in space
+  Avoid, ///< on facets only where TetGen cannot move them into the volume
+  Leave  ///< where they recover a facet; TetGen starts from other tetrahedra, too: by flips, and
+         ///< with the points in the order given
 };
 
 /**
@@ -42,5 +34,5 @@ struct TetgenOptions
  *         up), TooLarge, Stopped
  */
 RawTetrahedra RunTetgen(const std::vector<Point>& points, const std::vector<Triangle>& facets,
-  const TetgenOptions& options, const TetrahedralizerBudget& budget, Monitor& monitor);
+  SurfaceSteinerPoints steiner, const TetrahedralizerBudget& budget, Monitor& monitor);
 } // namespace insideout

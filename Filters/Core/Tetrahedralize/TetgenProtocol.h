@@ -13,18 +13,12 @@ namespace insideout
 namespace tetgenprotocol
 {
 /** First bytes of a message; the last digit is the protocol's version. */
-constexpr std::uint64_t RequestMagic = 0x3251544F49534E49;
-constexpr std::uint64_t AnswerMagic = 0x3241544F49534E49;
+constexpr std::uint64_t RequestMagic = 0x3351544F49534E49;
+constexpr std::uint64_t AnswerMagic = 0x3341544F49534E49;
 
 /** TetGen indexes its arrays of four numbers per element by int. */
 constexpr std::int64_t MaximumCount = INT32_MAX / 4;
 constexpr std::int64_t MaximumMessageLength = 4096;
-
-/** What may be asked of TetGen, each a bit of the request's options. */
-constexpr std::int64_t AllowSurfaceSteinerPoints = 1;
-constexpr std::int64_t FlipIncrementally = 2;
-constexpr std::int64_t KeepOrderOfPoints = 4;
-constexpr std::int64_t LeaveSurfaceSteinerPoints = 8;
 
 /**
  * Followed by the points (3 double each) and the facets (3 int32 each).
@@ -32,7 +26,8 @@ constexpr std::int64_t LeaveSurfaceSteinerPoints = 8;
 struct RequestHeader
 {
   std::uint64_t Magic;
-  std::int64_t Options; ///< bits as above
+  std::int64_t
+    LeaveSteinerPoints; ///< 0: off facets, where TetGen can avoid them; 1: where it put them
   std::int64_t NumberOfPoints;
   std::int64_t NumberOfFacets;
 };

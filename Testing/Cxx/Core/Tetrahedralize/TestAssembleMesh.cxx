@@ -3,32 +3,22 @@
 
 #include "Support/MeshLaws.h"
 #include "Support/TestMeshes.h"
+#include "Support/TetrahedralizationFamilies.h"
 #include "Tetrahedralize/TetgenProcess.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace insideout;
 
 namespace
 {
-/** A cube of which TetGen splits edges where it may: the diagonals run crosswise. */
-FacetComplex CrosswiseCube()
-{
-  TriangleSoup cube;
-  cube.Points = { { { -1, -1, -1 } }, { { -1, 1, -1 } }, { { 1, 1, -1 } }, { { 1, -1, -1 } },
-    { { -1, -1, 1 } }, { { -1, 1, 1 } }, { { 1, 1, 1 } }, { { 1, -1, 1 } } };
-  cube.Triangles = { { { 0, 1, 3 } }, { { 3, 1, 2 } }, { { 0, 4, 1 } }, { { 1, 4, 5 } },
-    { { 3, 2, 7 } }, { { 7, 2, 6 } }, { { 4, 0, 3 } }, { { 7, 4, 3 } }, { { 6, 4, 7 } },
-    { { 6, 5, 4 } }, { { 1, 5, 6 } }, { { 2, 1, 6 } } };
-  return testmeshes::ToComplex(cube);
-}
-
 RawTetrahedra Answer(const FacetComplex& surface, SurfaceSteinerPoints steiner)
 {
   Monitor monitor;
-  return RunTetgen(surface.Points, surface.Facets, { steiner }, {}, monitor);
+  return RunTetgen(surface.Points, surface.Facets, steiner, {}, monitor);
 }
 
 TetrahedralMesh Assembled(const FacetComplex& surface, const RawTetrahedra& answer)
@@ -81,8 +71,8 @@ struct MeshBesideAnEdge
 struct SplitAnswer
 {
   SplitAnswer()
-    : Surface(CrosswiseCube())
-    , Whole(Answer(this->Surface, SurfaceSteinerPoints::Allow))
+    : Surface(testmeshes::ToComplex(testmeshes::TwistedPrism(8, -M_PI / 6)))
+    , Whole(Answer(this->Surface, SurfaceSteinerPoints::Leave))
   {
     std::vector<int> pieces(this->Surface.Facets.size(), 0);
     for (const Id facet : this->Whole.FacetOfFaces)
@@ -102,7 +92,8 @@ struct SplitAnswer
 TEST(AssembleMesh, RecognizesFacetsInPieces)
 {
   const SplitAnswer answer;
-  ASSERT_LT(answer.Facet, 12) << "TetGen split no facet: this test needs another surface";
+  ASSERT_LT(answer.Facet, static_cast<Id>(answer.Surface.Facets.size()))
+    << "TetGen split no facet: this test needs another surface";
   const TetrahedralMesh mesh = Assembled(answer.Surface, answer.Whole);
   testmeshes::ExpectMeshLaws(answer.Surface, mesh);
   EXPECT_TRUE(mesh.LostFacets.empty());
@@ -114,7 +105,7 @@ TEST(AssembleMesh, InterpolatesPointsOnFacets)
   const SplitAnswer answer;
   const TetrahedralMesh mesh = Assembled(answer.Surface, answer.Whole);
   int checked = 0;
-  for (std::size_t p = 8; p < mesh.Points.size(); ++p)
+  for (std::size_t p = answer.Surface.Points.size(); p < mesh.Points.size(); ++p)
   {
     const PointOrigin& origin = mesh.Origins[p];
     for (int axis = 0; origin.Points[0] != None && axis < 3; ++axis, ++checked)
@@ -191,7 +182,7 @@ TEST(AssembleMesh, LosesFacetsWhoseNewPointsLieElsewhere)
   const SplitAnswer answer;
   RawTetrahedra damaged = answer.Whole;
   // Outwards, so that the cells around stay as they should.
-  for (std::size_t p = 8; p < damaged.Points.size(); ++p)
+  for (std::size_t p = answer.Surface.Points.size(); p < damaged.Points.size(); ++p)
   {
     for (double& x : damaged.Points[p])
     {
@@ -267,16 +258,17 @@ TEST(AssembleMesh, LosesAFacetThatIsNoFace)
 TEST(AssembleMesh, DropsSteinerPointsThatNoCellUses)
 {
   const SplitAnswer answer;
+  const Id given = static_cast<Id>(answer.Surface.Points.size());
   RawTetrahedra padded = answer.Whole;
-  padded.Points.insert(padded.Points.begin() + 8, { { 0.1, 0.2, 0.3 } });
+  padded.Points.insert(padded.Points.begin() + given, { { 0.1, 0.2, 0.3 } });
   padded.Points.push_back({ { 0.1, 0.2, 0.3 } });
-  const auto shift = [](auto& elements)
+  const auto shift = [given](auto& elements)
   {
     for (auto& element : elements)
     {
       for (Id& p : element)
       {
-        p += p >= 8;
+        p += p >= given;
       }
     }
   };
