@@ -22,9 +22,12 @@
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -32,6 +35,22 @@ namespace vtkInsideOut
 {
 namespace
 {
+/**
+ * The least of what vtkSMPTools was told (Initialize, LocalScope) and VTK_SMP_MAX_THREADS, which
+ * VTK's own backends take only where nothing was told; 0 for neither. A sequential backend is no
+ * limit: it is the default of many builds.
+ */
+int ThreadLimitOfVtk()
+{
+  const int told =
+    vtk::detail::smp::vtkSMPToolsAPI::GetInstance().GetInternalDesiredNumberOfThread();
+  const char* variable = std::getenv("VTK_SMP_MAX_THREADS");
+  const int most = variable ? std::atoi(variable) : 0;
+  return told > 0 && most > 0 ? std::min(told, most) : std::max({ told, most, 0 });
+}
+
+const bool IsLimitFollowed = (insideout::SetHostLimit(ThreadLimitOfVtk), true);
+
 using FieldData = std::vector<vtkSmartPointer<vtkFieldData>>;
 
 /** The outputs that there are: of some types VTK makes none for a block of a composite data set. */

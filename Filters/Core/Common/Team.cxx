@@ -29,6 +29,19 @@ const int Processors = std::max(1, static_cast<int>(std::thread::hardware_concur
 
 bool AreTeamsWhole = false;
 
+int NoLimit()
+{
+  return 0;
+}
+
+int (*HostLimit)() = NoLimit;
+
+int ThreadsAskedFor()
+{
+  const int limit = HostLimit();
+  return limit > 0 ? std::min(limit, omp_get_max_threads()) : omp_get_max_threads();
+}
+
 /** Whether a thread is in a team. No thread-local variable, for with it came all of CGAL's. */
 class MembershipKey
 {
@@ -193,12 +206,17 @@ int MostThreads()
 
 int AllowedThreads()
 {
-  return std::min(omp_get_max_threads(), MostThreads());
+  return std::min(ThreadsAskedFor(), MostThreads());
+}
+
+void SetHostLimit(int (*limit)())
+{
+  HostLimit = limit;
 }
 
 std::string TooManyThreads()
 {
-  const int asked = omp_get_max_threads();
+  const int asked = ThreadsAskedFor();
   return asked <= MostThreads() ? std::string()
                                 : std::to_string(asked) + " threads are asked for, but " +
       std::to_string(MostThreads()) + " work: more than " + std::to_string(ThreadsPerProcessor) +

@@ -9,10 +9,19 @@ namespace insideout
 /** Four for each of the machine's processors: more would only take memory from each other. */
 int MostThreads();
 
-/** As many as OpenMP would take (OMP_NUM_THREADS, omp_set_num_threads), but at most MostThreads. */
+/** As many as OpenMP would take (OMP_NUM_THREADS, omp_set_num_threads), but at most MostThreads and
+ * at most the host's limit. */
 int AllowedThreads();
 
-/** That OpenMP would take more threads than are allowed, in words; empty where it would not. */
+/**
+ * From now on AllowedThreads asks this function, on the thread that gathers a team, for the limit
+ * that the program around has for its threads.
+ *
+ * @param[in] limit returns 0 for none
+ */
+void SetHostLimit(int (*limit)());
+
+/** That more threads are asked for than MostThreads, in words; empty where it is not so. */
 std::string TooManyThreads();
 
 /**

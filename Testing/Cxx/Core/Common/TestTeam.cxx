@@ -83,6 +83,20 @@ TEST(Team, IsNoMoreThanOpenMPAllows)
   EXPECT_EQ(TeamSize(Much), 1);
 }
 
+TEST(Team, IsNoMoreThanTheHostAllows)
+{
+  const Allowed four(4);
+  SetHostLimit([] { return 1; });
+  EXPECT_EQ(TeamSize(Much), 1);
+  SetHostLimit([] { return 3; });
+  EXPECT_EQ(AllowedThreads(), 3);
+  SetHostLimit([] { return 30000; });
+  EXPECT_EQ(AllowedThreads(), 4);
+  EXPECT_EQ(TooManyThreads(), "");
+  SetHostLimit([] { return 0; });
+  EXPECT_EQ(AllowedThreads(), 4);
+}
+
 TEST(Team, HasAsManyThreadsAsAreAskedFor)
 {
   MeetingPlace place;
