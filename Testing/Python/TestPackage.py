@@ -5,15 +5,18 @@ import gc
 import inspect
 import os
 import pydoc
+import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 import types
 import typing
 import unittest
+from pathlib import Path
 from unittest import mock
 
 import insideout
@@ -406,6 +409,17 @@ class Package(unittest.TestCase):
         for name in insideout.__all__:
             if not name.startswith(("vtk", "_")):
                 yield name, getattr(insideout, name)
+
+    def test_to_import_it_takes_no_module_of_vtk_but_those_that_the_classes_need(self):
+        modules = Path(__file__).parents[2].joinpath("vtk.module").read_text().partition("DEPENDS")[2]
+        needed = [f"import vtkmodules.vtk{name}" for name in re.findall(r"^  VTK::(\w+)$", modules, re.MULTILINE)]
+
+        def loaded(statements: str) -> set[str]:
+            code = f"{statements}\nimport sys\nprint(*(name for name in sys.modules if name.startswith('vtkmodules.vtk')))"
+            return set(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split())
+
+        self.assertIn("vtkmodules.vtkFiltersCore", loaded("import insideout"))
+        self.assertEqual(loaded("import insideout") - loaded("\n".join(needed)), set())
 
     def test_every_public_name_is_documented(self):
         for name, thing in self.public():

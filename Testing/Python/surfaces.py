@@ -10,7 +10,6 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 BOX_FACETS = (
     *((0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)),
@@ -67,6 +66,8 @@ def reversed_box() -> vtkPolyData:
 
 
 def ball(radius, around, rings) -> vtkPolyData:
+    from vtkmodules.vtkFiltersSources import vtkSphereSource  # a VTK of few modules has none
+
     source = vtkSphereSource()
     source.SetRadius(radius)
     source.SetThetaResolution(around)

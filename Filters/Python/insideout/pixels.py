@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from .serializing import vtk_array
 
@@ -21,6 +20,8 @@ LINES = 8  # of equal distance, between 0 and the largest
 
 def picture_of_slice(distance: NDArray[np.float64]) -> bytes:
     """The content of a .png file that shows signed distances: blue below 0, red above, with lines of equal distance."""
+    from vtkmodules.vtkIOImage import vtkPNGWriter  # of a module that the classes do not need
+
     enlarged = max(1, -(-LEAST_SIDE // max(distance.shape)))
     values = np.kron(np.nan_to_num(distance), np.ones((enlarged, enlarged)))
     share = values / (np.abs(values).max() or 1)
