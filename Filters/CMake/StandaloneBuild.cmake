@@ -57,8 +57,10 @@ vtk_module_build(
   CMAKE_DESTINATION   ${INSIDEOUT_CMAKE_DESTINATION}
   VERSION             ${PROJECT_VERSION}
   SOVERSION           ${PROJECT_VERSION_MAJOR})
-# Headers that most classes include are read once.
-target_precompile_headers(FiltersInsideOut PRIVATE
+# Headers that most classes include are read once. The target behind the module's name has the library's
+# from VTK 9.7 on (its release notes, "Build": "Name targets after library names").
+get_target_property(module_target VTK::FiltersInsideOut ALIASED_TARGET)
+target_precompile_headers(${module_target} PRIVATE
   <algorithm> <functional> <map> <string> <vector>
   <vtkCellData.h> <vtkDoubleArray.h> <vtkInformation.h> <vtkInformationVector.h> <vtkObjectFactory.h>
   <vtkPointData.h> <vtkPolyData.h> <vtkSmartPointer.h> <vtkStringArray.h> <vtkUnstructuredGrid.h>)
@@ -70,6 +72,11 @@ vtk_module_wrap_python(
   MODULE_DESTINATION ${INSIDEOUT_PYTHON_DESTINATION}
   CMAKE_DESTINATION  ${INSIDEOUT_CMAKE_DESTINATION}
   INSTALL_HEADERS    OFF)
+# From VTK 9.7 on it begins with Py (its release notes, "Build": "vtkModuleWrapPython renames Python module targets").
+set(INSIDEOUT_WRAPPING vtkFiltersInsideOutPython)
+if (TARGET Py${INSIDEOUT_WRAPPING})
+  set(INSIDEOUT_WRAPPING Py${INSIDEOUT_WRAPPING})
+endif ()
 add_subdirectory(Filters/Python)
 
 if (INSIDEOUT_USE_PARAVIEW)
@@ -81,7 +88,7 @@ if (INSIDEOUT_USE_PARAVIEW)
 endif ()
 
 # Calls through the wrapping cost next to nothing: it is built fast rather than made fast.
-foreach (wrapping IN ITEMS vtkFiltersInsideOutPython vtkFiltersInsideOutCS)
+foreach (wrapping IN ITEMS ${INSIDEOUT_WRAPPING} vtkFiltersInsideOutCS)
   if (TARGET ${wrapping})
     target_compile_options(${wrapping} PRIVATE $<$<CONFIG:Release>:-O1>)
     set_target_properties(${wrapping} PROPERTIES UNITY_BUILD ON)
