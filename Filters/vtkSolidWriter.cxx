@@ -66,7 +66,7 @@ void vtkSolidWriter::SetBoundaryData(vtkPolyData* boundary)
   this->SetInputData(1, boundary);
 }
 
-void vtkSolidWriter::WriteData()
+void vtkSolidWriter::WriteFile()
 {
   const int written = vtkInsideOut::Run(this, nullptr,
     [&]()

@@ -49,6 +49,7 @@
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
 #include "vtkInsideOutRange.h"         // for setters with a range
+#include "vtkInsideOutVersions.h"      // for what a writer overrides
 #include "vtkWriter.h"
 
 class vtkPolyData;
@@ -99,7 +100,7 @@ protected:
   ~vtkSolidWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  vtkInsideOutWriteMacro();
 
   char* FileName = nullptr;
   int MshVersion = MSHVERSION_4_1;

@@ -49,7 +49,7 @@ vtkPolyData* vtkSurfaceWriter::GetInput(int port)
   return vtkPolyData::SafeDownCast(this->Superclass::GetInput(port));
 }
 
-void vtkSurfaceWriter::WriteData()
+void vtkSurfaceWriter::WriteFile()
 {
   const int written = vtkInsideOut::Run(this, nullptr,
     [&]()

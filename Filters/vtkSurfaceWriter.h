@@ -32,6 +32,7 @@
 #define vtkSurfaceWriter_h
 
 #include "vtkFiltersInsideOutModule.h" // for export macro
+#include "vtkInsideOutVersions.h"      // for what a writer overrides
 #include "vtkWriter.h"
 
 class vtkPolyData;
@@ -60,7 +61,7 @@ protected:
   ~vtkSurfaceWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  vtkInsideOutWriteMacro();
 
   char* FileName = nullptr;
 

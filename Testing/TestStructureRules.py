@@ -117,6 +117,11 @@ class TestStructureRules(unittest.TestCase):
         rooms = "Ground\nUpper\nAttic\n"
         self.expect_one("Filters/Core/Attic", "no folder", **{"Filters/Core/Rooms.txt": rooms})
 
+    def test_a_header_beside_the_rooms_is_below_those_named_after_it(self):
+        wine = {"Filters/Cellar/Wine.h": '#include "vtkHouse.h"\n'}
+        self.expect_one("Filters/Cellar/Wine.h", "includes vtkHouse.h", **wine)
+        self.assertEqual(self.complaints(**wine, **{"Filters/Rooms.txt": "vtkHouse.h\nCellar\nAttic\n"}), [])
+
     def test_every_room_has_a_page(self):
         name = "Filters/Core/Upper/README.md"
         self.expect_one(name, "is missing", **{name: None})

@@ -60,7 +60,8 @@ def check_house(root: Path, house: Path, basement: Path | None) -> Iterator[str]
     sources = [file for file in files_in(house, CPP) if others.isdisjoint(file.parents)]
     folders = {file.relative_to(house).parts[0] for file in sources if file.parent != house}
     where = house.relative_to(root)
-    for room in sorted(folders.symmetric_difference(rooms)):
+    headers = {room for room in rooms if (house / room).is_file()}
+    for room in sorted(folders.symmetric_difference(rooms) - headers):
         what = "has no folder of sources" if room in rooms else "is not in Rooms.txt"
         yield f"{where}/{room}: the room {what}"
     for file in sources:

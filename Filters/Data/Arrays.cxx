@@ -4,6 +4,7 @@
 #include "Common/Error.h"
 
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkStringArray.h>
 
 #include <limits>
@@ -38,15 +39,14 @@ void RequireMemory(vtkIdType bytes)
 
 vtkSmartPointer<vtkPoints> MakePoints(const std::vector<insideout::Point>& values)
 {
-  RequireMemory(static_cast<vtkIdType>(values.size() * sizeof(insideout::Point)));
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(values.size()));
+  const auto coordinates =
+    MakeArray<vtkDoubleArray>("Points", static_cast<vtkIdType>(values.size()), 3);
   if (!values.empty())
   {
-    std::copy_n(
-      values.front().data(), 3 * values.size(), static_cast<double*>(points->GetVoidPointer(0)));
+    std::copy_n(values.front().data(), 3 * values.size(), coordinates->GetPointer(0));
   }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(coordinates);
   return points;
 }
 

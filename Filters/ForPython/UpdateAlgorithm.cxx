@@ -74,7 +74,8 @@ extern "C" int vtkInsideOutUpdate(void* object, int wholeExtent, vtkInsideOutLis
   observation->Begin(algorithm, listener);
   try
   {
-    wholeExtent ? static_cast<void>(algorithm->UpdateWholeExtent()) : algorithm->Update();
+    wholeExtent ? static_cast<void>(algorithm->UpdateWholeExtent())
+                : static_cast<void>(algorithm->Update());
   }
   catch (const std::bad_alloc&)
   {

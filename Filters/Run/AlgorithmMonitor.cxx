@@ -2,6 +2,7 @@
 #include "Run/AlgorithmMonitor.h"
 
 #include "Data/Label.h"
+#include "vtkInsideOutVersions.h"
 
 #include <vtkAlgorithm.h>
 
@@ -9,23 +10,6 @@
 
 namespace vtkInsideOut
 {
-namespace
-{
-// From VTK 9.3 on (its release notes, "Filters"), and in ParaView's 9.2, this asks every algorithm
-// upstream, too; before, there is only the algorithm's own flag.
-template <typename Algorithm>
-auto IsAborted(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
-{
-  return algorithm->CheckAbort();
-}
-
-template <typename Algorithm>
-bool IsAborted(Algorithm* algorithm, long)
-{
-  return algorithm->GetAbortExecute() != 0;
-}
-} // namespace
-
 AlgorithmMonitor::AlgorithmMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages)
   : Algorithm(algorithm)
   , Stages(std::move(stages))

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Where the versions of VTK differ in what this module uses of them. Each place names the release
+ * notes that tell of it, and the section there.
+ */
+#ifndef vtkInsideOutVersions_h
+#define vtkInsideOutVersions_h
+
+// For VTK_MINOR_VERSION: with vtkVersionMacros.h before the other headers, 9.7's warn of
+// themselves.
+#include "vtkDeprecation.h"
+
+#include <string>
+
+/**
+ * Declares WriteFile(), by which a subclass of vtkWriter writes, and has it called. It tells of
+ * errors by SetErrorCode(): then Write() gives 0. 9.7, I/O, "vtkWriter::Write() now return the
+ * correct value": the function to override is WriteDataAndReturn(), and WriteData() alone is an
+ * error. It gives true here, for otherwise an error that says nothing would follow the one that
+ * says why.
+ */
+#if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7
+#define vtkInsideOutWriteMacro()     \
+  bool WriteDataAndReturn() override \
+  {                                  \
+    this->WriteFile();               \
+    return true;                     \
+  }                                  \
+  void WriteFile()
+#else
+#define vtkInsideOutWriteMacro() \
+  void WriteData() override      \
+  {                              \
+    this->WriteFile();           \
+  }                              \
+  void WriteFile()
+#endif
+
+#ifndef __VTK_WRAP__
+namespace vtkInsideOut
+{
+///@{
+/** The name that an object was given. 9.2, Core: "vtkObject instances may now be assigned a name
+ * used in reporting". Before, there are none. */
+template <typename Object>
+auto NameOf(Object* object, int) -> decltype(object->GetObjectName())
+{
+  return object->GetObjectName();
+}
+template <typename Object>
+std::string NameOf(Object*, long)
+{
+  return "";
+}
+///@}
+
+///@{
+/** Whether an algorithm is to stop. 9.3, Filters: "CheckAbort" asks every algorithm upstream, too;
+ * so does ParaView 5.11's 9.2. Before, there is only the algorithm's own flag. */
+template <typename Algorithm>
+auto IsAborted(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort(), bool())
+{
+  return algorithm->CheckAbort();
+}
+template <typename Algorithm>
+bool IsAborted(Algorithm* algorithm, long)
+{
+  return algorithm->GetAbortExecute() != 0;
+}
+///@}
+} // namespace vtkInsideOut
+#endif
+
+#endif
