@@ -46,7 +46,8 @@ def content(data):
         found += [data.GetPoints().GetDataType(), array_content(data.GetPoints().GetData())[1]]
     if isinstance(data, vtkPolyData):
         return found + [cells_content(cells) for cells in (data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips())]
-    return found + ([cells_content(data.GetCells()), vtk_to_numpy(data.GetCellTypesArray()).tolist()] if data.GetNumberOfCells() else [])
+    types = [data.GetCellType(c) for c in range(data.GetNumberOfCells())]
+    return found + ([cells_content(data.GetCells()), types] if types else [])
 
 
 def is_data(value) -> bool:

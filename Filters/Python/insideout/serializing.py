@@ -35,9 +35,16 @@ def packed(data: Any) -> dict[str, Any]:
         content.update((name, _packed_cells(getattr(data, "Get" + name)())) for name in CELLS)
     elif data.GetNumberOfCells() > 0:
         content["Cells"] = _packed_cells(data.GetCells())
-        content["Types"] = vtk_to_numpy(data.GetCellTypesArray()).copy()
+        content["Types"] = types_of_cells(data)
     content.update((name, _packed_attributes(getattr(data, "Get" + name)())) for name in ATTRIBUTES)
     return content
+
+
+def types_of_cells(grid: Any) -> NDArray[np.uint8]:
+    """VTK's number of each cell's type, of a vtkUnstructuredGrid with cells."""
+    # VTK 9.6 (its release notes, "DataModel": "vtkDataSet: GetCellTypes updates") gave the array another name.
+    types = grid.GetCellTypesArray() if hasattr(grid, "GetCellTypesArray") else grid.GetCellTypes()
+    return vtk_to_numpy(types).copy()
 
 
 def unpacked(data_type: type, content: dict[str, Any]) -> Any:
