@@ -2,6 +2,7 @@
 #include "Refine/ImproveCells.h"
 
 #include "Common/LoopProgress.h"
+#include "Common/Vectors.h"
 #include "Refine/CellShape.h"
 #include "Refine/ContractEdge.h"
 #include "Refine/ContractOnSurface.h"
@@ -28,8 +29,10 @@ constexpr double GoodAngleWhereRemeshed = 30;
 /** Where an angle is below this, a point more may help. */
 constexpr double AngleForPoint = 20;
 
-/** Later passes find little. */
+/** Later passes find little. Long edges of flat cells have gone by the first one before which
+ * others are cut. */
 constexpr int Passes = 4;
+constexpr int FirstPassOfLongEdges = 2;
 
 /** What gets better by less is left, so that changes come to an end; a point more costs cells. */
 constexpr double LeastGain = 1.0001;
@@ -41,6 +44,11 @@ constexpr std::size_t LargestCavity = 25;
 
 /** How long, of the lengths wanted, edges may get for a point less. */
 constexpr double LongestEdge = 1.8;
+
+/** Degrees. Edges within the solid that are longer yet get a point amid them where lengths are
+ * asked for, unless a cell gets a smaller angle than this and than there was. */
+constexpr double AngleAmidLongEdge = 10;
+constexpr std::size_t LargestCavityAmidLongEdge = 100;
 
 /** Per point, when something was tried there last, in changes of the mesh. */
 class Tries
@@ -111,7 +119,41 @@ public:
     }
   }
 
+  /** Put points amid edges within the solid that are far too long, where lengths are asked for. */
+  void CutLongEdges()
+  {
+    for (Id cell = 0; this->Sizes.IsAskedFor() && cell < this->Mesh.NumberOfCells(); ++cell)
+    {
+      const Tetrahedron corners = this->Mesh.Cell(cell).Corners;
+      for (const auto& [i, j] : TetrahedronEdges)
+      {
+        if (!this->Mesh.IsDead(cell))
+        {
+          this->CutIfLong(cell, corners[i], corners[j]);
+        }
+      }
+    }
+  }
+
 private:
+  void CutIfLong(Id cell, Id u, Id v)
+  {
+    const std::vector<Point>& points = this->Mesh.Points;
+    const Point middle = Midpoint(points[u], points[v]);
+    const double size = this->Sizes.At(cell, middle);
+    if (!(Distance(points[u], points[v]) > LongestEdge * size) ||
+      !this->Insert.Find(cell, middle, LargestCavityAmidLongEdge))
+    {
+      return;
+    }
+    const double before = std::max(0.0, this->Insert.WorstShapeBefore());
+    if (this->Insert.OptimizePlace() > std::min(before, this->GoodAmidLongEdge))
+    {
+      this->Sizes.Append(cell, middle);
+      this->Insert.Insert(size);
+    }
+  }
+
   double ShapeOfCell(Id cell) const
   {
     return ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
@@ -190,6 +232,7 @@ private:
   }
 
   const double BadForPoint = ShapeOfAngle(AngleForPoint);
+  const double GoodAmidLongEdge = ShapeOfAngle(AngleAmidLongEdge);
   RefinableMesh& Mesh;
   SizingField& Sizes;
   Reconnection Reconnect;
@@ -211,6 +254,10 @@ void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& 
   Improvement improvement(mesh, surface, bound, sizes);
   for (int pass = 0; pass < Passes; ++pass)
   {
+    if (pass >= FirstPassOfLongEdges)
+    {
+      improvement.CutLongEdges();
+    }
     const std::vector<std::pair<double, Id>> cells = improvement.BadCells();
     const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(pass) / Passes),
       progress.At(static_cast<double>(pass + 1) / Passes) };

@@ -193,8 +193,20 @@ private:
   bool ContractInto(Id point, Id target)
   {
     const double before = std::max(this->InSolid.WorstAround(point), 0.0);
-    return this->Contract.Contract(
-      point, target, std::min(this->Acceptable, before / 2), LongestContracted);
+    if (!this->Sizes.IsAskedFor())
+    {
+      return this->Contract.Contract(
+        point, target, std::min(this->Acceptable, before / 2), LongestContracted);
+    }
+    // Lengths come first: cells that are in the way give way to others, or get thin.
+    const auto contract = [&]
+    { return this->Contract.Contract(point, target, 0, LongestContracted); };
+    if (contract())
+    {
+      return true;
+    }
+    this->ImproveAround(point);
+    return contract();
   }
 
   /** A piece to look at, and the version of its cell, by which one knows whether it is there. */

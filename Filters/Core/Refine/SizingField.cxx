@@ -46,11 +46,11 @@ double VolumeOfEdge(double edge)
 SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters)
   : Mesh(mesh)
   , Parameters(parameters)
-  , Most(parameters.EdgeLength > 0 ? parameters.EdgeLength : Infinite)
+  , Everywhere(parameters.EdgeLength > 0 ? parameters.EdgeLength : Infinite)
 {
   if (parameters.MaximumVolume > 0)
   {
-    this->Most = std::min(this->Most, EdgeOfVolume(parameters.MaximumVolume));
+    this->Everywhere = std::min(this->Everywhere, EdgeOfVolume(parameters.MaximumVolume));
   }
   this->AtPoints.resize(mesh.Points.size());
   for (std::size_t p = 0; p < mesh.Points.size(); ++p)
@@ -63,7 +63,8 @@ SizingField::SizingField(RefinableMesh& mesh, const SizingParameters& parameters
 
 bool SizingField::IsAskedFor() const
 {
-  return this->Most < Infinite || !this->Parameters.Lengths.empty() || this->Parameters.LengthAt;
+  return this->Everywhere < Infinite || !this->Parameters.Lengths.empty() ||
+    this->Parameters.LengthAt;
 }
 
 void SizingField::SetSizes()
@@ -115,7 +116,7 @@ void SizingField::FollowWishes()
 double SizingField::WantedAt(const Point& place, double otherwise) const
 {
   const double there = this->Parameters.LengthAt ? this->Parameters.LengthAt(place) : Infinite;
-  return std::min({ this->Most, otherwise, there });
+  return std::min({ this->Everywhere, otherwise, there });
 }
 
 /**

@@ -46,6 +46,9 @@ public:
    * nothing is, as FollowSurface does. */
   void FollowWishes();
 
+  /** What is asked for everywhere: infinite where nothing is. */
+  double Most() const { return this->Everywhere; }
+
   /** At a place in or near a cell. */
   double At(Id cell, const Point& place) const;
 
@@ -72,7 +75,7 @@ private:
 
   RefinableMesh& Mesh;
   const SizingParameters& Parameters;
-  double Most; ///< what EdgeLength and MaximumVolume allow
+  double Everywhere; ///< what EdgeLength and MaximumVolume allow
   std::vector<Lengths> AtPoints;
 };
 } // namespace insideout

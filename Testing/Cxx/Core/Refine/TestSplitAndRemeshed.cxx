@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 using namespace insideout;
 using testmeshes::ExpectRemeshingLaws;
@@ -195,6 +197,50 @@ TEST(RemeshedSurface, HasEdgesAsLongAsAskedFor)
     EXPECT_LE(StatisticOf(refined, "InputDistance"), 0.05);
     EXPECT_EQ(StatisticOf(refined, "KeptFacets"), 0);
   }
+}
+
+TEST(RemeshedSurface, OfACubeHasEdgesAsLongAsAskedForInFewCells)
+{
+  // gmsh 4.8 makes 36,842 tetrahedra at this length, a twentieth of the edge.
+  const double length = 5;
+  const RefinedMesh refined = Refined(EvenGrid(1), {}, Remeshed(0, length));
+  std::set<std::pair<Id, Id>> edges;
+  for (const Tetrahedron& cell : refined.Cells)
+  {
+    for (const auto& [i, j] : TetrahedronEdges)
+    {
+      edges.insert(std::minmax(cell[i], cell[j]));
+    }
+  }
+  std::size_t good = 0;
+  double longest = 0;
+  for (const auto& [p, q] : edges)
+  {
+    const double ratio = Distance(refined.Points[p], refined.Points[q]) / length;
+    good += ratio > 1 / 1.4 && ratio < 1.4 ? 1 : 0;
+    longest = std::max(longest, ratio);
+  }
+  EXPECT_LT(refined.Cells.size(), 1.3 * 36842);
+  EXPECT_GT(static_cast<double>(good), 0.9 * static_cast<double>(edges.size()));
+  EXPECT_LT(longest, 2);
+}
+
+TEST(RemeshedSurface, GetsFewTrianglesWhereLongEdgesAreAskedFor)
+{
+  TetrahedralMesh lens = Ball(16);
+  testtetrahedra::Squeeze(lens, 2, 0.1);
+  const auto countFaces = [](const TetrahedralMesh& mesh)
+  {
+    std::ptrdiff_t count = 0;
+    for (const auto& neighbors : mesh.Neighbors)
+    {
+      count += std::count(neighbors.begin(), neighbors.end(), None);
+    }
+    return count;
+  };
+  const RefinedMesh refined = Refined(lens, {}, Remeshed(0.05, 0.6));
+  const std::ptrdiff_t after = countFaces(ConnectCells(refined.Points, refined.Cells));
+  EXPECT_LE(10 * after, countFaces(lens));
 }
 
 TEST(RemeshedSurface, FollowsALinearFieldAtPointsAndAnywhere)
