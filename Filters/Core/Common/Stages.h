@@ -20,6 +20,7 @@ constexpr const char* Distances = "distances";                        ///< Surfa
 constexpr const char* Segmenting = "segmenting";       ///< SegmentMesh, GraphCutSegmentation
 constexpr const char* Extracting = "extracting";       ///< whatever is in the room Output
 constexpr const char* Refining = "refining";           ///< RefineTetrahedra, RefineTriangles
+constexpr const char* Layering = "making layers";      ///< MakeBoundaryLayers
 constexpr const char* Measuring = "measuring quality"; ///< QualityOfMesh
 constexpr const char* Writing = "writing";             ///< OutputFile
 } // namespace insideout::Stages

@@ -3,6 +3,7 @@
 
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
+#include "Refine/ShortestInHull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace
 /** Uphill steps are few: what is left to gain after these is small. */
 constexpr int MostSteps = 8;
 constexpr int MostHalvings = 5;
+constexpr int StepsOfHull = 12;
 
 /** Cells whose shape is so near the worst one's go uphill with it. */
 constexpr double NearWorst = 1.2;
@@ -27,32 +29,6 @@ constexpr double LeastGain = 1.002;
 Point Along(const Point& from, const Point& direction, double t)
 {
   return { { from[0] + t * direction[0], from[1] + t * direction[1], from[2] + t * direction[2] } };
-}
-
-/** The point nearest to the origin in the convex hull of some vectors, by Wolfe's way for few. */
-Point ShortestIn(const std::vector<Point>& vectors)
-{
-  Point shortest = vectors.front();
-  for (int step = 0; step < 12; ++step)
-  {
-    const Point* least = &vectors.front();
-    for (const Point& vector : vectors)
-    {
-      if (Dot(vector, shortest) < Dot(*least, shortest))
-      {
-        least = &vector;
-      }
-    }
-    const Point towards = Difference(*least, shortest);
-    const double squared = Dot(towards, towards);
-    const double gain = -Dot(towards, shortest);
-    if (!(gain > 1e-3 * Dot(shortest, shortest)))
-    {
-      break;
-    }
-    shortest = Along(shortest, towards, std::min(1.0, gain / squared));
-  }
-  return shortest;
 }
 
 /** The cells between a place and walls, while it moves. */
@@ -168,7 +144,7 @@ private:
       }
       gradients.push_back(gradient);
     }
-    return gradients.empty() ? Point{ { 0, 0, 0 } } : ShortestIn(gradients);
+    return gradients.empty() ? Point{ { 0, 0, 0 } } : ShortestInHull(gradients, StepsOfHull);
   }
 
   std::vector<BaseOfCells> Bases;

@@ -85,13 +85,13 @@ public:
   {
   }
 
-  /** The cells that are not good, the worst first. */
-  std::vector<std::pair<double, Id>> BadCells() const
+  /** The cells that are not good, the worst first, where anything has changed since then. */
+  std::vector<std::pair<double, Id>> BadCells(std::int64_t since) const
   {
     std::vector<std::pair<double, Id>> cells;
     for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
     {
-      if (!this->Mesh.IsDead(cell))
+      if (!this->Mesh.IsDead(cell) && this->LastChangeAt(cell) > since)
       {
         const double shape = this->ShapeOfCell(cell);
         if (shape < this->Good)
@@ -159,16 +159,21 @@ private:
     return ShapeOf(this->Mesh.Points, this->Mesh.Cell(cell).Corners);
   }
 
-  /** Whether anything has around the cell since this was asked last. */
-  bool HasChanged(Id cell)
+  std::int64_t LastChangeAt(Id cell) const
   {
-    this->TriedAt.resize(this->Mesh.NumberOfCells(), None);
     std::int64_t last = 0;
     for (const Id corner : this->Mesh.Cell(cell).Corners)
     {
       last = std::max(last, this->Mesh.LastChangeAround(corner));
     }
-    const bool hasChanged = last > this->TriedAt[cell];
+    return last;
+  }
+
+  /** Whether anything has changed around the cell since this was asked last. */
+  bool HasChanged(Id cell)
+  {
+    this->TriedAt.resize(this->Mesh.NumberOfCells(), None);
+    const bool hasChanged = this->LastChangeAt(cell) > this->TriedAt[cell];
     this->TriedAt[cell] = this->Mesh.NumberOfChanges();
     return hasChanged;
   }
@@ -249,7 +254,7 @@ private:
 } // namespace
 
 void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
-  SizingField& sizes, Monitor& monitor, const ProgressRange& progress)
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress, std::int64_t since)
 {
   Improvement improvement(mesh, surface, bound, sizes);
   for (int pass = 0; pass < Passes; ++pass)
@@ -258,7 +263,7 @@ void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& 
     {
       improvement.CutLongEdges();
     }
-    const std::vector<std::pair<double, Id>> cells = improvement.BadCells();
+    const std::vector<std::pair<double, Id>> cells = improvement.BadCells(since);
     const ProgressRange part = { progress.Stage, progress.At(static_cast<double>(pass) / Passes),
       progress.At(static_cast<double>(pass + 1) / Passes) };
     const LoopProgress looked(monitor, part, cells.size());

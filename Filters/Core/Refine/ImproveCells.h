@@ -14,8 +14,10 @@ namespace insideout
  * less (Contraction), a point more (PointInsertion). No step makes the worst shape of the cells it
  * changes worse, so that it ends.
  *
+ * @param[in] since of the mesh's changes (NumberOfChanges): cells around which nothing has changed
+ *   since then are left; None: all are looked at
  * @throws Error Stopped
  */
 void ImproveCells(RefinableMesh& mesh, RefinableSurface& surface, SurfaceBound& bound,
-  SizingField& sizes, Monitor& monitor, const ProgressRange& progress);
+  SizingField& sizes, Monitor& monitor, const ProgressRange& progress, std::int64_t since = None);
 } // namespace insideout

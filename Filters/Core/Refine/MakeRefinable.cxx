@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Refine/MakeRefinable.h"
 
+#include "Common/PointPredicates.h"
 #include "Common/SortUniquely.h"
+#include "Common/SortedTriangle.h"
 #include "Common/Vectors.h"
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace insideout
 {
@@ -13,7 +16,43 @@ namespace
 {
 /** What makes a label: the regions on both sides, and the label that was given. */
 using LabelKey = std::array<Id, 3>;
+
+/** Whether a face has a cell that sees it from the same side as its neighbour does. */
+bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
+{
+  const SortedTriangle face(FaceOf(mesh.Cells[cell], k));
+  const Tetrahedron& other = mesh.Cells[mesh.Neighbors[cell][k]];
+  for (int i = 0; i < 4; ++i)
+  {
+    const SortedTriangle twin(FaceOf(other, i));
+    if (twin.Points == face.Points && twin.Turned == face.Turned)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 } // namespace
+
+void CheckCells(const TetrahedralMesh& mesh)
+{
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    if (Orient3D(mesh.Points, mesh.Cells[c]) <= 0)
+    {
+      throw Error(ErrorCode::InvalidParameter, "cell " + std::to_string(c) + " has no volume");
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] != None && Overlaps(mesh, c, k))
+      {
+        throw Error(ErrorCode::InvalidParameter,
+          "cells " + std::to_string(c) + " and " + std::to_string(mesh.Neighbors[c][k]) +
+            " overlap: they are on the same side of a face");
+      }
+    }
+  }
+}
 
 std::vector<FacetOfInput> FacetsOf(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<std::array<Id, 4>>& labels)

@@ -8,6 +8,10 @@
 
 namespace insideout
 {
+/** @throws Error InvalidParameter, which names a cell without volume, or two that overlap at a face
+ */
+void CheckCells(const TetrahedralMesh& mesh);
+
 /**
  * The faces on the boundary and between regions, in the order of their first cells.
  *

@@ -5,7 +5,6 @@
 #include "Common/PointPredicates.h"
 #include "Common/ScaledPoints.h"
 #include "Common/SortUniquely.h"
-#include "Common/SortedTriangle.h"
 #include "Common/Stages.h"
 #include "Common/Vectors.h"
 #include "Refine/CellShape.h"
@@ -36,40 +35,9 @@ constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
 
-/** Whether a face has a cell that sees it from the same side as its neighbour does. */
-bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
-{
-  const SortedTriangle face(FaceOf(mesh.Cells[cell], k));
-  const Tetrahedron& other = mesh.Cells[mesh.Neighbors[cell][k]];
-  for (int i = 0; i < 4; ++i)
-  {
-    const SortedTriangle twin(FaceOf(other, i));
-    if (twin.Points == face.Points && twin.Turned == face.Turned)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 void CheckInput(const TetrahedralMesh& mesh, const SizingParameters& parameters)
 {
-  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
-  {
-    if (Orient3D(mesh.Points, mesh.Cells[c]) <= 0)
-    {
-      throw Error(ErrorCode::InvalidParameter, "cell " + std::to_string(c) + " has no volume");
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      if (mesh.Neighbors[c][k] != None && Overlaps(mesh, c, k))
-      {
-        throw Error(ErrorCode::InvalidParameter,
-          "cells " + std::to_string(c) + " and " + std::to_string(mesh.Neighbors[c][k]) +
-            " overlap: they are on the same side of a face");
-      }
-    }
-  }
+  CheckCells(mesh);
   for (std::size_t p = 0; p < parameters.Lengths.size(); ++p)
   {
     if (!(parameters.Lengths[p] > 0))

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layers/BoundaryLayers.h"
+
+#include "Common/ScaledPoints.h"
+#include "Common/Stages.h"
+#include "Common/Vectors.h"
+#include "Layers/LayerHeights.h"
+#include "Layers/LayerWall.h"
+#include "Layers/PushWall.h"
+#include "Layers/WallDirections.h"
+#include "Refine/CellShape.h"
+#include "Refine/ImproveCells.h"
+#include "Refine/LocateCells.h"
+#include "Refine/MakeRefinable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace insideout
+{
+namespace
+{
+/** Later rounds move few points. */
+constexpr int MostRounds = 12;
+
+/** A point whose layers are so near to full height has it. */
+constexpr double FullShare = 0.999;
+
+/** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
+constexpr int LargestOrdinaryExponent = 60;
+
+[[noreturn]] void Refuse(const std::string& what)
+{
+  throw Error(ErrorCode::InvalidParameter, what);
+}
+
+void CheckParameters(
+  const TetrahedralMesh& mesh, const std::vector<Id>& wall, const LayerParameters& parameters)
+{
+  if (parameters.Layers < 1)
+  {
+    Refuse(
+      "the number of layers is " + std::to_string(parameters.Layers) + "; it has to be 1 or more");
+  }
+  if (!(parameters.FirstHeight > 0) || !std::isfinite(parameters.FirstHeight))
+  {
+    Refuse("the height of the first layer has to be positive");
+  }
+  if (!(parameters.Growth > 0) || !std::isfinite(parameters.Growth))
+  {
+    Refuse("the growth of layers has to be positive");
+  }
+  for (const Id face : wall)
+  {
+    if (mesh.Neighbors[face / 4][face % 4] != None)
+    {
+      Refuse("face " + std::to_string(face % 4) + " of cell " + std::to_string(face / 4) +
+        " is between two cells; layers are made at the boundary");
+    }
+  }
+  CheckCells(mesh);
+}
+
+double HeightOfAll(const LayerParameters& parameters)
+{
+  double sum = 0;
+  double height = parameters.FirstHeight;
+  for (int layer = 0; layer < parameters.Layers; ++layer, height *= parameters.Growth)
+  {
+    sum += height;
+  }
+  return sum;
+}
+
+/** The mean length of the edges at each point. */
+std::vector<double> LengthsOf(const TetrahedralMesh& mesh)
+{
+  std::vector<double> sums(mesh.Points.size(), 0);
+  std::vector<double> counts(mesh.Points.size(), 0);
+  for (const Tetrahedron& cell : mesh.Cells)
+  {
+    for (const auto& edge : TetrahedronEdges)
+    {
+      const double length = Distance(mesh.Points[cell[edge[0]]], mesh.Points[cell[edge[1]]]);
+      for (const int end : edge)
+      {
+        sums[cell[end]] += length;
+        counts[cell[end]] += 1;
+      }
+    }
+  }
+  for (std::size_t p = 0; p < sums.size(); ++p)
+  {
+    sums[p] = counts[p] > 0 ? sums[p] / counts[p] : std::numeric_limits<double>::infinity();
+  }
+  return sums;
+}
+
+/** A solid whose wall was pushed inward to make room for layers. */
+struct PushedSolid
+{
+  const TetrahedralMesh& Input;
+  const std::vector<Id>& Regions;
+  const std::vector<Id>& WallFaces; ///< of the input
+  const RefinableMesh& Mesh;
+  const LayerWall& Wall;
+  const PushedWall& Pushed;
+  const std::vector<double>& Fractions;
+};
+
+/** Makes cells and points of it. */
+class LayeredMeshMaker
+{
+public:
+  explicit LayeredMeshMaker(const PushedSolid& solid)
+    : Solid(solid)
+    , Layers(static_cast<Id>(solid.Fractions.size()) - 1)
+    , Outer(solid.Mesh.Points.size(), None)
+    , FirstBorder(solid.Mesh.Points.size(), None)
+  {
+  }
+
+  LayeredMesh Make(Monitor& monitor)
+  {
+    this->AddPoints();
+    this->AddCellsBehind();
+    for (std::size_t t = 0; t < this->Solid.Wall.Triangles.size(); ++t)
+    {
+      this->AddColumn(this->Solid.Wall.Triangles[t], this->Solid.WallFaces[t] / 4);
+    }
+    this->JoinCells();
+    this->Locate(monitor);
+    return std::move(this->Result);
+  }
+
+private:
+  bool IsLifted(Id point) const { return this->FirstBorder[point] != None; }
+
+  /** The id of a point of the wall on a border between layers, 0 for the wall. */
+  Id OnBorder(Id point, Id border) const
+  {
+    return border == 0 || !this->IsLifted(point) ? this->Outer[point]
+                                                 : this->FirstBorder[point] + border - 1;
+  }
+
+  void AddPoint(const Point& place, Id original, Id cell)
+  {
+    this->Result.Points.push_back(place);
+    this->Result.OriginalPoints.push_back(original);
+    this->Result.CellsOfPoints.push_back(cell);
+  }
+
+  void AddPoints()
+  {
+    const RefinableMesh& mesh = this->Solid.Mesh;
+    const auto given = static_cast<Id>(this->Solid.Input.Points.size());
+    for (Id p = 0; p < static_cast<Id>(mesh.Points.size()); ++p)
+    {
+      if (mesh.CellAt(p) != None)
+      {
+        const bool isOfWall = p<given&& this->Solid.Pushed.Length(p)> 0;
+        const Point& place = isOfWall ? this->Solid.Pushed.Outer(p) : mesh.Points[p];
+        this->Outer[p] = static_cast<Id>(this->Result.Points.size());
+        this->AddPoint(place, p < given && place == this->Solid.Input.Points[p] ? p : None,
+          mesh.Cell(mesh.CellAt(p)).Parent);
+      }
+    }
+    for (const Id p : this->Solid.Wall.Points)
+    {
+      if (this->Solid.Pushed.Length(p) > 0)
+      {
+        this->FirstBorder[p] = static_cast<Id>(this->Result.Points.size());
+        for (Id border = 1; border <= this->Layers; ++border)
+        {
+          this->AddPoint(PlaceOnBorder(this->Solid.Pushed.Outer(p), mesh.Points[p],
+                           this->Solid.Fractions[border]),
+            None, this->Result.CellsOfPoints[this->Outer[p]]);
+        }
+      }
+    }
+  }
+
+  void AddCellsBehind()
+  {
+    const RefinableMesh& mesh = this->Solid.Mesh;
+    for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+    {
+      if (!mesh.IsDead(c))
+      {
+        Tetrahedron cell;
+        for (int k = 0; k < 4; ++k)
+        {
+          cell[k] = this->OnBorder(mesh.Cell(c).Corners[k], this->Layers);
+        }
+        this->Result.Tetrahedra.push_back(cell);
+        this->Result.OriginalCells.push_back(mesh.Cell(c).Parent);
+        this->Result.Layers.push_back(0);
+      }
+    }
+  }
+
+  void AddColumn(const Triangle& triangle, Id cell)
+  {
+    int lifted = 0;
+    int first = 0; // the one that is lifted alone, or that is not
+    for (int k = 0; k < 3; ++k)
+    {
+      lifted += this->IsLifted(triangle[k]) ? 1 : 0;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      first = this->IsLifted(triangle[k]) == (lifted == 1) ? k : first;
+    }
+    const Id a = triangle[first];
+    const Id b = triangle[(first + 1) % 3];
+    const Id c = triangle[(first + 2) % 3];
+    for (Id layer = 1; layer <= this->Layers && lifted > 0; ++layer)
+    {
+      const auto below = [&](Id point) { return this->OnBorder(point, layer - 1); };
+      const auto above = [&](Id point) { return this->OnBorder(point, layer); };
+      if (lifted == 3)
+      {
+        this->Result.Prisms.push_back(
+          { { below(a), below(b), below(c), above(a), above(b), above(c) } });
+        this->OfPrisms.push_back({ cell, layer });
+      }
+      else if (lifted == 2)
+      {
+        this->Result.Pyramids.push_back({ { below(b), below(c), above(c), above(b), below(a) } });
+        this->OfPyramids.push_back({ cell, layer });
+      }
+      else
+      {
+        this->Result.Tetrahedra.push_back({ { below(c), below(b), below(a), above(a) } });
+        this->Result.OriginalCells.push_back(cell);
+        this->Result.Layers.push_back(layer);
+      }
+    }
+  }
+
+  void JoinCells()
+  {
+    for (const auto* cells : { &this->OfPyramids, &this->OfPrisms })
+    {
+      for (const CellOfLayer& cell : *cells)
+      {
+        this->Result.OriginalCells.push_back(cell.Original);
+        this->Result.Layers.push_back(cell.Layer);
+      }
+    }
+  }
+
+  template <std::size_t Size>
+  void AppendMiddles(const std::vector<std::array<Id, Size>>& cells, std::vector<Point>& middles)
+  {
+    for (const auto& cell : cells)
+    {
+      Point middle = { { 0, 0, 0 } };
+      for (const Id corner : cell)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          middle[k] += this->Result.Points[corner][k] / static_cast<double>(Size);
+        }
+      }
+      middles.push_back(middle);
+    }
+  }
+
+  /** Find the cells of the input that hold points and cells. */
+  void Locate(Monitor& monitor)
+  {
+    std::vector<Point> middles;
+    this->AppendMiddles(this->Result.Tetrahedra, middles);
+    this->AppendMiddles(this->Result.Pyramids, middles);
+    this->AppendMiddles(this->Result.Prisms, middles);
+    const CellLocator locator(this->Solid.Input);
+    const std::vector<Id>& regions = this->Solid.Regions;
+    std::vector<Id>& cells = this->Result.OriginalCells;
+    const std::vector<Id> near = cells;
+    locator.Locate(middles, cells, monitor, { Stages::Layering, 0.9, 0.97 });
+    for (std::size_t c = 0; c < near.size() && !regions.empty(); ++c)
+    {
+      cells[c] = regions[cells[c]] == regions[near[c]] ? cells[c] : near[c]; // by rounding
+    }
+    locator.Locate(
+      this->Result.Points, this->Result.CellsOfPoints, monitor, { Stages::Layering, 0.97, 1 });
+  }
+
+  struct CellOfLayer
+  {
+    Id Original;
+    Id Layer;
+  };
+
+  const PushedSolid& Solid;
+  const Id Layers;
+  std::vector<Id> Outer;       ///< per point of the mesh its own, at the wall
+  std::vector<Id> FirstBorder; ///< and the one on the border of the first layer, None without
+  std::vector<CellOfLayer> OfPyramids;
+  std::vector<CellOfLayer> OfPrisms;
+  LayeredMesh Result;
+};
+
+/** The share of the full height that layers have at each point of the mesh. */
+std::vector<double> SharesOfHeight(const LayerWall& wall,
+  const std::vector<WallDirection>& directions, const PushedWall& pushed, double height,
+  std::size_t points)
+{
+  std::vector<double> shares(points, 0);
+  for (const Id p : wall.Points)
+  {
+    shares[p] = std::min(1.0, pushed.Length(p) * directions[p].Cosine / height);
+    shares[p] = shares[p] >= FullShare ? 1 : shares[p];
+  }
+  return shares;
+}
+
+void AppendShares(const std::vector<double>& shares, const LayerWall& wall,
+  const std::vector<Point>& points, Statistics& statistics)
+{
+  double all = 0;
+  double full = 0;
+  double mean = 0;
+  for (const Triangle& t : wall.Triangles)
+  {
+    const double area = Length(NormalOf(points[t[0]], points[t[1]], points[t[2]]));
+    all += area;
+    full += std::min({ shares[t[0]], shares[t[1]], shares[t[2]] }) == 1 ? area : 0;
+    mean += area * (shares[t[0]] + shares[t[1]] + shares[t[2]]) / 3;
+  }
+  const auto count = [&](const auto& isCounted)
+  {
+    return static_cast<double>(std::count_if(
+      wall.Points.begin(), wall.Points.end(), [&](Id p) { return isCounted(shares[p]); }));
+  };
+  statistics.emplace_back("WallTriangles", wall.Triangles.size());
+  statistics.emplace_back("WallPoints", wall.Points.size());
+  statistics.emplace_back("ReducedPoints", count([](double x) { return x > 0 && x < 1; }));
+  statistics.emplace_back("BarePoints", count([](double x) { return x == 0; }));
+  statistics.emplace_back("FullHeightShare", all > 0 ? full / all : 0);
+  statistics.emplace_back("MeanHeightShare", all > 0 ? mean / all : 0);
+}
+
+LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<Id>& wallFaces, const LayerParameters& parameters, Monitor& caller)
+{
+  ForwardMonitor monitor(caller);
+  monitor.Check(Stages::Layering, 0);
+  const std::vector<FacetOfInput> facets = FacetsOf(mesh, regions, {});
+  RefinableMesh refinable = MakeRefinable(mesh, regions, facets);
+  const std::vector<char> locked;
+  RefinableSurface surface(refinable, facets, locked, SurfaceTreatment::Kept, 0);
+  SurfaceBound bound(refinable, facets, SurfaceTreatment::Kept, 0);
+  SizingParameters lengthsNow;
+  lengthsNow.Lengths = LengthsOf(mesh);
+  SizingField sizes(refinable, lengthsNow);
+
+  std::vector<Triangle> triangles;
+  for (const Id face : wallFaces)
+  {
+    triangles.push_back(FaceOf(mesh.Cells[face / 4], face % 4));
+  }
+  const LayerWall wall(mesh.Points.size(), std::move(triangles));
+  const std::vector<WallDirection> directions = FindWallDirections(mesh.Points, wall);
+  const double height = HeightOfAll(parameters);
+  const std::vector<double> lengths =
+    LimitHeights(refinable, wall, directions, HeldPoints(refinable, surface, wall), height);
+  const std::vector<double> fractions = FractionsOfLayers(parameters.Layers, parameters.Growth);
+
+  PushedWall pushed(refinable, { wall, directions, lengths, fractions });
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    const std::int64_t before = refinable.NumberOfChanges();
+    if (pushed.Advance() == 0)
+    {
+      break;
+    }
+    const ProgressRange range = { Stages::Layering, 0.9 * round / MostRounds,
+      0.9 * (round + 1) / MostRounds };
+    ImproveCells(refinable, surface, bound, sizes, monitor, range, before);
+  }
+
+  const PushedSolid solid = { mesh, regions, wallFaces, refinable, wall, pushed, fractions };
+  LayeredMesh result = LayeredMeshMaker(solid).Make(monitor);
+  const auto layerTetrahedra = std::count_if(result.Layers.begin(),
+    result.Layers.begin() + static_cast<std::ptrdiff_t>(result.Tetrahedra.size()),
+    [](Id layer) { return layer > 0; });
+  result.Statistics = { { "Layers", parameters.Layers }, { "Prisms", result.Prisms.size() },
+    { "Pyramids", result.Pyramids.size() }, { "LayerTetrahedra", layerTetrahedra } };
+  AppendShares(SharesOfHeight(wall, directions, pushed, height, mesh.Points.size()), wall,
+    mesh.Points, result.Statistics);
+  return result;
+}
+} // namespace
+
+LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<Id>& wall, const LayerParameters& parameters, Monitor& monitor)
+{
+  CheckParameters(mesh, wall, parameters);
+  const int exponent = LargestExponent(mesh.Points);
+  if (std::abs(exponent) <= LargestOrdinaryExponent)
+  {
+    return MakeNearUnitSize(mesh, regions, wall, parameters, monitor);
+  }
+  TetrahedralMesh scaled = mesh;
+  scaled.Points = ScaledPoints(mesh.Points, -exponent);
+  CheckCells(scaled);
+  LayerParameters other = parameters;
+  other.FirstHeight =
+    std::max(std::ldexp(parameters.FirstHeight, -exponent), std::numeric_limits<double>::min());
+  LayeredMesh result = MakeNearUnitSize(scaled, regions, wall, other, monitor);
+  result.Points = ScaledPoints(result.Points, exponent);
+  return result;
+}
+} // namespace insideout

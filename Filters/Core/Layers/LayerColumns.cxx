@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layers/LayerColumns.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
+
+namespace insideout
+{
+namespace
+{
+/** Whether a layer is positive at the corners whose edges have a length. */
+bool IsLayerPositive(const std::array<Point, 3>& outer, const std::array<Point, 3>& inner,
+  const std::array<bool, 3>& isLifted)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (isLifted[k] &&
+      (Orient3D(outer[0], outer[2], outer[1], inner[k]) <= 0 ||
+        Orient3D(inner[0], inner[1], inner[2], outer[k]) <= 0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
+std::vector<double> FractionsOfLayers(int layers, double growth)
+{
+  std::vector<double> fractions = { 0 };
+  double height = 1;
+  for (int layer = 0; layer < layers; ++layer, height *= growth)
+  {
+    fractions.push_back(fractions.back() + height);
+  }
+  const double all = fractions.back();
+  for (double& fraction : fractions)
+  {
+    fraction /= all;
+  }
+  return fractions;
+}
+
+Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction)
+{
+  if (fraction <= 0 || fraction >= 1)
+  {
+    return fraction <= 0 ? outer : inner;
+  }
+  Point place;
+  for (int k = 0; k < 3; ++k)
+  {
+    place[k] = outer[k] + fraction * (inner[k] - outer[k]);
+  }
+  return place;
+}
+
+bool IsPositive(const LayerColumn& column, const std::vector<double>& fractions)
+{
+  std::array<bool, 3> isLifted;
+  for (int k = 0; k < 3; ++k)
+  {
+    isLifted[k] = column.Outer[k] != column.Inner[k];
+  }
+  std::array<Point, 3> below = column.Outer;
+  for (std::size_t i = 1; i < fractions.size(); ++i)
+  {
+    std::array<Point, 3> above;
+    for (int k = 0; k < 3; ++k)
+    {
+      above[k] = PlaceOnBorder(column.Outer[k], column.Inner[k], fractions[i]);
+    }
+    if (!IsLayerPositive(below, above, isLifted))
+    {
+      return false;
+    }
+    below = above;
+  }
+  return true;
+}
+
+bool IsPositive(const std::vector<Point>& points, const Prism& prism)
+{
+  return IsLayerPositive(CornersOf(points, Triangle{ { prism[0], prism[1], prism[2] } }),
+    CornersOf(points, Triangle{ { prism[3], prism[4], prism[5] } }), { { true, true, true } });
+}
+
+bool IsPositive(const std::vector<Point>& points, const Pyramid& pyramid)
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    if (Orient3D(
+          points, { { pyramid[k], pyramid[(k + 1) % 4], pyramid[(k + 2) % 4], pyramid[4] } }) <= 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace insideout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Types.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Corners as VTK has them: the first triangle is counter-clockwise seen from outside. */
+using Prism = std::array<Id, 6>;
+
+/** Corners as VTK has them: the base is counter-clockwise seen from the last one. */
+using Pyramid = std::array<Id, 5>;
+
+/** Where the borders of layers are between the wall and the innermost one: 0, and up to 1. */
+std::vector<double> FractionsOfLayers(int layers, double growth);
+
+/** The corners of a triangle of the wall and where layers end behind them; the same place where
+ * there is none. */
+struct LayerColumn
+{
+  std::array<Point, 3> Outer; ///< counter-clockwise seen from outside
+  std::array<Point, 3> Inner;
+};
+
+/** The place on the border of a layer: exactly the ends at 0 and 1. */
+Point PlaceOnBorder(const Point& outer, const Point& inner, double fraction);
+
+/**
+ * Whether all cells of a column are positive at their corners, exactly: a prism at all six; a
+ * pyramid and a tetrahedron, which it becomes where one or two edges have no length, at all of
+ * theirs.
+ */
+bool IsPositive(const LayerColumn& column, const std::vector<double>& fractions);
+
+/** Whether a prism has positive corner tetrahedra, exactly. */
+bool IsPositive(const std::vector<Point>& points, const Prism& prism);
+bool IsPositive(const std::vector<Point>& points, const Pyramid& pyramid);
+} // namespace insideout

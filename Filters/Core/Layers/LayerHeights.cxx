@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layers/LayerHeights.h"
+
+#include "Common/Vectors.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace insideout
+{
+namespace
+{
+/** Of the way to what is ahead: layers of both sides take two thirds, and leave one to cells. */
+constexpr double ShareOfGap = 1.0 / 3;
+
+/** Of an edge of the wall, what is left of it behind the layers. */
+constexpr double LeastShareOfEdge = 0.25;
+
+/** In a corner of 60 degrees layers end twice their height from the point; sharper ones get less.
+ */
+constexpr double MostTimesHeight = 2;
+
+/** A way through cells is a few; one among flat cells may turn in a circle by rounding. */
+constexpr int MostSteps = 2000;
+
+/** Of the cells around a point the one that its direction leads into, None if rounding hides it. */
+Id CellAhead(
+  const RefinableMesh& mesh, Id point, const std::vector<Id>& star, const Point& direction)
+{
+  const Point& from = mesh.Points[point];
+  Id ahead = None;
+  double best = 0;
+  for (const Id cell : star)
+  {
+    const Triangle face = mesh.FaceCorners(cell, mesh.CornerIndex(cell, point));
+    const auto corners = CornersOf(mesh.Points, face);
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point u = Difference(corners[k], from);
+      const Point v = Difference(corners[(k + 1) % 3], from);
+      const Point normal = Cross(v, u);
+      const double length = Length(normal);
+      least = std::min(least, length > 0 ? Dot(normal, direction) / length : -1.0);
+    }
+    if (ahead == None || least > best)
+    {
+      ahead = cell;
+      best = least;
+    }
+  }
+  return ahead;
+}
+
+/** How far it is along a direction to a facet; anything above `enough` where it is farther. */
+double WayToFacet(const RefinableMesh& mesh, Id point, const std::vector<Id>& star,
+  const Point& direction, double enough)
+{
+  const Point& from = mesh.Points[point];
+  Id cell = CellAhead(mesh, point, star, direction);
+  int entry = -1;
+  double way = 0;
+  for (int step = 0; cell != None && way <= enough && step < MostSteps; ++step)
+  {
+    int exit = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 4; ++k)
+    {
+      const bool isAtPoint = step == 0 && mesh.Cell(cell).Corners[k] != point;
+      const auto corners = CornersOf(mesh.Points, mesh.FaceCorners(cell, k));
+      const Point normal = NormalOf(corners[0], corners[1], corners[2]); // inward
+      const double along = Dot(normal, direction);
+      if (k == entry || isAtPoint || !(along < 0))
+      {
+        continue;
+      }
+      const double there = Dot(normal, Difference(corners[0], from)) / along;
+      if (there < nearest)
+      {
+        nearest = there;
+        exit = k;
+      }
+    }
+    if (exit < 0)
+    {
+      break; // by rounding
+    }
+    way = std::max(way, nearest);
+    if (mesh.Cell(cell).Facets[exit] != None)
+    {
+      return way;
+    }
+    const Id next = mesh.Cell(cell).Neighbors[exit];
+    entry = mesh.MirrorIndex(cell, exit);
+    cell = next;
+  }
+  return way > enough ? std::numeric_limits<double>::infinity() : way;
+}
+
+/** Shorten what would make edges of the wall too short, or turn them over. */
+void KeepEdges(const std::vector<Point>& points, const LayerWall& wall,
+  const std::vector<WallDirection>& directions, std::vector<double>& lengths)
+{
+  for (const Id p : wall.Points)
+  {
+    for (const Id q : wall.NeighborsOf[p])
+    {
+      const Point edge = Difference(points[q], points[p]);
+      const double squared = Dot(edge, edge);
+      const double loss =
+        lengths[p] * Dot(directions[p].Inward, edge) - lengths[q] * Dot(directions[q].Inward, edge);
+      const double most = (1 - LeastShareOfEdge) * squared;
+      if (p < q && loss > most)
+      {
+        lengths[p] *= most / loss;
+        lengths[q] *= most / loss;
+      }
+    }
+  }
+}
+
+/** Let lengths grow along edges no faster than they may. */
+void Grade(const std::vector<Point>& points, const LayerWall& wall, std::vector<double>& lengths)
+{
+  using Entry = std::pair<double, Id>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (const Id p : wall.Points)
+  {
+    queue.push({ lengths[p], p });
+  }
+  while (!queue.empty())
+  {
+    const auto [length, p] = queue.top();
+    queue.pop();
+    if (length > lengths[p])
+    {
+      continue;
+    }
+    for (const Id q : wall.NeighborsOf[p])
+    {
+      const double most = length + GradingOfHeights * Distance(points[p], points[q]);
+      if (lengths[q] > most)
+      {
+        lengths[q] = most;
+        queue.push({ most, q });
+      }
+    }
+  }
+}
+} // namespace
+
+double LengthOfHeight(const WallDirection& direction, double height)
+{
+  return direction.Cosine > 0 ? height * std::min(MostTimesHeight, 1 / direction.Cosine) : 0;
+}
+
+std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
+  const std::vector<WallDirection>& directions, const std::vector<char>& isHeld, double height)
+{
+  std::vector<double> lengths(mesh.Points.size(), 0);
+  std::vector<Id> star;
+  for (const Id p : wall.Points)
+  {
+    if (isHeld[p] != 0 || directions[p].Cosine == 0)
+    {
+      continue;
+    }
+    const double wanted = LengthOfHeight(directions[p], height);
+    star.clear();
+    mesh.Star(p, star);
+    const double way = WayToFacet(mesh, p, star, directions[p].Inward, wanted / ShareOfGap);
+    lengths[p] = std::min(wanted, ShareOfGap * way);
+  }
+  KeepEdges(mesh.Points, wall, directions, lengths);
+  Grade(mesh.Points, wall, lengths);
+  return lengths;
+}
+} // namespace insideout

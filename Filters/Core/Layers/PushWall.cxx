@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layers/PushWall.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/Vectors.h"
+#include "Layers/LayerColumns.h"
+#include "Refine/BestPlace.h"
+#include "Refine/CellShape.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace insideout
+{
+namespace
+{
+/** Degrees. A move may make cells as flat as this, and bad ones half as good: others take their
+ * place before the next. */
+constexpr double LeastAngle = 8;
+constexpr double LeastShare = 0.5;
+
+/** A move that cannot be is tried again by half, so often. */
+constexpr int MostHalvings = 4;
+} // namespace
+
+PushedWall::PushedWall(RefinableMesh& mesh, const WallPush& push)
+  : Mesh(mesh)
+  , Push(push)
+  , Start(mesh.Points)
+  , Gone(mesh.Points.size(), 0)
+{
+}
+
+Id PushedWall::Advance()
+{
+  Id moved = 0;
+  for (const Id point : this->Push.Wall.Points)
+  {
+    const double most = this->MostAt(point);
+    const double gone = this->Gone[point];
+    if (!(most > gone))
+    {
+      continue;
+    }
+    this->Mesh.StarWithWalls(point, this->Cells, this->Walls);
+    double step = most - gone;
+    for (int halving = 0; halving <= MostHalvings; ++halving, step /= 2)
+    {
+      if (this->MoveTo(point, halving == 0 ? most : gone + step))
+      {
+        ++moved;
+        break;
+      }
+    }
+  }
+  return moved;
+}
+
+/** How far a point may go, given how far its neighbors are. */
+double PushedWall::MostAt(Id point) const
+{
+  double most = this->Push.Lengths[point];
+  for (const Id neighbor : this->Push.Wall.NeighborsOf[point])
+  {
+    most = std::min(most,
+      this->Gone[neighbor] +
+        GradingOfHeights * Distance(this->Start[point], this->Start[neighbor]));
+  }
+  return most;
+}
+
+bool PushedWall::MoveTo(Id point, double length)
+{
+  const Point& start = this->Start[point];
+  const Point& way = this->Push.Directions[point].Inward;
+  const Point place = { { start[0] + length * way[0], start[1] + length * way[1],
+    start[2] + length * way[2] } };
+  const std::vector<Point>& points = this->Mesh.Points;
+  const double any = -std::numeric_limits<double>::infinity();
+  const double before = WorstShapeAt(points, this->Walls, points[point], any);
+  const double least = std::min(ShapeOfAngle(LeastAngle), LeastShare * std::max(before, 0.0));
+  if (!(WorstShapeAt(points, this->Walls, place, least) > least) || !this->IsInside(point, place) ||
+    !this->ArePositive(point, place))
+  {
+    return false;
+  }
+  this->Mesh.Move(point, place, this->Walls);
+  this->Gone[point] = length;
+  return true;
+}
+
+/** Whether a place is within the cells around a point and on their side of the wall. */
+bool PushedWall::IsInside(Id point, const Point& place) const
+{
+  const std::vector<Point>& points = this->Mesh.Points;
+  const auto sees = [&](const Triangle& t)
+  { return Orient3D(points[t[0]], points[t[1]], points[t[2]], place) > 0; };
+  const auto at = this->Push.Wall.TrianglesAt[point];
+  return std::all_of(this->Walls.begin(), this->Walls.end(), sees) &&
+    std::all_of(at.begin(), at.end(),
+      [&](Id t)
+      {
+        const Triangle& outward = this->Push.Wall.Triangles[t];
+        return sees({ { outward[0], outward[2], outward[1] } });
+      });
+}
+
+/** Whether the layers around a point are positive where it is moved. */
+bool PushedWall::ArePositive(Id point, const Point& place) const
+{
+  const auto at = this->Push.Wall.TrianglesAt[point];
+  return std::all_of(at.begin(), at.end(),
+    [&](Id t)
+    {
+      const Triangle& triangle = this->Push.Wall.Triangles[t];
+      LayerColumn column = { CornersOf(this->Start, triangle),
+        CornersOf(this->Mesh.Points, triangle) };
+      for (int k = 0; k < 3; ++k)
+      {
+        column.Inner[k] = triangle[k] == point ? place : column.Inner[k];
+      }
+      return IsPositive(column, this->Push.Fractions);
+    });
+}
+} // namespace insideout

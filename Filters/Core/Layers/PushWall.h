@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Layers/LayerHeights.h"
+#include "Layers/LayerWall.h"
+#include "Layers/WallDirections.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** What a wall is pushed by. */
+struct WallPush
+{
+  const LayerWall& Wall;
+  const std::vector<WallDirection>& Directions;
+  const std::vector<double>& Lengths;   ///< how far each point is to go
+  const std::vector<double>& Fractions; ///< of the layers' borders
+};
+
+/**
+ * Moves the points of a wall inward, whole or not at all each: after a move all cells of the mesh
+ * and of the layers around are positive, exactly, and the point has gone to the inner side of all
+ * triangles of the moved wall around it. By this the moved wall crosses neither itself nor the wall
+ * at any time: a move takes cells between the wall before and after it away from the cells around
+ * the point.
+ */
+class PushedWall
+{
+public:
+  PushedWall(RefinableMesh& mesh, const WallPush& push);
+
+  /** Move each point on, as far as its neighbors are. @return the number of points moved */
+  Id Advance();
+
+  /** Where a point of the wall was. */
+  const Point& Outer(Id point) const { return this->Start[point]; }
+
+  /** How far it has gone. */
+  double Length(Id point) const { return this->Gone[point]; }
+
+private:
+  double MostAt(Id point) const;
+  bool MoveTo(Id point, double length);
+  bool IsInside(Id point, const Point& place) const;
+  bool ArePositive(Id point, const Point& place) const;
+
+  RefinableMesh& Mesh;
+  const WallPush Push;
+  std::vector<Point> Start; ///< of the points of the mesh when it began
+  std::vector<double> Gone; ///< how far each is
+  std::vector<Id> Cells;
+  std::vector<Triangle> Walls;
+};
+} // namespace insideout

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Layers/LayerWall.h"
+
+#include <vector>
+
+namespace insideout
+{
+/** Which way the layers go at a point of a wall. */
+struct WallDirection
+{
+  Point Inward = { { 0, 0, 0 } }; ///< of length 1
+  double Cosine = 0; ///< the least with the inner normals of the triangles around; 0: no way in
+};
+
+/**
+ * One direction per point of the mesh, for those of the wall: the one whose least cosine with the
+ * triangles' normals is largest (Aubry and Loehner 2008), smoothed along the wall as far as that
+ * cosine allows.
+ */
+std::vector<WallDirection> FindWallDirections(
+  const std::vector<Point>& points, const LayerWall& wall);
+} // namespace insideout

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layers/BoundaryLayers.h"
+
+#include "Common/PointPredicates.h"
+#include "Common/ScaledPoints.h"
+#include "Common/Vectors.h"
+#include "GraphCut/ConnectCells.h"
+#include "Refine/RefineTetrahedra.h"
+#include "Support/AllowedThreads.h"
+#include "Support/TestTetrahedra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+using namespace insideout;
+
+namespace
+{
+/** A face of a cell by its corners, which run counter-clockwise seen from outside. */
+using Face = std::vector<Id>;
+
+void AppendFaces(const Tetrahedron& c, std::vector<Face>& faces)
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    const Triangle face = FaceOf(c, k);
+    faces.emplace_back(face.begin(), face.end());
+  }
+}
+
+void AppendFaces(const Pyramid& c, std::vector<Face>& faces)
+{
+  faces.push_back({ c[0], c[3], c[2], c[1] });
+  for (int k = 0; k < 4; ++k)
+  {
+    faces.push_back({ c[k], c[(k + 1) % 4], c[4] });
+  }
+}
+
+void AppendFaces(const Prism& c, std::vector<Face>& faces)
+{
+  faces.push_back({ c[0], c[1], c[2] });
+  faces.push_back({ c[3], c[5], c[4] });
+  for (int k = 0; k < 3; ++k)
+  {
+    faces.push_back({ c[k], c[k + 3], c[(k + 1) % 3 + 3], c[(k + 1) % 3] });
+  }
+}
+
+template <typename Cells>
+void AppendCells(const Cells& cells, std::vector<std::vector<Face>>& faces)
+{
+  for (const auto& cell : cells)
+  {
+    faces.emplace_back();
+    AppendFaces(cell, faces.back());
+  }
+}
+
+/** The faces of each cell, in the order of LayeredMesh::Layers. */
+std::vector<std::vector<Face>> FacesOfCells(const LayeredMesh& mesh)
+{
+  std::vector<std::vector<Face>> faces;
+  AppendCells(mesh.Tetrahedra, faces);
+  AppendCells(mesh.Pyramids, faces);
+  AppendCells(mesh.Prisms, faces);
+  return faces;
+}
+
+/** The volume that faces enclose, where quads are bilinear: the mean of both ways to cut them. */
+double VolumeOf(const std::vector<Point>& points, const std::vector<Face>& faces)
+{
+  const Point& origin = points[faces.front().front()];
+  const auto cone = [&](Id a, Id b, Id c)
+  {
+    return Determinant(Difference(points[a], origin), Difference(points[b], origin),
+             Difference(points[c], origin)) /
+      6;
+  };
+  double volume = 0;
+  for (const Face& f : faces)
+  {
+    volume += f.size() == 3 ? cone(f[0], f[1], f[2])
+                            : (cone(f[0], f[1], f[2]) + cone(f[0], f[2], f[3]) +
+                                cone(f[0], f[1], f[3]) + cone(f[1], f[2], f[3])) /
+        2;
+  }
+  return volume;
+}
+
+/** Faces by the places of their corners, of one cell or between regions. */
+std::vector<std::vector<Point>> Surface(const std::vector<Point>& points,
+  const std::vector<std::vector<Face>>& cells, const std::vector<Id>& regions)
+{
+  std::map<Face, std::vector<std::size_t>> cellsOf;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    for (Face face : cells[c])
+    {
+      std::sort(face.begin(), face.end());
+      cellsOf[face].push_back(c);
+    }
+  }
+  std::vector<std::vector<Point>> surface;
+  for (const auto& [face, around] : cellsOf)
+  {
+    EXPECT_LE(around.size(), 2U);
+    if (around.size() == 1 || (!regions.empty() && regions[around[0]] != regions[around[1]]))
+    {
+      EXPECT_EQ(face.size(), 3U);
+      surface.emplace_back();
+      for (const Id p : face)
+      {
+        surface.back().push_back(points[p]);
+      }
+      std::sort(surface.back().begin(), surface.back().end());
+    }
+  }
+  std::sort(surface.begin(), surface.end());
+  return surface;
+}
+
+double StatisticOf(const LayeredMesh& mesh, const std::string& name)
+{
+  for (const auto& [other, value] : mesh.Statistics)
+  {
+    if (other == name)
+    {
+      return value;
+    }
+  }
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+/** Expect what MakeBoundaryLayers promises. */
+void ExpectLaws(
+  const TetrahedralMesh& mesh, const std::vector<Id>& regions, const LayeredMesh& layered)
+{
+  const std::vector<Point>& points = layered.Points;
+  EXPECT_TRUE(std::all_of(layered.Tetrahedra.begin(), layered.Tetrahedra.end(),
+    [&](const Tetrahedron& cell) { return Orient3D(points, cell) > 0; }));
+  const auto isPositive = [&](const auto& cell) { return IsPositive(points, cell); };
+  EXPECT_TRUE(std::all_of(layered.Prisms.begin(), layered.Prisms.end(), isPositive));
+  EXPECT_TRUE(std::all_of(layered.Pyramids.begin(), layered.Pyramids.end(), isPositive));
+
+  const std::vector<std::vector<Face>> cells = FacesOfCells(layered);
+  ASSERT_EQ(layered.Layers.size(), cells.size());
+  ASSERT_EQ(layered.OriginalCells.size(), cells.size());
+  std::vector<Id> regionsAfter;
+  double volume = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    const double part = VolumeOf(points, cells[c]);
+    EXPECT_GT(part, 0) << c;
+    volume += part;
+    if (!regions.empty())
+    {
+      regionsAfter.push_back(regions[layered.OriginalCells[c]]);
+    }
+  }
+  std::vector<std::vector<Face>> before;
+  AppendCells(mesh.Cells, before);
+  double volumeBefore = 0;
+  for (const auto& cell : before)
+  {
+    volumeBefore += VolumeOf(mesh.Points, cell);
+  }
+  EXPECT_NEAR(volume, volumeBefore, 1e-9 * volumeBefore);
+  EXPECT_EQ(Surface(points, cells, regionsAfter), Surface(mesh.Points, before, regions));
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    const Id original = layered.OriginalPoints[p];
+    EXPECT_TRUE(original == None || points[p] == mesh.Points[original]) << p;
+  }
+  EXPECT_EQ(StatisticOf(layered, "Prisms"), static_cast<double>(layered.Prisms.size()));
+}
+
+std::vector<Id> Boundary(const TetrahedralMesh& mesh)
+{
+  std::vector<Id> faces;
+  for (Id c = 0; c < mesh.NumberOfCells(); ++c)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (mesh.Neighbors[c][k] == None)
+      {
+        faces.push_back(4 * c + k);
+      }
+    }
+  }
+  return faces;
+}
+
+LayeredMesh Layered(const TetrahedralMesh& mesh, const LayerParameters& parameters,
+  const std::vector<Id>& regions = {}, std::vector<Id> wall = {})
+{
+  Monitor monitor;
+  wall = wall.empty() ? Boundary(mesh) : wall;
+  return MakeBoundaryLayers(mesh, regions, wall, parameters, monitor);
+}
+
+/** A refined cube of edge 400. */
+TetrahedralMesh Cube()
+{
+  Monitor monitor;
+  const RefinedMesh refined =
+    RefineTetrahedra(testtetrahedra::EvenGrid(4), {}, RefinementParameters(), monitor);
+  return ConnectCells(refined.Points, refined.Cells);
+}
+
+std::string MessageOf(const TetrahedralMesh& mesh, const LayerParameters& parameters)
+{
+  try
+  {
+    Layered(mesh, parameters);
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+} // namespace
+
+class LayersOfRandomMeshes : public testing::TestWithParam<unsigned>
+{
+};
+
+TEST_P(LayersOfRandomMeshes, FillTheSolidBehindItsSurface)
+{
+  const TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 4);
+  const TetrahedralMesh part =
+    testtetrahedra::Part(grid, testtetrahedra::RandomInside(grid, GetParam()));
+  for (const double height : { 0.5, 10.0, 1e4 })
+  {
+    ExpectLaws(part, {}, Layered(part, { 3, height, 1.2 }));
+  }
+}
+
+TEST_P(LayersOfRandomMeshes, EndAtTheRestOfTheBoundaryAndAtRegions)
+{
+  const TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 4);
+  std::vector<Id> regions;
+  for (const int inside : testtetrahedra::RandomInside(grid, GetParam()))
+  {
+    regions.push_back(inside);
+  }
+  std::vector<Id> wall = Boundary(grid);
+  std::mt19937 random(GetParam());
+  std::shuffle(wall.begin(), wall.end(), random);
+  wall.resize(wall.size() / 2);
+  ExpectLaws(grid, regions, Layered(grid, { 2, 3, 1.5 }, regions, wall));
+  ExpectLaws(grid, {}, Layered(grid, { 2, 3, 1.5 }, {}, wall));
+}
+
+TEST_P(LayersOfRandomMeshes, TakeCellsThatAreAllButFlat)
+{
+  TetrahedralMesh grid = testtetrahedra::Grid(GetParam(), 4);
+  ASSERT_GT(testtetrahedra::Flatten(grid, GetParam()), 0);
+  ExpectLaws(grid, {}, Layered(grid, { 3, 5, 1.2 }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, LayersOfRandomMeshes, testing::Range(0U, 4U));
+
+TEST(BoundaryLayers, HaveFullHeightInACube)
+{
+  const TetrahedralMesh cube = Cube();
+  const LayeredMesh layered = Layered(cube, { 4, 5, 1.2 });
+  ExpectLaws(cube, {}, layered);
+  const auto wall = Boundary(cube).size();
+  EXPECT_EQ(layered.Prisms.size(), 4 * wall);
+  EXPECT_EQ(StatisticOf(layered, "FullHeightShare"), 1);
+  EXPECT_EQ(StatisticOf(layered, "MeanHeightShare"), 1);
+  EXPECT_EQ(StatisticOf(layered, "ReducedPoints"), 0);
+  // The first layer is as high as asked for at each plane of the cube.
+  for (std::size_t p = 0; p < layered.Prisms.size(); p += 4)
+  {
+    const Prism& prism = layered.Prisms[p];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Point& outer = layered.Points[prism[k]];
+      const Point& inner = layered.Points[prism[k + 3]];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (outer[axis] == 0)
+        {
+          EXPECT_GE(inner[axis], 4.9);
+          EXPECT_LE(inner[axis], 7.6);
+        }
+      }
+    }
+  }
+}
+
+TEST(BoundaryLayers, LeaveAThirdOfAGap)
+{
+  const TetrahedralMesh grid = testtetrahedra::EvenGrid(4);
+  const TetrahedralMesh plate =
+    testtetrahedra::Part(grid, testtetrahedra::Cubes(grid, [](int, int, int z) { return z == 0; }));
+  const LayeredMesh layered = Layered(plate, { 1, 1000, 1 });
+  ExpectLaws(plate, {}, layered);
+  EXPECT_EQ(StatisticOf(layered, "FullHeightShare"), 0);
+  EXPECT_GT(layered.Prisms.size(), 0U);
+  for (const Prism& prism : layered.Prisms)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_LE(std::abs(layered.Points[prism[k]][2] - layered.Points[prism[k + 3]][2]), 34);
+    }
+  }
+}
+
+TEST(BoundaryLayers, EndInPyramidsAndTetrahedra)
+{
+  const TetrahedralMesh cube = Cube();
+  std::vector<Id> wall;
+  for (const Id face : Boundary(cube))
+  {
+    const auto corners = CornersOf(cube.Points, FaceOf(cube.Cells[face / 4], face % 4));
+    if (corners[0][2] == 0 && corners[1][2] == 0 && corners[2][2] == 0)
+    {
+      wall.push_back(face);
+    }
+  }
+  const LayeredMesh layered = Layered(cube, { 3, 5, 1.2 }, {}, wall);
+  ExpectLaws(cube, {}, layered);
+  EXPECT_GT(layered.Prisms.size(), 0U);
+  EXPECT_GT(layered.Pyramids.size(), 0U);
+  EXPECT_GT(StatisticOf(layered, "LayerTetrahedra"), 0);
+  EXPECT_GT(StatisticOf(layered, "BarePoints"), 0);
+  EXPECT_LT(StatisticOf(layered, "FullHeightShare"), 1);
+}
+
+TEST(BoundaryLayers, AreTheSameOnAnyNumberOfThreadsAndAtAnySize)
+{
+  const TetrahedralMesh cube = Cube();
+  const LayeredMesh one = [&]
+  {
+    const testthreads::Allowed allowed(1);
+    return Layered(cube, { 3, 20, 1.2 });
+  }();
+  const testthreads::Allowed allowed(4);
+  const LayeredMesh four = Layered(cube, { 3, 20, 1.2 });
+  EXPECT_EQ(one.Points, four.Points);
+  EXPECT_EQ(one.Tetrahedra, four.Tetrahedra);
+  EXPECT_EQ(one.Prisms, four.Prisms);
+  for (const int exponent : { -600, 600 })
+  {
+    TetrahedralMesh scaled = cube;
+    scaled.Points = ScaledPoints(cube.Points, exponent);
+    const LayeredMesh layered = Layered(scaled, { 3, std::ldexp(20, exponent), 1.2 });
+    EXPECT_EQ(layered.Prisms.size(), one.Prisms.size());
+    EXPECT_EQ(StatisticOf(layered, "FullHeightShare"), StatisticOf(one, "FullHeightShare"));
+  }
+}
+
+TEST(BoundaryLayers, NameWhatIsWrong)
+{
+  const TetrahedralMesh grid = testtetrahedra::EvenGrid(1);
+  EXPECT_NE(MessageOf(grid, { 0, 1, 1 }).find("layers is 0"), std::string::npos);
+  EXPECT_NE(MessageOf(grid, { 1, 0, 1 }).find("height"), std::string::npos);
+  EXPECT_NE(MessageOf(grid, { 1, std::nan(""), 1 }).find("height"), std::string::npos);
+  EXPECT_NE(MessageOf(grid, { 1, 1, -1 }).find("growth"), std::string::npos);
+  Monitor monitor;
+  Id inner = 0;
+  while (grid.Neighbors[inner / 4][inner % 4] == None)
+  {
+    ++inner;
+  }
+  EXPECT_THROW(MakeBoundaryLayers(grid, {}, { inner }, { 1, 1, 1 }, monitor), Error);
+}
+
+TEST(LayerColumns, TellPrismsThatAreTurnedOver)
+{
+  std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } }, { { 0, 0, 1 } },
+    { { 0, 1, 1 } }, { { 1, 0, 1 } } };
+  const Prism prism = { { 0, 1, 2, 3, 4, 5 } };
+  EXPECT_TRUE(IsPositive(points, prism));
+  EXPECT_FALSE(IsPositive(points, Prism{ { 3, 4, 5, 0, 1, 2 } }));
+  points[5] = { { 1, 0, 0 } }; // an edge of no length
+  EXPECT_FALSE(IsPositive(points, prism));
+  points[5] = { { -1, 0, 1 } }; // its triangle is turned over, its edges go inward
+  EXPECT_FALSE(IsPositive(points, prism));
+  EXPECT_TRUE(IsPositive(points, Pyramid{ { 1, 2, 5, 4, 0 } }) ==
+    IsPositive(points, Pyramid{ { 2, 5, 4, 1, 0 } }));
+}
+
+TEST(LayerColumns, GrowByTheirFactor)
+{
+  const std::vector<double> fractions = FractionsOfLayers(3, 2);
+  ASSERT_EQ(fractions.size(), 4U);
+  EXPECT_EQ(fractions[0], 0);
+  EXPECT_DOUBLE_EQ(fractions[1], 1.0 / 7);
+  EXPECT_DOUBLE_EQ(fractions[2], 3.0 / 7);
+  EXPECT_EQ(fractions[3], 1);
+}
