@@ -29,6 +29,23 @@ constexpr double LeastDifference = 0x1p-45;
 constexpr long double LongRelativeError = 16 * std::numeric_limits<long double>::epsilon();
 constexpr long double LeastLongDifference = 0x1p-36L;
 
+/** From the site to a point. One difference per axis tells it where the site is a point. */
+ExactVector ExactVectorFrom(const Site& site, const Point& point)
+{
+  const Point& first = site.Corners[0];
+  if (std::any_of(site.Corners.begin(), site.Corners.end(),
+        [&](const Point& corner) { return corner != first; }))
+  {
+    return VectorFrom<DyadicNumber>(site, point);
+  }
+  ExactVector vector;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vector[axis] = DyadicNumber(point[axis]) - DyadicNumber(first[axis]);
+  }
+  return vector;
+}
+
 /** From the site to a point, rounded. */
 Point RoundedVectorFrom(const PreparedSite& site, const Point& point)
 {
@@ -115,8 +132,8 @@ int SideOfPlane(
 
 int SignOfDeterminant(const Site& site, const Point& a, const Point& b, const Point& c)
 {
-  return CGAL::sign(Determinant(VectorFrom<DyadicNumber>(site, a),
-    VectorFrom<DyadicNumber>(site, b), VectorFrom<DyadicNumber>(site, c)));
+  return CGAL::sign(
+    Determinant(ExactVectorFrom(site, a), ExactVectorFrom(site, b), ExactVectorFrom(site, c)));
 }
 
 int SignOfDeterminant(const PreparedSite& site, const Point& a, const Point& b, const Point& c)
@@ -135,7 +152,7 @@ bool IsInTriangle(const std::array<Point, 3>& triangle, const Site& site)
   std::array<ExactVector, 3> d;
   for (int k = 0; k < 3; ++k)
   {
-    d[k] = VectorFrom<DyadicNumber>(site, triangle[k]);
+    d[k] = ExactVectorFrom(site, triangle[k]);
   }
   // In the plane all three are multiples of the normal.
   const std::array<ExactVector, 3> products = { Cross(d[0], d[1]), Cross(d[1], d[2]),
@@ -155,8 +172,7 @@ bool IsInTriangle(const std::array<Point, 3>& triangle, const Site& site)
 
 bool IsOnLine(const Point& a, const Point& b, const Site& site)
 {
-  const ExactVector product =
-    Cross(VectorFrom<DyadicNumber>(site, a), VectorFrom<DyadicNumber>(site, b));
+  const ExactVector product = Cross(ExactVectorFrom(site, a), ExactVectorFrom(site, b));
   return CGAL::is_zero(product[0]) && CGAL::is_zero(product[1]) && CGAL::is_zero(product[2]);
 }
 } // namespace insideout
