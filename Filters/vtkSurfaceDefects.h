@@ -51,8 +51,8 @@
  * vertices with DefectType, DefectName and DefectColor where lines end, cross, or have a point of
  * others within. Statistics: OpenEnds, IntersectingPairs, Crossings, TJunctions, DuplicateSegments
  * and the like, and Area, where w is above 1/2 once lines are turned as the orientation asks.
- * AreaByEvenOdd, AreaByWindingNumber and AreaAsGiven are there if a hole crosses its outline and
- * these rules differ. Polygons in one plane have an Area, too.
+ * AreaByEvenOdd, AreaByWindingNumber and AreaAsGiven are there if these rules differ, for a hole
+ * crosses its outline or runs the same way. Polygons in one plane have an Area, too.
  *
  * A point that is not finite or a cell with a point out of range is an error that names it; the
  * outputs are then empty.

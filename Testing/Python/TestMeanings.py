@@ -339,6 +339,16 @@ class Planes(unittest.TestCase):
         self.assertEqual(result.statistics["Regions"], 1)
         self.assertEqual(insideout.inside(outline, [(2, 2, 0), (0.5, 0.5, 0), (0.5, 2.1, 0)]).tolist(), [False, True, True])
 
+    def test_contours_within_one_another_that_run_the_same_way(self):
+        """platipy #244 and dcmrtstruct2nii #37: in DICOM the way that a contour runs does not matter."""
+        squares = [((low, low), (high, low), (high, high), (low, high)) for low, high in ((0, 6), (1, 5))]
+        contours = polydata([(x, y, 0) for square in squares for x, y in square], [])
+        contours.SetLines(polydata([], [(0, 1, 2, 3, 0), (4, 5, 6, 7, 4)]).GetPolys())
+        found = insideout.check(contours)
+        self.assertEqual(found.verdict, "bounds an area of 36 in a plane: 36 by the winding number, 20 by even-odd, 36 as given")
+        contours.SetLines(polydata([], [(0, 1, 2, 3, 0), (4, 7, 6, 5, 4)]).GetPolys())
+        self.assertEqual(insideout.check(contours).verdict, "bounds an area of 20 in a plane")
+
 
 class Images(unittest.TestCase):
     def test_the_mask_of_an_image_with_axes_of_its_own(self):

@@ -61,7 +61,10 @@ AreaReadings ReadAreas(const PlanarHull& hull, const std::vector<double>& given,
       IsInside(hull.W[c]) != IsInside(given[c]);
   }
   const auto [least, most] = std::minmax_element(given.begin(), given.end());
-  areas.Differ = differ && crosses && *least < -0.5 && IsInside(*most);
+  const auto isTwice = [](double w) { return w > 1.5; };
+  areas.Differ = differ &&
+    (crosses ? *least < -0.5 && IsInside(*most)
+             : std::any_of(hull.W.begin(), hull.W.end(), isTwice));
   for (double* area : { &areas.EvenOdd, &areas.Winding, &areas.AsGiven })
   {
     *area = std::ldexp(*area, 2 * hull.Plane.Exponent);
@@ -69,14 +72,15 @@ AreaReadings ReadAreas(const PlanarHull& hull, const std::vector<double>& given,
   return areas;
 }
 
-std::string WarningAbout(const AreaReadings& areas)
+std::string WarningAbout(const AreaReadings& areas, bool crosses)
 {
   char text[200];
   std::snprintf(text, sizeof(text),
-    "the lines enclose an area of %.6g by the winding number, %.6g by even-odd and %.6g as given: "
-    "Orientation chooses",
+    "the lines enclose an area of %.6g by the winding number, %.6g by even-odd and %.6g as given: ",
     areas.Winding, areas.EvenOdd, areas.AsGiven);
-  return text;
+  return text +
+    std::string(crosses ? "Orientation chooses"
+                        : "a line within another is a hole only if it runs the other way");
 }
 } // namespace
 
@@ -131,7 +135,7 @@ PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   }
   if (hull.Areas.Differ)
   {
-    hull.Warnings.push_back(WarningAbout(hull.Areas));
+    hull.Warnings.push_back(WarningAbout(hull.Areas, crosses));
   }
   AddAreas(hull.Areas, statistics);
   const auto [least, most] = std::minmax_element(hull.W.begin(), hull.W.end());

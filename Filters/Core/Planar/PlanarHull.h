@@ -21,8 +21,9 @@ struct AreaReadings
   double Winding = 0; ///< where it is above 1/2
   double AsGiven = 0; ///< where it is above 1/2 if no segment is turned over; only if Differ
 
-  /** The rules differ, segments cross, and part of the curve runs clockwise around what no other
-   * part encloses: a hole that crosses its outline. */
+  /** The rules differ, and the curve may mean a hole: where segments cross, part of it runs
+   * clockwise around what no other part encloses; else part of it encloses another that runs the
+   * same way, as contours of DICOM do. */
   bool Differ = false;
 };
 

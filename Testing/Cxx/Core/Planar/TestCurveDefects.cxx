@@ -110,6 +110,23 @@ TEST(CurveDefects, TellWhatAHoleAcrossItsOutlineMeansByThreeRules)
   EXPECT_FALSE(expect(Orientation::Automatic, 8352, 0).Areas.Differ);
 }
 
+TEST(CurveDefects, TellWhatAHoleThatRunsLikeItsOutlineMeansByThreeRules)
+{
+  // As contours of DICOM: an outline, a hole and an island in it, all of which run the same way.
+  const CurveDefects defects =
+    DefectsOf(Lines({ { 0, 0 }, { 6, 0 }, { 6, 6 }, { 0, 6 }, { 1, 1 }, { 5, 1 }, { 5, 5 },
+                      { 1, 5 }, { 2, 2 }, { 4, 2 }, { 4, 4 }, { 2, 4 } },
+      { { 0, 1, 2, 3, 0 }, { 4, 5, 6, 7, 4 }, { 8, 9, 10, 11, 8 } }));
+  EXPECT_EQ(defects.Areas.Winding, 36);
+  EXPECT_EQ(defects.Areas.EvenOdd, 24);
+  EXPECT_EQ(defects.Areas.AsGiven, 36);
+  EXPECT_TRUE(defects.Areas.Differ);
+  ASSERT_EQ(defects.Warnings.size(), 1u);
+  EXPECT_EQ(defects.Warnings[0],
+    "the lines enclose an area of 36 by the winding number, 24 by even-odd and 36 as given: a line "
+    "within another is a hole only if it runs the other way");
+}
+
 TEST(CurveDefects, TellNothingOfAHoleWithinItsOutline)
 {
   const CurveDefects defects = DefectsOf(
