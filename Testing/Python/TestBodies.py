@@ -360,7 +360,7 @@ class TestCommand(unittest.TestCase):
     def test_what_bodies_lose_to_others_is_told_in_words_of_the_command(self):
         insideout.write(insideout.resolve(box((0.5, 0.5, 0.5), (1, 1, 1))).surface, self.folder / "inner.ply")
         done = self.run_command("--together", "left.ply", "inner.ply", "both.msh")
-        self.assertIn("body left comes before bodies within it (inner), but these have their places; set --priority to left, or --region-rule", done.stdout)
+        self.assertIn("bodies within body left (inner) keep their own cells, although it comes before them; set --priority to left, or --region-rule", done.stdout)
         self.assertIn("2 regions, of volume 7.875 (left), 0.125 (inner)", done.stdout)
         done = self.run_command("--together", "left.ply", "inner.ply", "both.msh", "--priority", "left")
         self.assertIn("body inner has no cell: all of its places are of bodies before it (left); set --priority to inner, or --region-rule", done.stdout)

@@ -199,8 +199,8 @@ std::vector<std::string> WarningsOfCoveredBodies(const TetrahedralMesh& mesh,
     const std::set<Id> inner = words.InVainBefore(body);
     if (!inner.empty())
     {
-      warnings.push_back("body " + names[body] + " comes before bodies within it" +
-        words.Of(inner) + ", but these have their places" + words.Advice(body));
+      warnings.push_back("bodies within body " + names[body] + words.Of(inner) +
+        " keep their own cells, although it comes before them" + words.Advice(body));
     }
   }
   return warnings;

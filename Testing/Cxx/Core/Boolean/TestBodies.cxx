@@ -282,7 +282,7 @@ TEST(Bodies, TheInnerOfTwoNestedOnesGoesFirstAndItIsToldWhereTheOrderWasAnother)
   const Ordered outerFirst = InOrder({ box, ball }, { "box", "ball" });
   ExpectNear(outerFirst.Volumes, { 63, 1 });
   EXPECT_EQ(outerFirst.Warnings,
-    Lines{ "body box comes before bodies within it (ball), but these have their places; set "
+    Lines{ "bodies within body box (ball) keep their own cells, although it comes before them; set "
            "Priority to box, or RegionRule to all" });
   const Ordered innerFirst = InOrder({ ball, box }, { "ball", "box" });
   ExpectNear(innerFirst.Volumes, { 1, 63 });
