@@ -352,7 +352,7 @@ class NothingInside(unittest.TestCase):
         self.assertIn("two-sided", self.warning(both))
 
     def test_inside_out(self):
-        self.assertIn("set orientation", self.warning(surfaces.reversed_box(), orientation="as-given"))
+        self.assertIn("set orientation to automatic", self.warning(surfaces.reversed_box(), orientation="as-given"))
 
     def test_too_open(self):
         walls = surfaces.box(facets=[surfaces.BOX_FACETS[0], surfaces.BOX_FACETS[4]])

@@ -224,7 +224,13 @@ REFINING_OPTIONS = tuple(TOPICS["refinement"])
 
 def in_words_of_python(texts: Iterable[str]) -> list[str]:
     """Texts that name VTK's properties, with the names that these have in Python."""
-    return _renamed(texts, _PROPERTIES)
+    return [re.sub(r"\bset (\w+) to ([A-Z]\w*)", _chosen_in_python, text) for text in _renamed(texts, _PROPERTIES)]
+
+
+def _chosen_in_python(found: re.Match[str]) -> str:
+    """ "set orientation to automatic", where a text has the value of an option as panels have it."""
+    name, value = found.groups()
+    return f"set {name} to {value.lower()}" if name in OPTIONS and value.lower() in OPTIONS[name].choices else found.group()
 
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
