@@ -19,10 +19,10 @@
  * Statistics of the orientation: Shells (sets of facets that face one way together), of these
  * ClosedShells, HoledShells, SheetShells (which enclose nothing, and count only if they seal off
  * space; SheetShare is their share of the area, with facets that count 0), Membranes (sheets
- * within the solid or across it, which do not count; MembraneFacets, MembraneShare of the area) and
- * Cavities (that face inward); TurnedShells and TurnedFacets (that were turned over), TurnedShare
- * (of the area), DisagreeingFacets (that were given against their shells), UndecidedShells (that
- * might as well face the other way).
+ * within the solid or across it, which do not count; MembraneFacets, MembraneShare of the area),
+ * UncountedSheets (outside, sealing off no space) and Cavities (that face inward); TurnedShells and
+ * TurnedFacets (that were turned over), TurnedShare (of the area), DisagreeingFacets (that were
+ * given against their shells), UndecidedShells (that might as well face the other way).
  *
  * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
  *

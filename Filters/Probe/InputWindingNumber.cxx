@@ -36,6 +36,7 @@ Facets::Facets(vtkPolyData* input, const SurfaceOptions& options, insideout::Mon
   const insideout::FacetTurns turns =
     OrientFacets(chain.Surface, chain.Edges, options.Orientation, monitor);
   Add(turns.Warnings, warnings);
+  Add(turns.UncountedWarnings, warnings);
   for (insideout::Id f = 0; options.Distance && f < chain.Surface.NumberOfFacets(); ++f)
   {
     this->Cells.push_back(surface.CellOfFacet(chain.Surface, f, 1));

@@ -327,6 +327,10 @@ void BodyResolver::OrientBodies()
       });
     this->Edges[b] = {};
     this->Warn(body, turns.Warnings);
+    if (!this->Thickens())
+    {
+      this->Warn(body, turns.UncountedWarnings);
+    }
     GiveNumbers(body, chain);
   }
 }

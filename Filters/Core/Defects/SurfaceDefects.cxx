@@ -229,6 +229,8 @@ SurfaceDefects FindSurfaceDefects(
   defects.Planar = LiesInOnePlane(surface);
   defects.Turns = FindFacetTurns(surface, chain.Edges, orientation, monitor);
   defects.Warnings = defects.Turns.Warnings;
+  const std::vector<std::string>& uncounted = defects.Turns.UncountedWarnings;
+  defects.Warnings.insert(defects.Warnings.end(), uncounted.begin(), uncounted.end());
 
   const Segments pairs = FindIntersections(surface.Points, surface.Facets, monitor);
   defects.IntersectingPairs = static_cast<Id>(pairs.size());

@@ -243,6 +243,25 @@ std::vector<std::string> WarningsAbout(const FacetTurns& turns)
   }
   return warnings;
 }
+
+std::vector<std::string> WarningsOfUncounted(const FacetTurns& turns)
+{
+  std::vector<std::string> warnings;
+  const auto warn = [&](Id count, const std::string& word, const std::string& more)
+  {
+    if (count > 0)
+    {
+      warnings.push_back(std::to_string(count) + " " + word + (count == 1 ? "" : "s") + more +
+        (count == 1 ? ", shapes the mesh and does not count"
+                    : ", shape the mesh and do not count"));
+    }
+  };
+  warn(turns.Membranes, "membrane",
+    " (" + std::to_string(turns.MembraneFacets) + " facets, " + AsPercentage(turns.MembraneShare) +
+      " of the area), within the solid or across it");
+  warn(turns.UncountedSheets, "sheet", " outside the solid, sealing off no space");
+  return warnings;
+}
 } // namespace
 
 FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
@@ -254,19 +273,7 @@ FacetTurns FindFacetTurns(const FacetComplex& surface, const std::vector<FacetEd
   {
     turns.Warnings = WarningsAbout(turns);
   }
-  const auto warn = [&](Id count, const std::string& word, const std::string& more)
-  {
-    if (count > 0)
-    {
-      turns.Warnings.push_back(std::to_string(count) + " " + word + (count == 1 ? "" : "s") + more +
-        (count == 1 ? ", shapes the mesh and does not count"
-                    : ", shape the mesh and do not count"));
-    }
-  };
-  warn(turns.Membranes, "membrane",
-    " (" + std::to_string(turns.MembraneFacets) + " facets, " + AsPercentage(turns.MembraneShare) +
-      " of the area), within the solid or across it");
-  warn(turns.UncountedSheets, "sheet", " outside the solid, sealing off no space");
+  turns.UncountedWarnings = WarningsOfUncounted(turns);
   monitor.Check(Stages::Orienting, 1);
   return turns;
 }
@@ -313,6 +320,7 @@ void AddTurns(const FacetTurns& turns, Statistics& statistics)
   statistics.emplace_back("Membranes", turns.Membranes);
   statistics.emplace_back("MembraneFacets", turns.MembraneFacets);
   statistics.emplace_back("MembraneShare", turns.MembraneShare);
+  statistics.emplace_back("UncountedSheets", turns.UncountedSheets);
   statistics.emplace_back("Cavities", turns.Kinds.Cavities);
   statistics.emplace_back("TurnedShells", turns.TurnedShells);
   statistics.emplace_back("TurnedFacets", turns.TurnedFacets);

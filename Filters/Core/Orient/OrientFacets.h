@@ -51,6 +51,7 @@ struct FacetTurns
   double MembraneShare = 0; ///< of the surface's area
   ShellCounts Kinds;        ///< in the end, if facets agree with their shells
   std::vector<std::string> Warnings;
+  std::vector<std::string> UncountedWarnings; ///< of membranes and sheets that count nothing
 };
 
 /**

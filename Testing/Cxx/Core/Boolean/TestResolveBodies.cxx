@@ -197,6 +197,21 @@ TEST(ResolveBodies, NameTheBodyThatIsWrong)
     EXPECT_STREQ(error.what(), "body B: triangle 3 refers to point 88 of 8");
   }
 }
+TEST(ResolveBodies, SaysThatMembranesDoNotCountUnlessTheyAreThickened)
+{
+  TriangleSoup membrane;
+  membrane.Points = { { 0.5, 0.5, 1 }, { 1.5, 0.5, 1 }, { 0.5, 1.5, 1 } };
+  membrane.Triangles = { { 0, 1, 2 } };
+  for (const double width : { 0.0, 0.25 })
+  {
+    BodyParameters parameters;
+    parameters.Thicken.Width = width;
+    const ResolvedBodies bodies = Resolved({ Join(Cube(0, 2), membrane) }, parameters);
+    EXPECT_EQ(bodies.Bodies[0].Turns.Membranes, 1);
+    EXPECT_EQ(bodies.Warnings.size(), width == 0 ? 1u : 0u);
+  }
+}
+
 TEST(ResolveBodies, CountsTheCrossingsOfEachBodyAndAmongThem)
 {
   // A crosses itself; C is a sheet that is thickened, and its slab crosses A and B.
