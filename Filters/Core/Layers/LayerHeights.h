@@ -16,9 +16,9 @@ constexpr double GradingOfHeights = 1;
 double LengthOfHeight(const WallDirection& direction, double height);
 
 /**
- * How far layers may go from each point of a wall: as far as the height asks for, but a third of
- * the way to the facet ahead, so far only that edges keep a quarter of their length, and graded
- * between neighbors. One value per point of the mesh, 0 at held points.
+ * How far layers may go from each point of a wall: as far as the height asks for, but at most a
+ * third of the way to the facet ahead. Edges keep a quarter of their length, and neighbors are
+ * graded. One value per point of the mesh, 0 at held points.
  */
 std::vector<double> LimitHeights(const RefinableMesh& mesh, const LayerWall& wall,
   const std::vector<WallDirection>& directions, const std::vector<char>& isHeld, double height);

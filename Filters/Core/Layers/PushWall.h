@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** What a wall is pushed by. */
+/** How far and where to the points of a wall are to go. */
 struct WallPush
 {
   const LayerWall& Wall;
@@ -20,11 +20,10 @@ struct WallPush
 };
 
 /**
- * Moves the points of a wall inward, whole or not at all each: after a move all cells of the mesh
- * and of the layers around are positive, exactly, and the point has gone to the inner side of all
- * triangles of the moved wall around it. By this the moved wall crosses neither itself nor the wall
- * at any time: a move takes cells between the wall before and after it away from the cells around
- * the point.
+ * Moves the points of a wall inward, whole or not at all each. After a move all cells of the mesh
+ * and of the layers around are positive, exactly. The point has gone to the inner side of all
+ * triangles of the moved wall around it. So the moved wall crosses neither itself nor the wall at
+ * any time: the space between the wall before and after a move was that of cells around the point.
  */
 class PushedWall
 {

@@ -12,9 +12,9 @@ namespace insideout
 void ThinPoints(RefinableMesh& mesh);
 
 /**
- * Delaunay refinement by lengths: where one length is asked for insert points of a lattice, then
- * the circumcentre of each cell whose circumsphere is too large for the lengths there, unless a
- * facet is between or other points are close.
+ * Delaunay refinement by lengths. Where one length is asked for insert points of a lattice. Then
+ * insert the circumcentre of each cell whose circumsphere is too large for the lengths there,
+ * unless a facet is between or other points are close.
  *
  * @throws Error Stopped
  */

@@ -46,7 +46,7 @@ public:
    * nothing is, as FollowSurface does. */
   void FollowWishes();
 
-  /** What is asked for everywhere: infinite where nothing is. */
+  /** The length asked for everywhere; infinite without one. */
   double Most() const { return this->Everywhere; }
 
   /** At a place in or near a cell. */
