@@ -10,10 +10,10 @@
  * does it in a program of its own, insideout-tetgen, so that nothing it does can take the host
  * down; the environment variable INSIDEOUT_TETGEN names another place for that program.
  *
- * The result is checked with exact predicates. If facets cross or the budgets are used up, no way
- * may keep every facet. Then the mesh that loses fewest is taken, if need be the Delaunay
- * tetrahedra of the points alone. Warnings say which way gave the mesh and why the others did not;
- * GetRungName of the statistic Rung names the way.
+ * The result is checked with exact predicates. If facets cross or a budget is used up,
+ * possibly no way keeps every facet. Then the mesh that loses fewest is taken, if need be the
+ * Delaunay tetrahedra of the points alone. Warnings say which way gave the mesh and why the others
+ * did not; GetRungName of the statistic Rung names the way.
  *
  * Output: positively oriented vtkTetra, with the input's point data: interpolated on facets, NaN
  * (0 for integers) in the volume. Arrays of four components have one for each face in VTK's order.

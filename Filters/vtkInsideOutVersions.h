@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * Where the versions of VTK differ in what this module uses of them. Each place names the release
- * notes that tell of it, and the section there.
+ * The differences between versions of VTK that matter to this module. Each names the release notes
+ * and their section.
  */
 #ifndef vtkInsideOutVersions_h
 #define vtkInsideOutVersions_h

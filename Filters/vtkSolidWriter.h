@@ -17,9 +17,9 @@
  * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
  *   and BoundaryTag plus 1; of what is outside, the one behind the last.
  * - .inp has elements C3D4 or C3D10, an element set and a node set for each region, a node set and
- * a surface by element face for each tag; Eall and Nall are the sets of all.
+ *   a surface by element face for each tag; Eall and Nall are the sets of all.
  * - .mesh has the same numbers as references; names are in comments. For quadratic cells it has the
- * sections TrianglesP2 and TetrahedraP2, which not every program reads.
+ *   sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *
  * Point p is number p + 1 in each. What a format does not take in a name becomes an underscore, and
  * of equal names the later end in _2, _3 and so on. Coordinates are read back to the last bit; but

@@ -25,9 +25,9 @@
  * - Turned (unsigned char): 1 where the orientation asks to turn a triangle over
  * - Sheet (unsigned char): 1 where a triangle is of a shell that encloses nothing, or counts 0
  * - Membrane (unsigned char): 1 where it is of a sheet within the solid or across it, which does
- * not count
+ *   not count
  * - DefectColor (3 unsigned char): light vermilion where SelfIntersections is above 0, else sky
- * blue where Turned is 1, else a light color per component, from yellow to green
+ *   blue where Turned is 1, else a light color per component, from yellow to green
  *
  * Output 1, the lines: polylines, and vertices where facets only touch, with the point array
  * vtkOriginalPointIds (-1 on intersection curves) and the cell arrays

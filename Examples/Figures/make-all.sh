@@ -15,7 +15,7 @@ draw() {
 }
 draw 8.13 "outliers" "$here/outliers.py" "$folder/outliers.png"
 draw 8.14 "torn apart" "$here/torn_apart.py" "$folder/torn-apart.png" "$folder/torn-apart-plot.png"
-draw 8.15 "surface repair, whose program is compiled first" "$here/repair.py" "$folder/repair.png" "$folder/repair.md"
+draw 8.15 "surface repair, whose program is compiled first" "$here/repair.py" "$folder/repair.png" "$folder/repair.csv"
 draw 8.16 "elasticity" "$here/../Applications/sagging.py" "$folder/sagging.png"
 draw 8.17 "overlap" "$here/overlap.py" "$folder/overlap.png"
 draw 8.18 "solid texture" "$here/../Applications/solid_texture.py" "$folder/solid-texture.png"
@@ -25,4 +25,4 @@ draw 8.21 "ski mask" "$here/../Python/ski_mask.py" "$folder/ski-mask.png"
 draw soups "triangles turned over and torn apart" "$here/soups.py" "$folder/soups.png"
 draw "8.22 to 8.25" "contact sheets" "$here/contact_sheets.py" "$folder"
 echo "written to $folder:"
-ls "$folder"/*.png "$folder"/*.md
+ls "$folder"/*.png "$folder"/*.csv

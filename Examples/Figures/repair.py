@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The solid against surface repair (the thesis's figures 8.15 and 8.17): what each makes of six models, and what is lost.
 
-    xvfb-run -a python3 repair.py PICTURE.png TABLE.md [SURFACE...]
+    xvfb-run -a python3 repair.py PICTURE.png TABLE.csv [SURFACE...]
 
 repair.cxx repairs a surface as a surface, by CGAL's functions: as CGAL's manual puts them together, and by the steps of MeshFix
 (Attene 2010), which Debian has not. It is compiled first, in about half a minute. Of each result: what it encloses, its area, its
@@ -11,6 +11,7 @@ input's area it lost: triangles whose middles are outside of it, and farther awa
 
 from __future__ import annotations
 
+import csv
 import subprocess
 import sys
 import tempfile
@@ -163,8 +164,8 @@ def main(picture: Path, table: Path, names: list[str]) -> None:
         drawing.save(panels, folder / "large.png", columns=1 + len(WAYS))
         large = image.imread(folder / "large.png")[..., :3]
         image.imsave(picture, (large[::2, ::2] + large[1::2, ::2] + large[::2, 1::2] + large[1::2, 1::2]) / 4)
-    lines = [HEADS, ["---"] * len(HEADS), *rows]
-    table.write_text("".join("| " + " | ".join(line) + " |\n" for line in lines), encoding="utf-8")
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([HEADS, *rows])
     print(f"written: {picture} {table}")
 
 

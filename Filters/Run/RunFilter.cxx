@@ -38,7 +38,8 @@ namespace
 /**
  * The least of what vtkSMPTools was told (Initialize, LocalScope) and VTK_SMP_MAX_THREADS, which
  * VTK's own backends take only where nothing was told; 0 for neither. A sequential backend is no
- * limit: it is the default of many builds.
+ * limit: it is the default of many builds. VTK's public functions tell of the backend only; the
+ * internal one is the same from 9.1 to 9.7.
  */
 int ThreadLimitOfVtk()
 {

@@ -38,7 +38,7 @@ Body MakeBody(std::string name, TriangleSoup soup, Id firstPoint, Id firstTriang
 std::vector<Body> SplitBodies(const TriangleSoup& soup, const std::vector<Id>& bodyOfTriangle,
   const std::vector<std::string>& names);
 
-/** Properties of a body. */
+/** A message about a body, with the body's name in front. */
 inline std::string WordsOf(const std::string& body, const std::string& words)
 {
   return body.empty() ? words : "body " + body + ": " + words;

@@ -7,13 +7,13 @@
 namespace insideout
 {
 /**
- * Close narrow gaps between flat faces of bodies, whose points do not face each other: if all
- * corners of a facet lie within the tolerance of the plane of a facet of an earlier body, the
- * corners are moved into that plane. The two facets have to lie above each other by more than the
- * tolerance. Points that then coincide up to rounding become one when bodies are resolved together.
- * A point moves by the tolerance at most, and into as many as three planes at once; one that would
- * have to move farther, or that stands in a point of an earlier body, stays. Points of a body that
- * are in one place stay in one.
+ * Close narrow gaps between flat faces of bodies, whose points do not face each other. Corners of
+ * a facet are moved into the plane of a facet of an earlier body, if all of them lie within the
+ * tolerance of that plane. The two facets have to lie above each other by more than the tolerance.
+ * Points that then coincide up to rounding become one when bodies are resolved together. A point
+ * moves by the tolerance at most, and into as many as three planes at once; one that would have to
+ * move farther, or that stands in a point of an earlier body, stays. Points of a body that are in
+ * one place stay in one.
  *
  * Gaps that are not of even width, as between round faces that are triangulated differently, stay:
  * FillGaps closes those once there are cells.

@@ -20,10 +20,10 @@ struct FilledGaps
  * Close narrow gaps between bodies, as between round faces that are triangulated differently: cells
  * of no body that lie in one are given to a body beside it, so that the two share faces.
  *
- * A cell lies in a gap if no point of it is farther than the tolerance from the cells of either of
- * two bodies (StaysNear). Both bodies have faces on the part of the gap that it is in: cells that
- * lie in a gap between the same two and are joined through faces. So a dent of one body is no gap,
- * however near another body is behind it. A cell that reaches out of the gap stays outside.
+ * A cell lies in a gap between two bodies on two conditions. No point of it is farther than the
+ * tolerance from the cells of either (StaysNear). Both have faces on its part of the gap: the cells
+ * in that gap that faces connect with it. So a dent of one body is no gap, however near another
+ * body is behind it. A cell that reaches out of the gap stays outside.
  *
  * The last in the order of the bodies that a cell lies between gets it: those before keep their
  * shape.

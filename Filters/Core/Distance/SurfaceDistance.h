@@ -26,8 +26,8 @@ public:
     Id Facet; ///< of several the lowest, as far as rounding tells; None where it is not finite
     double Squared; ///< the distance's square, scaled; 0 from afar, where all facets are as near
 
-    /** The nearer of the nearest points of two parts of a surface, scaled alike: whether the whole
-     * has this, and not the other, if facets have their numbers in the whole. */
+    /** Whether this is the nearest point of two parts together, scaled alike; facets have their
+     * numbers in the whole. */
     bool IsNearerThan(const Nearest& other) const
     {
       return this->Squared < other.Squared ||

@@ -103,7 +103,7 @@ struct EngineLimits
   /** Rings of cells around points that find no place in which facets are given up. */
   static constexpr int RingsGivenUp = 5;
 
-  /** Rings of cells around a lost facet; the facets that are taken out lie within. */
+  /** Facets are taken out in fewer than this many rings of cells around a lost one. */
   static constexpr unsigned RingsOfRuins = 3;
 
   /** Nearly all facets that are lost at first are there after fewer tries, without more points. */

@@ -6,9 +6,10 @@
 namespace insideout
 {
 /**
- * The phases of the exact engine, in the order in which it first comes there, with their shares of
- * its progress: about its share of the time on real surfaces. What comes again and again within
- * others takes none. Several phases come anew where facets are lost; the progress waits meanwhile.
+ * The phases of the exact engine, in the order in which it first comes there, with each phase's
+ * share of the progress: about its share of the time on real surfaces. What comes again and again
+ * within others takes none. Several phases come anew where facets are lost; the progress waits
+ * meanwhile.
  */
 struct Phases
 {

@@ -39,7 +39,7 @@ struct PlyTypeFacts
   bool IsInteger;
 };
 
-/** Is of the type T, which the format calls by either name. */
+/** The facts of type T, which the format calls by either name. */
 template <typename T>
 constexpr PlyTypeFacts MakePlyTypeFacts(const char* name, const char* otherName)
 {

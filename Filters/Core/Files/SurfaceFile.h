@@ -72,7 +72,7 @@ struct PolygonSurface
  *   first use, and solids even where they have one name. Names has `GroupNames` and
  *   `MaterialNames`: of solids as they stand in the file, which may be empty or the same for
  *   several; of OBJ see NamesOfGroups and NamesOrDefault. Text that is not UTF-8 is read as
- * Latin-1.
+ *   Latin-1.
  * - Every other number of a PLY vertex or face under its own name: unsigned char for uchar, int for
  *   integers that fit, float for float, else double. Lists are passed over with a warning.
  *

@@ -58,9 +58,9 @@ public:
   void ReleaseAndImprove();
 
   /**
-   * Change the label of every cell if this lowers the energy and no constraint objects. The cell
-   * has to be one of `cells`, next to one of them, or next to one that was changed; until there is
-   * none left to change among these. Neither demands nor kept cells are violated.
+   * Change labels as long as a change lowers the energy and no constraint objects. The cells are
+   * those in `cells`, next to one of these, or next to a changed one. Neither demands nor kept
+   * cells are violated.
    */
   void ImproveAround(const std::vector<Id>& cells);
 

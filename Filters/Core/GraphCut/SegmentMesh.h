@@ -29,15 +29,18 @@ struct MeshSegmentation
  * topology. Seeds win over constraints, and the choice of regions over both; what they make
  * impossible is counted and warned about.
  *
- * Statistics: Energy of the result, EnergyOfCut before the constraints; ForcedFacets (pieces of
- * facets that a cell was labelled inside for), ForcedCells (cells labelled inside for a
- * constraint); ChangedCells (labels that differ from the cut's), UnsatisfiedFacets (pieces that
- * seeds keep outside, or that were of dropped regions); NonManifoldPoints (that could not be
- * helped); SeedConflicts (seeds that do not count, pieces and points that seeds keep from being
- * satisfied, seeds that were dropped with their region); EnergyBeforeTopology (with the regions
- * that were chosen, before any were joined or dropped to be one); DroppedRegions and DroppedVolume
- * (an area in a plane), FilledCavities and FilledVolume, JoinedRegions (ways made between two
- * regions).
+ * Statistics:
+ * - Energy of the result, EnergyOfCut before the constraints
+ * - ForcedFacets: pieces of facets that a cell was labelled inside for
+ * - ForcedCells: cells labelled inside for a constraint
+ * - ChangedCells: labels that differ from the cut's
+ * - UnsatisfiedFacets: pieces that seeds keep outside, or that were of dropped regions
+ * - NonManifoldPoints: those that could not be helped
+ * - SeedConflicts: seeds that do not count, pieces and points that seeds keep from being satisfied,
+ *   seeds that were dropped with their region
+ * - EnergyBeforeTopology: with the regions that were chosen, before any were joined or dropped
+ * - DroppedRegions and DroppedVolume (an area in a plane), FilledCavities and FilledVolume
+ * - JoinedRegions: ways made between two regions
  *
  * @param[in] w one finite value per cell
  * @param[in] pieces those that have to be kept, only for ConstrainFacets

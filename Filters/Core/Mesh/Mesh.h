@@ -384,8 +384,10 @@ bool Mesh<Policy>::Match(Id number, int k, Workspace& work) const
 }
 
 /**
- * Make a face of the fresh cells a piece of a facet, or a wall, if the cell at it is gone. @return
- * whether it is on the boundary
+ * Make a face of the fresh cells a piece of a facet, or a wall, if the cell at it is gone and no
+ * other takes its place.
+ *
+ * @return whether it is on the boundary
  */
 template <class Policy>
 bool Mesh<Policy>::Place(const FreshFacet& facet, Workspace& work) const

@@ -52,8 +52,8 @@ CountedCurve CountSegments(const SegmentSoup& soup, const Plane& plane,
 /** @throws Error what CountSegments throws of segments and points that are no good */
 void CheckSegments(const SegmentSoup& soup);
 
-/** Points with the number of segments that end there less those that begin, all counted: the
- * curve's open ends. */
+/** The number of points at which unequally many segments begin and end, all counted: the curve's
+ * open ends. */
 Id NumberOfOpenEnds(const SegmentComplex& curve);
 
 /** The counts under their names, for `statistics`. */

@@ -12,7 +12,7 @@ namespace insideout
 /** The defects of tetrahedra, decided exactly. */
 struct SolidDefects
 {
-  /** For each cell:  1 where its volume is positive as vtkTetra orders its points, 0 where it is
+  /** For each cell: 1 where its volume is positive as vtkTetra orders its points, 0 where it is
    * flat, -1 where it is negative. */
   std::vector<std::int8_t> Orientations;
 

@@ -50,7 +50,7 @@ public:
 private:
   using Place = RefinableTriangles::Place;
 
-  /** The triangles to be looked at: a triangle, or one of its constraints. */
+  /** One thing to look at: a triangle, or one of its constraints. */
   struct Task
   {
     double Length; ///< the longest come first

@@ -34,8 +34,8 @@ class RefinableSurface
 public:
   /**
    * Sets the mesh's Kinds. Split: all edges of facets are ridges, and the points between them are
-   * fixed. Remeshed: an edge is a ridge if the normals of its two facets differ by more than an
-   * angle, or if their labels or regions differ.
+   * fixed. Remeshed: an edge is a ridge unless exactly two facets meet there, of one label and
+   * the same regions, whose normals differ by at most an angle.
    *
    * @param[in] facets by their ids in the mesh; these, and `locked`, have to live as long
    * @param[in] locked per facet whether it stays as it is; empty: none does

@@ -14,9 +14,9 @@ struct TwoSidedComponents
 
 /**
  * Find the components in which every facet has multiplicity 0, for it was given in both
- * orientations. A patch of these (facets joined through edges of exactly two) may close a volume
- * when each facet is kept once. It gets multiplicities of +1 and -1 that turn it outward: modellers
- * mean the solid. The others are sheets, and stay at 0.
+ * orientations. A patch of these consists of facets joined through edges of exactly two. If it
+ * closes a volume when each facet is kept once, it gets multiplicities of +1 and -1 that turn it
+ * outward: modellers mean the solid. The others are sheets, and stay at 0.
  *
  * @param[in,out] surface Multiplicity changes
  * @param[in] edges,components of surface.Facets

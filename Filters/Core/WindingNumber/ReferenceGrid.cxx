@@ -16,8 +16,8 @@ namespace
 {
 constexpr double NanosecondsPerFacet = 60; // in each of two passes, of a few cubes each
 
-// Cubes, and entries of facets in cubes, per facet: more take longer to build, fewer to query.
-// MostEntries fits counts of 32 bits.
+// Cubes, and entries of facets in cubes, per facet: more take longer to build; with fewer, queries
+// take longer. MostEntries fits counts of 32 bits.
 constexpr double CubesPerFacet = 2;
 constexpr double EntriesPerFacet = 8;
 constexpr double MostCubesPerAxis = 1024;

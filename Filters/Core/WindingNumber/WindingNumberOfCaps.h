@@ -11,9 +11,9 @@ namespace insideout
  * The winding number of a chain of triangles that is small against the region where it is wanted:
  * the caps that close the holes of a surface.
  *
- * The chain is given in parts, its caps. Caps that are far from a site have winding numbers that
- * together are below 1/2, by their areas. The site gets these from the boundaries alone
- * (BoundaryProduct.h), which say it modulo 1. The other caps are summed, triangle by triangle, with
+ * The chain is given in parts, its caps. A site takes the winding numbers of far caps from their
+ * boundaries alone (BoundaryProduct.h), which give them modulo 1, as long as these together are
+ * below 1/2 by their areas. The other caps are summed, triangle by triangle, with
  * exact decisions on which side of a triangle the site lies (SolidAngleProduct.h). Either way the
  * value is right to rounding and never off by one. Neighbouring caps make a bunch, so that where it
  * is far many small caps cost no more than a large one with as many edges.

@@ -25,7 +25,7 @@ bool IsClosed(const FacetComplex& surface);
  * - Facets that the mesh lost or the resolver left out count all the same. The cells that such a
  *   facet touches, and one cell of each part of the mesh that these cut off, are evaluated, and all
  *   others walked. On a closed complex values are integers. In a cell that such a facet crosses
- * they may be a mean of the integers around a barycentre that lies on it.
+ *   they may be a mean of the integers around a barycentre that lies on it.
  *
  * The values do not depend on the number of threads.
  *

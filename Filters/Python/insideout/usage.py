@@ -97,7 +97,7 @@ _OTHERS: dict[str, dict[str, Any]] = {
     "sizes": {"metavar": "ARRAY", "help": "how long edges are to be at each point, by this point array of the solid"},
     "distance": {"action": "store_true", "help": "how far the surface is from each point, too, negative inside"},
     "timeout": {"metavar": "S", "type": float, "help": "give a surface up after this many seconds; none by default"},
-    "threads": {"metavar": "N", "type": int, "help": "how many threads work, at most four per processor; by default one each"},
+    "threads": {"metavar": "N", "type": int, "help": "how many threads work, at most four per processor and VTK_SMP_MAX_THREADS; by default one each"},
     "quiet": {"action": "store_true", "help": "print nothing but errors"},
 }
 """What argparse is to know of options that no filter has."""

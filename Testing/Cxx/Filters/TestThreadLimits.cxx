@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
 #include <dlfcn.h>
 #include <pthread.h>
@@ -95,9 +96,11 @@ protected:
   {
     unsetenv("VTK_SMP_MAX_THREADS");
     vtkSMPTools::Initialize(0);
+    vtkSMPTools::SetBackend(this->Backend.c_str());
   }
 
   const testthreads::Allowed Four{ 4 };
+  const std::string Backend = vtkSMPTools::GetBackend();
 };
 } // namespace
 
