@@ -129,6 +129,13 @@ std::string WhatWasTurned(const Figures& figures)
     : std::string();
 }
 
+/** That surfaces may mean more than is told. */
+std::string IfShared(const Figures& figures)
+{
+  const double facets = figures["DoubtfulCopies"];
+  return facets > 0 ? "; more if surfaces share " + Counted(facets, "facet") : std::string();
+}
+
 std::string VerdictInSpace(const Figures& figures)
 {
   if (figures["Planar"] != 0)
@@ -141,9 +148,9 @@ std::string VerdictInSpace(const Figures& figures)
   if (const std::string why = WhyNone(figures, volume); !why.empty())
   {
     return volume.Value <= 0
-      ? "bounds no solid: " + why
+      ? "bounds no solid: " + why + IfShared(figures)
       : (volume.Low > 0 ? "means" : "may mean") + (" a solid of volume " + volume.InWords()) +
-        " by its winding number; its shells alone bound none: " + why;
+        " by its winding number; its shells alone bound none: " + why + IfShared(figures);
   }
   std::string sentence = "bounds a solid of volume " + volume.InWords() + WhatWasTurned(figures);
   if (figures["HoledShells"] > 0)
@@ -158,7 +165,7 @@ std::string VerdictInSpace(const Figures& figures)
   {
     sentence += "; " + Sheets(sheets) + (sheets == 1 ? " encloses" : " enclose") + " nothing";
   }
-  return sentence;
+  return sentence + IfShared(figures);
 }
 
 std::string VerdictInPlane(const Figures& figures)

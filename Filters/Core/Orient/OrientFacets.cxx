@@ -150,6 +150,53 @@ void TurnCopies(const FacetComplex& surface, const Shells& shells,
   }
 }
 
+/** Mark the facets that have an edge at which the counted facets do not sum to 0. */
+std::vector<char> BesideOpenEdges(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
+{
+  std::vector<char> marks(surface.Facets.size(), 0);
+  ForEachEdge(edges,
+    [&](const FacetEdge* first, const FacetEdge* last)
+    {
+      int sum = 0;
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        sum += edge->Direction * surface.Multiplicity[edge->Facet];
+      }
+      for (const FacetEdge* edge = first; edge != last; ++edge)
+      {
+        marks[edge->Facet] |= sum != 0;
+      }
+    });
+  return marks;
+}
+
+/** Count the facets given again of which copies do not count, cancel or face both ways, where
+ * facets disagree; where none do, those beside open edges that face more often one way. */
+Id CountDoubtfulCopies(
+  const FacetComplex& surface, const std::vector<FacetEdge>& edges, Id disagreeingFacets)
+{
+  if (surface.Sources.size() == surface.Facets.size())
+  {
+    return 0;
+  }
+  const std::vector<char> isOpen = BesideOpenEdges(surface, edges);
+  Id doubtful = 0;
+  for (Id f = 0; f < surface.NumberOfFacets(); ++f)
+  {
+    const auto first = surface.Sources.begin() + surface.SourceOffsets[f];
+    const auto last = surface.Sources.begin() + surface.SourceOffsets[f + 1];
+    const auto copies = last - first;
+    const auto against =
+      std::count_if(first, last, [](const FacetSource& source) { return source.Reversed; });
+    const bool facesBothWays = 0 < against && against < copies;
+    const int opposed = surface.Opposed.empty() ? 0 : surface.Opposed[f];
+    const bool isLeftOut = std::abs(surface.Multiplicity[f]) + 2 * opposed < copies;
+    doubtful += disagreeingFacets > 0 ? copies > 1 && (isLeftOut || facesBothWays)
+                                      : isOpen[f] && facesBothWays && 2 * against != copies;
+  }
+  return doubtful;
+}
+
 /** Find shells, and choose which facets to turn. */
 FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
   Orientation orientation, Monitor& monitor, Crossings crossings)
@@ -188,6 +235,7 @@ FacetTurns ChooseFacets(const FacetComplex& surface, const std::vector<FacetEdge
   turns.TurnedShells = countOf(chosen.Turned);
   turns.UndecidedShells = countOf(chosen.Undecided);
   turns.DisagreeingFacets = countOf(shells.Turned);
+  turns.DoubtfulCopies = CountDoubtfulCopies(surface, edges, turns.DisagreeingFacets);
   turns.Kinds = CountShells(chains, chosen.Turned, roles);
   turns.Shell = shells.Shell;
   for (std::size_t shell = 0; shell < chains.size(); ++shell)
@@ -240,6 +288,13 @@ std::vector<std::string> WarningsAbout(const FacetTurns& turns)
   {
     warnings.push_back(std::to_string(turns.UndecidedShells) +
       " shells might as well face the other way: Orientation says what to do with them");
+  }
+  if (turns.DoubtfulCopies > 0)
+  {
+    warnings.push_back(std::to_string(turns.DoubtfulCopies) +
+      (turns.DoubtfulCopies == 1 ? " facet" : " facets") +
+      " given again may count too little, for facets disagree: if closed surfaces share facets, "
+      "give each surface as a body");
   }
   return warnings;
 }
@@ -327,5 +382,6 @@ void AddTurns(const FacetTurns& turns, Statistics& statistics)
   statistics.emplace_back("TurnedShare", turns.TurnedShare);
   statistics.emplace_back("DisagreeingFacets", turns.DisagreeingFacets);
   statistics.emplace_back("UndecidedShells", turns.UndecidedShells);
+  statistics.emplace_back("DoubtfulCopies", turns.DoubtfulCopies);
 }
 } // namespace insideout

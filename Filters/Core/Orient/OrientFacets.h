@@ -46,6 +46,11 @@ struct FacetTurns
   Id TurnedShells = 0;      ///< as a whole
   Id DisagreeingFacets = 0; ///< that were given against their shells
   Id UndecidedShells = 0;   ///< that might as well face the other way
+
+  /** Facets given again whose copies do not count, cancel or face both ways, where facets disagree:
+   * closed surfaces that share them, some of whose facets are reversed, mean more. */
+  Id DoubtfulCopies = 0;
+
   double TurnedShare = 0;   ///< of the surface's area
   double SheetShare = 0;    ///< of the surface's area
   double MembraneShare = 0; ///< of the surface's area

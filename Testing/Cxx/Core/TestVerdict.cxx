@@ -52,6 +52,18 @@ TEST(Verdict, TellsTheMeshOnceThereIsOne)
     "bounds a solid of volume 2.125, once its holes are closed; 2 sheets enclose nothing");
 }
 
+TEST(Verdict, SaysThatSharedFacetsMayMeanMore)
+{
+  Statistics doubtful = { { "Volume", 20 } };
+  doubtful.emplace_back("DoubtfulCopies", 4);
+  EXPECT_EQ(VerdictOn(Surface(2, 0, 0), doubtful),
+    "bounds a solid of volume 20; more if surfaces share 4 facets");
+  doubtful.back().second = 1;
+  EXPECT_EQ(VerdictOn(Surface(0, 0, 2), doubtful),
+    "means a solid of volume 20 by its winding number; its shells alone bound none: 2 sheets; more "
+    "if surfaces share 1 facet");
+}
+
 TEST(Verdict, SaysWhyThereIsNoSolid)
 {
   EXPECT_EQ(VerdictOn(Surface(0, 0, 1), Nothing), "bounds no solid: a sheet");

@@ -106,6 +106,35 @@ TEST(OrientFacets, KeepsAPartWithinAPartAndTurnsBothIfBothAreInsideOut)
   EXPECT_EQ(TurnsOfBoxes(Orient(Join(Cube(0, 9, false), Cube(3, 6, false))).Turns), "--");
 }
 
+TEST(OrientFacets, DoubtsCopiesThatDoNotCountWhereFacetsDisagree)
+{
+  TriangleSoup plates;
+  for (const double height : { 0.1, 0.2, 0.3 })
+  {
+    plates = Join(plates, Box({ 0, 0, 0 }, { 1, 1, height }));
+  }
+  EXPECT_EQ(Orient(plates).Turns.DoubtfulCopies, 0);
+  EXPECT_EQ(Orient(Join(Cube(0, 1), Cube(0, 1))).Turns.DoubtfulCopies, 0);
+  EXPECT_EQ(Orient(Join(Cube(0, 1), Cube(0, 1, false))).Turns.DoubtfulCopies, 0);
+  EXPECT_EQ(Orient(Join(Cube(0, 1), Box({ 1, 0, 0 }, { 2, 1, 1 }))).Turns.DoubtfulCopies, 0);
+  const FacetComplex chain = Chain(plates);
+  const auto isShared = [&](std::size_t f)
+  { return chain.SourceOffsets[f + 1] - chain.SourceOffsets[f] == 3; };
+  for (std::size_t t = 0; t < 12; ++t)
+  {
+    TriangleSoup reversed = plates;
+    std::swap(reversed.Triangles[t][1], reversed.Triangles[t][2]);
+    const FacetTurns turns = Orient(reversed).Turns;
+    EXPECT_EQ(turns.DoubtfulCopies, isShared(t)) << t;
+    if (turns.DoubtfulCopies > 0)
+    {
+      EXPECT_EQ(turns.Warnings.back(),
+        "1 facet given again may count too little, for facets disagree: if closed surfaces share "
+        "facets, give each surface as a body");
+    }
+  }
+}
+
 /** The rule that the room's page documents, for shells each within the one before: as they are, or
  * all turned, if w is never negative; else the outermost outward and w 1 and 0 in turn. */
 std::string ExpectedOfNested(const std::string& given)
