@@ -28,6 +28,12 @@ struct FlipEffort
  */
 struct EngineLimits
 {
+  // --- Pulls (RecoverSegments.h) ---
+
+  /** Missing segments of a vertex, from which on they are recovered at once. Flips recover fewer in
+   * less work. */
+  static constexpr std::size_t LeastPulled = 4;
+
   // --- Flips (FlipRounds.h, RecoverSegments.h, RecoverFacets.h) ---
 
   /** Only flips that leave less in the way than before. Few larger rings can be triangulated. */

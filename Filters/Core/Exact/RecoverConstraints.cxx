@@ -18,8 +18,10 @@ void ConstraintRecovery::Recover(
   SegmentRecovery edges(mesh, segments, this->Progress);
   SteinerPoints steiner(mesh, segments, this->Progress);
   missing = facets.MarkWholeFacets(missing);
-  const std::vector<Id> toCut =
-    edges.RecoverByFlips(edges.FindMissing(this->Constrained.SegmentsOf(missing)));
+  const std::vector<Id> toFlip =
+    edges.RecoverByPulls(edges.FindMissing(this->Constrained.SegmentsOf(missing)));
+  missing = facets.MarkWholeFacets(missing);
+  const std::vector<Id> toCut = edges.RecoverByFlips(toFlip);
   edges.RecoverBySplits(toCut, from, steiner);
   missing = facets.MarkWholeFacets(missing);
   facets.RecoverBySplits(facets.RecoverByFlips(missing), steiner);

@@ -29,6 +29,58 @@ std::vector<Id> SegmentRecovery::FindMissing(const std::vector<Id>& segments) co
   return missing;
 }
 
+// --- Pulls ---------------------------------------------------------------------------------------
+
+/** The segment's other ends, by vertex. */
+Buckets<Id> SegmentRecovery::OtherEnds(const std::vector<Id>& segments) const
+{
+  return Buckets<Id>(static_cast<std::size_t>(this->Mesh.Infinite()),
+    [&](const auto& visit)
+    {
+      for (const Id segment : segments)
+      {
+        const std::array<Id, 2>& ends = this->Segments.EndsOf(segment);
+        visit(static_cast<std::size_t>(ends[0]), ends[1]);
+        visit(static_cast<std::size_t>(ends[1]), ends[0]);
+      }
+    });
+}
+
+std::vector<Id> SegmentRecovery::RecoverByPulls(const std::vector<Id>& missing)
+{
+  const Buckets<Id> others = this->OtherEnds(missing);
+  const auto lacks = [&others](Id vertex) { return others[vertex].Size(); };
+  std::vector<Id> order;
+  for (Id vertex = 0; vertex < this->Mesh.Infinite(); ++vertex)
+  {
+    if (lacks(vertex) >= EngineLimits::LeastPulled)
+    {
+      order.push_back(vertex);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return lacks(a) > lacks(b); });
+  for (std::size_t k = 0; k < order.size() && !this->Mesh.Work().IsUsedUp(); ++k)
+  {
+    if (k % SegmentsPerCheck == 0)
+    {
+      this->Progress.Check(Phases::RecoveringSegments, 0);
+    }
+    std::vector<Id> lacking;
+    for (const Id other : others[order[k]])
+    {
+      if (this->Mesh.FindEdge(order[k], other) == None)
+      {
+        lacking.push_back(other);
+      }
+    }
+    if (lacking.size() >= EngineLimits::LeastPulled)
+    {
+      this->Puller.Pull(order[k], lacking);
+    }
+  }
+  return this->FindMissing(missing);
+}
+
 // --- Flips ---------------------------------------------------------------------------------------
 
 bool SegmentRecovery::Clear(

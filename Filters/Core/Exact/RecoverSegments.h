@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Common/Buckets.h"
 #include "Common/Monitor.h"
 #include "Exact/FlipFlat.h"
 #include "Exact/FlipRounds.h"
+#include "Exact/PullVertex.h"
 #include "Exact/SegmentWalk.h"
 #include "Exact/SteinerPoints.h"
 
@@ -19,11 +21,19 @@ public:
     , Progress(monitor)
     , Flips(mesh, segments)
     , FlatFlips(mesh, segments)
+    , Puller(mesh, segments)
   {
   }
 
   /** The segments without Steiner points that are no edges. */
   std::vector<Id> FindMissing(const std::vector<Id>& segments) const;
+
+  /**
+   * Recover segments by connecting vertices with all that they lack at once, those that lack most
+   * first.
+   * @return the ones that are still missing, in the same order
+   */
+  std::vector<Id> RecoverByPulls(const std::vector<Id>& missing);
 
   /** Recover segments by flips alone. @return the ones that are still missing */
   std::vector<Id> RecoverByFlips(const std::vector<Id>& missing);
@@ -45,6 +55,7 @@ public:
     const std::vector<Id>& missing, From from, SteinerPoints& steiner);
 
 private:
+  Buckets<Id> OtherEnds(const std::vector<Id>& segments) const;
   bool Recover(Id a, Id b, const FlipEffort& effort);
   bool ClearOne(
     Id a, Id b, const Crossing& first, const FlipTarget& target, const FlipEffort& effort);
@@ -58,5 +69,6 @@ private:
   Monitor& Progress;
   FlipOperator Flips;
   FlatFlipper FlatFlips;
+  VertexPuller Puller;
 };
 } // namespace insideout

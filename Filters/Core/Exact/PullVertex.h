@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Exact/FlippableMesh.h"
+#include "Exact/SegmentTable.h"
+
+namespace insideout
+{
+/**
+ * Connects a vertex with several others at once. The cells that the segments to them cross, and
+ * each cell behind a face that does not see the vertex, give way to a cone from the vertex over the
+ * boundary of their union. Vertices, facets, segments and the hull stay; coplanar faces of the hull
+ * may be triangulated another way.
+ *
+ * Points of CAD models are (nearly) cospherical, so many meshes are (nearly) Delaunay. This chooses
+ * the one that facets need: the pulling triangulation (Lee 1991).
+ */
+class VertexPuller
+{
+public:
+  VertexPuller(FlippableMesh& mesh, const SegmentTable& segments)
+    : Mesh(mesh)
+    , Segments(segments)
+  {
+  }
+
+  /**
+   * Others behind a facet or segment are passed over. The mesh stays as it is where the cone would
+   * break a constraint, or have more cells than before by more than one per segment, the number
+   * that a flip takes.
+   * @return whether the vertex is connected with all others that were not passed over
+   */
+  bool Pull(Id apex, const std::vector<Id>& others);
+
+private:
+  bool AddCrossed(Id apex, Id other);
+  void Add(Id cell);
+  bool Sees(const Tetrahedron& cell) const;
+  bool IsOnHullFace(Id cell, Id apex) const;
+  bool Grow(Id apex);
+  void MakeCone(Id apex);
+  bool IsWallEdge(Id u, Id v) const;
+  bool KeepsConstraints(Id apex);
+  bool KeepsFacets(Id apex, Id cell);
+
+  FlippableMesh& Mesh;
+  const SegmentTable& Segments;
+
+  // Of the vertex at hand; members so that their memory is kept.
+  struct SurfaceFace
+  {
+    Id A;
+    Id B;
+    Id Facet;
+  };
+  std::vector<Id> Cavity;
+  CellMarks Inside;
+  std::vector<Id> Crossed;
+  EdgeRing Ring;
+  std::vector<Tetrahedron> Fresh;
+  std::vector<Id> WallCorners;
+  std::vector<std::array<Id, 2>> WallEdges;
+  std::vector<SurfaceFace> SurfaceFaces; ///< inner faces with the apex
+};
+} // namespace insideout
