@@ -30,7 +30,7 @@ vtkRefineTetrahedra::vtkRefineTetrahedra()
   this->EdgeLength = defaults.Sizes.EdgeLength;
   this->Grading = defaults.Sizes.Grading;
   this->MaximumVolume = defaults.Sizes.MaximumVolume;
-  this->SurfaceTreatment = static_cast<int>(defaults.Surface);
+  this->SurfaceTreatment = vtkRefineTetrahedra::AUTOMATIC;
   this->SurfaceTolerance = defaults.SurfaceTolerance;
   this->FeatureAngle = defaults.FeatureAngle;
 }
@@ -57,10 +57,23 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
   parameters.Sizes.EdgeLength = filter->GetEdgeLength();
   parameters.Sizes.Grading = filter->GetGrading();
   parameters.Sizes.MaximumVolume = filter->GetMaximumVolume();
-  parameters.Surface = static_cast<SurfaceTreatment>(filter->GetSurfaceTreatment());
+  if (filter->GetSurfaceTreatment() != vtkRefineTetrahedra::AUTOMATIC)
+  {
+    parameters.Surface = static_cast<SurfaceTreatment>(filter->GetSurfaceTreatment());
+  }
+  else if (vtkInsideOut::FollowsLengths(filter))
+  {
+    parameters.Surface = SurfaceTreatment::Remeshed;
+  }
   parameters.SurfaceTolerance = filter->GetSurfaceTolerance();
   parameters.FeatureAngle = filter->GetFeatureAngle();
   return parameters;
+}
+
+bool vtkInsideOut::FollowsLengths(vtkRefineTetrahedra* filter)
+{
+  return filter->GetSurfaceTreatment() == vtkRefineTetrahedra::AUTOMATIC &&
+    (filter->GetEdgeLength() > 0 || *filter->GetSizingArrayName() != '\0');
 }
 
 int vtkRefineTetrahedra::FillInputPortInformation(int port, vtkInformation* info)

@@ -5,12 +5,12 @@
  *
  * Takes a conforming grid of tetrahedra, as vtkRobustTetrahedralize makes it or from anywhere, and
  * gives other tetrahedra of the same solid: points are added where edges are longer than asked for,
- * and the thin cells are improved as far as points that may move allow it. By default every
+ * and the thin cells are improved as far as points that may move allow it. Without a length every
  * triangle of the boundary, and between cells of different RegionId (an optional cell array of
- * integers), stays bit by bit, with its points; SurfaceTreatment says what else may become of them.
- * Every cell has a positive volume, exactly, and no triangles of the boundary cross; cells of the
- * input that are turned over are turned back. The same input gives the same output, on any number
- * of threads.
+ * integers), stays bit by bit, with its points; with one others take their place within a tolerance.
+ * SurfaceTreatment says what else may become of them. Every cell has a positive volume, exactly,
+ * and no triangles of the boundary cross; cells of the input that are turned over are turned back.
+ * The same input gives the same output, on any number of threads.
  *
  * An optional second input, any data set, is a background: its point array of the name
  * SizingArrayName is how long edges are to be, linear between its points. Outside it there is no
@@ -95,18 +95,20 @@ public:
   {
     KEPT,
     SPLIT,
-    REMESHED
+    REMESHED,
+    AUTOMATIC
   };
 
   ///@{
   /**
    * Treatment of the triangles of the boundary and between regions. KEPT: each stays, bit by bit.
    * SPLIT: they are split, so that long and thin ones do not make thin cells. REMESHED: others of
-   * the edge length asked for take their place, within SurfaceTolerance. Default KEPT. SPLIT keeps
-   * all points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges
-   * above FeatureAngle, and triangles whose replacement would touch another part of the boundary.
+   * the edge length asked for take their place, within SurfaceTolerance. AUTOMATIC (default):
+   * REMESHED where EdgeLength or SizingArrayName is given, else KEPT. SPLIT keeps all points; the
+   * pieces lie in the triangles' planes, within rounding. REMESHED keeps edges above FeatureAngle,
+   * and triangles whose replacement would touch another part of the boundary.
    */
-  vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, REMESHED);
+  vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);
   ///@}
 

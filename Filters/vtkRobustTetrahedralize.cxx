@@ -292,6 +292,11 @@ vtkInsideOut::SolidOptions SolidOptionsOf(vtkRobustTetrahedralize* filter)
   options.GenerateHull = filter->GetGenerateHull();
   options.Refine = filter->GetRefine();
   options.Refinement = vtkInsideOut::RefinementParametersOf(filter->GetRefinement());
+  if (options.SplitPoints || options.SeparateOverlaps || filter->GetMergeCoplanarPieces() ||
+    filter->GetSplitSeams())
+  {
+    options.Refinement.Surface = SurfaceTreatment::Kept;
+  }
   options.QuadraticCells = filter->GetRefinement()->GetQuadraticCells();
   return options;
 }
@@ -334,11 +339,20 @@ void vtkRobustTetrahedralize::CheckOptions()
   {
     refuse(pieces + " does not go together with " + parting);
   }
-  const bool isKept = this->Refinement->GetSurfaceTreatment() == vtkRefineTetrahedra::KEPT;
-  if (this->Refine && !isKept && (this->PartsSolid() || changesPieces))
+  const int treatment = this->Refinement->GetSurfaceTreatment();
+  if (this->Refine && treatment != vtkRefineTetrahedra::KEPT &&
+    (this->PartsSolid() || changesPieces))
   {
-    refuse((changesPieces ? pieces : parting) +
-      " takes a surface that is kept where the solid is refined");
+    const std::string words = (changesPieces ? pieces : parting) +
+      " takes a surface that is kept where the solid is refined";
+    if (treatment != vtkRefineTetrahedra::AUTOMATIC)
+    {
+      refuse(words);
+    }
+    if (vtkInsideOut::FollowsLengths(this->Refinement))
+    {
+      vtkInsideOut::Warn(this, { words + ", and so it is though EdgeLength is given" });
+    }
   }
 }
 

@@ -223,6 +223,10 @@ int vtkRobustTriangulate::RequestData(vtkInformation* vtkNotUsed(request),
       options.GenerateHull = this->GenerateHull;
       options.Refine = this->Refine;
       options.Refinement = vtkInsideOut::RefinementParametersOf(this->Refinement.Get());
+      if (vtkInsideOut::FollowsLengths(this->Refinement.Get()))
+      {
+        options.Refinement.Surface = SurfaceTreatment::Split; // in a plane there is no remeshing
+      }
       const vtkInsideOut::Triangles made =
         vtkInsideOut::MakeTriangles(*kept, seeds, tags, options, monitor);
       vtkUnstructuredGrid::GetData(outputVector, 0)->ShallowCopy(made.Grid);

@@ -88,7 +88,8 @@ public:
    * The stage whose options Refine goes by: EdgeLength, Grading, MaximumVolume (an area here) and
    * SurfaceTreatment. KEPT: the boundary and all lines at inside triangles stay. SPLIT: they are
    * cut, so that no angle is below 20.7 degrees except at sharp corners; a warning tells where such
-   * corners are too close to each other. REMESHED and QuadraticCells are errors. Its inputs and
+   * corners are too close to each other. AUTOMATIC: SPLIT where EdgeLength is given, else KEPT.
+   * REMESHED and QuadraticCells are errors. Its inputs and
    * outputs are not used. Never null: setting null does nothing.
    */
   void SetRefinement(vtkRefineTetrahedra* refinement);

@@ -132,8 +132,9 @@ def stage_proxies(folder: Path) -> dict[str, Element]:
 def add_condition(hints: Element, element: Element) -> None:
     """Show a property only where another has a value."""
     if "if" in element.attrib:
-        other, value = element.get("if", "").split()
-        SubElement(hints, "PropertyWidgetDecorator", type="GenericDecorator", mode="visibility", property=other, value=value)
+        other, *values = element.get("if", "").split()
+        shown = {"value": values[0]} if len(values) == 1 else {"values": " ".join(values)}
+        SubElement(hints, "PropertyWidgetDecorator", type="GenericDecorator", mode="visibility", property=other, **shown)
 
 
 def fill_group(group: Element, members: dict[str, list[str]]) -> None:

@@ -59,6 +59,11 @@ insideout::SegmentMeshParameters SegmentParametersOf(vtkGraphCutSegmentation* fi
 insideout::RefinementParameters RefinementParametersOf(vtkRefineTetrahedra* filter);
 ///@}
 
+/** Whether the surface is to be remeshed since lengths are asked for: SurfaceTreatment is
+ * automatic.
+ */
+bool FollowsLengths(vtkRefineTetrahedra* filter);
+
 /** Give a filter another stage, whose options it goes by from now on; null is no stage. */
 template <typename Filter, typename Stage>
 void SetStage(Filter* filter, Stage* stage, vtkSmartPointer<Stage>& held)

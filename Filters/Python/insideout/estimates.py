@@ -16,7 +16,7 @@ from .options import Options
 PIECES_OF_PAIR = 1.5  # facets more for a pair that intersects
 CELLS_OF_FACET = 2.0
 REFINED_CELLS_OF_FACET = 8.0
-REFINED_CELLS_OF_CUBE = 10.0  # whose edges have the length asked for
+REFINED_CELLS_OF_CUBE = 6.0  # whose edges have the length asked for
 
 SECONDS_OF_FACET, SECONDS_OF_PAIR, SECONDS_OF_REFINED_CELL = 20e-6, 300e-6, 25e-6
 MEBIBYTES_ANYWAY, MEBIBYTES_OF_CELL, MEBIBYTES_OF_REFINED_CELL = 100.0, 1e-3, 4e-4

@@ -45,10 +45,14 @@ class Asked:
     def writes_surface(self) -> bool:
         return ending(self.options.output or "") in WRITABLE_SURFACES
 
+    def treatment(self) -> str:
+        """What becomes of the triangles of the surface."""
+        given = getattr(self.options, "surface_treatment", "automatic")
+        return ("remeshed" if self.has("edge_length", "sizes") else "kept") if given == "automatic" else given
+
     def keeps_boundary(self) -> bool:
         """Whether nothing but a boundary is written that is as it was before the refinement."""
-        is_kept = getattr(self.options, "surface_treatment", "kept") == "kept"
-        return is_kept and self.writes_surface() and not self.has("plot", "report", "json")
+        return self.treatment() == "kept" and self.writes_surface() and not self.has("plot", "report", "json")
 
     def has_bodies(self) -> bool:
         return self.has("together", "body_array") or self.options.command == "boolean"
@@ -69,12 +73,12 @@ RULES = (
     Rule(
         ("refine", "edge_length", "grading", "maximum_volume"),
         Asked.keeps_boundary,
-        "the boundary stays as it is without --surface-treatment split or remeshed",
+        "the boundary stays as it is without --edge-length, or --surface-treatment split or remeshed",
     ),
     Rule(
         ("surface_tolerance", "feature_angle"),
-        lambda asked: getattr(asked.options, "surface_treatment", "kept") != "remeshed",
-        "it takes --surface-treatment remeshed",
+        lambda asked: asked.treatment() != "remeshed",
+        "it takes --edge-length or --surface-treatment remeshed",
     ),
     Rule(DECK_OPTIONS, lambda asked: ending(asked.options.output or "") != ".inp", "it completes an .inp file"),
     Rule(DECK_OPTIONS[1:], lambda asked: not asked.has("material"), "it takes --material"),

@@ -26,7 +26,7 @@ Orientation = Literal["automatic", "as-given", "reverse", "outward"]
 Engine = Literal["automatic", "exact", "tetgen"]
 DataTerm = Literal["uniform", "volume-weighted"]
 Dimension = Literal["automatic", "2", "3", 2, 3]
-SurfaceTreatment = Literal["kept", "split", "remeshed"]
+SurfaceTreatment = Literal["automatic", "kept", "split", "remeshed"]
 NonManifold = Literal["keep", "fill", "split"]
 QuadratureOrder = Literal[1, 2, 3, 4, 5]
 Topology = Literal["any", "one-component", "simply-connected"]
@@ -86,7 +86,7 @@ class RefinementOptions:
     edge_length: Optional[Length] = None
     grading: Optional[float] = None
     maximum_volume: Optional[float] = None
-    surface_treatment: SurfaceTreatment = "kept"
+    surface_treatment: SurfaceTreatment = "automatic"
     surface_tolerance: Optional[Length] = None
     feature_angle: Optional[float] = None
     quadratic_cells: bool = False

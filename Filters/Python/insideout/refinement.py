@@ -57,7 +57,7 @@ def refine(
     background: Optional[DataSetOfPoints] = None,
     progress: Optional[Progress] = None,
 ) -> Refinement:
-    """Better tetrahedra of the same solid. Each triangle of its boundary, and between regions, stays as it is by default.
+    """Better tetrahedra of the same solid. Without a length each triangle of its boundary, and between regions, stays as it is.
 
     solid       whatever `check_solid` takes, of first order; an array of integers RegionId per cell tells regions apart
     sizes       how long edges are to be at each point of the solid; or the name of its point array that says so

@@ -302,6 +302,7 @@ TEST(vtkRefineTetrahedra, KeepsTheFacesOfRegionsAndTheirDataBitByBit)
   grid->GetCellData()->AddArray(multiplicities);
   Refine refine(grid);
   refine.Algorithm->SetEdgeLength(0.6);
+  refine.Algorithm->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   vtkUnstructuredGrid* output = refine.Run();
   EXPECT_NE(refine.Said.find("EdgeLength is 0.6, and edges of the surface, which is kept, are up "
                              "to 1.41 long: SurfaceTreatment split or remeshed"),
@@ -384,6 +385,7 @@ TEST(vtkRefineTetrahedra, CarriesTheDataOfPointsAndCells)
   grid->GetFieldData()->AddArray(field);
   Refine refine(grid);
   refine.Algorithm->SetEdgeLength(0.6);
+  refine.Algorithm->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   vtkUnstructuredGrid* output = refine.Run();
   EXPECT_NE(refine.Said.find("EdgeLength is 0.6, and edges of the surface, which is kept, are up "
                              "to 1.41 long: SurfaceTreatment split or remeshed"),
@@ -461,6 +463,7 @@ TEST(vtkRefineTetrahedra, KeepsTheOriginalIdsThatItIsGiven)
   grid->GetPointData()->AddArray(ids);
   Refine refine(grid);
   refine.Algorithm->SetEdgeLength(0.3);
+  refine.Algorithm->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   vtkUnstructuredGrid* output = refine.Run();
   vtkDataArray* outputIds = output->GetPointData()->GetArray("vtkOriginalPointIds");
   int kept = 0;
@@ -770,6 +773,7 @@ TEST(vtkRobustTetrahedralize, RefinesTheSolidAsTheFilterForItDoes)
   Robust plain(surface);
   Refine refine(plain.Run());
   refine.Algorithm->SetEdgeLength(0.3);
+  refine.Algorithm->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   refine.Algorithm->SetGrading(0.5);
   refine.Algorithm->SetMaximumVolume(0.01);
   refine.Algorithm->QuadraticCellsOn();
@@ -777,6 +781,7 @@ TEST(vtkRobustTetrahedralize, RefinesTheSolidAsTheFilterForItDoes)
 
   Robust robust(surface);
   robust.Algorithm->SetEdgeLength(0.3);
+  robust.Algorithm->GetRefinement()->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   robust.Algorithm->GetRefinement()->SetGrading(0.5);
   robust.Algorithm->GetRefinement()->SetMaximumVolume(0.01);
   robust.Algorithm->GetRefinement()->QuadraticCellsOn();
