@@ -22,9 +22,9 @@
  * within the solid or across it, which do not count; MembraneFacets, MembraneShare of the area),
  * UncountedSheets (outside, sealing off no space) and Cavities (that face inward); TurnedShells and
  * TurnedFacets (that were turned over), TurnedShare (of the area), DisagreeingFacets (that were
- * given against their shells), UndecidedShells (that might as well face the other way),
- * DoubtfulCopies (facets given again whose copies do not count, cancel or face both ways, where
- * facets disagree).
+ * given against their shells), UndecidedShells (that might as well face the other way). Where
+ * facets disagree, DoubtfulCopies are those given again whose copies do not count, cancel or face
+ * both ways.
  *
  * Lines, and polygons in one plane without Thicken, are errors: they are for vtkRobustTriangulate.
  *

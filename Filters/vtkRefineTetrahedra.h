@@ -7,10 +7,10 @@
  * gives other tetrahedra of the same solid: points are added where edges are longer than asked for,
  * and the thin cells are improved as far as points that may move allow it. Without a length every
  * triangle of the boundary, and between cells of different RegionId (an optional cell array of
- * integers), stays bit by bit, with its points; with one others take their place within a tolerance.
- * SurfaceTreatment says what else may become of them. Every cell has a positive volume, exactly,
- * and no triangles of the boundary cross; cells of the input that are turned over are turned back.
- * The same input gives the same output, on any number of threads.
+ * integers), stays bit by bit, with its points; with one others take their place within a
+ * tolerance. SurfaceTreatment says what else may become of them. Every cell has a positive volume,
+ * exactly, and no triangles of the boundary cross; cells of the input that are turned over are
+ * turned back. The same input gives the same output, on any number of threads.
  *
  * An optional second input, any data set, is a background: its point array of the name
  * SizingArrayName is how long edges are to be, linear between its points. Outside it there is no

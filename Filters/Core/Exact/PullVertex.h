@@ -7,13 +7,13 @@
 namespace insideout
 {
 /**
- * Connects a vertex with several others at once. The cells that the segments to them cross, and
- * each cell behind a face that does not see the vertex, give way to a cone from the vertex over the
- * boundary of their union. Vertices, facets, segments and the hull stay; coplanar faces of the hull
- * may be triangulated another way.
+ * Connects a vertex with several others at once. The cells that the segments to them cross give way
+ * to a cone from the vertex over the boundary of their union. Cells behind faces that do not see
+ * the vertex belong to that union. Vertices, facets, segments and the hull stay; coplanar faces of
+ * the hull may be triangulated another way.
  *
- * Points of CAD models are (nearly) cospherical, so many meshes are (nearly) Delaunay. This chooses
- * the one that facets need: the pulling triangulation (Lee 1991).
+ * Points of CAD models are (nearly) cospherical: more than one mesh is (nearly) Delaunay. This
+ * chooses the one that facets need: the pulling triangulation (Lee 1991).
  */
 class VertexPuller
 {
@@ -26,8 +26,8 @@ public:
 
   /**
    * Others behind a facet or segment are passed over. The mesh stays as it is where the cone would
-   * break a constraint, or have more cells than before by more than one per segment, the number
-   * that a flip takes.
+   * break a constraint. So it does where the cone has more cells than before by more than one per
+   * segment, the number that a flip takes.
    * @return whether the vertex is connected with all others that were not passed over
    */
   bool Pull(Id apex, const std::vector<Id>& others);
