@@ -230,7 +230,7 @@ bool VertexPuller::Pull(Id apex, const std::vector<Id>& others)
   }
   this->MakeCone(apex);
   this->Mesh.Work().Spend(static_cast<std::int64_t>(this->Cavity.size()));
-  if (this->Fresh.size() > this->Cavity.size() + others.size() || !this->KeepsConstraints(apex))
+  if (this->Fresh.size() > this->Cavity.size() + others.size() / 2 || !this->KeepsConstraints(apex))
   {
     return false;
   }

@@ -26,8 +26,7 @@ public:
 
   /**
    * Others behind a facet or segment are passed over. The mesh stays as it is where the cone would
-   * break a constraint. So it does where the cone has more cells than before by more than one per
-   * segment, the number that a flip takes.
+   * break a constraint, or add more than one cell per two segments: flips add one for each.
    * @return whether the vertex is connected with all others that were not passed over
    */
   bool Pull(Id apex, const std::vector<Id>& others);

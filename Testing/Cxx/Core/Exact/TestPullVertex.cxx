@@ -64,7 +64,7 @@ TetrahedralMesh MeshWithEveryFacet(const TriangleSoup& soup)
 TEST(PullVertex, ConnectsAndKeepsTheMeshLawfulWithItsConstraints)
 {
   int pulled = 0;
-  for (unsigned seed = 0; seed < 60; ++seed)
+  for (unsigned seed = 0; seed < 120; ++seed)
   {
     MeshWithFacets mesh = RandomMeshWithFacets(seed, 30, 8);
     std::mt19937 random(seed);
