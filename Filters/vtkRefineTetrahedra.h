@@ -103,10 +103,10 @@ public:
   /**
    * Treatment of the triangles of the boundary and between regions. KEPT: each stays, bit by bit.
    * SPLIT: they are split, so that long and thin ones do not make thin cells. REMESHED: others of
-   * the edge length asked for take their place, within SurfaceTolerance. AUTOMATIC (default):
-   * REMESHED where EdgeLength or SizingArrayName is given, else KEPT. SPLIT keeps all points; the
-   * pieces lie in the triangles' planes, within rounding. REMESHED keeps edges above FeatureAngle,
-   * and triangles whose replacement would touch another part of the boundary.
+   * the edge length asked for take their place, within SurfaceTolerance. AUTOMATIC: REMESHED
+   * where EdgeLength or SizingArrayName is given, else KEPT. Default AUTOMATIC. SPLIT keeps all
+   * points; the pieces lie in the triangles' planes, within rounding. REMESHED keeps edges above
+   * FeatureAngle, and triangles whose replacement would touch another part of the boundary.
    */
   vtkInsideOutSetRangeMacro(SurfaceTreatment, int, KEPT, AUTOMATIC);
   vtkGetMacro(SurfaceTreatment, int);

@@ -28,6 +28,6 @@ image["Inside"] = scan.insideout.inside(image)
 print(f"{image['Inside'].sum():,} of {image.n_points:,} voxels are inside")
 image.save(os.path.join(folder, "voxels.vti"))
 
-solid = scan.insideout.tetrahedralize().insideout.refine(edge_length="5%")
+solid = scan.insideout.tetrahedralize().insideout.refine(edge_length="5%", surface_treatment="kept")
 print(f"{solid.n_cells:,} tetrahedra")
 solid.save(os.path.join(folder, "solid.vtu"))

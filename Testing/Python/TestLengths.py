@@ -64,7 +64,7 @@ class Lengths(unittest.TestCase):
 
     def test_they_are_of_all_bodies_and_after_the_scale(self):
         bodies = {"a": surfaces.box(), "b": surfaces.box((2, 0, 0))}
-        found, expected = (insideout.tetrahedralize(bodies, scale=10, edge_length=length) for length in ("10%", 11**0.5))
+        found, expected = (insideout.tetrahedralize(bodies, scale=10, edge_length=length) for length in ("10%", 0.1 * 1100**0.5))
         np.testing.assert_array_equal(found.solid.points, expected.solid.points)
 
     def test_no_function_takes_one_for_a_number_that_is_not_known(self):
