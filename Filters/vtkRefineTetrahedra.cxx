@@ -30,6 +30,7 @@ vtkRefineTetrahedra::vtkRefineTetrahedra()
   this->EdgeLength = defaults.Sizes.EdgeLength;
   this->Grading = defaults.Sizes.Grading;
   this->MaximumVolume = defaults.Sizes.MaximumVolume;
+  this->MaximumCells = static_cast<int>(defaults.MaximumCells);
   this->SurfaceTreatment = vtkRefineTetrahedra::AUTOMATIC;
   this->SurfaceTolerance = defaults.SurfaceTolerance;
   this->FeatureAngle = defaults.FeatureAngle;
@@ -41,6 +42,7 @@ void vtkRefineTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "Grading: " << this->Grading << "\n";
   os << indent << "MaximumVolume: " << this->MaximumVolume << "\n";
+  os << indent << "MaximumCells: " << this->MaximumCells << "\n";
   os << indent << "SizingArrayName: " << this->SizingArrayName << "\n";
   os << indent << "SurfaceTreatment: " << this->SurfaceTreatment << "\n";
   os << indent << "SurfaceTolerance: " << this->SurfaceTolerance << "\n";
@@ -57,6 +59,7 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
   parameters.Sizes.EdgeLength = filter->GetEdgeLength();
   parameters.Sizes.Grading = filter->GetGrading();
   parameters.Sizes.MaximumVolume = filter->GetMaximumVolume();
+  parameters.MaximumCells = filter->GetMaximumCells();
   if (filter->GetSurfaceTreatment() != vtkRefineTetrahedra::AUTOMATIC)
   {
     parameters.Surface = static_cast<SurfaceTreatment>(filter->GetSurfaceTreatment());

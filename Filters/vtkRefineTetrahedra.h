@@ -84,6 +84,14 @@ public:
   ///@}
 
   ///@{
+  /** Upper limit on the number of cells, by an estimate before any work: where lengths asked for
+   * would make more there is an error, and no output. Default 10000000. 0: no limit. Range 0 to
+   * the largest int. */
+  vtkInsideOutSetRangeMacro(MaximumCells, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumCells, int);
+  ///@}
+
+  ///@{
   /** Point array of edge lengths: of the input, of the background, or of both. Default empty: none.
    * Lengths are positive; NaN asks for nothing. The least of all lengths counts. */
   vtkSetStdStringFromCharMacro(SizingArrayName);
@@ -159,6 +167,7 @@ protected:
   double EdgeLength;
   double Grading;
   double MaximumVolume;
+  int MaximumCells;
   std::string SizingArrayName;
   int SurfaceTreatment;
   double SurfaceTolerance;

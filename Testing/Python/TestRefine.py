@@ -163,6 +163,15 @@ class Lengths(unittest.TestCase):
             self.assertEqual(told, [])
             self.assertLess(self.edges_of(made).max(), 2 * 2)
 
+    def test_lengths_that_would_make_too_many_cells_are_refused_before_any_work(self):
+        cube = surfaces.box(size=10)
+        refusal = r"edges as short as asked for would make about 6\.8e\+07 cells, more than MaximumCells, 10000000: they take some 27 GiB"
+        with self.assertRaisesRegex(insideout.Error, refusal):
+            insideout.tetrahedralize(cube, edge_length=0.05)
+        with self.assertRaisesRegex(insideout.Error, "more than MaximumCells, 1000"):
+            insideout.tetrahedralize(cube, edge_length=1, maximum_cells=1000)
+        self.assertGreater(len(insideout.tetrahedralize(cube, edge_length=1, maximum_cells=0).solid.cells), 1000)
+
     def test_a_length_above_the_edges_makes_a_remeshed_surface_coarser_as_far_as_its_tolerance_permits(self):
         ball = surfaces.ball(1, 60, 40)
         triangles = ball.GetNumberOfPolys()

@@ -32,6 +32,9 @@ namespace
 /** Of cells that are to be: a mesh may need some times as many while it is made. */
 constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 
+/** Of memory, measured on nine surfaces. */
+constexpr double GibibytesOfCell = 4e-7;
+
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
 constexpr int LargestOrdinaryExponent = 60;
 
@@ -109,15 +112,28 @@ Id CountLargeCells(const RefinedMesh& mesh, double maximumVolume)
     }));
 }
 
-void CheckEstimate(const SizingField& sizes)
+void CheckEstimate(const SizingField& sizes, Id maximumCells)
 {
-  if (const double cells = sizes.EstimatedCells(); !(cells < MostCells))
+  const double cells = sizes.EstimatedCells();
+  const bool isAbove =
+    maximumCells > 0 && sizes.IsAskedFor() && cells > static_cast<double>(maximumCells);
+  if (cells < MostCells && !isAbove)
   {
-    std::ostringstream words;
-    words << "edges as short as asked for would make about " << std::setprecision(2) << cells
-          << " cells, more than can be counted";
-    throw Error(ErrorCode::TooLarge, words.str());
+    return;
   }
+  std::ostringstream words;
+  words << "edges as short as asked for would make about " << std::setprecision(2) << cells
+        << " cells, more than ";
+  if (cells < MostCells)
+  {
+    words << "MaximumCells, " << maximumCells << ": they take some " << cells * GibibytesOfCell
+          << " GiB";
+  }
+  else
+  {
+    words << "can be counted";
+  }
+  throw Error(ErrorCode::TooLarge, words.str());
 }
 
 /** A surface that is being refined. */
@@ -166,13 +182,13 @@ void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementPara
   }
   RefinableSurface surface = surfaceNow();
   SizingField sizes(refinable, parameters.Sizes);
-  CheckEstimate(sizes);
+  CheckEstimate(sizes, parameters.MaximumCells);
   monitor.Check(Stages::Refining, 0.05);
   if (parameters.Surface != SurfaceTreatment::Kept)
   {
     parameters.Surface == SurfaceTreatment::Split ? sizes.FollowThinTriangles()
                                                   : sizes.FollowWishes();
-    CheckEstimate(sizes);
+    CheckEstimate(sizes, parameters.MaximumCells);
     RemeshSurface(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.05, 0.2 });
     sizes.FollowSurface();
   }

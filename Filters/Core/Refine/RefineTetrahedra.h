@@ -16,6 +16,10 @@ struct RefinementParameters
   SizingParameters Sizes;
   SurfaceTreatment Surface = SurfaceTreatment::Kept;
 
+  /** Where lengths are asked for that would make more cells, by estimate, nothing is made; 0: no
+   * limit. */
+  Id MaximumCells = 10000000;
+
   /** Remeshed: how far the new surface may be from the old one, both ways; 0: DefaultTolerance of
    * the longest edge of the points' bounding box. */
   double SurfaceTolerance = 0;
@@ -70,7 +74,7 @@ struct RefinedMesh
  * @param[in] regions one per cell; empty: all are one
  * @throws Error InvalidParameter, which names the culprit: a cell without volume, two that overlap
  * at a face, a length that is not positive; TooLarge when there would be more cells than can be
- * counted, Stopped
+ * counted or than MaximumCells; Stopped
  */
 RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const RefinementParameters& parameters, Monitor& monitor);

@@ -86,6 +86,7 @@ class RefinementOptions:
     edge_length: Optional[Length] = None
     grading: Optional[float] = None
     maximum_volume: Optional[float] = None
+    maximum_cells: Optional[int] = None
     surface_treatment: SurfaceTreatment = "automatic"
     surface_tolerance: Optional[Length] = None
     feature_angle: Optional[float] = None

@@ -204,6 +204,19 @@ TEST(RefineTetrahedra, FollowsLengthsAtPointsAndAnywhere)
   }
 }
 
+TEST(RefineTetrahedra, MakesNothingWhereThereWouldBeMoreCellsThanAllowed)
+{
+  Monitor monitor;
+  RefinementParameters parameters;
+  parameters.MaximumCells = 100;
+  const TetrahedralMesh cube = Cube(3); // nothing is asked for
+  EXPECT_GT(RefineTetrahedra(cube, {}, parameters, monitor).Cells.size(), 100U);
+  parameters.Sizes.EdgeLength = 0.2;
+  EXPECT_THROW(RefineTetrahedra(cube, {}, parameters, monitor), Error);
+  parameters.MaximumCells = 0;
+  EXPECT_GT(RefineTetrahedra(cube, {}, parameters, monitor).Cells.size(), 100U);
+}
+
 TEST(RefineTetrahedra, CountsCellsThatStayTooLarge)
 {
   SizingParameters parameters;
