@@ -3,8 +3,9 @@
  * @class   vtkSolidWriter
  * @brief   writes a solid for a solver, with its regions and the parts of its boundary by name
  *
- * Writes tetrahedra (vtkTetra, or vtkQuadraticTetra) by the file name's ending: .msh (gmsh, ascii),
- * .inp (CalculiX and Abaqus) or .mesh (Medit, ascii).
+ * Writes tetrahedra (vtkTetra, or vtkQuadraticTetra), and the prisms and pyramids (vtkWedge,
+ * vtkPyramid) of vtkBoundaryLayers, which need the second input, by the file name's ending: .msh
+ * (gmsh, ascii), .inp (CalculiX and Abaqus) or .mesh (Medit, ascii).
  *
  * Regions come from the solid's cell array RegionId: integers from 0, and -1 outside. The triangles
  * of the boundary come from the second input, their tags from its cell array BoundaryTag, integers
@@ -16,8 +17,9 @@
  *
  * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
  *   and BoundaryTag plus 1; of what is outside, the one behind the last.
- * - .inp has elements C3D4 or C3D10, an element set and a node set for each region, a node set and
- *   a surface by element face for each tag; Eall and Nall are the sets of all.
+ * - .inp has elements C3D4 or C3D10, and C3D6 for prisms, and for pyramids with a corner twice. Each
+ *   region has an element set and a node set, each tag a node set and a surface by element face;
+ *   Eall and Nall are the sets of all.
  * - .mesh has the same numbers as references; names are in comments. For quadratic cells it has the
  *   sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *

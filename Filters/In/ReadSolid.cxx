@@ -18,6 +18,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -96,6 +97,58 @@ void CopyIds(const vtkIdType* ids, vtkIdType cell, vtkIdType points, std::array<
     }
     corners[k] = static_cast<Id>(ids[k]);
   }
+}
+
+/** Whether a grid has pyramids or prisms. */
+bool HasLayers(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    if (grid->GetCellType(c) == VTK_PYRAMID || grid->GetCellType(c) == VTK_WEDGE)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Corners of cells with layers. @return for each cell of the solid that of the grid */
+std::vector<vtkIdType> ReadLayers(vtkUnstructuredGrid* grid, SolidMesh& solid)
+{
+  std::array<std::vector<vtkIdType>, 3> order;
+  vtkNew<vtkIdList> ids;
+  const auto append = [&](auto& cells, vtkIdType c)
+  {
+    cells.emplace_back();
+    CopyIds(ids->begin(), c, grid->GetNumberOfPoints(), cells.back());
+  };
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const int type = grid->GetCellType(c);
+    grid->GetCellPoints(c, ids);
+    if (type == VTK_TETRA)
+    {
+      append(solid.Cells, c);
+    }
+    else if (type == VTK_PYRAMID)
+    {
+      append(solid.Pyramids, c);
+    }
+    else if (type == VTK_WEDGE)
+    {
+      append(solid.Prisms, c);
+    }
+    else
+    {
+      Refuse("cell " + std::to_string(c) + " is of VTK's type " + std::to_string(type) +
+        "; a solid with layers has tetrahedra (10), prisms (13) and pyramids (14)");
+    }
+    order[type == VTK_TETRA ? 0 : type == VTK_PYRAMID ? 1 : 2].push_back(c);
+  }
+  std::vector<vtkIdType> all = order[0];
+  all.insert(all.end(), order[1].begin(), order[1].end());
+  all.insert(all.end(), order[2].begin(), order[2].end());
+  return all;
 }
 
 /** Corners and midpoints of the cells, which are all of one kind. */
@@ -221,8 +274,18 @@ SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary)
 
   SolidMesh solid;
   solid.Points = ReadPoints(parts.Solid, "the solid");
-  ReadCells(parts.Solid, solid);
   solid.RegionOfCell = ReadNumbers(parts.Solid, "RegionId", None);
+  if (HasLayers(parts.Solid))
+  {
+    const std::vector<Id> given = solid.RegionOfCell;
+    const std::vector<vtkIdType> order = ReadLayers(parts.Solid, solid);
+    std::transform(order.begin(), order.end(), solid.RegionOfCell.begin(),
+      [&given](vtkIdType cell) { return given[cell]; });
+  }
+  else
+  {
+    ReadCells(parts.Solid, solid);
+  }
   const std::vector<std::string> names = NamesByNumber(parts.Solid->GetFieldData(), "RegionNames");
   solid.Regions = MakeGroups(solid.RegionOfCell,
     [&names](Id region, bool isAlone)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 namespace insideout
 {
@@ -47,6 +48,32 @@ void CheckIds(Id points, const std::vector<std::array<Id, Size>>& cells)
       }
     }
   }
+}
+
+using FacesByCorners = std::unordered_map<Triangle, CellFace, HashOfTriangle>;
+
+/** The triangles of pyramids and prisms. @param[in] names of their points in the table */
+FacesByCorners FacesOfLayers(const SolidMesh& solid, const std::vector<Id>& names)
+{
+  FacesByCorners faces;
+  const auto add = [&](Id cell, int count)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      Triangle corners = TriangleOfLayer(solid, { cell, k });
+      for (Id& corner : corners)
+      {
+        corner = names[corner];
+      }
+      faces.emplace(SortedTriangle(corners).Points, CellFace{ cell, k });
+    }
+  };
+  const std::size_t pyramids = solid.Cells.size() + solid.Pyramids.size();
+  for (std::size_t c = solid.Cells.size(); c < solid.NumberOfCells(); ++c)
+  {
+    add(static_cast<Id>(c), c < pyramids ? 4 : 2);
+  }
+  return faces;
 }
 
 /** Points in the order of their places, and of their ids where they are in one place. */
@@ -116,9 +143,22 @@ const FaceEntry& EntryBehind(
 }
 } // namespace
 
+Triangle TriangleOfLayer(const SolidMesh& solid, const CellFace& face)
+{
+  const std::size_t other = static_cast<std::size_t>(face.Cell) - solid.Cells.size();
+  if (other < solid.Pyramids.size())
+  {
+    const auto& corners = solid.Pyramids[other];
+    return { { corners[face.Face], corners[(face.Face + 1) % 4], corners[4] } };
+  }
+  const auto& corners = solid.Prisms[other - solid.Pyramids.size()];
+  return face.Face == 0 ? Triangle{ { corners[0], corners[1], corners[2] } }
+                        : Triangle{ { corners[3], corners[5], corners[4] } };
+}
+
 void CheckCells(const SolidMesh& solid)
 {
-  if (solid.Cells.empty())
+  if (solid.NumberOfCells() == 0)
   {
     throw Error(ErrorCode::InvalidParameter, "there are no cells to write");
   }
@@ -133,11 +173,18 @@ void CheckCells(const SolidMesh& solid)
   const auto points = static_cast<Id>(solid.Points.size());
   CheckIds(points, solid.Cells);
   CheckIds(points, solid.Midpoints);
+  CheckIds(points, solid.Pyramids);
+  CheckIds(points, solid.Prisms);
 }
 
 std::vector<CellFace> OuterFaces(const SolidMesh& solid)
 {
   CheckCells(solid);
+  if (solid.HasLayers())
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the solid has pyramids or prisms: its boundary has to be given, too");
+  }
   const OuterSides isOuter = FindOuterSides(solid);
   std::vector<CellFace> faces;
   for (std::size_t c = 0; c < isOuter.size(); ++c)
@@ -178,12 +225,19 @@ std::vector<CellFace> FacesOfTriangles(
   }
   const std::vector<Triangle> renamed = Renamed(triangles, pointThere);
 
+  const FacesByCorners ofLayers = FacesOfLayers(solid, lowest);
   std::vector<CellFace> faces;
   faces.reserve(renamed.size());
   for (std::size_t t = 0; t < renamed.size(); ++t)
   {
     const SortedTriangle sorted(renamed[t]);
     const FaceTable::Range entries = table.Find(sorted);
+    const auto ofLayer = ofLayers.find(sorted.Points);
+    if (entries.Size() == 0 && ofLayer != ofLayers.end())
+    {
+      faces.push_back(ofLayer->second);
+      continue;
+    }
     if (entries.Size() == 0)
     {
       Refuse(ErrorCode::InvalidParameter, t, "is no face of the solid's cells");

@@ -14,8 +14,11 @@ namespace insideout
  */
 void CheckCells(const SolidMesh& solid);
 
+/** The corners of a triangle of a pyramid or prism, counter-clockwise seen from outside. */
+Triangle TriangleOfLayer(const SolidMesh& solid, const CellFace& face);
+
 /** The faces that only one cell has, in the order of the cells.
- * @throws Error of CheckCells */
+ * @throws Error of CheckCells, and InvalidParameter where there are pyramids or prisms */
 std::vector<CellFace> OuterFaces(const SolidMesh& solid);
 
 /**

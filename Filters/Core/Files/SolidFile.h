@@ -9,7 +9,8 @@
 
 namespace insideout
 {
-/** A face of a cell, as TetrahedronFaces has it. */
+/** A triangle of a cell: of a tetrahedron as TetrahedronFaces has it; of a pyramid the one at
+ * corners Face and Face + 1 of its base; of a prism its first or second one. */
 struct CellFace
 {
   Id Cell;
@@ -29,10 +30,16 @@ struct SolidMesh
   std::vector<Point> Points;
   std::vector<Tetrahedron> Cells; ///< their corners
 
+  /** Of boundary layers, corners in VTK's order: the base of a pyramid is counter-clockwise seen
+   * from its last corner, the first triangle of a prism seen from outside. */
+  std::vector<std::array<Id, 5>> Pyramids;
+  std::vector<std::array<Id, 6>> Prisms;
+
   /** The points between each cell's corners, on TetrahedronEdges. Empty where cells are linear. */
   std::vector<std::array<Id, 6>> Midpoints;
 
-  std::vector<Id> RegionOfCell; ///< which of Regions
+  std::vector<Id>
+    RegionOfCell; ///< which of Regions: of tetrahedra, pyramids and prisms, in this order
 
   /** Faces of the boundary, and between regions, each once: it faces out of its cell. */
   std::vector<CellFace> Faces;
@@ -40,6 +47,12 @@ struct SolidMesh
 
   std::vector<SolidGroup> Regions;
   std::vector<SolidGroup> Tags;
+
+  bool HasLayers() const { return !this->Pyramids.empty() || !this->Prisms.empty(); }
+  std::size_t NumberOfCells() const
+  {
+    return this->Cells.size() + this->Pyramids.size() + this->Prisms.size();
+  }
 };
 
 /** Which of gmsh's formats. */
@@ -55,7 +68,8 @@ enum class MshVersion
  * - `.msh`: gmsh's format, ascii, with a physical group for each region and each tag. Ascii,
  *   because more programs read it so than binary, and decimals keep every bit as well.
  * - `.inp`: the format of Abaqus and CalculiX: element and node sets of regions, node sets and
- *   surfaces by element face of tags, and sets of all, `Eall` and `Nall`.
+ *   surfaces by element face of tags, and sets of all, `Eall` and `Nall`. Prisms are C3D6, and so
+ * are pyramids, for which CalculiX has no element: they have their last corner twice.
  * - `.mesh`: Medit's format, ascii, in which regions and tags are numbers; comments name them.
  *
  * Point p has number p + 1 in all of them. Names that a format does not take are changed, as little

@@ -17,6 +17,21 @@ void WriteMedit(OutputFile& file, const SolidMesh& solid);
 /** The point as its 20 characters per number in .inp are read. */
 Point PointInInp(Point point);
 
+/** What a cell of a solid is. */
+enum class CellShape
+{
+  Tetrahedron,
+  Pyramid,
+  Prism
+};
+
+inline CellShape ShapeOfCell(const SolidMesh& solid, std::size_t cell)
+{
+  return cell < solid.Cells.size()                      ? CellShape::Tetrahedron
+    : cell < solid.Cells.size() + solid.Pyramids.size() ? CellShape::Pyramid
+                                                        : CellShape::Prism;
+}
+
 /** The points of a cell or a face: corners, and then midpoints if there are any. */
 struct SolidNodes
 {
@@ -27,7 +42,7 @@ struct SolidNodes
   const Id* end() const { return this->Ids.data() + this->Count; }
 };
 
-/** The points of a cell, midpoints in the order of TetrahedronEdges. */
+/** The points of a cell in VTK's order, midpoints in that of TetrahedronEdges. */
 SolidNodes NodesOf(const SolidMesh& solid, std::size_t cell);
 
 /** The points of a face, counter-clockwise seen from outside its cell; midpoint k is between

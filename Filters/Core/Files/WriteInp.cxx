@@ -30,6 +30,34 @@ constexpr std::size_t NumbersInLine = 10;
  * and 4, S3 of 2, 3 and 4, S4 of 1, 3 and 4. */
 constexpr std::array<int, 4> NumbersOfFaces = { 2, 3, 4, 1 };
 
+/** The numbers in C3D6 of a prism's triangles, and of a pyramid's. */
+constexpr std::array<int, 2> NumbersOfPrismFaces = { 2, 1 };
+constexpr std::array<int, 4> NumbersOfPyramidFaces = { 2, 5, 1, 3 };
+
+/** The number of a face at a cell. */
+int NumberOfFace(const SolidMesh& solid, const CellFace& face)
+{
+  const CellShape shape = ShapeOfCell(solid, static_cast<std::size_t>(face.Cell));
+  return shape == CellShape::Prism ? NumbersOfPrismFaces[face.Face]
+    : shape == CellShape::Pyramid  ? NumbersOfPyramidFaces[face.Face]
+                                   : NumbersOfFaces[face.Face];
+}
+
+/** The points of a cell as C3D4, C3D10 and C3D6 have them: the first triangle of these is seen from
+ * within, and a pyramid is one whose two triangles share a corner. */
+SolidNodes InpNodesOf(const SolidMesh& solid, std::size_t cell)
+{
+  SolidNodes nodes = NodesOf(solid, cell);
+  const std::array<Id, 10>& n = nodes.Ids;
+  const CellShape shape = ShapeOfCell(solid, cell);
+  if (shape == CellShape::Tetrahedron)
+  {
+    return nodes;
+  }
+  return shape == CellShape::Prism ? SolidNodes{ { { n[3], n[4], n[5], n[0], n[1], n[2] } }, 6 }
+                                   : SolidNodes{ { { n[4], n[3], n[2], n[4], n[0], n[1] } }, 6 };
+}
+
 /** A number as to_chars writes it, without the zeros that a reader does not need. */
 template <typename... Format>
 std::string Text(double value, Format... format)
@@ -123,15 +151,25 @@ void WriteSet(OutputFile& file, const std::string& name, std::vector<Id> points)
 /** The cells and points of each region as sets, and all cells as another. */
 void WriteRegions(OutputFile& file, const SolidMesh& solid, const std::vector<std::string>& names)
 {
-  const std::string type = IsQuadratic(solid) ? "C3D10" : "C3D4"; // midpoints in VTK's order
+  const auto typeOf = [&](Id cell)
+  {
+    return static_cast<std::size_t>(cell) >= solid.Cells.size() ? "C3D6"
+      : IsQuadratic(solid) ? "C3D10" // midpoints in VTK's order
+                           : "C3D4";
+  };
   const Buckets<Id> cells = ByGroup(names.size(), solid.RegionOfCell);
   for (std::size_t r = 0; r < names.size(); ++r)
   {
-    file.Text("*ELEMENT, TYPE=" + type + ", ELSET=" + names[r] + "\n");
+    const char* last = nullptr;
     for (const Id cell : cells[r])
     {
+      if (typeOf(cell) != last)
+      {
+        last = typeOf(cell);
+        file.Text(std::string("*ELEMENT, TYPE=") + last + ", ELSET=" + names[r] + "\n");
+      }
       file.Decimal(std::int64_t(cell) + 1);
-      for (const Id point : NodesOf(solid, static_cast<std::size_t>(cell)))
+      for (const Id point : InpNodesOf(solid, static_cast<std::size_t>(cell)))
       {
         file.Text(", ");
         file.Decimal(std::int64_t(point) + 1);
@@ -174,7 +212,7 @@ void WriteTags(OutputFile& file, const SolidMesh& solid, const std::vector<std::
     {
       file.Decimal(std::int64_t(solid.Faces[face].Cell) + 1);
       file.Text(", S");
-      file.Decimal(NumbersOfFaces[solid.Faces[face].Face]);
+      file.Decimal(NumberOfFace(solid, solid.Faces[face]));
       file.Text("\n");
     }
   }

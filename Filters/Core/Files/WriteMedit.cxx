@@ -2,6 +2,9 @@
 #include "Files/GroupNames.h"
 #include "Files/SolidWriters.h"
 
+#include <algorithm>
+#include <string>
+
 // The format: Frey, MEDIT: An interactive mesh visualization software (2001); of quadratic cells,
 // and the sections that say how their points are ordered, Marechal, libMeshb.
 
@@ -85,6 +88,23 @@ void WriteMedit(OutputFile& file, const SolidMesh& solid)
   {
     WriteElement(file, NodesOf(solid, c), solid.Regions[solid.RegionOfCell[c]]);
   }
+  const auto writeLayers =
+    [&](const char* section, CellShape shape, std::size_t first, std::size_t count)
+  {
+    file.Text(count > 0 ? section + ("\n" + std::to_string(count)) + "\n" : "");
+    for (std::size_t c = first; c < first + count; ++c)
+    {
+      SolidNodes nodes = NodesOf(solid, c);
+      if (shape == CellShape::Prism) // whose first triangle is seen from within there
+      {
+        std::rotate(nodes.Ids.begin(), nodes.Ids.begin() + 3, nodes.Ids.begin() + 6);
+      }
+      WriteElement(file, nodes, solid.Regions[solid.RegionOfCell[c]]);
+    }
+  };
+  const std::size_t pyramids = solid.Cells.size();
+  writeLayers("Pyramids", CellShape::Pyramid, pyramids, solid.Pyramids.size());
+  writeLayers("Prisms", CellShape::Prism, pyramids + solid.Pyramids.size(), solid.Prisms.size());
   file.Text("End\n");
 }
 } // namespace insideout

@@ -18,6 +18,8 @@ constexpr int SurfaceDimension = 2;
 constexpr int VolumeDimension = 3;
 constexpr int TypeOfTriangle = 2;
 constexpr int TypeOfTetrahedron = 4;
+constexpr int TypeOfPrism = 6;
+constexpr int TypeOfPyramid = 7;
 constexpr int TypeOfQuadraticTriangle = 9;
 constexpr int TypeOfQuadraticTetrahedron = 11;
 
@@ -29,16 +31,26 @@ int TypeOfFaces(const SolidMesh& solid)
   return IsQuadratic(solid) ? TypeOfQuadraticTriangle : TypeOfTriangle;
 }
 
-int TypeOfCells(const SolidMesh& solid)
+int TypeOfCell(const SolidMesh& solid, std::size_t cell)
 {
+  const CellShape shape = ShapeOfCell(solid, cell);
+  if (shape != CellShape::Tetrahedron)
+  {
+    return shape == CellShape::Pyramid ? TypeOfPyramid : TypeOfPrism;
+  }
   return IsQuadratic(solid) ? TypeOfQuadraticTetrahedron : TypeOfTetrahedron;
 }
 
-/** The points of a cell as gmsh has them: of its edges 2 3 comes before 1 3. */
+/** The points of a cell as gmsh has them: of a tetrahedron's edges 2 3 comes before 1 3, and of a
+ * prism's triangles the one that is counter-clockwise seen from within. */
 SolidNodes MshNodesOf(const SolidMesh& solid, std::size_t cell)
 {
   SolidNodes nodes = NodesOf(solid, cell);
   std::swap(nodes.Ids[8], nodes.Ids[9]);
+  if (ShapeOfCell(solid, cell) == CellShape::Prism)
+  {
+    std::rotate(nodes.Ids.begin(), nodes.Ids.begin() + 3, nodes.Ids.begin() + 6);
+  }
   return nodes;
 }
 
@@ -116,9 +128,9 @@ std::vector<std::map<Id, int>> TagsAroundRegions(const SolidMesh& solid)
     const FaceTable table(solid.Points.size(), solid.Cells);
     for (std::size_t f = 0; f < solid.Faces.size(); ++f)
     {
-      const CellFace& face = solid.Faces[f];
+      const SolidNodes nodes = NodesOf(solid, solid.Faces[f]);
       for (const FaceEntry& entry :
-        table.Find(SortedTriangle(FaceOf(solid.Cells[face.Cell], face.Face))))
+        table.Find(SortedTriangle(Triangle{ { nodes.Ids[0], nodes.Ids[1], nodes.Ids[2] } })))
       {
         around[solid.RegionOfCell[entry.Cell]].emplace(solid.TagOfFace[f], -1);
       }
@@ -147,7 +159,7 @@ void WriteSurfaceEntities(OutputFile& file, const SolidMesh& solid)
 void WriteVolumeEntities(OutputFile& file, const SolidMesh& solid)
 {
   std::vector<Bounds> boxes(solid.Regions.size());
-  for (std::size_t c = 0; c < solid.Cells.size(); ++c)
+  for (std::size_t c = 0; c < solid.NumberOfCells(); ++c)
   {
     for (const Id point : NodesOf(solid, c))
     {
@@ -180,7 +192,7 @@ std::vector<Id> EntitiesOfPoints(const SolidMesh& solid)
       entities[point] = std::min(entities[point], solid.TagOfFace[f]);
     }
   }
-  for (std::size_t c = 0; c < solid.Cells.size(); ++c)
+  for (std::size_t c = 0; c < solid.NumberOfCells(); ++c)
   {
     for (const Id point : NodesOf(solid, c))
     {
@@ -230,9 +242,18 @@ void WriteElementsByEntity(OutputFile& file, const SolidMesh& solid)
 {
   const Buckets<Id> faces = ByGroup(solid.Tags.size(), solid.TagOfFace);
   const Buckets<Id> cells = ByGroup(solid.Regions.size(), solid.RegionOfCell);
-  const std::size_t elements = solid.Faces.size() + solid.Cells.size();
+  const auto typeOf = [&](Id cell) { return TypeOfCell(solid, static_cast<std::size_t>(cell)); };
+  const std::size_t elements = solid.Faces.size() + solid.NumberOfCells();
   file.Text("$Elements\n");
-  WriteLine(file, solid.Tags.size() + solid.Regions.size(), elements, 1, elements);
+  std::size_t blocks = solid.Tags.size();
+  for (std::size_t r = 0; r < solid.Regions.size(); ++r)
+  {
+    for (const Id* cell = cells[r].begin(); cell != cells[r].end(); ++cell)
+    {
+      blocks += cell == cells[r].begin() || typeOf(cell[0]) != typeOf(cell[-1]) ? 1 : 0;
+    }
+  }
+  WriteLine(file, blocks, elements, 1, elements);
   for (std::size_t t = 0; t < solid.Tags.size(); ++t)
   {
     WriteLine(file, SurfaceDimension, solid.Tags[t].Number, TypeOfFaces(solid), faces[t].Size());
@@ -245,12 +266,17 @@ void WriteElementsByEntity(OutputFile& file, const SolidMesh& solid)
   }
   for (std::size_t r = 0; r < solid.Regions.size(); ++r)
   {
-    WriteLine(file, VolumeDimension, solid.Regions[r].Number, TypeOfCells(solid), cells[r].Size());
-    for (const Id cell : cells[r])
+    for (const Id* first = cells[r].begin(); first != cells[r].end();)
     {
-      file.Decimal(solid.Faces.size() + static_cast<std::size_t>(cell) + 1);
-      WriteNumbers(file, MshNodesOf(solid, static_cast<std::size_t>(cell)));
-      file.Text("\n");
+      const Id* const last = std::find_if(
+        first, cells[r].end(), [&](Id cell) { return typeOf(cell) != typeOf(*first); });
+      WriteLine(file, VolumeDimension, solid.Regions[r].Number, typeOf(*first), last - first);
+      for (; first != last; ++first)
+      {
+        file.Decimal(solid.Faces.size() + static_cast<std::size_t>(*first) + 1);
+        WriteNumbers(file, MshNodesOf(solid, static_cast<std::size_t>(*first)));
+        file.Text("\n");
+      }
     }
   }
   file.Text("$EndElements\n");
@@ -293,17 +319,17 @@ void WriteMsh22(OutputFile& file, const SolidMesh& solid)
     file.Text("\n");
   }
   file.Text("$EndNodes\n$Elements\n");
-  WriteLine(file, solid.Faces.size() + solid.Cells.size());
+  WriteLine(file, solid.Faces.size() + solid.NumberOfCells());
   for (std::size_t f = 0; f < solid.Faces.size(); ++f)
   {
     BeginElement(file, f + 1, TypeOfFaces(solid), solid.Tags[solid.TagOfFace[f]]);
     WriteNumbers(file, NodesOf(solid, solid.Faces[f]));
     file.Text("\n");
   }
-  for (std::size_t c = 0; c < solid.Cells.size(); ++c)
+  for (std::size_t c = 0; c < solid.NumberOfCells(); ++c)
   {
     BeginElement(
-      file, solid.Faces.size() + c + 1, TypeOfCells(solid), solid.Regions[solid.RegionOfCell[c]]);
+      file, solid.Faces.size() + c + 1, TypeOfCell(solid, c), solid.Regions[solid.RegionOfCell[c]]);
     WriteNumbers(file, MshNodesOf(solid, c));
     file.Text("\n");
   }

@@ -50,9 +50,9 @@ void CheckGroups(
 void CheckSolid(const SolidMesh& solid)
 {
   CheckCells(solid);
-  const std::size_t cells = solid.Cells.size();
+  const std::size_t cells = solid.NumberOfCells();
   if (solid.RegionOfCell.size() != cells || solid.TagOfFace.size() != solid.Faces.size() ||
-    (IsQuadratic(solid) && solid.Midpoints.size() != cells))
+    (IsQuadratic(solid) && (solid.Midpoints.size() != cells || solid.HasLayers())))
   {
     Refuse(
       "the numbers of cells and of their midpoints or regions differ, or those of faces and tags");
@@ -62,7 +62,8 @@ void CheckSolid(const SolidMesh& solid)
   for (const CellFace& face : solid.Faces)
   {
     if (face.Cell < 0 || static_cast<std::size_t>(face.Cell) >= cells || face.Face < 0 ||
-      face.Face >= 4)
+      face.Face >=
+        (ShapeOfCell(solid, static_cast<std::size_t>(face.Cell)) == CellShape::Prism ? 2 : 4))
     {
       Refuse("there is no face " + std::to_string(face.Face) + " of cell " +
         std::to_string(face.Cell) + " of " + std::to_string(cells));
@@ -91,6 +92,19 @@ int EdgeBetweenCorners(int a, int b)
 SolidNodes NodesOf(const SolidMesh& solid, std::size_t cell)
 {
   SolidNodes nodes = {};
+  const auto take = [&nodes](const auto& corners)
+  {
+    std::copy(corners.begin(), corners.end(), nodes.Ids.begin());
+    nodes.Count = static_cast<int>(corners.size());
+    return nodes;
+  };
+  const CellShape shape = ShapeOfCell(solid, cell);
+  if (shape != CellShape::Tetrahedron)
+  {
+    const std::size_t other = cell - solid.Cells.size();
+    return shape == CellShape::Pyramid ? take(solid.Pyramids[other])
+                                       : take(solid.Prisms[other - solid.Pyramids.size()]);
+  }
   std::copy(solid.Cells[cell].begin(), solid.Cells[cell].end(), nodes.Ids.begin());
   nodes.Count = 4;
   if (IsQuadratic(solid))
@@ -106,6 +120,13 @@ SolidNodes NodesOf(const SolidMesh& solid, const CellFace& face)
 {
   SolidNodes nodes = {};
   const auto cell = static_cast<std::size_t>(face.Cell);
+  if (ShapeOfCell(solid, cell) != CellShape::Tetrahedron)
+  {
+    const Triangle triangle = TriangleOfLayer(solid, face);
+    std::copy(triangle.begin(), triangle.end(), nodes.Ids.begin());
+    nodes.Count = 3;
+    return nodes;
+  }
   const std::array<int, 3>& corners = TetrahedronFaces[face.Face];
   for (int k = 0; k < 3; ++k)
   {

@@ -379,6 +379,65 @@ TEST(WriteSolid, PutsEachPointOfMsh41OnOneEntity)
   EXPECT_EQ(times, std::vector<int>(points, 1));
 }
 
+namespace
+{
+/** A prism, a pyramid on one of its sides, and a tetrahedron on top; the wall is below. */
+SolidMesh WithLayers()
+{
+  SolidMesh solid;
+  solid.Points = { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 1 }, { 1, 0, 1 },
+    { 1, 1, 0 }, { 0, 0, 2 } };
+  solid.Cells = { { 3, 5, 4, 7 } };
+  solid.Pyramids = { { { 1, 4, 5, 2, 6 } } };
+  solid.Prisms = { { { 0, 1, 2, 3, 4, 5 } } };
+  solid.RegionOfCell = { 0, 0, 0 };
+  solid.Regions = { { "solid", 1 } };
+  solid.Tags = { { "wall", 1 } };
+  solid.Faces = FacesOfTriangles(solid, solid.Points, { { 0, 1, 2 }, { 2, 1, 6 }, { 3, 7, 5 } });
+  solid.TagOfFace = { 0, 0, 0 };
+  return solid;
+}
+} // namespace
+
+TEST(WriteSolid, WritesPrismsAndPyramidsOfLayers)
+{
+  const SolidMesh solid = WithLayers();
+  ASSERT_EQ(solid.Faces.size(), 3U);
+  EXPECT_EQ(solid.Faces[0].Cell, 2);
+  EXPECT_EQ(solid.Faces[0].Face, 0);
+  EXPECT_EQ(solid.Faces[1].Cell, 1);
+  EXPECT_EQ(solid.Faces[2].Cell, 0);
+  // A prism's first triangle is counter-clockwise seen from within in all of these.
+  const std::string old = Written(solid, "a.msh", MshVersion::Msh22);
+  EXPECT_NE(old.find("\n4 4 2 1 1 4 6 5 8\n5 7 2 1 1 2 5 6 3 7\n6 6 2 1 1 4 5 6 1 2 3\n"),
+    std::string::npos)
+    << old;
+  const std::string text = Written(solid, "a.msh");
+  EXPECT_NE(text.find("$Elements\n4 6 1 6\n"), std::string::npos) << text;
+  EXPECT_NE(
+    text.find("3 1 7 1\n5 2 5 6 3 7\n3 1 6 1\n6 4 5 6 1 2 3\n$EndElements"), std::string::npos)
+    << text;
+  const std::string medit = Written(solid, "a.mesh");
+  EXPECT_NE(
+    medit.find("Pyramids\n1\n 2 5 6 3 7 1\nPrisms\n1\n 4 5 6 1 2 3 1\nEnd\n"), std::string::npos)
+    << medit;
+  const std::string inp = Written(solid, "a.inp");
+  EXPECT_NE(
+    inp.find("*ELEMENT, TYPE=C3D6, ELSET=solid\n2, 7, 3, 6, 7, 2, 5\n3, 4, 5, 6, 1, 2, 3\n"),
+    std::string::npos)
+    << inp;
+  // The wall is the second triangle of the prism; of the pyramid the one at its corners 4 and 1.
+  EXPECT_NE(inp.find("TYPE=ELEMENT\n3, S2\n2, S3\n1, S2\n"), std::string::npos) << inp;
+
+  SolidMesh other = solid;
+  other.Faces[0].Face = 2;
+  ExpectError(other, ErrorCode::InvalidParameter, "no face 2 of cell 2");
+  other = solid;
+  other.Prisms[0][5] = 9;
+  ExpectError(other, ErrorCode::PointOutOfRange, "refers to point 9 of 8");
+  EXPECT_THROW(OuterFaces(solid), Error);
+}
+
 TEST(WriteSolid, RejectsSolidsThatAreNone)
 {
   ExpectError(SolidMesh(), ErrorCode::InvalidParameter, "no cells");
