@@ -8,6 +8,7 @@
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
 #include "In/ReadGrid.h"
+#include "Out/MixInCells.h"
 #include "Out/RefineBoundary.h"
 #include "Quality/QualityOfMesh.h"
 #include "Quality/SolverFitness.h"
@@ -145,27 +146,6 @@ void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const c
   }
 }
 
-/** The weights of a cell's corners at a place in it: none is negative, however thin the cell. */
-std::array<double, 4> WeightsAt(
-  const std::vector<Point>& points, const Tetrahedron& cell, const Point& place)
-{
-  std::array<double, 4> weights;
-  for (int k = 0; k < 4; ++k)
-  {
-    std::array<Point, 4> corners = CornersOf(points, cell);
-    corners[k] = place;
-    weights[k] = std::max(0.0,
-      Determinant(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]),
-        Difference(corners[3], corners[0])));
-  }
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (double& weight : weights)
-  {
-    weight = sum > 0 ? weight / sum : 0.25;
-  }
-  return weights;
-}
-
 /**
  * On the boundary and between regions points are mixtures of a face's corners, not of a cell's: one
  * of these may be a point in the volume, which has no data.
@@ -209,16 +189,8 @@ void MixOnFaces(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
 std::vector<Attributes::Mixture> MixturesOf(
   const TetrahedralMesh& mesh, const std::vector<Id>& regions, const RefinedMesh& refined)
 {
-  std::vector<Attributes::Mixture> mixtures(refined.Points.size());
-  for (std::size_t p = 0; p < mixtures.size(); ++p)
-  {
-    const Id original = refined.OriginalPoints[p];
-    const Tetrahedron& cell = mesh.Cells[refined.CellsOfPoints[p]];
-    mixtures[p].IsNew = original == None;
-    mixtures[p].Points = original == None ? cell : Tetrahedron{ { original, 0, 0, 0 } };
-    mixtures[p].Weights = original == None ? WeightsAt(mesh.Points, cell, refined.Points[p])
-                                           : std::array<double, 4>{ { 1, 0, 0, 0 } };
-  }
+  std::vector<Attributes::Mixture> mixtures =
+    MixInCells(mesh, refined.Points, refined.OriginalPoints, refined.CellsOfPoints);
   MixOnFaces(mesh, regions, refined, mixtures);
   return mixtures;
 }

@@ -16,8 +16,9 @@ import sys
 from pathlib import Path
 from typing import Iterator
 
-CLASSES = ("vtkGeneralizedWindingNumber", "vtkGraphCutSegmentation", "vtkRefineTetrahedra", "vtkRobustTetrahedralize")
-"""The facade, and before it the stages that it hands out: of two that declare an option the first one tells it."""
+CLASSES = ("vtkGeneralizedWindingNumber", "vtkGraphCutSegmentation", "vtkRefineTetrahedra", "vtkRobustTetrahedralize", "vtkBoundaryLayers")
+"""The facade, before it the stages that it hands out, and behind it what its solid goes through: of two that declare an option the first one
+tells it."""
 
 DECLARED = '''\
 # SPDX-License-Identifier: GPL-3.0-or-later

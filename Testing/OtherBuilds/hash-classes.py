@@ -136,7 +136,10 @@ STENCIL = [("Threshold", [0.25], {}), *ORIENTATION, *COUNTING]
 SURFACE, SOLID, PLACES = ({"InputDataObject": name} for name in ("@surface", "@solid", "@places"))
 SURFACE_FILES = ["x.ply", "x.obj", "x.off", "x.stl"]
 
+LAYERS = [("Layers", [1], {}), ("FirstHeight", [Length(1 / 64)], {}), ("Growth", [2.0], {}), ("LayerTags", ["surface"], {"BoundaryData": "@first boundary"}), ("BoundaryData", ["@first boundary"], {})]
+
 CLASSES = {
+    "vtkBoundaryLayers": Table({**SOLID, "FirstHeight": Length(1 / 256)}, LAYERS),
     "vtkConstrainedDelaunay3D": Table({"InputDataObject": "@resolved"}, [*COUNTING, *ENGINE, ("CountDuplicates", [True], {"InputDataObject": "@surface"})]),
     "vtkDistributeParts": Table(SURFACE, []),
     "vtkGeneralizedWindingNumber": Table(SURFACE, HULL),

@@ -9,7 +9,7 @@ import numpy as np
 import surfaces
 from command import CommandLine, run_here
 from insideout.lengths import UNITS, diagonal_of, scale_between, share_of
-from insideout.options import LENGTHS, OPTIONS, Options
+from insideout.options import LAYER_OPTIONS, LENGTHS, OPTIONS, Options
 from insideout.surfaces import make_surface
 
 DIAGONAL = 3**0.5  # of the unit box
@@ -70,7 +70,7 @@ class Lengths(unittest.TestCase):
     def test_no_function_takes_one_for_a_number_that_is_not_known(self):
         for name in LENGTHS:
             with self.assertRaisesRegex(insideout.Error, f"^{name} is '2%'; it must be a number"):
-                Options(**{name: "2%"}).set_on(insideout.vtkRobustTetrahedralize())
+                Options(**{name: "2%"}).set_on(insideout.vtkBoundaryLayers() if name in LAYER_OPTIONS else insideout.vtkRobustTetrahedralize())
             self.assertIn('"2%" of the diagonal', OPTIONS[name].words)
 
 

@@ -15,12 +15,17 @@ from insideout.matters import RULES
 from insideout.options import Options, flag_of
 
 
+LAYERS = (("--layers", "3"), ("--first-height", "1"), ("--growth", "1"), ("--layer-tags", "wall"))
+
+
 class Refused(CommandLine):
     def cases(self) -> tuple:
         stl, vtu, solid, inp = self.path("fixed.stl"), self.output, self.path("a.vtu"), self.path("a.inp")
         return (
             (("mesh", "a.ply", stl, "--quadratic-cells"), "--quadratic-cells", "first order"),
             (("mesh", "a.ply", stl, "--quadratic"), "--quadratic-cells", "first order"),
+            *((("mesh", "a.ply", stl, *given), given[0], "has no layers") for given in LAYERS),
+            *((("mesh", "a.ply", vtu, "--no-refine", *given), given[0], "layers take refined cells") for given in LAYERS),
             (("repair", "a.ply", stl, "--refine"), "--refine", "without --edge-length"),
             (("repair", "a.ply", stl, "--no-refine"), "--no-refine", "without --edge-length"),
             (("mesh", "a.ply", vtu, "--no-refine", "--surface-treatment", "split"), "--surface-treatment", "--no-refine leaves the cells"),

@@ -21,7 +21,7 @@ import surfaces
 from insideout import arguments
 from insideout.help import screen_of
 from insideout.option_kinds import Choice, Count, Decision, Dimensions, Number, Option, Order, Scale, Switch, owner_of
-from insideout.options import DEFAULTS, OPTIONS, Options, flag_of, help_of
+from insideout.options import DEFAULTS, LAYER_OPTIONS, OPTIONS, Options, flag_of, help_of
 from insideout.usage import OTHER_FLAGS
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -332,6 +332,15 @@ class Headers(unittest.TestCase):
         self.assertIn("hull", {field.name for field in fields(insideout.Tetrahedralization)})
 
 
+def class_of(name: str) -> str:
+    """The class that an option of `tetrahedralize` is set on."""
+    return "vtkBoundaryLayers" if name in LAYER_OPTIONS else "vtkRobustTetrahedralize"
+
+
+def made_for(name: str):
+    return getattr(insideout, class_of(name))()
+
+
 class Python(unittest.TestCase):
     """The options of `tetrahedralize`."""
 
@@ -343,10 +352,11 @@ class Python(unittest.TestCase):
 
     def setUp(self):
         self.defaults = properties("vtkRobustTetrahedralize")
+        self.all_defaults = {**properties("vtkBoundaryLayers"), **self.defaults}
 
     def test_each_property_of_the_filter_is_an_option_or_is_left_out_for_a_reason(self):
         named = {option.vtk_property for option in OPTIONS.values()} - {"SeedsData", ""}
-        self.assertEqual(named | set(self.NO_OPTIONS), set(self.defaults))
+        self.assertEqual(named | set(self.NO_OPTIONS), set(self.all_defaults))
         self.assertEqual(named & set(self.NO_OPTIONS), set())
 
     def test_the_function_has_the_options_with_their_types_and_defaults(self):
@@ -376,18 +386,18 @@ class Python(unittest.TestCase):
         for name, option in OPTIONS.items():
             with self.subTest(name):
                 if isinstance(option, Switch):
-                    self.assertIs(self.defaults[option.vtk_property], DEFAULTS[name])
+                    self.assertIs(self.all_defaults[option.vtk_property], DEFAULTS[name])
                 elif isinstance(option, Choice) and option.vtk_property:
                     constant = constants("vtkRobustTetrahedralize", option.vtk_property)[self.defaults[option.vtk_property]]
                     self.assertEqual(DEFAULTS[name], constant)
                 elif not isinstance(option, Dimensions):
                     self.assertIsNone(DEFAULTS[name])
                 if isinstance(option, (Number, Order, Count)):
-                    self.assertRegex(help_of(name), rf"Default {self.defaults[option.vtk_property]:.10g}[.:]")
+                    self.assertRegex(help_of(name), rf"Default {self.all_defaults[option.vtk_property]:.10g}[.:]")
 
     def test_what_vtk_would_clamp_is_an_error_and_what_it_would_not_is_none(self):
         for name, option in OPTIONS.items():
-            made = insideout.vtkRobustTetrahedralize()
+            made = made_for(name)
             if isinstance(option, Number):
                 with self.subTest(name):
                     option.set_on(made, name, option.least)
@@ -402,11 +412,11 @@ class Python(unittest.TestCase):
         for name, option in OPTIONS.items():
             if isinstance(option, Count):
                 with self.subTest(name):
-                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, -99), 0)
-                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, option.MOST), option.MOST)
-                    for bad in (-1, 1.5, option.MOST + 1, math.nan, "much"):
+                    self.assertEqual(read_back(class_of(name), option.vtk_property, -99), option.least)
+                    self.assertEqual(read_back(class_of(name), option.vtk_property, option.MOST), option.MOST)
+                    for bad in (option.least - 1, 1.5, option.MOST + 1, math.nan, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
-                            Options(**{name: bad}).set_on(insideout.vtkRobustTetrahedralize())
+                            Options(**{name: bad}).set_on(made_for(name))
 
     def test_a_scale_is_above_0_and_no_property(self):
         for bad in (0, -1, math.inf, math.nan, "much"):
@@ -425,7 +435,7 @@ class Python(unittest.TestCase):
                     self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, 99), option.most)
                     for bad in (option.least - 1, option.most + 1, 1.5, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
-                            Options(**{name: bad}).set_on(insideout.vtkRobustTetrahedralize())
+                            Options(**{name: bad}).set_on(made_for(name))
 
     def test_choices_are_the_constants_of_the_class(self):
         for name, option in OPTIONS.items():
@@ -444,9 +454,9 @@ class Python(unittest.TestCase):
             value = example(option)
             if not isinstance(option, (Choice, Scale)) and name != "seeds":
                 with self.subTest(name):
-                    made = Options(**{name: value}).set_on(insideout.vtkRobustTetrahedralize())
+                    made = Options(**{name: value}).set_on(made_for(name))
                     implied = {"ConstrainFacets": True} if name == "constrained_facets_array" else {}
-                    self.assertEqual(values_of(made), {**self.defaults, option.vtk_property: value, **implied})
+                    self.assertEqual(values_of(made), {**properties(class_of(name)), option.vtk_property: value, **implied})
 
     def test_a_switch_is_no_text(self):
         for name, option in OPTIONS.items():

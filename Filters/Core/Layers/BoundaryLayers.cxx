@@ -200,6 +200,7 @@ private:
         this->Result.Layers.push_back(0);
       }
     }
+    this->Result.NumberOfCellsBehind = this->Result.Tetrahedra.size();
   }
 
   void AddColumn(const Triangle& triangle, Id cell)
@@ -386,11 +387,9 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
 
   const PushedSolid solid = { mesh, regions, wallFaces, refinable, wall, pushed, fractions };
   LayeredMesh result = LayeredMeshMaker(solid).Make(monitor);
-  const auto layerTetrahedra = std::count_if(result.Layers.begin(),
-    result.Layers.begin() + static_cast<std::ptrdiff_t>(result.Tetrahedra.size()),
-    [](Id layer) { return layer > 0; });
+  const std::size_t ofLayers = result.Tetrahedra.size() - result.NumberOfCellsBehind;
   result.Statistics = { { "Layers", parameters.Layers }, { "Prisms", result.Prisms.size() },
-    { "Pyramids", result.Pyramids.size() }, { "LayerTetrahedra", layerTetrahedra } };
+    { "Pyramids", result.Pyramids.size() }, { "LayerTetrahedra", ofLayers } };
   AppendShares(SharesOfHeight(wall, directions, pushed, height, mesh.Points.size()), wall,
     mesh.Points, result.Statistics);
   return result;

@@ -28,7 +28,8 @@ struct LayeredMesh
 
   /** Cells behind the layers first, then those of layers with two edges of no length. */
   std::vector<Tetrahedron> Tetrahedra;
-  std::vector<Pyramid> Pyramids; ///< of layers with one edge of no length
+  std::size_t NumberOfCellsBehind = 0; ///< of these tetrahedra
+  std::vector<Pyramid> Pyramids;       ///< of layers with one edge of no length
   std::vector<Prism> Prisms;
 
   /** Per cell, tetrahedra before pyramids before prisms: one of the input that holds it, or is

@@ -134,7 +134,7 @@ from . import vtkFiltersInsideOut as _classes
 from .booleans import Boolean, boolean
 from .checking import Check, Finding, check
 from .clouds import point_cloud
-from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
+from .data import LayeredCells, Polylines, Tetrahedra, Triangles, TriangleSurface
 from .drawing import draw, draw_quality
 from .errors import Error, Warning
 from .grids import DistanceGrid, sdf_grid
@@ -158,6 +158,7 @@ __all__ = [
     "DistanceGrid",
     "Error",
     "Finding",
+    "LayeredCells",
     "Polylines",
     "Refinement",
     "Region",

@@ -9,8 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
+    VTK_PYRAMID,
     VTK_QUADRATIC_TETRA,
+    VTK_TETRA,
     VTK_TRIANGLE,
+    VTK_WEDGE,
     vtkCellArray,
     vtkDataSet,
     vtkDataSetAttributes,
@@ -174,6 +177,28 @@ class Tetrahedra(_Views, vtkUnstructuredGrid):
 
     def _is_quadratic(self) -> bool:
         return self.GetNumberOfCells() > 0 and self.GetCellType(0) == VTK_QUADRATIC_TETRA
+
+
+class LayeredCells(_Views, vtkUnstructuredGrid):
+    """A vtkUnstructuredGrid of tetrahedra, and of pyramids and prisms in boundary layers. Its arrays are views."""
+
+    @property
+    def cells(self) -> dict[str, NDArray[np.int64]]:
+        """The points of the cells of each type, in VTK's order: "tetra", "pyramid" and "wedge", as meshio calls them."""
+        types = vtk_to_numpy(self.GetCellTypesArray())
+        nodes = vtk_to_numpy(self.GetCells().GetConnectivityArray())
+        begins = vtk_to_numpy(self.GetCells().GetOffsetsArray())
+        found = {name: begins[:-1][types == kind] for name, (kind, _) in _LAYERED_TYPES.items()}
+        return {name: nodes[begin[:, None] + np.arange(_LAYERED_TYPES[name][1])].astype(np.int64) for name, begin in found.items() if len(begin)}
+
+    @property
+    def layer(self) -> NDArray[np.int64]:
+        """The layer of each cell, from 1 at the wall; 0 behind."""
+        return self.cell_arrays["Layer"]
+
+
+_LAYERED_TYPES = {"tetra": (VTK_TETRA, 4), "pyramid": (VTK_PYRAMID, 5), "wedge": (VTK_WEDGE, 6)}
+"""VTK's types of their cells, and how many points these have."""
 
 
 class Triangles(_Views, vtkUnstructuredGrid):

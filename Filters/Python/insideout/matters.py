@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Callable, Optional, Sequence
 
 from .files import READABLE_SOLIDS, WRITABLE_SURFACES, ending
-from .options import OPTIONS, REFINING_OPTIONS, flag_of
+from .options import LAYER_OPTIONS, OPTIONS, REFINING_OPTIONS, flag_of
 from .usage import BOOLEAN_OPTIONS, CHECK_OPTIONS, DECK_OPTIONS, MESH_OPTIONS, WINDING_OPTIONS
 
 WHY_NOT = {"check": "meshes nothing", "query": "meshes nothing", "boolean": "makes one thing of several bodies"}
@@ -69,6 +69,8 @@ class Rule:
 
 RULES = (
     Rule(REFINING_OPTIONS, lambda asked: getattr(asked.options, "refine", None) is False, "--no-refine leaves the cells as they are"),
+    Rule(LAYER_OPTIONS, lambda asked: getattr(asked.options, "refine", None) is False, "layers take refined cells, and --no-refine leaves them as they are"),
+    Rule(LAYER_OPTIONS, Asked.writes_surface, "a surface has no layers"),
     Rule(("quadratic_cells",), Asked.writes_surface, "a surface has triangles of first order"),
     Rule(
         ("refine", "edge_length", "grading", "maximum_volume"),

@@ -44,7 +44,8 @@ class Option:
         return value
 
     def used_number(self, algorithm: Any) -> Any:
-        return getattr(owner_of(algorithm, self.vtk_property), "Get" + self.vtk_property)()
+        owner = owner_of(algorithm, self.vtk_property)
+        return None if owner is None else getattr(owner, "Get" + self.vtk_property)()
 
     def argument(self) -> dict[str, Any]:
         """What argparse is to know of it besides."""

@@ -20,7 +20,7 @@ from .declared import CONSTANTS, DECLARED
 from .errors import ArgumentError
 from .lengths import Length, diagonal_of, share_of
 from .option_kinds import ChosenFacets, Decision, Dimensions, Lengths, Names, Option, Places, Scale, Seeds, kind_of, owner_of
-from .vtkFiltersInsideOut import vtkRobustTriangulate
+from .vtkFiltersInsideOut import vtkBoundaryLayers, vtkRobustTriangulate
 
 Orientation = Literal["automatic", "as-given", "reverse", "outward"]
 Engine = Literal["automatic", "exact", "tetgen"]
@@ -94,6 +94,14 @@ class RefinementOptions:
 
 
 @dataclass(frozen=True)
+class LayersOptions:
+    layers: Optional[int] = None
+    first_height: Optional[Length] = None
+    growth: Optional[float] = None
+    layer_tags: Union[str, Sequence[str], None] = None
+
+
+@dataclass(frozen=True)
 class WorkOptions:
     refine: Optional[bool] = None
     surface_only: bool = False
@@ -104,10 +112,11 @@ class WorkOptions:
 
 
 @dataclass(frozen=True)
-class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOptions, RefinementOptions, WorkOptions):
+class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOptions, RefinementOptions, LayersOptions, WorkOptions):
     """The options of `tetrahedralize`, some of which other functions have too.
 
-    They are properties of vtkRobustTetrahedralize and of the stages that it hands out; in a plane of vtkRobustTriangulate.
+    They are properties of vtkRobustTetrahedralize and of the stages that it hands out; of vtkBoundaryLayers, which its solid goes
+    through then; in a plane of vtkRobustTriangulate.
     """
 
     def factor(self) -> float:
@@ -121,7 +130,7 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
 
     def refines(self) -> bool:
         """Whether the solid is to be refined: by an option that has no other meaning, too."""
-        given = next((name for name in REFINING_OPTIONS if self._is_given(name)), None)
+        given = next((name for name in (*REFINING_OPTIONS, *LAYER_OPTIONS) if self._is_given(name)), None)
         if given and self.refine is False:
             raise ArgumentError(f"{given} is given, which refines, and refine is False")
         return bool(self.refine or given)
@@ -129,6 +138,17 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
     def for_solver(self) -> Options:
         """The same for a solver's file: refined, unless something else is asked for."""
         return replace(self, refine=True) if self.refine is None and not self.surface_only else self
+
+    def makes_layers(self) -> bool:
+        """Whether the solid gets boundary layers. Raises `ArgumentError` where they cannot be."""
+        given = next((name for name in LAYER_OPTIONS if self._is_given(name)), None)
+        if given and self.first_height is None:
+            raise ArgumentError(f"{given} is given, and first_height is not: layers need the height of the first one")
+        others = ("quadratic_cells", "surface_only")
+        unfit = next((name for name in others if given and self._is_given(name)), None)
+        if unfit:
+            raise ArgumentError(f"{given} is given, and so is {unfit}: layers are made of linear tetrahedra")
+        return given is not None
 
     def parts(self) -> bool:
         """Whether the solid has more points or cells than the hull has of it."""
@@ -165,7 +185,7 @@ class Options(SurfaceOptions, BodiesOptions, SegmentationOptions, TopologyOption
         for name, option in OPTIONS.items():
             if names is not None and name not in names:
                 continue
-            if self._is_given(name):
+            if self._is_given(name) and (name not in LAYER_OPTIONS or isinstance(algorithm, vtkBoundaryLayers)):
                 option.set_on(algorithm, name, getattr(self, name))
         return algorithm
 
@@ -187,16 +207,17 @@ _OWN: dict[str, Option] = {
 }
 """Those that are no properties, or take more than these."""
 
-LENGTHS = ("merge_tolerance", "touch_tolerance", "thicken", "edge_length", "surface_tolerance")
+LENGTHS = ("merge_tolerance", "touch_tolerance", "thicken", "edge_length", "surface_tolerance", "first_height")
 """Those that can be shares of the diagonal."""
 
 _KINDS: dict[str, type[Option]] = {
     **dict.fromkeys(LENGTHS, Lengths),
     "priority": Names,
+    "layer_tags": Names,
     "constrained_facets_array": ChosenFacets,
     "refine": Decision,
 }
-_MORE_WORDS = {"priority": " Or a list of them."}
+_MORE_WORDS = {"priority": " Or a list of them.", "layer_tags": " Or a list of them."}
 _OR_PERCENT = ' Or "2%" of the diagonal of the input.'
 _FOR_SOLVERS = " On where the file that is to be written is for a solver: .msh, .inp, .mesh or .xdmf."
 
@@ -222,6 +243,9 @@ _PROPERTIES = {option.vtk_property: name for name, option in OPTIONS.items() if 
 REFINING_OPTIONS = tuple(TOPICS["refinement"])
 """What `refine` has too."""
 
+LAYER_OPTIONS = tuple(TOPICS["layers"])
+"""What gives the solid boundary layers."""
+
 
 def in_words_of_python(texts: Iterable[str]) -> list[str]:
     """Texts that name VTK's properties, with the names that these have in Python."""
@@ -236,7 +260,7 @@ def _chosen_in_python(found: re.Match[str]) -> str:
 
 def in_words_of_command(texts: Iterable[str]) -> list[str]:
     """Texts that name Python's options, with those of the command line."""
-    flags = {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "priority")}
+    flags = {name: flag_of(name) for name in OPTIONS if name not in ("scale", "seeds", "priority", "layers", "growth")}
     return _renamed(texts, {**flags, "set priority": "set --priority"})  # the word alone may be none of an option
 
 

@@ -41,7 +41,7 @@ MEASURED = (
     *("OverlapVolume", "GapVolume", "LostShare", "SheetShare", "MembraneShare", "TurnedShare", "Volume", "CenterOfMass", "Inertia", "MinDihedralAngle"),
     *("DihedralAngle1Percent", "MaxDihedralAngle", "RadiusEdgeRatio99Percent", "MaxRadiusEdgeRatio", "MinMeanRatio"),
     *("AverageMeanRatio", "SurfaceTolerance", "SurfaceDistance", "InputDistance", "Area", "MinAngle", "Angle1Percent", "MaxAngle"),
-    *("DroppedVolume", "FilledVolume", "Genus"),
+    *("DroppedVolume", "FilledVolume", "Genus", "FullHeightShare", "MeanHeightShare"),
 )
 """What the names of statistics begin with that do not count; those of tetrahedra before they are refined have a Before."""
 

@@ -8,7 +8,7 @@ from typing import Dict, Literal, Mapping, Optional, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_WEDGE, vtkPolyData, vtkUnstructuredGrid
 
 from .bodies import outer_boundary
 from .data import Tetrahedra, Triangles, as_type, is_flat
@@ -43,6 +43,12 @@ def write_result(solid: vtkUnstructuredGrid, boundary: vtkPolyData, path: Path, 
     if ending(path) in WRITABLE_SURFACES:
         return write_surface(outer_boundary(boundary), path)
     return write_solid(solid, path, boundary, msh_version)
+
+
+def check_holds_layers(path: str, has_layers: bool) -> None:
+    """Raise `ArgumentError` unless a file of cells can have prisms, where there are any."""
+    if has_layers and ending(path) == XDMF:
+        raise ArgumentError(f"{path}: such a file has cells of one type here; write layers as {', '.join((GRID, *WRITABLE_SOLIDS))}")
 
 
 def check_holds_triangles(path: str) -> None:
@@ -84,6 +90,7 @@ def write_solid(
     if ending(path) != XDMF:
         write_grid(grid, path)
         return []
+    check_holds_layers(path, any(grid.GetCellType(cell) == VTK_WEDGE for cell in range(grid.GetNumberOfCells())))
     warnings = [] if is_flat(grid) or grid.GetNumberOfCells() == 0 else _fitness_of(grid, path, figures)
     _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
     return warnings

@@ -14,6 +14,7 @@ GROUPS = {
     "|NonParticipating|Crossings|TJunctions|Gap|Touch",
     "shells": "Components$|Closed$|.*Shells$|SharedFacets|Sheet|Membrane|Cavities$|EnclosedVolume|OverlapVolume|Turned|Disagreeing|Undecided|Thickened",
     "resolved surface": "Resolved|LeftOut",
+    "layers": "Layer|Prisms|Pyramids|Wall|Reduced|Bare|FullHeight|MeanHeight",
     "mesh of the hull": "Rung|Hull|.*Steiner|Lost(Facets|Segments)|PartsApart|Tetrahedra$",
     "winding number and cut": "MinimumW|MaximumW|Energy|Forced|Changed|Unsatisfied|Seed|Shared",
     "topology, as asked for": "Dropped|Filled|Joined|NonManifoldPoints|Overlaps$|Separated|Copied|SplitPoints",

@@ -47,6 +47,7 @@ TIMES = (
     ("SecondsCut", stages.SEGMENTING),
     ("SecondsBoolean", "resolving and choosing"),
     ("SecondsRefine", stages.REFINING),
+    ("SecondsLayers", stages.LAYERING),
     ("SecondsWrite", stages.WRITING),
     ("SecondsDraw", stages.DRAWING),
 )
@@ -104,6 +105,14 @@ def _refined(statistics: Mapping[str, float]) -> list[str]:
         apart = max(statistics["SurfaceDistance"], statistics["InputDistance"])
         lines.append(f"  the boundary is within {apart:.3g} of the surface before, which is {statistics['SurfaceTolerance']:.3g} at most")
     return lines
+
+
+def _layers(statistics: Mapping[str, float]) -> list[str]:
+    """What cells boundary layers have, if there are any."""
+    if "Layers" not in statistics:
+        return []
+    prisms, pyramids, others = (_count(statistics[name]) for name in ("Prisms", "Pyramids", "LayerTetrahedra"))
+    return [f"  layers of {prisms} prisms, {pyramids} pyramids and {others} tetrahedra; {100 * statistics['FullHeightShare']:.3g} % of the wall at full height"]
 
 
 def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
@@ -215,6 +224,7 @@ def lines_about_solid(
         *_topology(statistics),
         *_parted(statistics),
         *_refined(statistics),
+        *_layers(statistics),
         *_mass(statistics),
         *_regions(volumes, regions),
         *_cavities(statistics),

@@ -15,15 +15,16 @@ from vtkmodules.vtkFiltersCore import vtkThreshold
 from .bodies import AnyBodies, as_bodies
 from .calling import for_users
 from .checking import check
-from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
+from .data import LayeredCells, Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
 from .exporting import is_boundary_alone, mesh_of_solid
 from .files import WRITABLE_SURFACES, Path, check_output, ending
 from .inputs import path_of
+from .layering import layered
 from .lengths import Length
 from .options import OPTIONS, DataTerm, Dimension, Engine, NonManifold, Options, Orientation, QuadratureOrder, RegionRule, Seeds, SurfaceTreatment, Topology, describe_options, in_words_of_python
 from .pipeline import Error, Progress, add_statistic, cells_of, run, statistics_of, strings_of
 from .results import MeshResult, counted
-from .solid_files import WRITABLE_GRIDS, check_format, check_holds_triangles, is_for_solver, write_result
+from .solid_files import WRITABLE_GRIDS, check_format, check_holds_layers, check_holds_triangles, is_for_solver, write_result
 from .statistics import Statistics
 from .verdict import verdict
 from .vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
@@ -49,9 +50,9 @@ class Tetrahedralization(MeshResult):
     In two dimensions solid and hull are `Triangles`, boundary and outliers `Polylines`.
     """
 
-    solid: Union[Tetrahedra, Triangles]
+    solid: Union[Tetrahedra, LayeredCells, Triangles]
     """The tetrahedra inside, with `w` and `RegionId` per cell, parted and refined where that was asked for. Empty, with a warning, when
-    nothing is inside; and with `surface_only`, as the hull is."""
+    nothing is inside; and with `surface_only`, as the hull is. With `layers`, prisms and pyramids, too."""
     boundary: Union[TriangleSurface, Polylines]
     """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle. Of
     bodies behind that the interfaces between regions: see `RegionIds`."""
@@ -183,10 +184,12 @@ def tetrahedralize(
     `Tetrahedralization`. Raises `Error` with one line that names what is wrong.
     """
     options = Options.among(locals())
+    makes_layers = options.makes_layers()
     if output is not None:
         output = path_of("output", output)
         check_output(output, WRITABLE_GRIDS + WRITABLE_SURFACES)
         check_format(output)
+        check_holds_layers(output, makes_layers)
         if options.surface_only and ending(output) not in WRITABLE_SURFACES:
             raise Error(f"{output}: such a file has the solid's cells, and surface_only leaves these away")
         options = options.for_solver() if is_for_solver(output) else options
@@ -196,6 +199,8 @@ def tetrahedralize(
     algorithm.SetBodyArrayName(body_array or "")
     if options.is_planar(polygons):
         check_holds_triangles(output or "")
+        if makes_layers:
+            raise Error("the input lies in a plane, where layers are not made: prisms are in space")
         algorithm, more = _triangulator(options, polygons, body_array)
         warnings += more
     algorithm.SetInputData(polygons)
@@ -207,10 +212,14 @@ def tetrahedralize(
         solid = hull = _without_cells(solid)
     elif hull.GetNumberOfCells() == 0:
         raise Error("the filter gave no cells and no reason")
+    if makes_layers and solid.GetNumberOfCells() > 0:
+        solid, more = layered(solid, boundary, options, progress)
+        warnings += more
     for grid in (solid, hull):
         add_statistic("Scale", options.factor(), grid)
     statistics = statistics_of(solid)
-    cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (Tetrahedra, TriangleSurface)
+    of_space = LayeredCells if "Layers" in statistics else Tetrahedra
+    cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (of_space, TriangleSurface)
     if output is not None and boundary.GetNumberOfCells() > 0:
         warnings += write_result(as_type(cells, solid), as_type(faces, boundary), output)
     elif output is not None:

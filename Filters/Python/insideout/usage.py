@@ -9,7 +9,7 @@ from typing import Any, Sequence, get_args
 from .deck import MATERIALS
 from .files import READABLE_SOLIDS, READABLE_SURFACES, WRITABLE_SURFACES
 from .lengths import UNITS
-from .options import OPTIONS, REFINING_OPTIONS, flag_of, help_of
+from .options import LAYER_OPTIONS, OPTIONS, REFINING_OPTIONS, flag_of, help_of
 from .options import TOPICS as TOPICS_OF_OPTIONS
 from .places import QUERIES
 from .solid_files import WRITABLE_GRIDS, MshVersion
@@ -36,7 +36,7 @@ MESH_OPTIONS = (*_MESH_FILES, "together", *OPTIONS)
 DECK_OPTIONS = ("material", "fix", "pressure", "gravity")
 """What makes an .inp file a complete deck."""
 
-_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic_cells")
+_OF_TETRAHEDRA = ("hull", "plot", "msh_version", "surface_only", "quadratic_cells", *LAYER_OPTIONS)
 """What a repaired surface has no use for."""
 
 _OF_OUTPUT = ("output", "force", "dry_run")
@@ -118,7 +118,7 @@ TOPICS: dict[str, Sequence[str]] = {
     "bodies": ("together", *TOPICS_OF_OPTIONS["bodies"]),
     "segmentation": TOPICS_OF_OPTIONS["segmentation"],
     "topology": TOPICS_OF_OPTIONS["topology"],
-    "refinement": ("refine", *REFINING_OPTIONS, "sizes"),
+    "refinement": ("refine", *REFINING_OPTIONS, "sizes", *LAYER_OPTIONS),
     "analysis": DECK_OPTIONS,
     "points": ("distance",),
     "work": (*(name for name in TOPICS_OF_OPTIONS["work"] if name != "refine"), "timeout", "threads", "quiet"),
@@ -277,7 +277,7 @@ insideout query grid.vti broken.ply w.vti --distance
         "defects, winding numbers, tetrahedra",
         "Draw a picture, without a window, of a surface and what becomes of it, or of how good tetrahedra are.",
         (_SURFACE_OR_SOLID, ("PICTURE.png", "the defects, a slice of w, and the tetrahedra, as .html to turn and to cut; of a solid, a histogram of dihedral angles")),
-        ["defects", "marked", *(name for name in (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only"))],
+        ["defects", "marked", *(name for name in (*MESH_OPTIONS, *_UNITS, *OF_THE_RUN) if name not in (*_MESH_FILES, "surface_only", *LAYER_OPTIONS))],
         """\
 insideout draw broken.ply picture.png
     the surface's defects, a slice of w, and the tetrahedra inside

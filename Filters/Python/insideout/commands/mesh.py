@@ -19,15 +19,15 @@ from ..errors import ArgumentError
 from ..files import WRITABLE_SURFACES, are_lines, check_holds_lines, ending, input_ending, write_surface
 from ..hints import hints_for_printing
 from ..interruption import work_on
-from ..options import OPTIONS, flag_of
+from ..options import LAYER_OPTIONS, OPTIONS, flag_of
 from ..pipeline import Error
 from ..solid_files import WRITABLE_GRIDS, MshVersion, check_format, check_holds_triangles, is_for_solver, write_solid
-from ..stages import DRAWING, REFINE, TETRAHEDRALIZE, WRITING
+from ..stages import DRAWING, LAYERS, REFINE, TETRAHEDRALIZE, WRITING
 from ..summary import defects, seams, summary, tetrahedralizer
 from ..tetrahedralization import Region, Tetrahedralization, tetrahedralize
 from ..usage import CHECK_OPTIONS
 from ..verdict import verdict
-from ..vtkFiltersInsideOut import vtkRobustTetrahedralize, vtkRobustTriangulate
+from ..vtkFiltersInsideOut import vtkBoundaryLayers, vtkRobustTetrahedralize, vtkRobustTriangulate
 from .job import Job
 
 
@@ -52,8 +52,12 @@ class MeshJob(Job):
             self.settings = self.settings.for_solver()
         if self.settings.refines():
             self.stages = (*TETRAHEDRALIZE, *REFINE)
+        if self.settings.makes_layers():
+            self.stages = (*TETRAHEDRALIZE, *REFINE, *LAYERS)
+            self.settings.measured_on().set_on(vtkBoundaryLayers(), LAYER_OPTIONS)
         check_display(self.files.plot)
         parameters = {**self.parameters_of(tuple(OPTIONS), vtkRobustTetrahedralize()), "refine": self.settings.refines()}
+        parameters.update({name: getattr(self.settings, name) for name in LAYER_OPTIONS})
         return {**parameters, **({"deck": vars(self.deck)} if self.deck else {})}
 
     def endings(self) -> dict[str, tuple[str, ...]]:

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @file
+ * Makes boundary layers in a grid of tetrahedra and carries its data over.
+ */
+#pragma once
+
+#include "Common/Monitor.h"
+#include "Layers/BoundaryLayers.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace vtkInsideOut
+{
+/** A grid with layers, and what is to be said about it. */
+struct Layering
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  insideout::Statistics Statistics;
+  std::vector<std::string> Warnings;
+};
+
+/**
+ * What vtkBoundaryLayers describes.
+ *
+ * @param[in] boundary null: the faces of one cell, without tags
+ * @param[in] tags of the wall; empty: all of the boundary is
+ * @throws insideout::Error that names the culprit; Stopped
+ */
+Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
+  const std::vector<std::string>& tags, const insideout::LayerParameters& parameters,
+  insideout::Monitor& monitor);
+} // namespace vtkInsideOut
