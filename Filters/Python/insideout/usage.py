@@ -196,7 +196,7 @@ zcat broken.obj.gz | insideout mesh - solid.vtu --format obj
 """,
         first=(
             *("boundary", "report", "scale", "orientation", "merge_tolerance", "together", "gamma"),
-            *("non_manifold", "refine", "edge_length", "material", "timeout"),
+            *("non_manifold", "refine", "edge_length", "material"),
         ),
     ),
     "repair": Command(
