@@ -30,8 +30,8 @@ struct SolidMesh
   std::vector<Point> Points;
   std::vector<Tetrahedron> Cells; ///< their corners
 
-  /** Of boundary layers, corners in VTK's order: the base of a pyramid is counter-clockwise seen
-   * from its last corner, the first triangle of a prism seen from outside. */
+  /** Cells of boundary layers, corners in VTK's order: the base of a pyramid is counter-clockwise
+   * seen from its last corner, the first triangle of a prism seen from outside. */
   std::vector<std::array<Id, 5>> Pyramids;
   std::vector<std::array<Id, 6>> Prisms;
 

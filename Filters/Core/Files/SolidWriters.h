@@ -17,7 +17,7 @@ void WriteMedit(OutputFile& file, const SolidMesh& solid);
 /** The point as its 20 characters per number in .inp are read. */
 Point PointInInp(Point point);
 
-/** What a cell of a solid is. */
+/** The shapes of the cells of a solid. */
 enum class CellShape
 {
   Tetrahedron,
