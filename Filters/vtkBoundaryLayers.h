@@ -26,9 +26,8 @@
  * Pyramids, LayerTetrahedra; of the wall WallTriangles, WallPoints, ReducedPoints, whose layers are
  * lower than asked for, and BarePoints without any; FullHeightShare, the share of its area whose
  * three points have full height, MeanHeightShare, the mean of the heights' shares over it, and
- * SecondsLayers. The quality of cells is that of the tetrahedra
- * behind. A warning says where the share of
- * the wall with full height is below 1.
+ * SecondsLayers. The quality of cells is that of the tetrahedra behind. A warning gives the share
+ * of the wall with full height, unless it is 1.
  *
  * Errors, which name the culprit (an unknown tag, a cell that is no linear tetrahedron, a triangle
  * that is no face), leave the output empty.
