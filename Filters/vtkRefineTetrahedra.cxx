@@ -76,7 +76,7 @@ RefinementParameters vtkInsideOut::RefinementParametersOf(vtkRefineTetrahedra* f
 bool vtkInsideOut::FollowsLengths(vtkRefineTetrahedra* filter)
 {
   return filter->GetSurfaceTreatment() == vtkRefineTetrahedra::AUTOMATIC &&
-    (filter->GetEdgeLength() > 0 || *filter->GetSizingArrayName() != '\0');
+    filter->GetEdgeLength() > 0;
 }
 
 int vtkRefineTetrahedra::FillInputPortInformation(int port, vtkInformation* info)
@@ -156,6 +156,10 @@ int vtkRefineTetrahedra::RequestData(vtkInformation* vtkNotUsed(request),
       const vtkSmartPointer<vtkDataSet> background =
         vtkInsideOut::JoinDataSets(given, this->SizingArrayName);
       AddLengths(input, background, this->SizingArrayName, parameters.Sizes);
+      if (this->SurfaceTreatment == AUTOMATIC && !this->SizingArrayName.empty())
+      {
+        parameters.Surface = SurfaceTreatment::Remeshed;
+      }
       const vtkInsideOut::Refinement refinement =
         vtkInsideOut::RefineGrid(input, nullptr, parameters, this->QuadraticCells, monitor);
       output->ShallowCopy(refinement.Grid);

@@ -62,7 +62,7 @@ def is_held(points: np.ndarray) -> np.ndarray:
 
 def deformed(folder: Path, quadratic: bool):
     """The figure's solid with the displacements under gravity, and its volume."""
-    result = insideout.tetrahedralize(folder / "figure.obj", edge_length=EDGE_LENGTH, quadratic_cells=quadratic)
+    result = insideout.tetrahedralize(folder / "figure.obj", edge_length=EDGE_LENGTH, surface_treatment="kept", quadratic_cells=quadratic)
     insideout.write(result, folder / "solid.inp")
     held = np.flatnonzero(is_held(result.solid.points)) + 1
     solve(JOB.format(held=",\n".join(map(str, held)), stiffness=STIFFNESS), folder)

@@ -121,7 +121,7 @@ def main(picture: Path, folder: Path) -> None:
     write_figure(folder / "figure.obj")
     checked = insideout.check(folder / "figure.obj")
     surface = checked.surface
-    result = insideout.tetrahedralize(folder / "figure.obj", edge_length=EDGE_LENGTH)
+    result = insideout.tetrahedralize(folder / "figure.obj", edge_length=EDGE_LENGTH, surface_treatment="kept")
     weights = weights_of(result.solid.points, result.solid.cells, SKELETON)
 
     vertices = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)

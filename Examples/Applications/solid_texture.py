@@ -78,7 +78,7 @@ def main(picture: Path, surface: Path, up: int) -> None:
     raw = checked.surface
     bounds = np.array(raw.GetBounds()).reshape(3, 2)
     size = np.ptp(bounds, axis=1)
-    result = insideout.tetrahedralize(surface, edge_length=size.max() / CELLS_ACROSS)
+    result = insideout.tetrahedralize(surface, edge_length=size.max() / CELLS_ACROSS, surface_treatment="kept")
     solid = result.solid
     boundary = same_places(solid.points, result.boundary.points)
     depth = depth_in(solid.points, solid.cells, boundary)

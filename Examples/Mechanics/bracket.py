@@ -93,7 +93,7 @@ def draw(surface: Path, solved, picture: Path) -> None:
 def main(folder: Path, edge: float) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     write_obj(bracket(edge), folder / "bracket.obj")
-    result = insideout.tetrahedralize(folder / "bracket.obj", edge_length=edge, quadratic_cells=True)
+    result = insideout.tetrahedralize(folder / "bracket.obj", edge_length=edge, surface_treatment="kept", quadratic_cells=True)
     insideout.write(result, folder / "bracket.inp")
     write_obj(bracket(edge, is_closed=True), folder / "closed.obj")
     closed = insideout.tetrahedralize(folder / "closed.obj").statistics["Volume"]

@@ -59,9 +59,8 @@ insideout::SegmentMeshParameters SegmentParametersOf(vtkGraphCutSegmentation* fi
 insideout::RefinementParameters RefinementParametersOf(vtkRefineTetrahedra* filter);
 ///@}
 
-/** Whether the surface is to be remeshed since lengths are asked for: SurfaceTreatment is
- * automatic.
- */
+/** Whether SurfaceTreatment is automatic and EdgeLength is given, so that a surface in space is
+ * remeshed. */
 bool FollowsLengths(vtkRefineTetrahedra* filter);
 
 /** Give a filter another stage, whose options it goes by from now on; null is no stage. */

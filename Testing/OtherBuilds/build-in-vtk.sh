@@ -13,7 +13,7 @@ mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 
 # VTK's sources and this tree, as links. VTK does not follow them on its search for modules, but looks into folders.
-tree=$folder/source
+tree=$folder/linked-sources
 rm -rf "$tree"
 mkdir -p "$tree/Remote/FiltersInsideOut"
 for entry in "$vtk"/*; do

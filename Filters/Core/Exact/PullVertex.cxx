@@ -45,6 +45,7 @@ bool VertexPuller::AddCrossed(Id apex, Id other)
     }
     this->Crossed.insert(this->Crossed.end(), this->Ring.Cells.begin(), this->Ring.Cells.end());
   }
+  this->Mesh.Work().Spend(static_cast<std::int64_t>(this->Crossed.size()));
   if (crossing.Kind != Crossing::AtEnd)
   {
     return false;
@@ -224,12 +225,13 @@ bool VertexPuller::Pull(Id apex, const std::vector<Id>& others)
   {
     this->AddCrossed(apex, other);
   }
-  if (this->Cavity.empty() || !this->Grow(apex))
+  const bool isCone = !this->Cavity.empty() && this->Grow(apex);
+  this->Mesh.Work().Spend(static_cast<std::int64_t>(this->Cavity.size()));
+  if (!isCone)
   {
     return false;
   }
   this->MakeCone(apex);
-  this->Mesh.Work().Spend(static_cast<std::int64_t>(this->Cavity.size()));
   if (this->Fresh.size() > this->Cavity.size() + others.size() / 2 || !this->KeepsConstraints(apex))
   {
     return false;

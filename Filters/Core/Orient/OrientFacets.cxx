@@ -293,8 +293,8 @@ std::vector<std::string> WarningsAbout(const FacetTurns& turns)
   {
     warnings.push_back(std::to_string(turns.DoubtfulCopies) +
       (turns.DoubtfulCopies == 1 ? " facet" : " facets") +
-      " given again may count too little, for facets disagree: if closed surfaces share facets, "
-      "give each surface as a body");
+      " given again may count too little, for facets disagree or leave edges open: if closed "
+      "surfaces share facets, give each surface as a body");
   }
   return warnings;
 }

@@ -47,8 +47,9 @@ struct FacetTurns
   Id DisagreeingFacets = 0; ///< that were given against their shells
   Id UndecidedShells = 0;   ///< that might as well face the other way
 
-  /** Facets given again whose copies do not count, cancel or face both ways, where facets disagree:
-   * closed surfaces that share them, some of whose facets are reversed, mean more. */
+  /** Facets given again whose copies do not count, cancel or face both ways, where facets disagree
+   * or, where none do, beside open edges. Closed surfaces that share them mean more, if some of
+   * their facets are reversed. */
   Id DoubtfulCopies = 0;
 
   double TurnedShare = 0;   ///< of the surface's area

@@ -122,12 +122,14 @@ public:
   /** Put points amid edges within the solid that are far too long, where lengths are asked for. */
   void CutLongEdges()
   {
-    for (Id cell = 0; this->Sizes.IsAskedFor() && cell < this->Mesh.NumberOfCells(); ++cell)
+    const Id count = this->Sizes.IsAskedFor() ? this->Mesh.NumberOfCells() : 0;
+    for (Id cell = 0; cell < count; ++cell)
     {
       const Tetrahedron corners = this->Mesh.Cell(cell).Corners;
+      const Id version = this->Mesh.Cell(cell).Version;
       for (const auto& [i, j] : TetrahedronEdges)
       {
-        if (!this->Mesh.IsDead(cell))
+        if (!this->Mesh.IsDead(cell) && this->Mesh.Cell(cell).Version == version)
         {
           this->CutIfLong(cell, corners[i], corners[j]);
         }
@@ -149,7 +151,7 @@ private:
     const double before = std::max(0.0, this->Insert.WorstShapeBefore());
     if (this->Insert.OptimizePlace() > std::min(before, this->GoodAmidLongEdge))
     {
-      this->Sizes.Append(cell, middle);
+      this->Sizes.Append(this->Insert.Holder(), middle);
       this->Insert.Insert(size);
     }
   }

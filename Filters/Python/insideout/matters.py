@@ -48,7 +48,11 @@ class Asked:
     def treatment(self) -> str:
         """What becomes of the triangles of the surface."""
         given = getattr(self.options, "surface_treatment", "automatic")
-        return ("remeshed" if self.has("edge_length", "sizes") else "kept") if given == "automatic" else given
+        if given != "automatic":
+            return given
+        is_parted = getattr(self.options, "non_manifold", None) == "split"
+        is_kept = is_parted or self.has("separate_overlaps", "merge_coplanar_pieces", "split_seams")
+        return "remeshed" if self.has("edge_length", "sizes") and not is_kept else "kept"
 
     def keeps_boundary(self) -> bool:
         """Whether nothing but a boundary is written that is as it was before the refinement."""
