@@ -224,20 +224,29 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
         << maximumVolume << ": faces that stay as they are may allow no smaller ones";
   return words.str();
 }
-/** Of a solid that is no longer quite the same. */
-void MeasureMasses(const RefinedMesh& refined, vtkUnstructuredGrid* grid, Refinement& result)
+/**
+ * Of a solid that is no longer quite the same.
+ *
+ * @param[in] ownRegions whether RegionId is this library's, from 0, so that each region is measured
+ */
+void MeasureMasses(
+  const RefinedMesh& refined, vtkUnstructuredGrid* grid, bool ownRegions, Refinement& result)
 {
   vtkDataArray* regions = grid->GetCellData()->GetArray("RegionId");
   TetrahedralMesh mesh;
   mesh.Points = refined.Points;
   mesh.Cells = refined.Cells;
   SolidRegions after;
-  for (const Id cell : refined.OriginalCells)
+  for (std::size_t i = 0; ownRegions && i < refined.OriginalCells.size(); ++i)
   {
+    const Id cell = refined.OriginalCells[i];
     after.OfCell.push_back(regions ? static_cast<Id>(regions->GetComponent(cell, 0)) : 0);
     after.Count = std::max(after.Count, after.OfCell.back() + 1);
   }
-  result.Masses = MeasureRegions(mesh, after);
+  if (ownRegions)
+  {
+    result.Masses = MeasureRegions(mesh, after);
+  }
   result.Mass = MeasureMass(mesh, std::vector<unsigned char>(mesh.Cells.size(), 1));
 }
 
@@ -374,7 +383,7 @@ Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
 
   if (parameters.Surface == SurfaceTreatment::Remeshed)
   {
-    MeasureMasses(refined, grid, result);
+    MeasureMasses(refined, grid, boundary != nullptr, result);
   }
   result.Statistics = refined.Statistics;
   const ProgressRange end = { Stages::Refining, 1, 1 };
