@@ -50,7 +50,10 @@ void CheckIds(Id points, const std::vector<std::array<Id, Size>>& cells)
   }
 }
 
-using FacesByCorners = std::unordered_map<Triangle, CellFace, HashOfTriangle>;
+/** The two faces on a triangle by SortedTriangle::Turned. Cell is None where there is none. */
+using FacesByCorners = std::unordered_map<Triangle, std::array<CellFace, 2>, HashOfTriangle>;
+
+constexpr std::array<CellFace, 2> NoFaces = { { { None, 0 }, { None, 0 } } };
 
 /** The triangles of pyramids and prisms. @param[in] names of their points in the table */
 FacesByCorners FacesOfLayers(const SolidMesh& solid, const std::vector<Id>& names)
@@ -65,7 +68,9 @@ FacesByCorners FacesOfLayers(const SolidMesh& solid, const std::vector<Id>& name
       {
         corner = names[corner];
       }
-      faces.emplace(SortedTriangle(corners).Points, CellFace{ cell, k });
+      const SortedTriangle sorted(corners);
+      CellFace& face = faces.emplace(sorted.Points, NoFaces).first->second[sorted.Turned ? 1 : 0];
+      face = face.Cell == None ? CellFace{ cell, k } : face;
     }
   };
   const std::size_t pyramids = solid.Cells.size() + solid.Pyramids.size();
@@ -141,6 +146,26 @@ const FaceEntry& EntryBehind(
   return *std::min_element(entries.begin(), entries.end(),
     [&](const FaceEntry& a, const FaceEntry& b) { return rank(a) < rank(b); });
 }
+
+/** The face of the cell that a triangle faces away from, of a tetrahedron before one of layers. If
+ * there is none such, that of a cell on its other side; Cell is None without one. */
+CellFace FaceBehind(const FaceTable::Range& entries, const std::array<CellFace, 2>& ofLayers,
+  bool turned, const OuterSides& isOuter)
+{
+  CellFace best = { None, 0 };
+  if (entries.Size() > 0)
+  {
+    const FaceEntry& entry = EntryBehind(entries, turned, isOuter);
+    best = { entry.Cell, entry.Face };
+    if (entry.Turned == turned)
+    {
+      return best;
+    }
+  }
+  const CellFace& same = ofLayers[turned ? 1 : 0];
+  const CellFace& other = ofLayers[turned ? 0 : 1];
+  return same.Cell != None ? same : best.Cell != None ? best : other;
+}
 } // namespace
 
 Triangle TriangleOfLayer(const SolidMesh& solid, const CellFace& face)
@@ -160,7 +185,7 @@ void CheckCells(const SolidMesh& solid)
 {
   if (solid.NumberOfCells() == 0)
   {
-    throw Error(ErrorCode::InvalidParameter, "there are no cells to write");
+    throw Error(ErrorCode::InvalidParameter, "the grid has no cells");
   }
   const auto bad = std::find_if_not(solid.Points.begin(), solid.Points.end(), IsFinite);
   if (bad != solid.Points.end())
@@ -233,17 +258,12 @@ std::vector<CellFace> FacesOfTriangles(
     const SortedTriangle sorted(renamed[t]);
     const FaceTable::Range entries = table.Find(sorted);
     const auto ofLayer = ofLayers.find(sorted.Points);
-    if (entries.Size() == 0 && ofLayer != ofLayers.end())
-    {
-      faces.push_back(ofLayer->second);
-      continue;
-    }
-    if (entries.Size() == 0)
+    faces.push_back(FaceBehind(
+      entries, ofLayer == ofLayers.end() ? NoFaces : ofLayer->second, sorted.Turned, isOuter));
+    if (faces.back().Cell == None)
     {
       Refuse(ErrorCode::InvalidParameter, t, "is no face of the solid's cells");
     }
-    const FaceEntry& entry = EntryBehind(entries, sorted.Turned, isOuter);
-    faces.push_back({ entry.Cell, entry.Face });
   }
   return faces;
 }

@@ -206,8 +206,8 @@ TEST(vtkSolidWriter, TakesAGroupOfSolidAndBoundary)
 
 TEST(vtkSolidWriter, NamesWhatItCannotWrite)
 {
-  ExpectError("there are no cells to write",
-    [](vtkUnstructuredGrid* solid, vtkPolyData*) { solid->Reset(); });
+  ExpectError(
+    "the grid has no cells", [](vtkUnstructuredGrid* solid, vtkPolyData*) { solid->Reset(); });
   ExpectError("cell 2 is of VTK's type 5; a solid has tetrahedra",
     [](vtkUnstructuredGrid* solid, vtkPolyData*)
     {

@@ -87,6 +87,39 @@ TEST(SolidFaces, OfCellsThatShareNoPointsAreFoundToo)
   EXPECT_EQ(OuterFaces(solid).size(), 8u);
 }
 
+TEST(SolidFaces, OfLayersAreOfTheCellThatTheTriangleFacesAwayFrom)
+{
+  // Two prisms with points of their own, one above the other, and a tetrahedron below them.
+  SolidMesh solid;
+  for (const double z : { 0, 1, 1, 2 })
+  {
+    solid.Points.insert(solid.Points.end(), { { 0, 0, z }, { 0, 1, z }, { 1, 0, z } });
+  }
+  solid.Points.push_back({ 0, 0, -1 });
+  solid.Cells = { { 0, 1, 2, 12 } };
+  solid.Prisms = { { { 0, 1, 2, 3, 4, 5 } }, { { 6, 7, 8, 9, 10, 11 } } };
+  std::vector<Triangle> triangles;
+  Faces faces;
+  for (const int cell : { 2, 1 })
+  {
+    for (const int face : { 0, 1 })
+    {
+      triangles.push_back(TriangleOfLayer(solid, { cell, face }));
+      faces.push_back({ { cell, face } });
+    }
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    triangles.push_back(FaceOf(solid.Cells[0], k));
+    faces.push_back({ { 0, k } });
+  }
+  EXPECT_EQ(Pairs(FacesOfTriangles(solid, solid.Points, triangles)), faces);
+  // A triangle that faces into the only cell on it is of that cell.
+  const Triangle& top = triangles[1];
+  EXPECT_EQ(Pairs(FacesOfTriangles(solid, solid.Points, { { { top[1], top[0], top[2] } } })),
+    (Faces{ { 2, 1 } }));
+}
+
 TEST(SolidFaces, ThatAreNoneAreNamed)
 {
   const SolidMesh solid = TwoCells();
@@ -122,5 +155,5 @@ TEST(SolidFaces, OfCellsThatAreNoneAreNot)
   ExpectError(ErrorCode::PointNotFinite, "point 3 has a coordinate that is infinite or no number",
     [&]() { FacesOfTriangles(solid, solid.Points, {}); });
   ExpectError(
-    ErrorCode::InvalidParameter, "there are no cells to write", [&]() { OuterFaces(SolidMesh()); });
+    ErrorCode::InvalidParameter, "the grid has no cells", [&]() { OuterFaces(SolidMesh()); });
 }
