@@ -2,6 +2,7 @@
 #include "Out/MakeLayers.h"
 
 #include "Common/Error.h"
+#include "Common/SortUniquely.h"
 #include "Common/Stages.h"
 #include "Data/Arrays.h"
 #include "Data/Attributes.h"
@@ -22,6 +23,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -57,7 +59,8 @@ std::vector<bool> WallTags(const SolidMesh& solid, const std::vector<std::string
   return isWall;
 }
 
-/** The faces of the wall in a mesh whose cells may be turned, and how many are between regions. */
+/** The faces of the wall in a mesh whose cells may be turned, each once, and how many triangles are
+ * between regions. */
 std::vector<Id> WallFaces(const SolidMesh& solid, const TetrahedralMesh& mesh,
   const std::vector<bool>& isWall, std::size_t& between)
 {
@@ -81,6 +84,7 @@ std::vector<Id> WallFaces(const SolidMesh& solid, const TetrahedralMesh& mesh,
       ++between;
     }
   }
+  SortUniquely(faces);
   return faces;
 }
 
@@ -120,7 +124,7 @@ std::string WordsOfHeights(const Statistics& statistics)
     return found->second;
   };
   const double share = valueOf("FullHeightShare");
-  words << std::setprecision(3) << 100 * share << " % of the wall have layers of full height; "
+  words << std::floor(1000 * share) / 10 << " % of the wall have layers of full height; "
         << std::setprecision(9) << valueOf("ReducedPoints") << " of its " << valueOf("WallPoints")
         << " points have lower ones, and " << valueOf("BarePoints") << " have none";
   return share < 1 ? words.str() : std::string();
@@ -140,6 +144,16 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   {
     throw Error(ErrorCode::InvalidParameter,
       "FirstHeight is 0; layers need the height of the first one, above 0");
+  }
+  if (grid->GetNumberOfCells() == 0)
+  {
+    throw Error(ErrorCode::InvalidParameter, "the grid has no cells");
+  }
+  if (boundary && boundary->GetNumberOfCells() == 0)
+  {
+    throw Error(ErrorCode::InvalidParameter,
+      "the boundary, which is the second input, has no triangles; without it layers are made at "
+      "all faces of one cell");
   }
   const SolidMesh solid = ReadSolid(grid, boundary);
   if (!solid.Midpoints.empty())
@@ -179,8 +193,7 @@ Layering MakeLayers(vtkUnstructuredGrid* grid, vtkPolyData* boundary,
   const std::vector<Tetrahedron> behind(made.Tetrahedra.begin(),
     made.Tetrahedra.begin() + static_cast<std::ptrdiff_t>(made.NumberOfCellsBehind));
   AppendQuality(QualityOfMesh(made.Points, behind, monitor, end), result.Statistics);
-  AppendFitness(
-    FitnessForSolver(made.Points, made.Tetrahedra, {}, {}, monitor, end), result.Statistics);
+  AppendFitness(FitnessForSolver(made.Points, behind, {}, {}, monitor, end), result.Statistics);
   if (const std::string words = WordsOfHeights(made.Statistics); !words.empty())
   {
     result.Warnings.push_back(words);

@@ -27,7 +27,7 @@ struct Layering
 };
 
 /**
- * What vtkBoundaryLayers describes.
+ * Make the output that vtkBoundaryLayers describes.
  *
  * @param[in] boundary null: the faces of one cell, without tags
  * @param[in] tags of the wall; empty: all of the boundary is

@@ -26,7 +26,7 @@ namespace
 /** Later rounds move few points. */
 constexpr int MostRounds = 12;
 
-/** A point whose layers are so near to full height has it. */
+/** Shares from here on count as full height. */
 constexpr double FullShare = 0.999;
 
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
@@ -37,8 +37,33 @@ constexpr int LargestOrdinaryExponent = 60;
   throw Error(ErrorCode::InvalidParameter, what);
 }
 
-void CheckParameters(
-  const TetrahedralMesh& mesh, const std::vector<Id>& wall, const LayerParameters& parameters)
+/** Refuse faces of a wall that are not there, are between cells, or are there twice. */
+void CheckWall(const TetrahedralMesh& mesh, const std::vector<Id>& wall)
+{
+  std::vector<char> isOfWall(4 * mesh.Cells.size(), 0);
+  for (const Id face : wall)
+  {
+    if (face < 0 || static_cast<std::size_t>(face) >= isOfWall.size())
+    {
+      Refuse("face " + std::to_string(face) + " of the wall is none of the " +
+        std::to_string(isOfWall.size()) + " faces of the cells");
+    }
+    const std::string name =
+      "face " + std::to_string(face % 4) + " of cell " + std::to_string(face / 4);
+    if (mesh.Neighbors[face / 4][face % 4] != None)
+    {
+      Refuse(name + " is between two cells; layers are made at the boundary");
+    }
+    if (isOfWall[face] != 0)
+    {
+      Refuse(name + " is twice in the wall");
+    }
+    isOfWall[face] = 1;
+  }
+}
+
+void CheckParameters(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
+  const std::vector<Id>& wall, const LayerParameters& parameters)
 {
   if (parameters.Layers < 1)
   {
@@ -53,15 +78,31 @@ void CheckParameters(
   {
     Refuse("the growth of layers has to be positive");
   }
-  for (const Id face : wall)
+  if (!regions.empty() && regions.size() != mesh.Cells.size())
   {
-    if (mesh.Neighbors[face / 4][face % 4] != None)
-    {
-      Refuse("face " + std::to_string(face % 4) + " of cell " + std::to_string(face / 4) +
-        " is between two cells; layers are made at the boundary");
-    }
+    Refuse("there are " + std::to_string(regions.size()) + " regions of " +
+      std::to_string(mesh.Cells.size()) + " cells");
   }
+  CheckWall(mesh, wall);
   CheckCells(mesh);
+}
+
+/** Refuse more points or cells than ids count, with room for those of their faces. */
+void CheckSize(const TetrahedralMesh& mesh, const LayerWall& wall, int layers)
+{
+  constexpr double most = std::numeric_limits<Id>::max() / 16.0;
+  const auto check = [&](std::size_t given, std::size_t perLayer, const char* what)
+  {
+    const double all = static_cast<double>(given) + static_cast<double>(perLayer) * layers;
+    if (all > most)
+    {
+      throw Error(ErrorCode::TooLarge,
+        std::to_string(layers) + " layers make " + std::to_string(std::llround(all)) + what +
+          ", more than " + std::to_string(std::llround(most)));
+    }
+  };
+  check(mesh.Points.size(), wall.Points.size(), " points");
+  check(mesh.Cells.size(), wall.Triangles.size(), " cells");
 }
 
 double HeightOfAll(const LayerParameters& parameters)
@@ -161,7 +202,7 @@ private:
     {
       if (mesh.CellAt(p) != None)
       {
-        const bool isOfWall = p<given&& this->Solid.Pushed.Length(p)> 0;
+        const bool isOfWall = (p < given) && (this->Solid.Pushed.Length(p) > 0);
         const Point& place = isOfWall ? this->Solid.Pushed.Outer(p) : mesh.Points[p];
         this->Outer[p] = static_cast<Id>(this->Result.Points.size());
         this->AddPoint(place, p < given && place == this->Solid.Input.Points[p] ? p : None,
@@ -366,6 +407,7 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
     triangles.push_back(FaceOf(mesh.Cells[face / 4], face % 4));
   }
   const LayerWall wall(mesh.Points.size(), std::move(triangles));
+  CheckSize(mesh, wall, parameters.Layers);
   const std::vector<WallDirection> directions = FindWallDirections(mesh.Points, wall);
   const double height = HeightOfAll(parameters);
   const std::vector<double> lengths =
@@ -399,7 +441,7 @@ LayeredMesh MakeNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id>&
 LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<Id>& wall, const LayerParameters& parameters, Monitor& monitor)
 {
-  CheckParameters(mesh, wall, parameters);
+  CheckParameters(mesh, regions, wall, parameters);
   const int exponent = LargestExponent(mesh.Points);
   if (std::abs(exponent) <= LargestOrdinaryExponent)
   {

@@ -57,9 +57,9 @@ struct LayeredMesh
  *
  * @param[in] mesh of any solid, as good and as large cells as those behind the layers are to be
  * @param[in] regions one per cell; empty: all are one
- * @param[in] wall faces without a second cell, 4 * cell + face
- * @throws Error InvalidParameter, for parameters out of range and a face with a second cell;
- *   TooLarge; Stopped
+ * @param[in] wall faces without a second cell, 4 * cell + face, each once
+ * @throws Error InvalidParameter, for parameters out of range, another number of regions, and a
+ *   face that is none, has a second cell or is there twice; TooLarge; Stopped
  */
 LayeredMesh MakeBoundaryLayers(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<Id>& wall, const LayerParameters& parameters, Monitor& monitor);

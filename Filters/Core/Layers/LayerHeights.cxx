@@ -13,10 +13,10 @@ namespace insideout
 {
 namespace
 {
-/** Of the way to what is ahead: layers of both sides take two thirds, and leave one to cells. */
+/** Share of the way to the facet ahead: layers of both sides take two thirds. */
 constexpr double ShareOfGap = 1.0 / 3;
 
-/** Of an edge of the wall, what is left of it behind the layers. */
+/** Least share of a wall edge behind the layers. */
 constexpr double LeastShareOfEdge = 0.25;
 
 /** In a corner of 60 degrees layers end twice their height from the point; sharper ones get less.
@@ -26,7 +26,7 @@ constexpr double MostTimesHeight = 2;
 /** A way through cells is a few; one among flat cells may turn in a circle by rounding. */
 constexpr int MostSteps = 2000;
 
-/** Of the cells around a point the one that its direction leads into, None if rounding hides it. */
+/** The cell around a point that its direction leads into; None if rounding hides it. */
 Id CellAhead(
   const RefinableMesh& mesh, Id point, const std::vector<Id>& star, const Point& direction)
 {

@@ -19,7 +19,7 @@ namespace
 constexpr double LeastAngle = 8;
 constexpr double LeastShare = 0.5;
 
-/** A move that cannot be is tried again by half, so often. */
+/** Halvings of a move that is not possible. */
 constexpr int MostHalvings = 4;
 } // namespace
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -213,11 +214,12 @@ TetrahedralMesh Cube()
   return ConnectCells(refined.Points, refined.Cells);
 }
 
-std::string MessageOf(const TetrahedralMesh& mesh, const LayerParameters& parameters)
+std::string MessageOf(const TetrahedralMesh& mesh, const LayerParameters& parameters,
+  const std::vector<Id>& regions = {}, const std::vector<Id>& wall = {})
 {
   try
   {
-    Layered(mesh, parameters);
+    Layered(mesh, parameters, regions, wall);
   }
   catch (const Error& error)
   {
@@ -348,7 +350,10 @@ TEST(BoundaryLayers, AreTheSameOnAnyNumberOfThreadsAndAtAnySize)
   const LayeredMesh four = Layered(cube, { 3, 20, 1.2 });
   EXPECT_EQ(one.Points, four.Points);
   EXPECT_EQ(one.Tetrahedra, four.Tetrahedra);
+  EXPECT_EQ(one.Pyramids, four.Pyramids);
   EXPECT_EQ(one.Prisms, four.Prisms);
+  EXPECT_EQ(one.OriginalCells, four.OriginalCells);
+  EXPECT_EQ(one.CellsOfPoints, four.CellsOfPoints);
   for (const int exponent : { -600, 600 })
   {
     TetrahedralMesh scaled = cube;
@@ -366,13 +371,23 @@ TEST(BoundaryLayers, NameWhatIsWrong)
   EXPECT_NE(MessageOf(grid, { 1, 0, 1 }).find("height"), std::string::npos);
   EXPECT_NE(MessageOf(grid, { 1, std::nan(""), 1 }).find("height"), std::string::npos);
   EXPECT_NE(MessageOf(grid, { 1, 1, -1 }).find("growth"), std::string::npos);
-  Monitor monitor;
   Id inner = 0;
   while (grid.Neighbors[inner / 4][inner % 4] == None)
   {
     ++inner;
   }
-  EXPECT_THROW(MakeBoundaryLayers(grid, {}, { inner }, { 1, 1, 1 }, monitor), Error);
+  const auto messageOf = [&](const std::vector<Id>& regions, const std::vector<Id>& wall) {
+    return MessageOf(grid, { 1, 1, 1 }, regions, wall);
+  };
+  EXPECT_NE(messageOf({}, { inner }).find("between two cells"), std::string::npos);
+  EXPECT_NE(messageOf({}, { -1 }).find("face -1 of the wall"), std::string::npos);
+  const Id behind = 4 * grid.NumberOfCells();
+  EXPECT_NE(messageOf({}, { behind }).find("of the wall is none"), std::string::npos);
+  const Id outer = Boundary(grid).front();
+  EXPECT_NE(messageOf({}, { outer, outer }).find("twice"), std::string::npos);
+  EXPECT_NE(messageOf({ 0 }, { outer }).find("1 regions"), std::string::npos);
+  const LayerParameters many = { std::numeric_limits<int>::max(), 1, 1 };
+  EXPECT_NE(MessageOf(grid, many).find("layers make"), std::string::npos);
 }
 
 TEST(LayerColumns, TellPrismsThatAreTurnedOver)
@@ -386,8 +401,10 @@ TEST(LayerColumns, TellPrismsThatAreTurnedOver)
   EXPECT_FALSE(IsPositive(points, prism));
   points[5] = { { -1, 0, 1 } }; // its triangle is turned over, its edges go inward
   EXPECT_FALSE(IsPositive(points, prism));
-  EXPECT_TRUE(IsPositive(points, Pyramid{ { 1, 2, 5, 4, 0 } }) ==
-    IsPositive(points, Pyramid{ { 2, 5, 4, 1, 0 } }));
+  points[5] = { { 1, 0, 1 } };
+  EXPECT_TRUE(IsPositive(points, Pyramid{ { 1, 2, 5, 4, 0 } }));
+  EXPECT_TRUE(IsPositive(points, Pyramid{ { 2, 5, 4, 1, 0 } }));
+  EXPECT_FALSE(IsPositive(points, Pyramid{ { 1, 4, 5, 2, 0 } }));
 }
 
 TEST(LayerColumns, GrowByTheirFactor)
