@@ -53,8 +53,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Number of layers of prisms at the wall. Default 3. Range 1 to infinity. */
-  vtkInsideOutSetRangeMacro(Layers, int, 1, VTK_INT_MAX);
+  /** Number of layers of prisms at the wall. Default 3. Range 1 to 1000. */
+  vtkInsideOutSetRangeMacro(Layers, int, 1, 1000);
   vtkGetMacro(Layers, int);
   ///@}
 

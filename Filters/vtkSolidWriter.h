@@ -18,8 +18,8 @@
  * - .msh has a physical group for each region and tag, with its name. Their numbers are RegionId
  *   and BoundaryTag plus 1; of what is outside, the one behind the last.
  * - .inp has elements C3D4 or C3D10, and C3D6 for prisms, and for pyramids with a corner twice.
- * Each region has an element set and a node set, each tag a node set and a surface by element face;
- *   Eall and Nall are the sets of all.
+ *   Each region has an element set and a node set, each tag a node set and a surface by element
+ * face; Eall and Nall are the sets of all.
  * - .mesh has the same numbers as references; names are in comments. For quadratic cells it has the
  *   sections TrianglesP2 and TetrahedraP2, which not every program reads.
  *

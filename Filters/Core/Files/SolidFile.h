@@ -69,7 +69,7 @@ enum class MshVersion
  *   because more programs read it so than binary, and decimals keep every bit as well.
  * - `.inp`: the format of Abaqus and CalculiX: element and node sets of regions, node sets and
  *   surfaces by element face of tags, and sets of all, `Eall` and `Nall`. Prisms are C3D6, and so
- * are pyramids, for which CalculiX has no element: they have their last corner twice.
+ *   are pyramids, for which CalculiX has no element: they have their last corner twice.
  * - `.mesh`: Medit's format, ascii, in which regions and tags are numbers; comments name them.
  *
  * Point p has number p + 1 in all of them. Names that a format does not take are changed, as little

@@ -151,23 +151,25 @@ void WriteSet(OutputFile& file, const std::string& name, std::vector<Id> points)
 /** The cells and points of each region as sets, and all cells as another. */
 void WriteRegions(OutputFile& file, const SolidMesh& solid, const std::vector<std::string>& names)
 {
+  const auto isOfLayer = [&](Id cell)
+  { return ShapeOfCell(solid, static_cast<std::size_t>(cell)) != CellShape::Tetrahedron; };
   const auto typeOf = [&](Id cell)
   {
-    return static_cast<std::size_t>(cell) >= solid.Cells.size() ? "C3D6"
+    return isOfLayer(cell) ? "C3D6"
       : IsQuadratic(solid) ? "C3D10" // midpoints in VTK's order
                            : "C3D4";
   };
   const Buckets<Id> cells = ByGroup(names.size(), solid.RegionOfCell);
   for (std::size_t r = 0; r < names.size(); ++r)
   {
-    const char* last = nullptr;
+    Id last = None;
     for (const Id cell : cells[r])
     {
-      if (typeOf(cell) != last)
+      if (last == None || isOfLayer(cell) != isOfLayer(last))
       {
-        last = typeOf(cell);
-        file.Text(std::string("*ELEMENT, TYPE=") + last + ", ELSET=" + names[r] + "\n");
+        file.Text(std::string("*ELEMENT, TYPE=") + typeOf(cell) + ", ELSET=" + names[r] + "\n");
       }
+      last = cell;
       file.Decimal(std::int64_t(cell) + 1);
       for (const Id point : InpNodesOf(solid, static_cast<std::size_t>(cell)))
       {
