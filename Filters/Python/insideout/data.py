@@ -25,7 +25,7 @@ from .exporting import mesh_of, open3d_of, pyvista_of, stl_of, trimesh_of
 from .measures import area, enclosed_volume, faces_of_one_cell, is_closed, joined_where_equal, labels_of_parts, volume_of_cells
 from .parts import part_of, points_as
 from .pipeline import Error, strings_of
-from .serializing import make_cells, packed, unpacked
+from .serializing import make_cells, packed, types_of_cells, unpacked
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPointSet as _PointSet
@@ -185,7 +185,7 @@ class LayeredCells(_Views, vtkUnstructuredGrid):
     @property
     def cells(self) -> dict[str, NDArray[np.int64]]:
         """The points of the cells of each type, in VTK's order: "tetra", "pyramid" and "wedge", as meshio calls them."""
-        types = vtk_to_numpy(self.GetCellTypesArray())
+        types = types_of_cells(self)
         nodes = vtk_to_numpy(self.GetCells().GetConnectivityArray())
         begins = vtk_to_numpy(self.GetCells().GetOffsetsArray())
         found = {name: begins[:-1][types == kind] for name, (kind, _) in _LAYERED_TYPES.items()}
@@ -268,6 +268,11 @@ def _split(data: Any, cells: NDArray[np.int64], labels: NDArray[np.int64]) -> li
 def is_flat(grid: vtkUnstructuredGrid) -> bool:
     """Whether its cells are triangles."""
     return bool(grid.GetNumberOfCells() > 0 and grid.GetCellType(0) == VTK_TRIANGLE)
+
+
+def has_layers(grid: vtkUnstructuredGrid) -> bool:
+    """Whether some of its cells are pyramids or prisms."""
+    return bool(grid.GetNumberOfCells() > 0 and np.isin(types_of_cells(grid), (VTK_PYRAMID, VTK_WEDGE)).any())
 
 
 def as_type(data_type: type[DataSet], data: vtkDataSet) -> DataSet:

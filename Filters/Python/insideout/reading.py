@@ -8,18 +8,18 @@ from typing import Optional, Union
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, VTK_TRIANGLE, vtkUnstructuredGrid
 
 from .calling import for_users, tell
-from .data import Polylines, Tetrahedra, Triangles, TriangleSurface, as_type
+from .data import LayeredCells, Polylines, Tetrahedra, Triangles, TriangleSurface, as_type, has_layers
 from .errors import Error
 from .files import READABLE_SOLIDS, READABLE_SURFACES, Path, are_lines, ending, input_ending, read_solid, read_surface
 from .inputs import path_of
 from .pipeline import Progress
 
 _TYPES = {VTK_TETRA: Tetrahedra, VTK_QUADRATIC_TETRA: Tetrahedra, VTK_TRIANGLE: Triangles}
-"""By the type of the first cell."""
+"""By the type of the first cell, where there are no layers."""
 
 
 @for_users
-def read(path: Path, *, progress: Optional[Progress] = None) -> Union[TriangleSurface, Polylines, Tetrahedra, Triangles, vtkUnstructuredGrid]:
+def read(path: Path, *, progress: Optional[Progress] = None) -> Union[TriangleSurface, Polylines, Tetrahedra, LayeredCells, Triangles, vtkUnstructuredGrid]:
     """What a file holds: a surface as a vtkPolyData, or a solid as a vtkUnstructuredGrid, with all arrays.
 
     path      a surface: .ply, .obj, .off, .stl, .vtp, .glb or .3mf, also compressed with .gz behind it; or lines in a
@@ -35,6 +35,8 @@ def read(path: Path, *, progress: Optional[Progress] = None) -> Union[TriangleSu
     if ending(path) in READABLE_SOLIDS:
         grid, warnings = read_solid(path, progress)
         tell(warnings)
+        if has_layers(grid):
+            return as_type(LayeredCells, grid)
         kind = _TYPES.get(grid.GetCellType(0)) if grid.GetNumberOfCells() > 0 else Tetrahedra
         return grid if kind is None else as_type(kind, grid)
     if input_ending(path) not in READABLE_SURFACES:

@@ -8,10 +8,10 @@ from typing import Dict, Literal, Mapping, Optional, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import VTK_WEDGE, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .bodies import outer_boundary
-from .data import Tetrahedra, Triangles, as_type, is_flat
+from .data import Tetrahedra, Triangles, as_type, has_layers, is_flat
 from .deck import Deck
 from .errors import ArgumentError, Error, one_of
 from .exporting import is_boundary_alone, scalars_and_vectors
@@ -90,7 +90,7 @@ def write_solid(
     if ending(path) != XDMF:
         write_grid(grid, path)
         return []
-    check_holds_layers(path, any(grid.GetCellType(cell) == VTK_WEDGE for cell in range(grid.GetNumberOfCells())))
+    check_holds_layers(path, has_layers(grid))
     warnings = [] if is_flat(grid) or grid.GetNumberOfCells() == 0 else _fitness_of(grid, path, figures)
     _write_xdmf(as_type(Triangles if is_flat(grid) else Tetrahedra, grid), path)
     return warnings

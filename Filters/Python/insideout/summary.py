@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Iterable, Mapping, Optional, Sequence
 
 from . import stages
@@ -112,7 +113,7 @@ def _layers(statistics: Mapping[str, float]) -> list[str]:
     if "Layers" not in statistics:
         return []
     prisms, pyramids, others = (_count(statistics[name]) for name in ("Prisms", "Pyramids", "LayerTetrahedra"))
-    return [f"  layers of {prisms} prisms, {pyramids} pyramids and {others} tetrahedra; {100 * statistics['FullHeightShare']:.3g} % of the wall at full height"]
+    return [f"  layers of {prisms} prisms, {pyramids} pyramids and {others} tetrahedra; {math.floor(1000 * statistics['FullHeightShare']) / 10:g} % of the wall at full height"]
 
 
 def _refined_triangles(statistics: Mapping[str, float]) -> list[str]:
