@@ -4,6 +4,7 @@
 #include "Common/Stages.h"
 #include "Data/StatisticsArrays.h"
 #include "In/Bodies.h"
+#include "In/FollowTime.h"
 #include "In/Partitions.h"
 #include "In/WholeInput.h"
 #include "Out/MakeLayers.h"
@@ -54,6 +55,12 @@ void vtkBoundaryLayers::SetBoundaryConnection(vtkAlgorithmOutput* boundary)
 void vtkBoundaryLayers::SetBoundaryData(vtkPolyData* boundary)
 {
   this->SetInputData(1, boundary);
+}
+
+int vtkBoundaryLayers::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return vtkInsideOut::FollowTime(this);
 }
 
 int vtkBoundaryLayers::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),

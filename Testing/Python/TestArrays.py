@@ -112,7 +112,7 @@ class Arrays(CommandLine):
             if not (name.startswith("vtk") and isinstance(kind, type) and issubclass(kind, vtkAlgorithm)) or name in WITHOUT_OUTPUT:
                 continue
             made = kind()
-            if name in ("vtkRefineTetrahedra", "vtkSolidQuality"):
+            if name in ("vtkBoundaryLayers", "vtkRefineTetrahedra", "vtkSolidQuality"):
                 made.SetInputData(solid)
             elif name == "vtkGraphCutSegmentation":
                 made.SetInputData(insideout.tetrahedralize(boxes).hull)
@@ -143,6 +143,8 @@ class Arrays(CommandLine):
                 made.SetInputData(boxes)
             if name == "vtkRobustTetrahedralize":
                 made.SetBodyArrayName("Part")
+            if name == "vtkBoundaryLayers":
+                made.SetFirstHeight(0.01)
             if hasattr(made, "SetGenerateHull"):
                 made.SetGenerateHull(True)
             yield name, made

@@ -568,7 +568,7 @@ class TetGenInTrouble(unittest.TestCase):
     def test_a_budget_ends_what_hangs(self):
         self.stand_in("exec sleep infinity")
         result = insideout.tetrahedralize(surfaces.box(), time_budget=1, engine="tetgen")
-        self.assertTrue(any("took more than the 0.1667 s" in warning for warning in result.warnings))
+        self.assertTrue(any("took more than the 0.3333 s" in warning for warning in result.warnings))
         self.assertAlmostEqual(surfaces.enclosed_volume(result.boundary), 1, delta=1e-12)
         self.check_that_helper_has_ended()
 

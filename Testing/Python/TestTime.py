@@ -2,6 +2,7 @@
 """Every input of every filter is followed in time: one moves, the others stand still, and what comes out is that of its time."""
 
 import unittest
+import warnings
 
 import insideout
 import numpy as np
@@ -47,6 +48,21 @@ def lengths(time: float) -> vtkUnstructuredGrid:
     return made
 
 
+def refined(time: float) -> vtkUnstructuredGrid:
+    """Tetrahedra of a box, all of whose boundary is kept; with more points within at later times."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", insideout.Warning)  # that kept triangles allow no smaller cells
+        return insideout.tetrahedralize(box(0), refine=True, surface_treatment="kept", maximum_volume=6 - 2 * time).solid
+
+
+def wall(time: float) -> vtkPolyData:
+    """The sides of the box but one, another one at each time."""
+    boundary = insideout.tetrahedralize(box(0)).boundary
+    corners = boundary.points[boundary.triangles][:, :, int(time)]
+    is_open = (corners == boundary.points[:, int(time)].min()).all(axis=1)
+    return surfaces.polydata(boundary.points, boundary.triangles[~is_open])
+
+
 def image(time: float) -> vtkImageData:
     made = vtkImageData()
     made.SetDimensions(3, 3, 8)
@@ -87,9 +103,16 @@ OF_TYPE = {
     "vtkPointSet": seed,
     "vtkMultiBlockDataSet": blocks,
 }
-OF_PORT = {("vtkRobustTriangulate", 0): square, ("vtkRobustTriangulate", 1): flat_seed, ("vtkRefineTetrahedra", 1): lengths}
+OF_PORT = {
+    ("vtkRobustTriangulate", 0): square,
+    ("vtkRobustTriangulate", 1): flat_seed,
+    ("vtkRefineTetrahedra", 1): lengths,
+    ("vtkBoundaryLayers", 0): refined,
+    ("vtkBoundaryLayers", 1): wall,
+}
 WITHOUT_SMOOTHING = {"Gamma": 0}  # that leaves out more than the seed
 SETTINGS = {name: WITHOUT_SMOOTHING for name in ("vtkRobustTetrahedralize", "vtkGraphCutSegmentation", "vtkRobustTriangulate")}
+SETTINGS["vtkBoundaryLayers"] = {"FirstHeight": 0.1}
 
 
 class Moving(VTKPythonAlgorithmBase):

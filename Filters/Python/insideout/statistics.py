@@ -12,7 +12,7 @@ GROUPS = {
     "input": "Input|Points$|Facets$|Segments$|Dimension|Scale|Diagonal|Planar|Bodies|Places",
     "defects": "Open|NonManifoldEdges|Inconsistent|Unbalanced|Intersecting|Merged|Near|Degenerate|Duplicate|Cancelled|TwoSided"
     "|NonParticipating|Crossings|TJunctions|Gap|Touch",
-    "shells": "Components$|Closed$|.*Shells$|SharedFacets|Sheet|Membrane|Cavities$|EnclosedVolume|OverlapVolume|Turned|Disagreeing|Undecided|Thickened",
+    "shells": "Components$|Closed$|.*Shells$|SharedFacets|Sheet|Membrane|Cavities$|EnclosedVolume|OverlapVolume|Turned|Disagreeing|Undecided|Uncounted|Doubtful|Thickened",
     "resolved surface": "Resolved|LeftOut",
     "layers": "Layer|Prisms|Pyramids|Wall|Reduced|Bare|FullHeight|MeanHeight",
     "mesh of the hull": "Rung|Hull|.*Steiner|Lost(Facets|Segments)|PartsApart|Tetrahedra$",

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence, Tuple, Union
+from typing import Any, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,9 +50,9 @@ class Tetrahedralization(MeshResult):
     In two dimensions solid and hull are `Triangles`, boundary and outliers `Polylines`.
     """
 
-    solid: Union[Tetrahedra, LayeredCells, Triangles]
+    solid: Union[Tetrahedra, Triangles]
     """The tetrahedra inside, with `w` and `RegionId` per cell, parted and refined where that was asked for. Empty, with a warning, when
-    nothing is inside; and with `surface_only`, as the hull is. With `layers`, prisms and pyramids, too."""
+    nothing is inside; and with `surface_only`, as the hull is. With `layers` it is a `LayeredCells`."""
     boundary: Union[TriangleSurface, Polylines]
     """The solid's boundary: watertight, oriented outward, with the input's attributes, and `BoundaryTag` per triangle. Of
     bodies behind that the interfaces between regions: see `RegionIds`."""
@@ -218,14 +218,14 @@ def tetrahedralize(
     for grid in (solid, hull):
         add_statistic("Scale", options.factor(), grid)
     statistics = statistics_of(solid)
-    of_space = LayeredCells if "Layers" in statistics else Tetrahedra
-    cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (of_space, TriangleSurface)
+    cells, faces = (Triangles, Polylines) if statistics.get("Dimension") == 2 else (Tetrahedra, TriangleSurface)
+    of_solid = LayeredCells if "Layers" in statistics else cells
     if output is not None and boundary.GetNumberOfCells() > 0:
-        warnings += write_result(as_type(cells, solid), as_type(faces, boundary), output)
+        warnings += write_result(as_type(of_solid, solid), as_type(faces, boundary), output)
     elif output is not None:
         warnings.append(f"{output} is not written, for nothing is inside")
     return Tetrahedralization(
-        solid=as_type(cells, solid),
+        solid=cast("Union[Tetrahedra, Triangles]", as_type(of_solid, solid)),
         boundary=as_type(faces, boundary),
         outliers=as_type(faces, outliers),
         hull=as_type(cells, hull),

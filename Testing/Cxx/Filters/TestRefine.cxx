@@ -574,6 +574,7 @@ TEST(vtkRefineTetrahedra, MakesEdgesAsLongAsABackgroundSaysAndOutsideItAsBefore)
   producer->SetOutput(background);
   refine.Algorithm->SetBackgroundConnection(producer->GetOutputPort());
   refine.Algorithm->SetSizingArrayName("Size");
+  refine.Algorithm->SetSurfaceTreatment(vtkRefineTetrahedra::KEPT);
   vtkUnstructuredGrid* output = refine.Run();
   EXPECT_EQ(refine.Said, "");
   int within = 0;

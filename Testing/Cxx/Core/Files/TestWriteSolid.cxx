@@ -464,10 +464,10 @@ TEST(WriteSolid, RejectsSolidsThatAreNone)
   ExpectError(solid, ErrorCode::InvalidParameter, "no face 4 of cell 1");
   solid = TwoRegions();
   solid.RegionOfCell.pop_back();
-  ExpectError(solid, ErrorCode::InvalidParameter, "not as many");
+  ExpectError(solid, ErrorCode::InvalidParameter, "regions differ, or those of faces and tags");
   solid = Quadratic(TwoRegions());
   solid.Midpoints.pop_back();
-  ExpectError(solid, ErrorCode::InvalidParameter, "not as many");
+  ExpectError(solid, ErrorCode::InvalidParameter, "regions differ, or those of faces and tags");
 }
 
 TEST(WriteSolid, NamesFilesThatItCannotWrite)
