@@ -52,7 +52,7 @@ def refined(time: float) -> vtkUnstructuredGrid:
     """Tetrahedra of a box, all of whose boundary is kept; with more points within at later times."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", insideout.Warning)  # that kept triangles allow no smaller cells
-        return insideout.tetrahedralize(box(0), refine=True, surface_treatment="kept", maximum_volume=6 - 2 * time).solid
+        return insideout.tetrahedralize(box(0), refine=True, surface_treatment="kept", maximum_volume=(6, 2, 1)[int(time)]).solid
 
 
 def wall(time: float) -> vtkPolyData:
