@@ -6,6 +6,7 @@ import unittest
 
 import insideout
 import numpy as np
+import surfaces
 from command import CommandLine, read_grid, run_here
 
 BOX = "".join(f"v {x} {y} {z}\n" for z in (0, 4) for y in (0, 3) for x in (0, 2)) + (
@@ -43,6 +44,29 @@ class Layers(CommandLine):
         np.testing.assert_array_equal(result.boundary.triangles, plain.boundary.triangles)
         places = {tuple(place) for place in solid.points}
         self.assertTrue(all(tuple(place) in places for place in result.boundary.points))
+
+    def test_measures_of_tetrahedra_are_refused_or_those_of_the_boundary(self):
+        result = self.layered()
+        self.assertEqual(result.volume, result.boundary.volume)
+        for asked in (result.split, result.to_meshio, result.solid.to_meshio, result.solid.split, lambda: result.components, lambda: result.solid.volume):
+            with self.assertRaisesRegex(insideout.Error, "^a solid with boundary layers has prisms, and this takes tetrahedra: "):
+                asked()
+
+    def test_a_file_of_them_is_read_as_such(self):
+        insideout.write(self.layered(), self.path("layered.vtu"))
+        self.assertIn("wedge", insideout.read(self.path("layered.vtu")).cells)
+
+    def test_a_boundary_given_twice_has_layers_once(self):
+        made = insideout.tetrahedralize(self.box, **REMESHED)
+        numbers = []
+        for triangles in (made.boundary.triangles, np.concatenate([made.boundary.triangles] * 2)):
+            layers = insideout.vtkBoundaryLayers()
+            layers.SetInputData(made.solid)
+            layers.SetBoundaryData(surfaces.polydata(made.boundary.points, triangles))
+            layers.SetFirstHeight(0.01)
+            insideout.pipeline.run(layers)
+            numbers.append(layers.GetOutput().GetNumberOfCells())
+        self.assertEqual(*numbers)
 
     def test_all_of_the_boundary_is_the_wall_by_default(self):
         result = insideout.tetrahedralize(self.box, **REMESHED, layers=2, first_height="1%")

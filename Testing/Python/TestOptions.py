@@ -431,8 +431,8 @@ class Python(unittest.TestCase):
         for name, option in OPTIONS.items():
             if isinstance(option, Order):
                 with self.subTest(name):
-                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, -99), option.least)
-                    self.assertEqual(read_back("vtkRobustTetrahedralize", option.vtk_property, 99), option.most)
+                    self.assertEqual(read_back(class_of(name), option.vtk_property, -9999), option.least)
+                    self.assertEqual(read_back(class_of(name), option.vtk_property, 9999), option.most)
                     for bad in (option.least - 1, option.most + 1, 1.5, "much"):
                         with self.assertRaisesRegex(insideout.Error, f"^{name} is "):
                             Options(**{name: bad}).set_on(made_for(name))

@@ -196,6 +196,24 @@ class LayeredCells(_Views, vtkUnstructuredGrid):
         """The layer of each cell, from 1 at the wall; 0 behind."""
         return self.cell_arrays["Layer"]
 
+    @property
+    def volume(self) -> float:
+        raise self._unfit("the boundary has the volume")
+
+    @property
+    def components(self) -> int:
+        raise self._unfit("RegionId tells its parts")
+
+    def split(self) -> list[LayeredCells]:
+        raise self._unfit("RegionId tells its parts")
+
+    def to_meshio(self) -> Any:
+        raise self._unfit("write it as .vtu, .msh, .inp or .mesh")
+
+    @staticmethod
+    def _unfit(remedy: str) -> Error:
+        return Error(f"a solid with boundary layers has prisms, and this takes tetrahedra: {remedy}")
+
 
 _LAYERED_TYPES = {"tetra": (VTK_TETRA, 4), "pyramid": (VTK_PYRAMID, 5), "wedge": (VTK_WEDGE, 6)}
 """VTK's types of their cells, and how many points these have."""

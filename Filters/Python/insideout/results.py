@@ -11,7 +11,7 @@ from typing import Any, Optional, TypeVar
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from .calling import quietly
-from .data import Polylines, Tetrahedra, Triangles, TriangleSurface
+from .data import LayeredCells, Polylines, Tetrahedra, Triangles, TriangleSurface
 from .panels import draw_panels
 from .pipeline import Error
 from .plotting import plot
@@ -84,7 +84,8 @@ class MeshResult(Result):
     @property
     def volume(self) -> float:
         """Of the solid; where there is none what the surface encloses. In two dimensions the area."""
-        return float(self._first_of("solid", "boundary", "surface").volume)
+        has_layers = isinstance(getattr(self, "solid", None), LayeredCells)
+        return float(self._first_of("boundary" if has_layers else "solid", "boundary", "surface").volume)
 
     @property
     def is_watertight(self) -> bool:

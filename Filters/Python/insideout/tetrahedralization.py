@@ -157,7 +157,7 @@ class Tetrahedralization(MeshResult):
         """
         if is_boundary_alone(self.solid, self.boundary):
             raise Error("the mesh has the solid's cells, and surface_only left these away")
-        return self.solid.to_meshio() if isinstance(self.solid, Triangles) else mesh_of_solid(self.solid, self.boundary)
+        return self.solid.to_meshio() if isinstance(self.solid, (LayeredCells, Triangles)) else mesh_of_solid(self.solid, self.boundary)
 
 
 @for_users
