@@ -225,7 +225,7 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
   return words.str();
 }
 /**
- * Of a solid that is no longer quite the same.
+ * Measures a solid that is no longer quite the same.
  *
  * @param[in] ownRegions whether RegionId is this library's, from 0, so that each region is measured
  */

@@ -161,5 +161,13 @@ class TestRealMeshes(unittest.TestCase):
         self.assertEqual(result.outliers.GetNumberOfCells(), 0)
 
 
+class Remeshed(unittest.TestCase):
+    def test_edges_contracted_to_a_length_leave_no_flat_cell(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (path,) = unpack_cgal(folder, ("joint.off",))
+            made = insideout.tetrahedralize(path, edge_length="4%", surface_treatment="remeshed")
+        self.assertGreater(insideout.check_solid(made.solid).statistics["MinDihedralAngle"], 1)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -53,7 +53,7 @@ private:
   FlippableMesh& Mesh;
   const SegmentTable& Segments;
 
-  // Of the edge at hand; members so that their memory is kept.
+  // For the edge at hand; members so that their memory is kept.
   EdgeRing Around;
   RingTriangulation<int> Triangulation;
 };

@@ -90,25 +90,17 @@ bool PointMover::GrowCavity(Id point, Id apex)
   return true;
 }
 
-bool PointMover::HasWallEdge(Id u, Id v) const
-{
-  return std::binary_search(this->WallEdges.begin(), this->WallEdges.end(),
-    std::array<Id, 2>{ { std::min(u, v), std::max(u, v) } });
-}
-
 /** Make the cells that come, and look whether every vertex, facet and segment stays. */
 bool PointMover::KeepsSurface(Id point, Id apex)
 {
   this->Fresh.clear();
-  this->WallEdges.clear();
+  this->Wall.Clear();
   this->SurfaceFaces.clear();
-  std::vector<Id> corners;
   for (const Id id : this->Cavity)
   {
     const FlippableCell& cell = this->Mesh.Cell(id);
     for (int k = 0; k < 4; ++k)
     {
-      const auto& f = FaceSeenFrom[k];
       const bool hasPoint = cell.Corners[k] != point && this->Mesh.Has(id, point);
       if (hasPoint || this->Mesh.Marks().Has(cell.Neighbors[k]))
       {
@@ -119,36 +111,19 @@ bool PointMover::KeepsSurface(Id point, Id apex)
         this->Fresh.push_back(cell.Corners);
         this->Fresh.back()[k] = apex;
       }
-      for (int j = 0; j < 3; ++j)
-      {
-        const Id u = cell.Corners[f[j]];
-        const Id v = cell.Corners[f[(j + 1) % 3]];
-        this->WallEdges.push_back({ { std::min(u, v), std::max(u, v) } });
-        corners.push_back(u);
-      }
+      this->Wall.Add(cell.Corners, k);
     }
   }
-  std::sort(corners.begin(), corners.end());
-  std::sort(this->WallEdges.begin(), this->WallEdges.end());
+  this->Wall.Close();
   for (const Id id : this->Cavity)
   {
     const FlippableCell& cell = this->Mesh.Cell(id);
+    if (!this->Wall.Keeps(cell.Corners, point, this->Segments))
+    {
+      return false;
+    }
     for (int k = 0; k < 4; ++k)
     {
-      const Id u = cell.Corners[k];
-      if (u != point && !std::binary_search(corners.begin(), corners.end(), u))
-      {
-        return false;
-      }
-      for (int j = 0; j < k; ++j)
-      {
-        const Id v = cell.Corners[j];
-        if (u != point && v != point && !this->HasWallEdge(u, v) &&
-          this->Segments.Find(u, v) != None)
-        {
-          return false;
-        }
-      }
       const bool isInner = this->Mesh.Marks().Has(cell.Neighbors[k]);
       const bool isHull = this->Mesh.IsInfinite(cell.Neighbors[k]);
       const int p = this->Mesh.CornerIndex(id, point);
@@ -157,7 +132,7 @@ bool PointMover::KeepsSurface(Id point, Id apex)
         const auto& others = OtherCorners[k][p];
         this->SurfaceFaces.push_back(
           { cell.Corners[others[0]], cell.Corners[others[1]], cell.Facets[k] });
-        if (!this->HasWallEdge(this->SurfaceFaces.back().A, this->SurfaceFaces.back().B))
+        if (!this->Wall.HasEdge(this->SurfaceFaces.back().A, this->SurfaceFaces.back().B))
         {
           return false;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Exact/CavityWall.h"
 #include "Exact/FlippableMesh.h"
 #include "Exact/SegmentTable.h"
 
@@ -35,21 +36,14 @@ private:
   bool GrowCavity(Id point, Id apex);
   bool KeepsSurface(Id point, Id apex);
   bool IsHullConvex(Id point, Id apex) const;
-  bool HasWallEdge(Id u, Id v) const;
 
   FlippableMesh& Mesh;
   const SegmentTable& Segments;
 
-  // Of the move at hand; members so that their memory is kept.
-  struct SurfaceFace
-  {
-    Id A;
-    Id B;
-    Id Facet;
-  };
+  // For the move at hand; members so that their memory is kept.
   std::vector<Id> Cavity;
   std::vector<Tetrahedron> Fresh;
-  std::vector<std::array<Id, 2>> WallEdges;
+  CavityWall Wall;
   std::vector<SurfaceFace> SurfaceFaces; ///< with the point
 };
 } // namespace insideout

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Exact/PullVertex.h"
 
-#include "Common/SortUniquely.h"
 #include "Exact/SegmentWalk.h"
 
 #include <algorithm>
@@ -120,8 +119,7 @@ bool VertexPuller::Grow(Id apex)
 void VertexPuller::MakeCone(Id apex)
 {
   this->Fresh.clear();
-  this->WallEdges.clear();
-  this->WallCorners.clear();
+  this->Wall.Clear();
   for (const Id id : this->Cavity)
   {
     const FlippableCell& cell = this->Mesh.Cell(id);
@@ -137,23 +135,10 @@ void VertexPuller::MakeCone(Id apex)
         this->Fresh.push_back(cell.Corners);
         this->Fresh.back()[k] = apex;
       }
-      for (int j = 0; j < 3; ++j)
-      {
-        const Id u = cell.Corners[FaceSeenFrom[k][j]];
-        const Id v = cell.Corners[FaceSeenFrom[k][(j + 1) % 3]];
-        this->WallEdges.push_back({ { std::min(u, v), std::max(u, v) } });
-        this->WallCorners.push_back(u);
-      }
+      this->Wall.Add(cell.Corners, k);
     }
   }
-  SortUniquely(this->WallCorners);
-  SortUniquely(this->WallEdges);
-}
-
-bool VertexPuller::IsWallEdge(Id u, Id v) const
-{
-  return std::binary_search(this->WallEdges.begin(), this->WallEdges.end(),
-    std::array<Id, 2>{ { std::min(u, v), std::max(u, v) } });
+  this->Wall.Close();
 }
 
 /** Whether facets between cells that go are there afterwards, too: those that have the apex. */
@@ -174,7 +159,7 @@ bool VertexPuller::KeepsFacets(Id apex, Id id)
     const auto& others = OtherCorners[k][at];
     const Id a = cell.Corners[others[0]];
     const Id b = cell.Corners[others[1]];
-    if (!this->IsWallEdge(a, b))
+    if (!this->Wall.HasEdge(a, b))
     {
       return false;
     }
@@ -188,28 +173,8 @@ bool VertexPuller::KeepsConstraints(Id apex)
   this->SurfaceFaces.clear();
   for (const Id id : this->Cavity)
   {
-    const Tetrahedron& corners = this->Mesh.Cell(id).Corners;
-    for (int k = 0; k < 4; ++k)
-    {
-      const Id u = corners[k];
-      if (u == apex)
-      {
-        continue;
-      }
-      if (!std::binary_search(this->WallCorners.begin(), this->WallCorners.end(), u))
-      {
-        return false;
-      }
-      for (int j = 0; j < k; ++j)
-      {
-        const Id v = corners[j];
-        if (v != apex && !this->IsWallEdge(u, v) && this->Segments.Find(u, v) != None)
-        {
-          return false;
-        }
-      }
-    }
-    if (!this->KeepsFacets(apex, id))
+    if (!this->Wall.Keeps(this->Mesh.Cell(id).Corners, apex, this->Segments) ||
+      !this->KeepsFacets(apex, id))
     {
       return false;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Exact/CavityWall.h"
 #include "Exact/FlippableMesh.h"
 #include "Exact/SegmentTable.h"
 
@@ -38,27 +39,19 @@ private:
   bool IsOnHullFace(Id cell, Id apex) const;
   bool Grow(Id apex);
   void MakeCone(Id apex);
-  bool IsWallEdge(Id u, Id v) const;
   bool KeepsConstraints(Id apex);
   bool KeepsFacets(Id apex, Id cell);
 
   FlippableMesh& Mesh;
   const SegmentTable& Segments;
 
-  // Of the vertex at hand; members so that their memory is kept.
-  struct SurfaceFace
-  {
-    Id A;
-    Id B;
-    Id Facet;
-  };
+  // For the vertex at hand; members so that their memory is kept.
   std::vector<Id> Cavity;
   CellMarks Inside;
   std::vector<Id> Crossed;
   EdgeRing Ring;
   std::vector<Tetrahedron> Fresh;
-  std::vector<Id> WallCorners;
-  std::vector<std::array<Id, 2>> WallEdges;
+  CavityWall Wall;
   std::vector<SurfaceFace> SurfaceFaces; ///< inner faces with the apex
 };
 } // namespace insideout

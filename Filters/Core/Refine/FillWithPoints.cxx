@@ -43,20 +43,21 @@ constexpr double LeastSpacingBesideShort = 0.01;
 constexpr std::size_t MostBesideShort = 4;
 
 /**
- * Where one length is asked for, and the surface's edges do not make it shorter than this part of
- * it, points lie on a body-centred cubic lattice: its cells are congruent, and their edges are as
- * long as the side of a cube and 0.87 of it.
+ * Where one length is asked for, the surface is remeshed to it, and its edges are not shorter than
+ * this part of it, points lie on a body-centred cubic lattice: its cells are congruent, and their
+ * edges are as long as the side of a cube and 0.87 of it.
  */
 constexpr double LeastUniformShare = 0.8;
 
-/** Of the length: the side of the lattice's cubes, the largest radius of a circumsphere beside the
- * lattice, and how near a point of it may be to others. Most edges are longer than the length
- * then: cells of a mesh whose median edge is as long are 1.6 times as many as gmsh makes. */
+/** Shares of the length: the side of the lattice's cubes, the largest radius of a circumsphere
+ * beside the lattice, and how near a point of it may be to others. Most edges are longer than the
+ * length then: cells of a mesh whose median edge is as long are 1.6 times as many as gmsh makes. */
 constexpr double LatticeSide = 1.36;
 constexpr double LargestUniformRadius = 0.86;
 constexpr double LeastLatticeSpacing = 0.75;
 
-/** Of the largest volume: that of the lattice's cells, so that rounding makes none larger. */
+/** The lattice's cells have this share of the largest volume, so that rounding makes none larger.
+ */
 constexpr double ShareOfVolume = 0.99;
 
 /** Points nearer to another than this part of the length are taken out. */
@@ -96,16 +97,16 @@ struct Candidate
 class Filling
 {
 public:
-  Filling(RefinableMesh& mesh, SizingField& sizes, double maximumVolume)
+  Filling(RefinableMesh& mesh, SizingField& sizes, double maximumVolume, bool isUniform)
     : Mesh(mesh)
     , Sizes(sizes)
     , MaximumVolume(maximumVolume)
     , Insertion(mesh)
     , Budget(MostBesideShort * mesh.Points.size())
-    , Side(LatticeSide * sizes.Most())
+    , Side(isUniform ? LatticeSide * sizes.Most() : std::numeric_limits<double>::infinity())
   {
     const Box box = BoundingBox(mesh.Points);
-    if (maximumVolume > 0)
+    if (isUniform && maximumVolume > 0)
     {
       this->Side = std::min(this->Side, std::cbrt(12 * ShareOfVolume * maximumVolume));
     }
@@ -215,7 +216,10 @@ private:
   bool HasLattice() const { return this->Side < std::numeric_limits<double>::infinity(); }
 
   /** Whether a length is the one that is asked for everywhere, or nearly. */
-  bool IsUniform(double size) const { return size >= LeastUniformShare * this->Sizes.Most(); }
+  bool IsUniform(double size) const
+  {
+    return this->HasLattice() && size >= LeastUniformShare * this->Sizes.Most();
+  }
 
   Circumsphere SphereAround(Id cell) const
   {
@@ -279,10 +283,11 @@ void ThinPoints(RefinableMesh& mesh)
   }
 }
 
-void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume, Monitor& monitor,
-  const ProgressRange& progress)
+void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume,
+  SurfaceTreatment surface, Monitor& monitor, const ProgressRange& progress)
 {
-  Filling filling(mesh, sizes, maximumVolume);
+  const bool isUniform = surface == SurfaceTreatment::Remeshed;
+  Filling filling(mesh, sizes, maximumVolume, isUniform);
   filling.FillWithLattice(monitor, { progress.Stage, progress.At(0), progress.At(0.6) });
   filling.FillWithCenters(monitor, { progress.Stage, progress.At(0.6), progress.At(1) });
 }

@@ -3,6 +3,7 @@
 
 #include "Common/Monitor.h"
 #include "Refine/RefinableMesh.h"
+#include "Refine/RefinableSurface.h"
 #include "Refine/SizingField.h"
 
 namespace insideout
@@ -12,12 +13,13 @@ namespace insideout
 void ThinPoints(RefinableMesh& mesh);
 
 /**
- * Delaunay refinement by lengths. Where one length is asked for insert points of a lattice. Then
+ * Delaunay refinement by lengths. Where one length is asked for, and the surface is remeshed to it,
+ * insert points of a lattice. Then
  * insert the circumcentre of each cell whose circumsphere is too large for the lengths there,
  * unless a facet is between or other points are close.
  *
  * @throws Error Stopped
  */
-void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume, Monitor& monitor,
-  const ProgressRange& progress);
+void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume,
+  SurfaceTreatment surface, Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

@@ -45,8 +45,9 @@ constexpr std::size_t LargestCavity = 25;
 /** How long, of the lengths wanted, edges may get for a point less. */
 constexpr double LongestEdge = 1.8;
 
-/** Degrees. Edges within the solid that are longer yet get a point amid them where lengths are
- * asked for, unless a cell gets a smaller angle than this and than there was. */
+/** Degrees. Edges within the solid that are longer yet get a point amid them where the surface is
+ * remeshed to lengths that are asked for, unless a cell gets a smaller angle than this and than
+ * there was. */
 constexpr double AngleAmidLongEdge = 10;
 constexpr std::size_t LargestCavityAmidLongEdge = 100;
 
@@ -119,10 +120,11 @@ public:
     }
   }
 
-  /** Put points amid edges within the solid that are far too long, where lengths are asked for. */
+  /** Put points amid edges within the solid that are far too long, where lengths are asked for and
+   * the surface has them, too. */
   void CutLongEdges()
   {
-    const Id count = this->Sizes.IsAskedFor() ? this->Mesh.NumberOfCells() : 0;
+    const Id count = this->IsRemeshed && this->Sizes.IsAskedFor() ? this->Mesh.NumberOfCells() : 0;
     for (Id cell = 0; cell < count; ++cell)
     {
       const Tetrahedron corners = this->Mesh.Cell(cell).Corners;

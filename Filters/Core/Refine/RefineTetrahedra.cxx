@@ -32,7 +32,7 @@ namespace
 /** Of cells that are to be: a mesh may need some times as many while it is made. */
 constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 
-/** Of memory, measured on nine surfaces. */
+/** Memory per cell, measured on nine surfaces. */
 constexpr double GibibytesOfCell = 4e-7;
 
 /** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
@@ -193,8 +193,8 @@ void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementPara
     sizes.FollowSurface();
   }
   ThinPoints(refinable);
-  FillWithPoints(
-    refinable, sizes, parameters.Sizes.MaximumVolume, monitor, { Stages::Refining, 0.2, 0.4 });
+  FillWithPoints(refinable, sizes, parameters.Sizes.MaximumVolume, parameters.Surface, monitor,
+    { Stages::Refining, 0.2, 0.4 });
   ImproveCells(refinable, surface, bound, sizes, monitor, { Stages::Refining, 0.4, 0.9 });
 }
 

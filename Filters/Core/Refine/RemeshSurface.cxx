@@ -45,6 +45,9 @@ constexpr std::size_t TurnsBetweenReports = 1000;
 /** Degrees. Cells with such angles may get worse for the sake of the surface: most are mended. */
 constexpr double AcceptableAngle = 3;
 
+/** The same where edges are contracted to lengths that are asked for. */
+constexpr double AcceptableAngleForLength = 1;
+
 /** Each splits edges in half, so that there are few; against endless ones. */
 constexpr int MostRoundsOfSplits = 60;
 
@@ -192,21 +195,20 @@ public:
 private:
   bool ContractInto(Id point, Id target)
   {
-    const double before = std::max(this->InSolid.WorstAround(point), 0.0);
-    if (!this->Sizes.IsAskedFor())
-    {
-      return this->Contract.Contract(
-        point, target, std::min(this->Acceptable, before / 2), LongestContracted);
-    }
-    // Lengths come first: cells that are in the way give way to others, or get thin.
+    const bool isAskedFor = this->Sizes.IsAskedFor();
+    const double acceptable = isAskedFor ? this->AcceptableForLength : this->Acceptable;
     const auto contract = [&]
-    { return this->Contract.Contract(point, target, 0, LongestContracted); };
-    if (contract())
     {
-      return true;
+      const double before = std::max(this->InSolid.WorstAround(point), 0.0);
+      return this->Contract.Contract(
+        point, target, std::min(acceptable, before / 2), LongestContracted);
+    };
+    if (!contract() && isAskedFor)
+    {
+      this->ImproveAround(point); // cells that are in the way give way to others
+      return contract();
     }
-    this->ImproveAround(point);
-    return contract();
+    return this->Mesh.CellAt(point) == None;
   }
 
   /** A piece to look at, and the version of its cell, by which one knows whether it is there. */
@@ -397,6 +399,7 @@ private:
   }
 
   const double Acceptable = ShapeOfAngle(AcceptableAngle);
+  const double AcceptableForLength = ShapeOfAngle(AcceptableAngleForLength);
   RefinableMesh& Mesh;
   RefinableSurface& Surface;
   SizingField& Sizes;
