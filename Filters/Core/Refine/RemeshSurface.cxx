@@ -46,7 +46,7 @@ constexpr std::size_t TurnsBetweenReports = 1000;
 constexpr double AcceptableAngle = 3;
 
 /** The same where edges are contracted to lengths that are asked for. */
-constexpr double AcceptableAngleForLength = 1;
+constexpr double AcceptableAngleForLength = 0.3;
 
 /** Each splits edges in half, so that there are few; against endless ones. */
 constexpr int MostRoundsOfSplits = 60;
