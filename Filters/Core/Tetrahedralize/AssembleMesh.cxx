@@ -59,7 +59,7 @@ std::vector<bool> PointsInCells(std::size_t points, const std::vector<Tetrahedro
   return used;
 }
 
-/** Of the first `count` points only a second one at the same place may be in no cell. */
+/** A point among the first `count` may be in no cell only if another point lies at its position. */
 void CheckPointsAreUsed(
   const std::vector<Point>& points, std::size_t count, const std::vector<bool>& used)
 {
@@ -84,8 +84,8 @@ void CheckPointsAreUsed(
   }
 }
 
-/** Steiner points that were added and taken back may still be in the list (TetGen's are): leave
- * them out. */
+/** Leave out Steiner points that the tetrahedralizer added and removed again; TetGen keeps them in
+ * its list. */
 void RemoveUnusedSteinerPoints(
   std::size_t inputPoints, const std::vector<bool>& used, RawTetrahedra& raw)
 {
@@ -118,7 +118,7 @@ void RemoveUnusedSteinerPoints(
   rename(raw.Faces);
 }
 
-/** Whatever the tetrahedralizer's own orientation is: TetGen's is the other way than VTK's. */
+/** The tetrahedralizer may orient cells either way: TetGen's orientation is opposite to VTK's. */
 void OrientCells(const std::vector<Point>& points, std::vector<Tetrahedron>& cells)
 {
   const double cost = 50;

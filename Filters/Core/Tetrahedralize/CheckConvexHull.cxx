@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** How far rounding may move a Steiner point off the hull, in units of the mesh's size. */
+/** How far rounding may move a Steiner point off the hull, relative to the mesh's size. */
 constexpr double LargestDent = 1e-12;
 
 [[noreturn]] void ThrowInconsistent(const std::string& what)
@@ -26,7 +26,7 @@ std::string Name(Id a, Id b)
   return "edge " + std::to_string(a) + " " + std::to_string(b);
 }
 
-/** An edge of a face of the hull, as the face runs through it, and the face's third point. */
+/** A face's edge on the hull, in the face's direction, and the face's third point. */
 struct HullEdge
 {
   Id From;
@@ -123,8 +123,10 @@ private:
     }
   }
 
-  /** Each has one ring of faces; one of them is the last in lexicographic order, with a ring that
-   * goes round once. @return how many there are */
+  /** Check that each point has one ring of faces that winds once. A ring's last face is the one
+   * that is last in lexicographic order.
+   * @return the number of rings
+   */
   std::size_t CheckPoints() const
   {
     std::size_t points = 0;
@@ -154,7 +156,7 @@ private:
     return points;
   }
 
-  /** The points around the one that `first` starts from, counter-clockwise seen from outside. */
+  /** The link of the edge's first point, counter-clockwise seen from outside. */
   std::vector<Id> Ring(Iterator first) const
   {
     std::vector<Id> ring;
@@ -165,7 +167,7 @@ private:
     return ring;
   }
 
-  /** Seen from its first point the ring turns one way, and not beyond its first face. */
+  /** Whether the ring, seen from its first point, turns one way and at most once. */
   void CheckThatRingGoesRoundOnce(Id point, const std::vector<Id>& ring) const
   {
     for (std::size_t i = 2; i < ring.size(); ++i)
@@ -178,7 +180,10 @@ private:
     }
   }
 
-  /** Of the faces a b c and b a d: d is not above the first and, if level with it, not on it. */
+  /**
+   * For the faces a b c and b a d: whether d is not above the first and, if level with it, not on
+   * it.
+   */
   bool IsConvex(Id a, Id b, Id c, Id d) const
   {
     if (this->Side(a, b, c, d) != CGAL::COPLANAR)
@@ -200,7 +205,7 @@ private:
     return CGAL::orientation(this->At(a), this->At(b), this->At(c), this->At(d));
   }
 
-  /** Whether a corner of the tetrahedron is as near to the opposite face as rounding may leave it.
+  /** Whether a corner of the tetrahedron is as near to the opposite face as rounding may move it.
    */
   bool IsFlat(Id a, Id b, Id c, Id d) const
   {

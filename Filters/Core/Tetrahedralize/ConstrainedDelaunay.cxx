@@ -18,15 +18,15 @@ namespace insideout
 namespace
 {
 /**
- * Sizes beyond 2 to this power, up or down, are brought to 1 for all rungs. TetGen needs it: it
- * squares and cubes lengths, and its predicates (Shewchuk 1997) are exact only while products of
- * five coordinates neither over- nor underflow.
+ * Inputs larger than 2 to this power, or smaller than its inverse, are scaled to size 1 for all
+ * rungs. TetGen squares and cubes lengths, and its predicates (Shewchuk 1997) are exact only while
+ * products of five coordinates neither over- nor underflow.
  */
 constexpr int MostExponent = 32;
 
 void CheckParameters(const ConstrainedDelaunayParameters& parameters)
 {
-  // Written so that a NaN is refused, too.
+  // Negated, so that NaN is refused too.
   if (!(parameters.TimeBudget >= 0) || !(parameters.MemoryBudget >= 0))
   {
     throw Error(ErrorCode::InvalidParameter,
@@ -61,8 +61,7 @@ void CheckIdsAndCoordinates(const FacetComplex& surface)
   }
 }
 
-/** Collects points in general position, one for each dimension they span and one more, until there
- * are four. */
+/** Collects affinely independent points, one more than the dimension they span, up to four. */
 void CheckSpansSpace(const std::vector<Point>& points)
 {
   std::vector<Kernel::Point_3> base;
@@ -86,7 +85,7 @@ void CheckSpansSpace(const std::vector<Point>& points)
     std::string("all facets lie ") + where[base.size() - 1] + ", so there is no volume to fill");
 }
 
-/** Whether another rung may do better where this was thrown. */
+/** Whether another rung may succeed after this error. */
 bool IsFailureOfARung(const Error& error)
 {
   return error.Code == ErrorCode::TetrahedralizerDied ||
@@ -94,12 +93,12 @@ bool IsFailureOfARung(const Error& error)
     error.Code == ErrorCode::TooLarge;
 }
 
-/** What each rung may use up. */
+/** The budget of each rung. */
 TetrahedralizerBudget BudgetOfARung(
   const FacetComplex& surface, const ConstrainedDelaunayParameters& parameters)
 {
-  // Many times TetGen's usual processor time, and five times its usual memory: against endless
-  // runs.
+  // Limits against endless runs: many times TetGen's usual processor time, five times its usual
+  // memory.
   constexpr double MinimumSeconds = 4;
   constexpr double SecondsPerElement = 3e-4;
   constexpr double MinimumMebibytes = 1024;
@@ -122,7 +121,7 @@ TetrahedralizerBudget BudgetOfARung(
   return budget;
 }
 
-/** Down the ladder until a mesh has every facet. */
+/** Descend the ladder until a mesh has every facet. */
 Tetrahedralization Climb(const FacetComplex& surface, TetrahedralizationEngine engine,
   const TetrahedralizerBudget& budget, Monitor& monitor)
 {
@@ -178,7 +177,7 @@ Tetrahedralization ConstrainedDelaunay(
   {
     FacetComplex scaled = surface;
     scaled.Points = ScaledPoints(surface.Points, -exponent);
-    // Where the smallest coordinates would lose bits, the rungs have to cope.
+    // Unscaled where the smallest coordinates would lose bits: the rungs have to cope.
     if (ScaledPoints(scaled.Points, exponent) == surface.Points)
     {
       Tetrahedralization result = Climb(scaled, parameters.Engine, budget, monitor);

@@ -9,27 +9,27 @@
 
 namespace insideout
 {
-/** What makes the tetrahedra. */
+/** The tetrahedralizer. */
 enum class TetrahedralizationEngine
 {
-  Automatic, ///< exact flips and cuts, TetGen should they lose a facet; whatever loses least
+  Automatic, ///< exact flips and cuts, then TetGen if facets are lost; the mesh that loses fewest
   Exact,     ///< this house's own (ExactTetrahedralization.h), in this process
   TetGen     ///< TetGen alone
 };
 
-/** Who works, and what it may use up. Beyond it the next rung has its turn. */
+/** The engine and its budgets. When a budget is used up, the next rung starts. */
 struct ConstrainedDelaunayParameters
 {
   /** Wall-clock seconds for all rungs, an equal part for each. With 0 there is no clock: the exact
-   * way counts its work (TetrahedralizeExactly), so that the same input gives the same mesh on a
-   * machine however busy. TetGen's process, whose work cannot be counted and which may loop, then
-   * has 4 s of processor time for each rung, and 0.3 ms for each point and facet: many times what
-   * it needs where it does not loop. */
+   * rung counts its work (TetrahedralizeExactly), so that the same input gives the same mesh
+   * however busy the machine is. TetGen's process, which may loop and whose work cannot be counted,
+   * then has 4 s of processor time for each rung, and 0.3 ms for each point and facet: many times
+   * what it needs where it does not loop. */
   double TimeBudget = 0;
 
   /** MiB. 0 is 1024, and 16 KiB for each point and facet (five times what TetGen holds as a rule),
-   * but at most three quarters of the machine's memory. TetGen's process is watched for it, the
-   * exact rung is not. */
+   * but at most three quarters of the machine's memory. Enforced for TetGen's process, not for the
+   * exact rung. */
   double MemoryBudget = 0;
 
   TetrahedralizationEngine Engine = TetrahedralizationEngine::Automatic;
@@ -40,8 +40,9 @@ struct Tetrahedralization
 {
   TetrahedralMesh Mesh;
   int Rung = 0; ///< that the mesh comes from, counted from 1 (RungName in Ladder.h)
-  std::vector<std::string> Failures; ///< why rungs before it, or after it, were not good enough
-  Id Parts = 1; ///< that have a hull each (TetrahedralizeApart.h); of several Rung is the last
+  std::vector<std::string> Failures; ///< why the other rungs that ran were not good enough
+  /// number of hulls (TetrahedralizeApart.h); with several, Rung is the last rung that any took
+  Id Parts = 1;
 };
 
 /**
@@ -57,9 +58,9 @@ struct Tetrahedralization
  * checked before it is believed (AssembleMesh.h): points in place, exact positive volumes, every
  * face shared by at most two cells, the hull convex, facets present.
  *
- * Where one way fails the next is tried, a rung further down the ladder (Ladder.cxx lists them).
- * The last is the Delaunay tetrahedralization of the points without regard to facets. Among meshes
- * that lose facets the one that loses fewest is taken; it names them in LostFacets.
+ * If one rung fails the next on the ladder is tried (Ladder.cxx lists them). The last is the
+ * Delaunay tetrahedralization of the points without regard to facets. Among meshes that lose facets
+ * the one that loses fewest is taken; it names them in LostFacets.
  *
  * Every point of the complex is a point of the mesh, whether a constraint uses it or not.
  *
@@ -80,7 +81,7 @@ TetrahedralMesh ConstrainedDelaunay(const FacetComplex& surface, Monitor& monito
 /** Where the mesh comes from and its sizes, for `statistics`. */
 void AddMeshCounts(const Tetrahedralization& result, Statistics& statistics);
 
-/** Say in a line each which rungs failed and why, and where the mesh comes from; nothing when the
- * first rung was good enough. */
+/** List in a line each the rungs that failed with their reasons, and the rung the mesh comes from;
+ * empty when the first rung sufficed. */
 void AddWarnings(const Tetrahedralization& result, std::vector<std::string>& warnings);
 } // namespace insideout

@@ -19,7 +19,7 @@ using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
 using Delaunay =
   CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 
-/** What a cell takes: CGAL's, with its share of the points, and ours. */
+/** Memory per cell: CGAL's, with its share of the points, and ours. */
 constexpr double BytesPerCell = 200;
 
 void CheckMemory(std::size_t cells, double mebibytes)

@@ -14,7 +14,7 @@ namespace insideout
 {
 namespace
 {
-/** What a rung has to go by. */
+/** The input of a rung. */
 struct Attempt
 {
   const FacetComplex& Surface;
@@ -42,7 +42,9 @@ TetrahedralMesh LeavePointsOnFacets(const Attempt& attempt)
   return UseTetgen(attempt, SurfaceSteinerPoints::Leave);
 }
 
-/** Ends the exact rung when the time is over that a user gave it: without one there is no clock. */
+/**
+ * Stop the exact rung when the user's time budget is used up; without a budget there is no clock.
+ */
 class DeadlineMonitor : public Monitor
 {
 public:
@@ -63,7 +65,7 @@ public:
   }
 
 private:
-  static constexpr double ShareOfProgress = 0.9; ///< the rest is AssembleMesh's
+  static constexpr double ShareOfProgress = 0.9; ///< AssembleMesh does the rest
 
   const double Seconds;
   Monitor& Caller;
@@ -93,14 +95,14 @@ struct Rung
 {
   const char* Name;
   TetrahedralMesh (*Try)(const Attempt&);
-  std::vector<Engine> Engines; ///< that have it
+  std::vector<Engine> Engines; ///< engines that have the rung
 };
 
 /**
- * The exact way comes first by what was measured (ConstrainedDelaunay.h). TetGen crashes most often
- * where it removes Steiner points from facets, and elsewhere by the tetrahedra that it begins with.
- * So its second rung leaves these points and begins otherwise: the two keep every facet of each
- * surface that any of five ways kept.
+ * The exact rung comes first by measurement (ConstrainedDelaunay.h). TetGen crashes most often
+ * while it removes Steiner points from facets, or because of the tetrahedra that it starts from.
+ * Its second rung therefore keeps these points and starts from others. Together the two keep every
+ * facet of each surface for which any of five settings does.
  */
 const Rung Ladder[] = {
   { "exact flips and cuts", FlipAndCutExactly, { Engine::Automatic, Engine::Exact } },

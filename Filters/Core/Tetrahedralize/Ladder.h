@@ -10,14 +10,14 @@
 
 namespace insideout
 {
-/** What tetrahedralizes in rung 1, 2 ... as words for a user; nullptr where there is none. */
+/** The name of a rung, counted from 1, for users; nullptr if there is none. */
 const char* RungName(int rung);
 
-/** The rungs that an engine has, in the order in which they are tried, counted from 1. */
+/** The numbers of an engine's rungs, in the order in which they are tried. */
 std::vector<int> RungsOf(TetrahedralizationEngine engine);
 
 /**
- * Tetrahedralize in one way, and check what comes of it (AssembleMesh).
+ * Tetrahedralize by one rung, and check the result (AssembleMesh).
  *
  * @param[in] surface as for ConstrainedDelaunay
  * @throws Error TetrahedralizerDied, TetrahedralizerFailed, Inconsistent or TooLarge where another

@@ -14,7 +14,7 @@ namespace insideout
 {
 namespace
 {
-/** Members in groups: one group per member, numbered from 0 by their lowest members. */
+/** A disjoint-set forest; groups are numbered from 0 by their lowest members. */
 struct Groups
 {
   explicit Groups(DisjointSets& sets, std::size_t members)
@@ -31,7 +31,7 @@ struct Groups
   Id Count = 0;
 };
 
-/** Points that facets join. */
+/** Points connected by facets. */
 Groups PiecesOf(const FacetComplex& surface)
 {
   DisjointSets sets(surface.Points.size());
@@ -43,7 +43,7 @@ Groups PiecesOf(const FacetComplex& surface)
   return Groups(sets, surface.Points.size());
 }
 
-/** Pieces on an edge of which the facets' signed sum is not 0. */
+/** Pieces with an edge at which the facets' signed sum is not 0. */
 std::vector<char> FindOpen(const FacetComplex& surface, const Groups& pieces)
 {
   std::vector<char> isOpen(pieces.Count, 0);
@@ -64,7 +64,7 @@ std::vector<char> FindOpen(const FacetComplex& surface, const Groups& pieces)
   return isOpen;
 }
 
-/** Pieces in a plane: that of any of their facets, none of which is degenerate. */
+/** Planar pieces. The plane is that of any of their facets: none is degenerate. */
 std::vector<char> FindFlat(const FacetComplex& surface, const Groups& pieces)
 {
   std::vector<char> isFlat(pieces.Count, 1);
@@ -86,7 +86,7 @@ std::vector<char> FindFlat(const FacetComplex& surface, const Groups& pieces)
   return isFlat;
 }
 
-/** Joins what cannot stand alone, and with it the first other piece where all of it is flat. */
+/** Join the open and flat pieces; if all of these are flat, join the first other piece, too. */
 void JoinWhatCannotStandAlone(const FacetComplex& surface, const Groups& pieces, DisjointSets& sets)
 {
   const std::vector<char> isOpen = FindOpen(surface, pieces);
@@ -119,7 +119,7 @@ void JoinWhatCannotStandAlone(const FacetComplex& surface, const Groups& pieces,
   }
 }
 
-/** The boxes of pieces, those of one set as one. */
+/** The boxes of the groups of pieces. */
 std::vector<Box> BoxesOf(const std::vector<Box>& boxes, const Groups& groups)
 {
   std::vector<Box> joined(groups.Count, Box::Empty());
@@ -130,7 +130,7 @@ std::vector<Box> BoxesOf(const std::vector<Box>& boxes, const Groups& groups)
   return joined;
 }
 
-/** Joins all whose boxes meet. @return one group per box */
+/** Join all boxes that meet. @return one group per box */
 Groups JoinWhatMeets(const std::vector<Box>& boxes, Monitor& monitor)
 {
   DisjointSets sets(boxes.size());
@@ -163,7 +163,7 @@ std::vector<Id> PartsApart(const FacetComplex& surface, Monitor& monitor)
     std::transform(parts.begin(), parts.end(), parts.begin(), [&](Id i) { return groups.Of[i]; });
   };
   join(standing);
-  // Boxes that join grow, and may meet others then.
+  // Joined boxes grow, and may then meet others.
   for (std::size_t before = boxes.size() + 1; boxes.size() < before;)
   {
     before = boxes.size();

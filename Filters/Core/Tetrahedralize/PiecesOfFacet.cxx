@@ -35,7 +35,10 @@ Sides CollectSides(const std::vector<Triangle>& pieces)
   return sides;
 }
 
-/** Spread piece 0's orientation over shared edges. @return whether it reaches all and agrees. */
+/**
+ * Propagate piece 0's orientation over shared edges. @return whether it reaches all pieces and
+ * agrees
+ */
 bool Orient(const std::vector<Triangle>& pieces, const Sides& sides, std::vector<int>& turn)
 {
   turn.assign(pieces.size(), 0);
@@ -73,7 +76,7 @@ bool Orient(const std::vector<Triangle>& pieces, const Sides& sides, std::vector
   return reached.size() == pieces.size();
 }
 
-/** The edges of one piece as a loop from `start`; empty where they are not one loop. */
+/** The boundary edges of one piece as a loop from `start`; empty if they do not form one loop. */
 std::vector<Id> BoundaryLoop(const Sides& sides, const std::vector<int>& turn, Id start)
 {
   std::map<Id, Id> next;
@@ -195,7 +198,7 @@ PointOrigin ComposeOrigin(
   {
     return PointOrigin::Like(points[0]);
   }
-  // Slots to spare repeat the first point with weight 0.
+  // Unused slots repeat the first point with weight 0.
   std::fill(points.begin() + count, points.end(), points[0]);
   const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
   return { points, { { sums[0] / total, sums[1] / total, sums[2] / total } } };

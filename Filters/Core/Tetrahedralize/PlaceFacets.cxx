@@ -15,12 +15,12 @@ namespace insideout
 namespace
 {
 /**
- * A Steiner point farther than this times the mesh's size from the facet whose piece it is part of
- * is no rounding of a point on it, and the facet counts as lost.
+ * A Steiner point farther than this, times the mesh's size, from the facet that its piece belongs
+ * to is not a rounded point on it; the facet counts as lost.
  */
 constexpr double LargestRounding = 1e-12;
 
-/** Facets on faces, as they are found. */
+/** The facets found on faces. */
 class FacetPlacer
 {
 public:
@@ -39,7 +39,7 @@ public:
     return face.First != face.Last && this->Mesh.Facets[face.First->Cell][face.First->Face] == None;
   }
 
-  /** Put the facet on the face that `triangle`, a piece of it and turned as it is, lies on. */
+  /** Put the facet on the face of `triangle`, a piece of the facet with the facet's orientation. */
   void Place(Id facet, const Triangle& triangle)
   {
     const SortedTriangle sorted(triangle);
@@ -70,7 +70,7 @@ double SizeOf(const std::vector<Point>& points)
   return size;
 }
 
-/** Where p is between the ends of edge k of a triangle: the weights of the triangle's corners. */
+/** If p is between the ends of edge k of a triangle, the weights of the triangle's corners. */
 std::array<double, 3> WeightsOnEdge(const std::array<Point, 3>& corners, int k, const Point& p)
 {
   const int next = (k + 1) % 3;
@@ -82,7 +82,7 @@ std::array<double, 3> WeightsOnEdge(const std::array<Point, 3>& corners, int k, 
   return weights;
 }
 
-/** Barycentric coordinates of p in a triangle, moved into it where rounding left it outside. */
+/** Barycentric coordinates of p in a triangle, clamped where rounding left it outside. */
 std::array<double, 3> WeightsInTriangle(const std::array<Point, 3>& corners, const Point& p)
 {
   const Point normal = NormalOf(corners[0], corners[1], corners[2]);
@@ -102,7 +102,7 @@ std::array<double, 3> WeightsInTriangle(const std::array<Point, 3>& corners, con
   return weights;
 }
 
-/** A Steiner point of a facet and where on it. */
+/** A Steiner point of a facet and its position there. */
 struct PointOnFacet
 {
   Id Point;
@@ -118,7 +118,7 @@ struct SplitFacet
   std::vector<PointOnFacet> NewPoints;
 };
 
-/** The facets that several faces are marked as pieces of, ascending. */
+/** The facets that have several marked faces, ascending. */
 std::vector<SplitFacet> GatherSplitFacets(
   Id numberOfFacets, const std::vector<Triangle>& faces, const std::vector<Id>& facetOfFaces)
 {
@@ -160,7 +160,10 @@ public:
   {
   }
 
-  /** Whether the marked faces are faces, are the facet together, and have points on it. */
+  /**
+   * Whether the marked faces are faces of the mesh, cover the facet together, and have their points
+   * on it.
+   */
   bool Match(SplitFacet& split) const
   {
     return std::all_of(split.MarkedFaces.begin(), split.MarkedFaces.end(),
@@ -218,7 +221,7 @@ private:
     return static_cast<std::size_t>(point) >= this->Surface.Points.size();
   }
 
-  /** Input points are not rounded: they lie on a facet exactly or not at all. */
+  /** Input points are not rounded: they lie exactly on a facet or off it. */
   bool IsCollinear(Id a, Id b, Id p) const
   {
     return IsDegenerate(this->Mesh.Points[a], this->Mesh.Points[b], this->Mesh.Points[p]);
@@ -240,7 +243,7 @@ private:
       {
         x += point.Weights[k] * corners[k][axis];
       }
-      // A NaN, of a facet with an area that underflows, says no, too.
+      // Rejects a NaN too: the area of a facet may underflow.
       if (!(std::abs(x - this->Mesh.Points[point.Point][axis]) <= this->Tolerance))
       {
         return false;
@@ -255,7 +258,7 @@ private:
   const double Tolerance;
 };
 
-/** The points on edges of facets, from the edge's lower end to its higher. */
+/** Points on facets' edges, from each edge's lower end to its higher. */
 using EdgePaths = std::map<std::pair<Id, Id>, std::vector<Id>>;
 
 /** Call visit(edge, points) for each edge of a facet, points as in EdgePaths. */
@@ -275,8 +278,8 @@ void ForEachPath(const Triangle& facet, const PiecesOfFacet& parts, Visit visit)
   }
 }
 
-/** Facets that share an edge must split it alike, or they would gape: those that can only be whole
- * decide, then the lowest. */
+/** Facets that share an edge must split it alike, or a gap would open: facets that can only be
+ * whole decide, then the lowest one. */
 EdgePaths AgreeOnPaths(const FacetComplex& surface, const std::vector<Id>& wholeFacets,
   const std::vector<SplitFacet>& split)
 {
@@ -312,7 +315,7 @@ bool FollowsPaths(const Triangle& facet, const PiecesOfFacet& parts, const EdgeP
   return follows;
 }
 
-/** Place the pieces and say where its new points come from, unless a lower facet did. */
+/** Place the pieces and set the origins of new points, unless a lower facet did. */
 void PlaceSplitFacet(
   const FacetComplex& surface, const SplitFacet& split, FacetPlacer& placer, TetrahedralMesh& mesh)
 {

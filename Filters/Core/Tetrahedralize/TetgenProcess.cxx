@@ -30,15 +30,18 @@ namespace
 using namespace tetgenprotocol;
 using Clock = std::chrono::steady_clock;
 
-/** A stop is noticed well within a second. */
+/** Polling interval: stops are noticed well within a second. */
 constexpr int MillisecondsBetweenChecks = 50;
-/** How long a helper that closed its output may take to end before it is killed. */
+/** Time that a helper has to end after closing its output before it is killed. */
 constexpr std::chrono::seconds GraceToEnd(1);
-/** An answer is given this much memory ahead of what has arrived, whatever length it claims. */
+/** Memory allocated ahead of the data received, whatever length the answer claims. */
 constexpr std::size_t LargestLeap = std::size_t(1) << 24;
-/** TetGen's time per point and facet on an ordinary surface; for the progress bar alone. */
+/** TetGen's usual time per point and facet; for the progress bar only. */
 constexpr double SecondsPerElement = 1e-5;
-/** A helper that gets less of a processor than one second in so many waits for what never comes. */
+/**
+ * Least share of a processor (1 / this) that a running helper uses; below it, it waits for
+ * something that never comes.
+ */
 constexpr double MostSecondsPerProcessorSecond = 100;
 
 [[noreturn]] void ThrowDied(const std::string& what)
@@ -79,11 +82,11 @@ std::string PathOfThisCode()
   {
     return "";
   }
-  // The program itself has no name here, and argv[0] says little.
+  // argv[0] is unreliable, so the main program has no name here.
   return RealPath(map && map->l_name[0] ? map->l_name : "/proc/self/exe");
 }
 
-/** Without its last component; empty once nothing is left. */
+/** The path without its last component; empty if nothing is left. */
 std::string FolderOf(const std::string& path)
 {
   const std::size_t slash = path.rfind('/');
@@ -141,7 +144,7 @@ public:
   int Number;
 };
 
-/** What posix_spawn is told: socket on input and output, signals as in a fresh process. */
+/** Attributes for posix_spawn: socket on input and output, default signals. */
 class SpawnSettings
 {
 public:
@@ -157,7 +160,7 @@ public:
     sigfillset(&all);
     posix_spawnattr_setsigmask(&this->Attributes, &none);
     posix_spawnattr_setsigdefault(&this->Attributes, &all);
-    // A group of its own: Ctrl-C is for the caller to handle, and one kill ends all there is.
+    // A process group of its own: the caller handles Ctrl-C, and one kill ends all its processes.
     posix_spawnattr_setpgroup(&this->Attributes, 0);
     posix_spawnattr_setflags(
       &this->Attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
@@ -174,7 +177,7 @@ public:
   posix_spawnattr_t Attributes;
 };
 
-/** A running helper, ended and reaped at the latest when this object goes. */
+/** A running helper; the destructor kills and reaps it at the latest. */
 class Helper
 {
 public:
@@ -207,7 +210,8 @@ public:
       siginfo_t info{};
       const int peek =
         waitid(P_PID, static_cast<id_t>(this->Process), &info, WEXITED | WNOHANG | WNOWAIT);
-      // ECHILD: the caller ignores SIGCHLD or reaps every child itself. Then it has ended, too.
+      // ECHILD: the caller ignores SIGCHLD or reaps every child itself, so the helper has ended,
+      // too.
       if (peek == 0 ? info.si_pid != 0 : errno == ECHILD)
       {
         this->Reap();
@@ -227,7 +231,7 @@ public:
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 
-  /** MiB that it holds, in memory or swapped out; 0 where there is no /proc to tell. */
+  /** MiB held in memory and swap; 0 without /proc. */
   double Memory() const
   {
     std::ifstream status("/proc/" + std::to_string(this->Process) + "/status");
@@ -243,7 +247,7 @@ public:
     return kibibytes / 1024;
   }
 
-  /** For a helper that closed its output: how it ended. */
+  /** How a helper that closed its output ended. */
   std::string DescribeEnd()
   {
     const Clock::time_point patience = Clock::now() + GraceToEnd;
@@ -266,8 +270,7 @@ public:
   }
 
 private:
-  /** End what there still is of it, children too: until it is reaped, no other group can have its
-   * number. */
+  /** Kill the whole group: until the helper is reaped, no other group can have its number. */
   void Reap()
   {
     kill(-this->Process, SIGKILL);
@@ -284,7 +287,7 @@ private:
 
 // --- The exchange --------------------------------------------------------------------------------
 
-/** Thrown within this file where the answer ends too early. */
+/** Thrown and caught in this file when the answer ends too early. */
 struct EndOfAnswer
 {
 };
@@ -295,7 +298,7 @@ struct Bytes
   std::size_t Size;
 };
 
-/** Sends while it receives, so that neither side waits for the other for ever. */
+/** Send and receive alternately: otherwise both sides could wait for each other. */
 class Conversation
 {
 public:
@@ -329,7 +332,7 @@ public:
       }
       else if (quiet && this->ChildEndedBefore)
       {
-        // A process that the caller forked meanwhile may hold the helper's end open.
+        // A process that the caller forked meanwhile may keep the helper's end open.
         throw EndOfAnswer();
       }
       else
@@ -340,7 +343,7 @@ public:
     }
   }
 
-  /** An array whose length the helper claims: memory follows what really arrives. */
+  /** An array of a length claimed by the helper: memory grows only with the data received. */
   template <typename T>
   void Receive(std::vector<T>& array, std::int64_t count)
   {
@@ -355,7 +358,7 @@ public:
   }
 
 private:
-  /** @return whether nothing happened for a while */
+  /** @return whether the interval passed without any event */
   bool WaitForSocket()
   {
     pollfd watch = { this->Socket, POLLIN, 0 };
@@ -376,7 +379,7 @@ private:
       {
         if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)
         {
-          // Nobody reads any more; receiving will tell why.
+          // The helper stopped reading; receiving finds the reason.
           this->Unsent.clear();
         }
         return;
@@ -397,7 +400,7 @@ private:
     {
       this->NextCheck = now + std::chrono::milliseconds(MillisecondsBetweenChecks);
       const double seconds = std::chrono::duration<double>(now - this->Start).count();
-      // TetGen says nothing of how far it is.
+      // TetGen reports no progress.
       this->Caller.Check(Stages::Tetrahedralizing, seconds / (seconds + this->ExpectedSeconds));
       const double mostSeconds = std::min(
         this->Budget.Seconds, MostSecondsPerProcessorSecond * this->Budget.ProcessorSeconds);
@@ -483,7 +486,7 @@ void CheckFacetIds(const std::vector<Id>& facets, std::size_t end)
   }
 }
 
-/** Nobody who may hold little is to send much: the caller would have to hold it. */
+/** Bound the answer by the memory budget: the caller has to hold it. */
 void CheckSizeOfAnswer(const AnswerHeader& header, double mebibytes)
 {
   const std::int64_t bytes = header.NumberOfPoints * std::int64_t(sizeof(Point)) +

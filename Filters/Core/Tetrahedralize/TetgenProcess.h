@@ -7,29 +7,28 @@
 
 namespace insideout
 {
-/** How TetGen recovers facets. Where one way crashes or gives up, the other may not. */
+/** How TetGen recovers facets. If one way crashes or gives up, another may succeed. */
 enum class SurfaceSteinerPoints
 {
   Avoid, ///< on facets only where TetGen cannot move them into the volume
-  Leave  ///< where they recover a facet; TetGen starts from other tetrahedra, too: by flips, and
-         ///< with the points in the order given
+  Leave  ///< where TetGen recovers a facet; it also starts from other tetrahedra: by flips, with
+         ///< the points in the given order
 };
 
 /**
  * Run TetGen on points and facets in a process of its own, the program insideout-tetgen: the one
  * that the environment variable INSIDEOUT_TETGEN names, else libexec/insideout-tetgen in the folder
- * of this code's library or program, or in one of the five folders above it. Nothing that TetGen
- * does harms the caller, and no process, file, descriptor or signal handler is left behind, not
- * even where the caller's process is killed: the helper ends with it. May be called from several
- * threads at once.
+ * of this code's library or program, or in one of the five folders above it. TetGen cannot harm the
+ * caller. No process, file, descriptor or signal handler is left behind, even if the caller is
+ * killed: the helper ends with it. Thread-safe.
  *
  * The monitor is asked every 50 ms. When it says stop, or the budget is used up, the helper is
  * killed and reaped. An answer of more bytes than the memory budget is refused before it is read.
  *
  * @param[in] points at least 4, finite
  * @param[in] facets ids in range
- * @return as many points as were sent and then Steiner points; ids in range and coordinates as they
- *         came. Nothing else is checked
+ * @return as many points as were sent and then Steiner points; ids are in range, coordinates and
+ * all else unchecked
  * @throws Error TetrahedralizerDied, TetrahedralizerFailed (TetGen says so, or the budget is used
  *         up), TooLarge, Stopped
  */

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 /**
- * What the library and the helper program insideout-tetgen say to each other: one request, one
- * answer, both in the byte order of the machine that the two share. Each side includes this file
- * and nothing else of the other's. Every count is checked before anything is allocated by it.
+ * The protocol between the library and the helper program insideout-tetgen: one request and one
+ * answer, in the machine's byte order. This file is all that the two sides share. Every count is
+ * checked before anything is allocated by it.
  */
 namespace insideout
 {
@@ -35,7 +35,7 @@ struct RequestHeader
 /**
  * Followed by the message (char), the points (3 double each; the request's come first, in their
  * order), the cells (4 int32 each), the faces that lie on facets (3 int32 each) and the facet of
- * each of these faces (int32). Where the status is not 0 there is a message and nothing else.
+ * each of these faces (int32). If the status is not 0, only the message follows.
  */
 struct AnswerHeader
 {

@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** A part as a surface of its own, and where its points and facets are in the whole. */
+/** A part as a surface of its own, with the indices of its points and facets in the whole. */
 struct Part
 {
   FacetComplex Surface;
@@ -29,7 +29,7 @@ Id CountParts(const std::vector<Id>& partOfPoint)
 std::vector<Part> SplitIntoParts(const FacetComplex& surface, const std::vector<Id>& partOfPoint)
 {
   std::vector<Part> parts(CountParts(partOfPoint));
-  std::vector<Id> place; // of each point in its part
+  std::vector<Id> place; // per point, its index in its part
   for (std::size_t p = 0; p < surface.Points.size(); ++p)
   {
     Part& part = parts[partOfPoint[p]];
@@ -77,7 +77,7 @@ Tetrahedralization TetrahedralizePart(
   }
 }
 
-/** What an id of the part is in the whole. */
+/** An id of the part, as an id of the whole. */
 Id Translate(const std::vector<Id>& ids, Id id)
 {
   return id == None ? None : ids[id];

@@ -11,9 +11,9 @@ namespace insideout
  * of one part becomes the same mesh, bit by bit.
  *
  * Points are the complex's in their order, then the Steiner points of one part after the other, as
- * the cells are. Rung is the lowest on the ladder that a part took, and what failed names the part
- * by an input point of it. A time budget is for all parts, by their facets, and the budget of
- * memory for each.
+ * the cells are. Rung is the lowest on the ladder that a part took; reasons of failed rungs name
+ * the part by one of its input points. A time budget is divided among the parts by their facets;
+ * the memory budget holds for each part.
  *
  * The same for any number of threads.
  *

@@ -5,11 +5,12 @@
 
 namespace insideout
 {
-/** What one way to tetrahedralize may use up before the next has its turn. */
+/** The budget of one rung. */
 struct TetrahedralizerBudget
 {
-  double Seconds = HUGE_VAL;          ///< wall-clock time
-  double ProcessorSeconds = HUGE_VAL; ///< of a process of its own; other ways count their work
-  double Mebibytes = HUGE_VAL;        ///< memory held at a time, where it is watched
+  double Seconds = HUGE_VAL; ///< wall-clock time
+  /// processor time of a separate process; other rungs count their work
+  double ProcessorSeconds = HUGE_VAL;
+  double Mebibytes = HUGE_VAL; ///< memory held at a time, where enforced
 };
 } // namespace insideout

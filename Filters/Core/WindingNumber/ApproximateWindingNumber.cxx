@@ -40,7 +40,7 @@ ApproximateWindingNumber::ApproximateWindingNumber(const std::vector<Point>& poi
     throw Error(ErrorCode::InvalidParameter, "the accuracy of the approximation is below 1");
   }
   this->Expansions.resize(this->Tree.Nodes.size());
-  // Every level of the tree has each triangle once.
+  // Each level of the tree contains each triangle once.
   const double size = static_cast<double>(this->Expansions.size());
   const double nanosecondsPerTriangle = 20;
   const double nanosecondsPerNode = nanosecondsPerTriangle * LeafSize * std::log2(size + 1);
@@ -104,7 +104,7 @@ double ApproximateWindingNumber::At(const Point& p) const
 {
   double w = 0;
   std::size_t index = 0;
-  std::array<Id, 64> stack; // the tree is balanced, so that it is no deeper
+  std::array<Id, 64> stack; // enough, because the tree is balanced
   int depth = 0;
   if (!this->Tree.Nodes.empty())
   {

@@ -31,7 +31,7 @@ private:
   struct Expansion
   {
     FarField Field;
-    double SquaredReach; ///< of (radius times accuracy)
+    double SquaredReach; ///< squared, radius times accuracy
   };
 
   Expansion Expand(const FacetTree::Node& node) const;

@@ -7,11 +7,11 @@ namespace insideout
 {
 namespace
 {
-/** Places of a leaf: their arctangents cost about what a series does. */
+/** Points of a leaf: their arctangents cost about as much as a series. */
 constexpr std::size_t LeafSize = 8;
 
-/** How many terms a series needs where it is at least so many radii away: then what is cut off is
- * below 2^-53 for each place. */
+/** Series terms needed at this many radii or farther: the truncation error is then below 2^-53 per
+ * point. */
 struct Precision
 {
   double Radii;
@@ -20,7 +20,7 @@ struct Precision
 constexpr std::array<Precision, 3> Precisions = { { { 100, 8 }, { 10, 16 }, { 3, 32 } } };
 constexpr std::size_t MostTerms = 32;
 
-/** Nearer than that squares underflow. */
+/** At smaller distances squares underflow. */
 constexpr double LeastDistance = 1e-140;
 } // namespace
 
@@ -101,7 +101,7 @@ void ArgumentSum::Build(std::size_t begin, std::size_t end)
   this->Nodes[index].Next = this->Nodes.size();
 }
 
-/** How many terms a node's series needs, whose center is in a direction; 0 where it is too near. */
+/** Number of terms for a node's series, with the center in the given direction; 0 if too near. */
 int ArgumentSum::TermsFor(const Node& node, const Complex& center)
 {
   const double distance = std::sqrt(std::norm(center));
@@ -111,19 +111,22 @@ int ArgumentSum::TermsFor(const Node& node, const Complex& center)
   return precision == Precisions.end() ? 0 : precision->Terms;
 }
 
-/** Whether a node that is far away surely does not meet the ray. One that may is all to the left.
- */
+/** Whether a far node certainly does not meet the ray. A node that may meet it lies entirely to the
+ * left. */
 bool ArgumentSum::IsBesideRay(const Node& node, const Complex& center)
 {
   return center.real() > 0 || std::abs(center.imag()) > 2 * node.Radius;
 }
 
-/** Of a node whose center is in a direction, as if its arguments were near that of the center. */
+/**
+ * The sum over a node with the center in the given direction, taking its arguments as close to the
+ * center's.
+ */
 double ArgumentSum::FarField(const Node& node, const Complex& center, int terms) const
 {
   const Complex inverse = std::conj(center) / std::norm(center);
   const Complex* moments = &this->Moments[node.Moments];
-  double re = 0; // Horner's rule, by hand: products of std::complex look for infinities
+  double re = 0; // Horner's rule, by hand: products of std::complex check for infinities
   double im = 0;
   for (int k = terms; k-- > 0;)
   {

@@ -12,14 +12,16 @@
 
 namespace insideout
 {
-/** A place, and how often it counts. */
+/** A point and its count. */
 struct CountedPlace
 {
   PlanarPoint Place;
   double Count;
 };
 
-/** Heights, and how much counts at and above each: for rays to the left, which go between them. */
+/**
+ * Heights, with the counts summed at and above each: for rays to the left, which pass between them.
+ */
 class CountsAbove
 {
 public:
@@ -28,7 +30,7 @@ public:
   /** @param[in] counted heights and counts */
   explicit CountsAbove(std::vector<std::pair<double, double>> counted);
 
-  /** What counts at or above a place, by place.IsAtOrAbove(height), exactly. */
+  /** The count at or above a point, by place.IsAtOrAbove(height), exactly. */
   template <typename Place>
   double At(const Place& place) const
   {
@@ -42,14 +44,14 @@ private:
 };
 
 /**
- * The sum of counted arguments of the directions to places, each in (-pi, pi] and 0 where the place
- * is the point itself, over 2 pi.
+ * The sum of counted arguments of the directions to places, each in (-pi, pi] and 0 where the two
+ * coincide, over 2 pi.
  *
  * The argument is the imaginary part of the logarithm, whose far field is a series in the inverse
- * of the distance (Greengard and Rokhlin 1987). In a tree of places, one that is far from the point
- * is such a series, cut off behind a double's last digit. Where it meets the ray to the left, on
- * which the argument jumps, the places on the one side of the ray are a whole turn off: how many
- * these are is found among their heights. Ends nearby are summed place by place.
+ * of the distance (Greengard and Rokhlin 1987). A tree node that is far from the point is such a
+ * series, truncated below a double's last digit. If the node meets the ray to the left, on which
+ * the argument jumps, the places on one side of the ray are off by a whole turn; their number
+ * follows from their heights. Near nodes are summed place by place.
  */
 class ArgumentSum
 {
@@ -61,8 +63,8 @@ public:
   /**
    * Safe to call from several threads.
    *
-   * @param[in] from where to: from.Offset(p) is from there to p, each coordinate but for its own
-   *   rounding, and from.IsAtOrAbove(y) whether a height is, exactly
+   * @param[in] from the point: from.Offset(p) is the vector from it to p with rounded coordinates,
+   * from.IsAtOrAbove(y) compares heights exactly
    */
   template <typename From>
   double At(const From& from) const
@@ -105,8 +107,8 @@ private:
     double Count;      ///< of all places
     std::size_t Begin; ///< of its places
     std::size_t End;
-    std::size_t Next;    ///< the node to go on with where this one is passed over
-    std::size_t Moments; ///< of the series, where they begin
+    std::size_t Next;    ///< the next node when this one is skipped
+    std::size_t Moments; ///< start of the series
     CountsAbove Above;   ///< of all places
   };
 

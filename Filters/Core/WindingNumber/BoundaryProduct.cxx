@@ -9,8 +9,8 @@ namespace insideout
 {
 namespace
 {
-// Factors are from 2^-97 to 2^104, for sites may be 2^50 away, and those ahead from 2^-20 to 2^10:
-// so many of them neither overflow nor underflow.
+// Normalize after this many factors. They are from 2^-97 to 2^104, for sites may be 2^50 away, or
+// from 2^-20 to 2^10 for sites ahead: no product overflows or underflows.
 constexpr int EdgesToNormalize = 8;
 constexpr int EdgesAheadToNormalize = 32;
 
@@ -41,7 +41,7 @@ INSIDEOUT_ALWAYS_INLINE void SetSpinors(
   }
 }
 
-/** Sites that see all points with a positive third coordinate, in this frame. */
+/** Sites to which all points have a positive third coordinate in this frame. */
 struct SitesAhead
 {
   const SiteBlock& Sites;
@@ -110,7 +110,7 @@ INSIDEOUT_ALWAYS_INLINE void MultiplyByEdge(
   }
 }
 
-/** To a modulus from 1/2 to 1. */
+/** Scale to a modulus from 1/2 to 1. */
 INSIDEOUT_ALWAYS_INLINE void Normalize(PhaseProducts& products)
 {
 #pragma omp simd
@@ -123,8 +123,8 @@ INSIDEOUT_ALWAYS_INLINE void Normalize(PhaseProducts& products)
 }
 
 /**
- * Multiply by all edges of closed loops. A point's root is taken while the edges before it are
- * multiplied: neither waits for the other.
+ * Multiply by all edges of closed loops. A point's root is computed while the edges before it are
+ * multiplied, for instruction-level parallelism.
  *
  * @param[in] sites a block or SitesAhead, with the spinors that serve these
  */
@@ -132,7 +132,7 @@ template <typename AnySpinors, typename AnySites>
 INSIDEOUT_ALWAYS_INLINE void MultiplyByLoops(
   const BoundaryLoops& loops, const AnySites& sites, int edgesToNormalize, PhaseProducts& products)
 {
-  // Kept apart from the argument, so that nothing else can refer to it.
+  // A local copy: the compiler knows that nothing aliases it.
   PhaseProducts local = products;
   int edges = 0;
   const Point* point = loops.Points;

@@ -9,22 +9,22 @@
 /**
  * The winding number modulo 1, from the boundary alone.
  *
- * Modulo 1 it is the same for all surfaces with one boundary, so that it must be a function of the
+ * Modulo 1 it is the same for all surfaces with the same boundary, so it is a function of the
  * boundary's edges: half the solid angle of a loop of directions is the argument of a product of
  * spinors (Pancharatnam 1956),
  *
  *   solid angle / 2 = arg prod <s(u_i) | s(u_i+1)>   modulo 2 pi,   |<s(u) | s(v)>| = cos(angle /
  * 2)
  *
- * where s(u) = (1 + z, x + i y) / norm points to the direction u = (x, y, z). Scaling a spinor by
- * any complex number changes nothing, for each stands once in a bra and once in a ket. So the norm
+ * where s(u) = (1 + z, x + i y) / norm points to the direction u = (x, y, z). Scaling a spinor by a
+ * complex number changes nothing, because each occurs once in a bra and once in a ket. So the norm
  * can be left out, and u need not be a unit vector. (x - i y, 1 - z) is the same spinor without
- * cancellation where z is negative, and may stand in for it. A point costs one root, an edge two
- * complex products, and there is no division, no arctangent and no branch.
+ * cancellation where z is negative, and may stand in for it. A point costs one root and an edge two
+ * complex products, without division, arctangent or branch.
  */
 namespace insideout
 {
-/** Closed loops: the points of one after those of another, and how many each has. */
+/** Closed loops: the points of all loops in sequence, and the number of points of each. */
 struct BoundaryLoops
 {
   const Point* Points;
@@ -49,7 +49,7 @@ struct PhaseProducts
 void MultiplyByBoundary(
   const BoundaryLoops& loops, const SiteBlock& sites, PhaseProducts& products);
 
-/** The axes in another order, the third one perhaps reversed: a right-handed frame. */
+/** A permutation of the axes, the third one perhaps reversed: a right-handed frame. */
 struct Frame
 {
   int X;
@@ -59,8 +59,8 @@ struct Frame
 };
 
 /**
- * The same for sites that see all points in the direction of the frame's third axis, which is
- * quicker: one of the two spinors serves everywhere.
+ * The same for sites from which all points lie in the direction of the frame's third axis. This is
+ * faster: one of the two spinors suffices.
  *
  * @param[in] sites at least 2^-6 away from all points along that axis, so that their High is
  * enough, and no more than 8 away along any

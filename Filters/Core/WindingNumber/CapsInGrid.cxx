@@ -15,13 +15,13 @@ namespace insideout
 {
 namespace
 {
-// Of a polynomial along an axis. It errs by about rho^-Nodes of what it interpolates, with
-// rho = d + sqrt(1 + d^2) where d is the distance of what is not smooth in half lengths of the box
-// (Trefethen 2013, theorem 8.2): by 1e-15 of a winding number which is small itself.
+// Nodes of a polynomial along an axis. Its relative error is about rho^-Nodes, rho = d + sqrt(1 +
+// d^2), where d is the distance of the nearest singularity in half lengths of the box (Trefethen
+// 2013, theorem 8.2). It is 1e-15 of a winding number that is small itself.
 constexpr Id Nodes = 24;
 constexpr double FarInHalfLengths = 2;
 
-// Bounds stay bounds whatever rounding does.
+// Keeps bounds valid despite rounding.
 constexpr double RoundedUp = 1 + 0x1p-20;
 
 constexpr double NanosecondsPerBox = 1e6;
@@ -38,7 +38,7 @@ double DistanceBetween(const Box& a, const Box& b)
 }
 } // namespace
 
-/** The places of the grid themselves, where they are few enough; else Chebyshev's. */
+/** The places of the grid themselves if they are few enough; else Chebyshev nodes. */
 CapsInGrid::AxisNodes CapsInGrid::NodesOf(int axis, Id first, Id last) const
 {
   const std::vector<double>& places = this->Grid.Axes[axis];
@@ -59,7 +59,7 @@ CapsInGrid::AxisNodes CapsInGrid::NodesOf(int axis, Id first, Id last) const
   return nodes;
 }
 
-/** The polynomials that are 1 at one node and 0 at the others, at a place. */
+/** The Lagrange polynomials of the nodes, evaluated at a place. */
 std::vector<double> CapsInGrid::BasisAt(const AxisNodes& nodes, double x)
 {
   std::vector<double> basis(nodes.Places.size(), 0);
@@ -107,7 +107,7 @@ Box CapsInGrid::Around(const GridBox& box) const
   return around;
 }
 
-/** Whether the box's polynomial may tell the cap's winding number. */
+/** Whether the box's polynomial can represent the cap's winding number. */
 bool CapsInGrid::IsFar(Id cap, const GridBox& box) const
 {
   const Box around = this->Around(box);
@@ -119,8 +119,8 @@ bool CapsInGrid::IsFar(Id cap, const GridBox& box) const
   return half == 0 || DistanceBetween(this->BoxOfCap[cap], around) >= FarInHalfLengths * half;
 }
 
-/** Of the absolute value of all caps' winding number in the box: of each at most its area over that
- * of the sphere around the place which touches it. */
+/** A bound of the absolute winding number of all caps in the box: the sum of each cap's area over
+ * that of the sphere around the place which touches it. */
 double CapsInGrid::BoundIn(const GridBox& box) const
 {
   const Box around = this->Around(box);
@@ -136,7 +136,7 @@ double CapsInGrid::BoundIn(const GridBox& box) const
   return bound * RoundedUp;
 }
 
-/** Add those that are far to the values at the nodes. */
+/** Add the far caps to the values at the nodes. */
 void CapsInGrid::AddFarCaps(GridBox& box) const
 {
   const auto far = std::stable_partition(
@@ -171,7 +171,10 @@ void CapsInGrid::AddFarCaps(GridBox& box) const
     .Add({ places, cells }, order, box.Values, silent, { "", 0, 1 });
 }
 
-/** The halves across the longest axis that has more places than nodes, with the box's values. */
+/**
+ * The halves of the box across the longest axis that has more places than nodes, with the box's
+ * values.
+ */
 std::array<CapsInGrid::GridBox, 2> CapsInGrid::Halves(const GridBox& box) const
 {
   int longest = -1;
@@ -317,8 +320,7 @@ void CapsInGrid::AddInSlice(Id slice, std::vector<double>& w) const
 
 namespace
 {
-/** Set each of `sum` to the sum of its values, one in each of so many runs, times the run's factor.
- */
+/** Set each of `sum` to the sum of its values over all runs, each times the run's factor. */
 void Combine(
   const double* factors, std::size_t runs, const double* values, std::vector<double>& sum)
 {

@@ -13,10 +13,10 @@ namespace insideout
  * The winding number of caps at all places of some slices of a grid.
  *
  * Away from a cap its winding number is a harmonic function, which a polynomial through few values
- * tells to rounding. So the slices are cut into boxes, again and again: caps that are far from a
- * box are summed at the nodes of a polynomial in it. The others are summed in its halves, which
- * take over the polynomial at their nodes. A box with no more places than nodes has its places for
- * nodes.
+ * represents to rounding. So the slices are bisected recursively into boxes. Caps that are far from
+ * a box are summed at the nodes of a polynomial in it; the others are summed in its halves, which
+ * evaluate the polynomial at their own nodes. A box with no more places than nodes has its places
+ * as nodes.
  */
 class CapsInGrid
 {
@@ -40,7 +40,7 @@ public:
   void AddInSlice(Id slice, std::vector<double>& w) const;
 
 private:
-  /** Where a polynomial along an axis takes its values. */
+  /** The nodes of a polynomial along an axis. */
   struct AxisNodes
   {
     std::vector<double> Places;
@@ -56,7 +56,7 @@ private:
     std::vector<double> Values; ///< at the nodes, x fastest; empty for zero
     std::vector<Id> Near;       ///< caps that are not in the values
 
-    /** The values of the nodes' polynomials at place after place; in x of node after node. */
+    /** The values of the nodes' polynomials, place by place; for x node by node. */
     std::array<std::vector<double>, 3> Basis;
   };
 
@@ -75,7 +75,7 @@ private:
   const std::vector<Point>& Points;
   const std::vector<std::vector<CountedTriangle>>& Caps;
   std::vector<Box> BoxOfCap;
-  std::vector<double> AreaOfCap; ///< counted as often as its triangles
+  std::vector<double> AreaOfCap; ///< each repeated by its count
   const GridPlaces& Grid;
   std::vector<GridBox> Boxes; ///< those in which no cap is left out
 };

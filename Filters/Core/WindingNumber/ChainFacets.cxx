@@ -15,7 +15,7 @@ namespace
 {
 constexpr double NanosecondsPerFacet = 40; // for its plane
 
-/** A place about 1 away from a site, opposite to another place. */
+/** A point about 1 away from a site, in the direction opposite to another point. */
 Point Opposite(const RoundedSite& site, const Point& place)
 {
   Vector<long double> d;
@@ -154,7 +154,7 @@ double ChainFacets::AngleOfTouched(
     }
     if (edges == 3)
     {
-      // Within the triangle: half a sphere, whatever rounding says.
+      // Within the triangle: half a sphere, regardless of rounding.
       turns = sign / 2;
     }
     sum += facet.Count * turns;

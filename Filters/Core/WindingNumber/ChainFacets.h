@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** A facet of a list, and on which side of its plane a certain place lies: +1, 0 or -1. */
+/** A facet of a list, and the side of its plane on which a certain place lies: +1, 0 or -1. */
 class SidedFacet
 {
 public:
@@ -26,8 +26,8 @@ private:
 };
 
 /**
- * The triangles of a chain, prepared for counting those between two places: that tells by how much
- * the winding numbers there differ. Safe to use from several threads.
+ * The triangles of a chain, prepared for counting those between two places; the count is the
+ * difference of the winding numbers there. Safe to use from several threads.
  */
 class ChainFacets
 {
@@ -44,7 +44,7 @@ public:
 
   Id Size() const { return this->NumberOfFacets; }
   const Facet& operator[](Id facet) const { return this->Facets[facet]; }
-  /** Made anew: to keep them takes memory and saves no time. */
+  /** Recomputed: storing them takes memory and saves no time. */
   Box BoxOf(Id facet) const
   {
     const auto& [a, b, c] = this->Facets[facet].Corners;
@@ -60,12 +60,11 @@ public:
   bool MayMeet(Id facet, const Box& box) const;
 
   /**
-   * Add by how much the winding number at `from` differs from that at `to`, because of those of
-   * some facets that are between them. Facets that `from` lies on are put into `touched` and not
-   * counted.
+   * Add the difference of the winding numbers at `from` and `to` that is due to some facets. Facets
+   * that `from` lies on are appended to `touched` and not counted.
    *
    * @param[in] first, last the facets, with the sides that `to` lies on
-   * @return whether the line between them shows it: false where it meets an edge or lies in a
+   * @return whether the line between them decides it: false where it meets an edge or lies in a
    * plane, where `to` lies on a facet, or where `from` does and `touched` is null
    */
   bool CountCrossings(const SidedFacet* first, const SidedFacet* last, const PreparedSite& from,
@@ -73,13 +72,13 @@ public:
 
   /**
    * The winding number of the facets that the site lies on, at a place next to it in some
-   * direction: the sum of the infinite wedges that these look like from there.
+   * direction. Seen from there they are infinite wedges, whose winding numbers are summed.
    */
   double AngleOfTouched(
     std::vector<Id> touched, const PreparedSite& site, const Point& towards) const;
 
 private:
-  // An array, for a vector would be zeroed by one thread before several fill it.
+  // An array: a vector would be zeroed by one thread before several fill it.
   Id NumberOfFacets;
   std::unique_ptr<Facet[]> Facets;
 };

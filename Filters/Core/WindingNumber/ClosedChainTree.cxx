@@ -12,7 +12,8 @@ namespace insideout
 {
 namespace
 {
-// A cube with more facets than this is cut further; one with many more by itself, on all threads.
+// A cube with more facets than the first is subdivided; with more than the second, it is subdivided
+// alone, on all threads.
 constexpr std::ptrdiff_t MostInCube = 256;
 constexpr std::size_t ManyInCube = 4096;
 
@@ -83,7 +84,7 @@ void ClosedChainTree::Build(
   }
 }
 
-/** Trees for the cubes with many facets. */
+/** Build trees for the cubes with many facets. */
 void ClosedChainTree::BuildTrees(
   const std::vector<Point>* wanted, Monitor& monitor, const ProgressRange& progress)
 {
@@ -120,7 +121,7 @@ void ClosedChainTree::BuildTrees(
     this->Trees[i] = std::make_unique<const ReferenceTree>(
       this->Facets, wanted, std::move(region), monitor, progress);
   };
-  // The largest one by one, each on all threads; then the others all at once.
+  // The largest cubes one by one, each on all threads; then the others in parallel.
   std::vector<std::size_t> small;
   double facets = 0;
   for (std::size_t i = 0; i < trees; ++i)
@@ -141,14 +142,14 @@ void ClosedChainTree::BuildTrees(
     [&](Id i) { build(small[i]); });
 }
 
-/** The tree of the cube, if it has one; else that of the next cube behind it which does. */
+/** The tree of the cube if it has one, else that of the next cube that does. */
 std::size_t ClosedChainTree::TreeOf(std::size_t cube) const
 {
   return static_cast<std::size_t>(
     std::lower_bound(this->Crowded.begin(), this->Crowded.end(), cube) - this->Crowded.begin());
 }
 
-/** A tree of the whole, whose winding number is carried from the outside. */
+/** One tree for the whole chain; the winding number is carried from outside. */
 void ClosedChainTree::BuildOneTree(
   const std::vector<Point>* wanted, Monitor& monitor, const ProgressRange& progress)
 {
@@ -158,7 +159,7 @@ void ClosedChainTree::BuildOneTree(
     all.Bounds.Add(this->Facets.BoxOf(f));
     all.Facets.push_back(f);
   }
-  // A little larger, so that the box of a flat chain has an inside.
+  // Slightly enlarged, so that the box of a flat chain has an interior.
   const double largest = all.Bounds.Extent(all.Bounds.LongestAxis());
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -13,11 +13,10 @@ namespace insideout
  *
  * Space is cut into boxes that hold few triangles each, and the winding number is known at one
  * reference place in every box. At a site it is that of its box's reference plus the signed count
- * of the box's triangles between the two: exact predicates decide, and where the line between them
- * meets an edge or a corner a detour is made. In a box that no triangle meets there is nothing to
- * count. The boxes are the cubes of a grid, about twice as many as triangles at most; those which
- * hold many triangles are cut further, so that time grows at most with the logarithm of their
- * number.
+ * of the box's triangles between the two. Exact predicates decide; if the line between them meets
+ * an edge or a corner a detour is made. In a box that no triangle meets there is nothing to count.
+ * The boxes are the cubes of a grid, about twice as many as triangles at most; those which hold
+ * many triangles are cut further, so that time grows at most with the logarithm of their number.
  *
  * On the chain itself the winding number is the mean of its values around the site, weighted by
  * solid angle: halfway between both sides on a triangle, the dihedral angle over 2 pi on the edge
@@ -34,9 +33,8 @@ public:
   ClosedChainTree(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles,
     Monitor& monitor, const ProgressRange& progress);
 
-  /** The same for sites near certain places only, which is quicker where these are few: `wanted`
-   * are the rounded sites, RoundedSite::High. At any other site the winding number is NaN or right.
-   */
+  /** The same for wanted sites only, which is faster if they are few: `wanted` are the rounded
+   * sites, RoundedSite::High. At any other site the winding number is NaN or right. */
   ClosedChainTree(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles,
     const std::vector<Point>& wanted, Monitor& monitor, const ProgressRange& progress);
 
@@ -44,8 +42,8 @@ public:
   void operator=(const ClosedChainTree&) = delete;
 
   /**
-   * The winding number at a site. It is a whole number but on the chain, where it is right to about
-   * 1e-15. Safe to call from several threads.
+   * The winding number at a site: a whole number, except on the chain, where it is right to about
+   * 1e-15. Thread-safe.
    */
   double At(const Site& site) const;
 
@@ -75,16 +73,16 @@ private:
 
   std::size_t TreeOf(std::size_t cube) const;
 
-  /** False where nothing is near, and w is known without more ado. */
+  /** False if no triangle is near, and w is already known. */
   bool Locate(const RoundedSite& site, KnownBox& box, double& w) const;
 
   const ChainFacets Facets;
-  std::unique_ptr<ReferenceGrid> Grid; ///< none where doubles did not do
+  std::unique_ptr<ReferenceGrid> Grid; ///< none if doubles did not decide
   std::vector<char> IsWanted;          ///< of the grid's cubes; empty for all
 
-  /** For the grid's cubes that hold many facets; without a grid one of the whole. */
+  /** One per grid cube that holds many facets; without a grid, one for the whole chain. */
   std::vector<std::unique_ptr<const ReferenceTree>> Trees;
   std::vector<std::size_t> Crowded; ///< those cubes, ascending
-  Box Whole;                        ///< that of the one tree
+  Box Whole;                        ///< index of the single tree
 };
 } // namespace insideout

@@ -11,16 +11,16 @@ namespace insideout
 {
 namespace
 {
-/** Half of an edge's record: the bucket of its lower point says the rest. */
+/** Half of an edge's record: the bucket of its lower point implies the rest. */
 struct HigherEnd
 {
   Id High;
   int Count;
 };
 
-constexpr double NanosecondsPerTriangle = 35; // mostly to sort its edges into buckets
+constexpr double NanosecondsPerTriangle = 35; // mostly for sorting the edges into buckets
 
-/** The edges whose lower point is in a range, in buckets by that point. */
+/** The edges whose lower point is in a range, bucketed by that point. */
 Buckets<HigherEnd> EdgesByLowerPoint(
   const std::vector<CountedTriangle>& triangles, Id first, Id last)
 {
@@ -88,7 +88,7 @@ std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface)
 std::vector<CountedEdge> CountedBoundary(
   const std::vector<CountedTriangle>& triangles, Id numberOfPoints)
 {
-  // As many parts as threads, for each of them reads all triangles.
+  // As many ranges as threads, because each thread reads all triangles.
   const int parts = TeamSize(NanosecondsPerTriangle * static_cast<double>(triangles.size()));
   std::vector<std::vector<CountedEdge>> found(static_cast<std::size_t>(parts));
   const auto beginOf = [&](int part)
@@ -135,7 +135,7 @@ std::vector<Loop> LoopsOf(const std::vector<CountedEdge>& boundary)
         walk.push_back(next);
         continue;
       }
-      // Cut off the loop that has just been closed, and walk on from where it began.
+      // Split off the loop that was just closed, and continue from its start.
       const std::size_t first = seen->second;
       loops.emplace_back(walk.begin() + static_cast<std::ptrdiff_t>(first), walk.end());
       for (std::size_t i = first; i < walk.size(); ++i)

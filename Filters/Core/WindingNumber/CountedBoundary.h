@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A triangle between points of some list, and how often it counts along its orientation. */
+/** A triangle between points of some list, and its count along its orientation. */
 struct CountedTriangle
 {
   Triangle Corners;
@@ -25,7 +25,7 @@ struct ChainOfFacets
 /** The facets of a complex that count, in its order. */
 std::vector<CountedTriangle> CountedFacets(const FacetComplex& surface);
 
-/** An edge from one point to another, and how often it counts that way. */
+/** An edge from one point to another, and its count in that direction. */
 struct CountedEdge
 {
   Id From;
@@ -34,8 +34,8 @@ struct CountedEdge
 };
 
 /**
- * The boundary of a chain of triangles: every edge on which the signed sum is not zero, once, from
- * its lower to its higher point. Sorted by From, then To.
+ * The boundary of a chain of triangles: each edge with a signed sum other than zero, once, from its
+ * lower to its higher point, sorted by From, then To.
  *
  * @param[in] numberOfPoints that the corners are below
  */

@@ -15,7 +15,7 @@ namespace insideout
 {
 namespace
 {
-// What polynomials say of the caps is held for so many slices of a grid at once.
+// Slices of a grid for which the polynomials of the caps are evaluated and held at once.
 constexpr Id SlicesAtOnce = 64;
 } // namespace
 
@@ -65,7 +65,7 @@ void ExactWindingNumber::EvaluateInGrid(const GridPlaces& grid, std::optional<do
 {
   const LabelsInRows labels(this->Tree.AllFacets(), grid);
   const Id slices = grid.Size(2);
-  // Off the chain labels are whole, so that so little changes no side.
+  // Values off the chain are whole numbers, so this small a change keeps the side.
   const double negligible = sideOf ? std::abs(*sideOf - std::round(*sideOf)) : 0;
   const double nanosecondsPerPlace = this->Caps.empty() ? 2 : 20;
   for (Id first = 0; first < slices; first += SlicesAtOnce)

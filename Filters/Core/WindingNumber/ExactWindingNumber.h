@@ -46,21 +46,17 @@ public:
   std::vector<double> Evaluate(
     const std::vector<Point>& at, Monitor& monitor, const ProgressRange& progress) const;
 
-  /**
-   * The same at places that no double holds.
-   *
-   * @param[in] sites below 2^50 in each coordinate
-   */
+  /** The same at sites, which doubles need not represent. */
   std::vector<double> Evaluate(
     const Sites& sites, Monitor& monitor, const ProgressRange& progress) const;
 
   /**
-   * At all places of a grid, slice by slice: the whole number along rows (LabelsInRows.h), that of
-   * the caps by polynomials (CapsInGrid.h). Few slices are held at once.
+   * At all places of a grid, slice by slice: the whole number along rows (LabelsInRows.h), the
+   * caps' by polynomials (CapsInGrid.h). Few slices are held at once.
    *
    * @param[in] grid below 2^50 in each coordinate; its axes ascend strictly
-   * @param[in] sideOf where given, values only tell on which side of it the winding number is,
-   * which takes no longer where the surface is open
+   * @param[in] sideOf if given, values only tell on which side of it the winding number is; an open
+   * surface then takes no longer than a closed one
    * @throws Error (Stopped)
    */
   void EvaluateInGrid(const GridPlaces& grid, std::optional<double> sideOf,

@@ -10,7 +10,7 @@ namespace insideout
 {
 namespace
 {
-/** Where two axes stand in SecondAxes. */
+/** Indices of pairs of axes in SecondAxes. */
 int PairOf(int j, int k)
 {
   return j == k ? j : j + k == 1 ? 3 : j + k == 3 ? 4 : 5;
@@ -99,7 +99,7 @@ double FarField::At(const Point& r, int terms) const
   return sum / (4 * Pi);
 }
 
-/** The terms' derivatives by r, with the other sign: where the place moves on, r gets shorter. */
+/** The terms' derivatives by the place: those by r, negated. */
 Point FarField::Gradient(const Point& r) const
 {
   const double inverse2 = 1 / Dot(r, r);

@@ -8,12 +8,12 @@
 namespace insideout
 {
 /**
- * What facets or dipoles count far away from them (Barill, Dickson, Schmidt, Levin and Jacobson
- * 2018): the first three terms of the Taylor series about a centre. A vector area n at x counts
+ * The far field of facets or dipoles (Barill, Dickson, Schmidt, Levin and Jacobson 2018): the first
+ * three terms of the Taylor series about a centre. A vector area n at x contributes
  *
  *     w(p) = n . (x - p) / (4 pi |x - p|^3).
  *
- * As the derivatives of this are the same for any order of axes, so are the moments that are kept.
+ * Its derivatives are symmetric in the axes, and so are the stored moments.
  */
 struct FarField
 {
@@ -28,14 +28,14 @@ struct FarField
     { { 1, 1, 1 } }, { { 2, 2, 2 } }, { { 0, 0, 1 } }, { { 0, 0, 2 } }, { { 0, 1, 1 } },
     { { 1, 1, 2 } }, { { 0, 2, 2 } }, { { 1, 2, 2 } }, { { 0, 1, 2 } } } };
 
-  /** Add a vector area whose places d from the centre have these means, of d_j and, in the order of
-   * SecondAxes, of d_j d_k. */
+  /** Add a vector area distributed over offsets d from the center: the means of d_j and, in the
+   * order of SecondAxes, of d_j d_k. */
   void Add(const Point& n, const Point& mean, const std::array<double, 6>& meanOfProducts);
 
-  /** Add a vector area in a single place, d from the centre. */
+  /** Add a vector area at a single offset d from the center. */
   void AddDipole(const Point& n, const Point& d);
 
-  /** w by this number of terms, 1 to 3, at a place from which r leads to the centre. */
+  /** w by this number of terms, 1 to 3; r leads from the place to the center. */
   double At(const Point& r, int terms) const;
 
   /** The gradient of w by all three terms there. */

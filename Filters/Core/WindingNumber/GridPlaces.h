@@ -27,7 +27,6 @@ struct GridPlaces
   }
 };
 
-/** Takes the winding numbers of a slice, one per place; called by several threads at once, in no
- * certain order. */
+/** Receives the winding numbers of a slice, one per place; called concurrently, in any order. */
 using SliceVisitor = std::function<void(Id slice, const std::vector<double>& w)>;
 } // namespace insideout

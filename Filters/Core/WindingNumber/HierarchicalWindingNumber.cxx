@@ -72,7 +72,7 @@ HierarchicalWindingNumber::HierarchicalWindingNumber(
   }
 }
 
-/** Close a node and all below it; returns its boundary. */
+/** Close a node and its descendants with fans; returns the node's boundary. */
 std::vector<CountedEdge> HierarchicalWindingNumber::CloseNodes(std::size_t index)
 {
   const FacetTree::Node& node = this->Tree.Nodes[index];

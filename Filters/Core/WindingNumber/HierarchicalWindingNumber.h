@@ -7,10 +7,9 @@ namespace insideout
 {
 /**
  * The winding number by the thesis's own hierarchy (chapter 8): a tree of facets in which every
- * node's open boundary is closed with a fan. Outside the node's box the node's facets and its fan
- * together wind around nothing, so that there the fan can stand in for the facets; it does where it
- * has fewer triangles. Exact but for rounding, with an arctangent per triangle. For reference:
- * ExactWindingNumber.h is faster.
+ * node's open boundary is closed with a fan. Outside the node's box the facets and the fan together
+ * have winding number 0, so there the fan replaces the facets if it has fewer triangles. Exact but
+ * for rounding, with an arctangent per triangle. For reference: ExactWindingNumber.h is faster.
  */
 class HierarchicalWindingNumber
 {

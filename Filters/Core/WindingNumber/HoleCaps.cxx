@@ -12,10 +12,10 @@ namespace insideout
 {
 namespace
 {
-// Of longer loops only so many corners are tried, evenly spread.
+// Corners of a long loop that are tried, evenly spread.
 constexpr std::size_t MostApexes = 16;
 
-// Longer loops are cut into arcs of so many edges: few of many small fans are near any place.
+// Edges per arc of a longer loop: with many small fans, few are near any given place.
 constexpr std::size_t EdgesPerArc = 32;
 
 Triangle FanTriangle(const Loop& loop, std::size_t apex, std::size_t i)
@@ -46,7 +46,7 @@ std::size_t BestApex(const std::vector<Point>& points, const Loop& loop)
   return best;
 }
 
-/** The triangles that are not degenerate of the fan from the best corner. */
+/** The non-degenerate triangles of the fan from the best corner. */
 std::vector<CountedTriangle> Fan(const std::vector<Point>& points, const Loop& loop)
 {
   const std::size_t apex = BestApex(points, loop);
@@ -62,7 +62,7 @@ std::vector<CountedTriangle> Fan(const std::vector<Point>& points, const Loop& l
   return fan;
 }
 
-/** Make a cap of each arc and its chord. @return the loop of the chords */
+/** Make a cap for each arc and its chord. @return the loop of the chords */
 Loop CutOffArcs(const std::vector<Point>& points, const Loop& loop,
   std::vector<std::vector<CountedTriangle>>& caps)
 {
@@ -82,7 +82,7 @@ Loop CutOffArcs(const std::vector<Point>& points, const Loop& loop,
   return chords;
 }
 
-/** Triangles with the same corners become one, or none where they cancel. */
+/** Merge triangles with the same corners, or remove them where they cancel. */
 std::vector<CountedTriangle> AddChains(const std::vector<CountedTriangle>& triangles)
 {
   std::vector<CountedTriangle> sorted;
@@ -133,7 +133,7 @@ std::vector<CountedTriangle> CloseChain(
   {
     return triangles;
   }
-  // Only triangles between corners of caps can be the same as one of a cap.
+  // Only a triangle between corners of caps can coincide with one of a cap.
   std::vector<CountedTriangle> between;
   Id last = -1;
   for (const std::vector<CountedTriangle>& cap : caps)

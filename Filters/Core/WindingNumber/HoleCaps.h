@@ -7,9 +7,9 @@ namespace insideout
 {
 /**
  * Caps with a given boundary: a fan for each of its loops, from the corner of the loop that gives
- * the fan the least area. A long loop is cut into arcs first, each of which has a fan with its
- * chord, and so has the loop of the chords. A fan has two triangles fewer than its loop has edges:
- * that of a lone triangle is the triangle itself, so that the two cancel.
+ * the fan the least area. A long loop is first cut into arcs. Each arc with its chord gets a fan,
+ * and so does the loop of the chords. A fan has two triangles fewer than its loop has edges: that
+ * of a lone triangle is the triangle itself, so that the two cancel.
  *
  * @param[in] boundary of a chain of triangles
  * @return per loop or arc the triangles that are not degenerate

@@ -8,8 +8,8 @@ namespace insideout
 {
 namespace
 {
-// A detour fails only where it meets an edge or a corner exactly. The places lie crooked, so that
-// the first one does nearly always; this many fail only on input that is made for it.
+// Detours tried. A detour fails only if it meets an edge or a corner exactly. The places are in
+// irregular positions, so the first detour nearly always works; all fail only on input made for it.
 constexpr int MostDetours = 64;
 
 } // namespace

@@ -6,15 +6,15 @@
 namespace insideout
 {
 /**
- * Where a closed chain's winding number is known: at a reference place in a box. At another place
- * in the box it differs by the count of the facets between.
+ * A box with a reference place at which a closed chain's winding number is known. At another place
+ * in the box it differs by the count of the facets between the two.
  */
 struct KnownBox
 {
   Box Bounds;
   Point Reference;
-  double Value;                 ///< NaN where no site is wanted
-  const SidedFacet* FirstFacet; ///< all that may meet the box, with the reference's side
+  double Value;                 ///< NaN if no site is wanted
+  const SidedFacet* FirstFacet; ///< all that may meet the box, with the reference's side of each
   const SidedFacet* LastFacet;
 };
 

@@ -16,13 +16,14 @@ namespace
 {
 constexpr double NanosecondsPerFacet = 60;
 
-// Facets are listed for so many slices at once, so that those which span all take little memory.
+// Slices for which facets are listed at once, so that facets that span all slices take little
+// memory.
 constexpr Id SlicesPerSlab = 16;
 
-// Where a facet meets a slice is known to less than this: coordinates are below 1.
+// Error of the intersection of a facet with a slice: coordinates are below 1.
 constexpr double Margin = 0x1p-48;
 
-/** The extent in y of what a facet's slice may be, rounded outward. */
+/** The extent in y of a facet's intersection with a slice, rounded outward. */
 struct Extent
 {
   double Low;
@@ -63,13 +64,13 @@ std::size_t FirstAbove(const std::vector<double>& axis, double x)
   return static_cast<std::size_t>(std::upper_bound(axis.begin(), axis.end(), x) - axis.begin());
 }
 
-/** On which side of the line from a to b, both projected along x, the row lies. */
+/** The side of the line from a to b, both projected along x, on which the row lies. */
 int TurnOf(double y, double z, const Point& a, const Point& b)
 {
   return Orient2D({ a[1], a[2] }, { b[1], b[2] }, { y, z });
 }
 
-/** The same of a row that lies on it, after it was moved aside; 0 where a and b are one. */
+/** The same for a row on the line, after its symbolic perturbation; 0 where a and b coincide. */
 int MovedTurnOf(const Point& a, const Point& b)
 {
   // The derivatives of the determinant by y and by z.
@@ -136,7 +137,7 @@ void LabelsInRows::InSlice(
   SortUniquely(onChain);
 }
 
-/** Note by how much the winding number rises at the first place behind the facet in each row. */
+/** Add the jump of the winding number at the first place behind the facet in each row. */
 void LabelsInRows::AddRises(
   Id f, Id slice, std::vector<double>& rises, std::vector<std::size_t>& onChain) const
 {
@@ -192,7 +193,7 @@ void LabelsInRows::AddRise(
       return;
     }
   }
-  // The normal's x has the turns' sign: behind the facet is where the normal points to, or not.
+  // The normal's x has the turns' sign: it tells whether the normal points behind the facet.
   const auto& [a, normal] = std::tie(facet.Corners[0], facet.Plane.Normal);
   const double x = a[0] + ((a[1] - row.Y) * normal[1] + (a[2] - row.Z) * normal[2]) / normal[0];
   std::size_t i = !(x > box.Low[0]) ? first : std::min(last, FirstFrom(axis, x));

@@ -10,10 +10,9 @@ namespace insideout
  * The winding number of a closed chain at all places of a grid: along each row it changes only
  * where a facet crosses the row, and beyond the chain's box it is 0.
  *
- * A row that meets an edge or a corner is moved aside, by less than any number that is not 0
- * (Edelsbrunner and Muecke 1990): in y, and in z by still less. A place off the chain has the same
- * winding number after it as before. Places on the chain do not; they are found and told. All signs
- * are exact.
+ * A row that meets an edge or a corner is perturbed symbolically (Edelsbrunner and Muecke 1990): in
+ * y, and by still less in z. This keeps the winding number of places off the chain, but not of
+ * those on it, which are found and reported. All signs are exact.
  */
 class LabelsInRows
 {
@@ -48,7 +47,7 @@ private:
     Id First;
     Id Last; ///< not included
   };
-  std::vector<SliceRange> Slices;      ///< of each facet: those that it may meet
-  std::vector<std::vector<Id>> InSlab; ///< the facets that may meet some slice of each slab
+  std::vector<SliceRange> Slices;      ///< per facet, the slices that it may meet
+  std::vector<std::vector<Id>> InSlab; ///< per slab, the facets that may meet one of its slices
 };
 } // namespace insideout

@@ -8,10 +8,10 @@
 namespace insideout
 {
 /**
- * The j-th of a fixed sequence of places in a box, none near its sides. They are crooked: off the
- * planes that people draw.
+ * The j-th of a fixed sequence of places in a box, none near its sides. Their coordinates are
+ * irregular, off the planes that people draw.
  *
- * @param[in] spread which part of the box they are in, about its middle
+ * @param[in] spread fraction of the box, about its center, that they are in
  */
 inline Point PlaceInBox(const Point& low, const Point& high, int j, double spread = 0.8)
 {

@@ -18,7 +18,7 @@ namespace
 {
 constexpr std::size_t LeafSize = 8;
 
-/** Where w is asked for: a double in each direction. */
+/** A query point with double coordinates. */
 struct RoundPlace
 {
   PlanarPoint Rounded;
@@ -42,8 +42,8 @@ struct RoundPlace
   }
 };
 
-/** A place in twice the digits of a double: nearer to the mean of three points than any open end.
- */
+/** A query point in double-double precision: nearer to the mean of three points than to any open
+ * end. */
 struct FinePlace
 {
   explicit FinePlace(const std::array<PlanarPoint, 3>& points)
@@ -71,14 +71,14 @@ struct FinePlace
     return { this->Beyond(a[0], 0), this->Beyond(a[1], 1) };
   }
 
-  /** How far a coordinate is beyond this place's: near it the first difference is exact. */
+  /** A coordinate's offset from this place's: near it the first difference is exact. */
   double Beyond(double a, int k) const { return (a - this->Rounded[k]) - this->Rest[k]; }
   bool IsAtOrAbove(double height) const { return this->Beyond(height, 1) >= 0; }
   int Side(const PlanarPoint& a, const PlanarPoint& b) const
   {
     const double along = (b[0] - a[0]) * this->Beyond(a[1], 1);
     const double across = (b[1] - a[1]) * this->Beyond(a[0], 0);
-    // Of seven roundings, each half a unit in the last place; and where products underflow.
+    // Bound of seven roundings, each half a unit in the last place, and of products that underflow.
     const double bound =
       8 * std::numeric_limits<double>::epsilon() * (std::abs(along) + std::abs(across)) +
       std::numeric_limits<double>::min();
@@ -103,7 +103,7 @@ struct FinePlace
   PlanarPoint Rest;
 };
 
-/** The mean of three points, exactly: everything is asked of three times it. */
+/** The mean of three points, exactly: all tests use three times the mean. */
 struct MeanPlace
 {
   explicit MeanPlace(const std::array<PlanarPoint, 3>& points)
@@ -119,7 +119,7 @@ struct MeanPlace
     }
   }
 
-  /** Bounds of it: far enough apart for the roundings of three numbers. */
+  /** Bounds of the mean, far enough apart for the roundings of three numbers. */
   PlanarPoint Low() const { return this->Moved(-1); }
   PlanarPoint High() const { return this->Moved(1); }
   PlanarPoint Moved(double sign) const
@@ -148,7 +148,7 @@ struct MeanPlace
 
   int Compare(double a, int k) const { return CGAL::sign(this->Beyond(a, k)); }
 
-  /** Three times how far a coordinate of a point is beyond that of the mean. */
+  /** Three times the offset of a point's coordinate from the mean's. */
   DyadicNumber Beyond(double a, int k) const { return DyadicNumber(a) * 3 - this->Sum[k]; }
 
   PlanarPoint Rounded;
@@ -191,7 +191,7 @@ std::vector<PolylineWindingNumber::LooseEnd> PolylineWindingNumber::LooseEndsOf(
     ends.push_back({ this->Segments[s].From, -this->Segments[s].Count });
     ends.push_back({ this->Segments[s].To, this->Segments[s].Count });
   }
-  // Points of equal coordinates are one.
+  // Points with equal coordinates are merged.
   std::sort(ends.begin(), ends.end(),
     [&](const LooseEnd& a, const LooseEnd& b)
     { return this->Points[a.Point] < this->Points[b.Point]; });
@@ -255,8 +255,8 @@ void PolylineWindingNumber::Build(std::size_t begin, std::size_t end)
   this->Build(middle, end);
 }
 
-/** Of the direction from a place to a point, over 2 pi; in (-1/2, 1/2], and 0 where they are equal.
- */
+/** The argument of the direction from a place to a point, over 2 pi: in (-1/2, 1/2], and 0 if they
+ * coincide. */
 template <typename Place>
 double PolylineWindingNumber::Argument(Id point, const Place& place) const
 {
@@ -264,7 +264,10 @@ double PolylineWindingNumber::Argument(Id point, const Place& place) const
   return std::atan2(direction[1] + 0.0, direction[0] + 0.0) / (2 * Pi); // adding 0: no -0
 }
 
-/** What the segment adds to the differences of arguments; where p lies on it, these cancel. */
+/**
+ * The segment's correction to the difference of arguments; if p lies on the segment, the two
+ * cancel.
+ */
 template <typename Place>
 double PolylineWindingNumber::Crossing(const CountedSegment& segment, const Place& place) const
 {
@@ -312,7 +315,7 @@ double PolylineWindingNumber::AtPlace(const Place& place) const
     }
     if (node.High[0] < low[0] && node.Right != 0)
     {
-      w -= node.LooseEnds.At(place); // all to the left: their crossings follow from loose ends
+      w -= node.LooseEnds.At(place); // all to the left: the loose ends determine the crossings
     }
     else if (node.Right == 0)
     {

@@ -11,7 +11,7 @@
 
 namespace insideout
 {
-/** A line from one point to another, and how often it counts that way. */
+/** A line from one point to another, and its count in that direction. */
 struct CountedSegment
 {
   Id From;
@@ -23,11 +23,11 @@ struct CountedSegment
  * The winding number of polylines in the plane, closed or open, at any point (thesis, chapter 8):
  * positive where they run counter-clockwise around it.
  *
- * An angle between two directions is the difference of their arguments and, where the segment
- * crosses the ray to the left of the point, a whole turn. Summed over the segments the differences
- * leave one argument per loose end, so that a closed polyline needs none: its winding number is a
- * count of crossings, decided by exact predicates and found in a tree whose nodes know their own
- * loose ends. The arguments of many loose ends are summed in a tree, too (ArgumentSum.h).
+ * A segment's angle is the difference of its ends' arguments, plus a whole turn if it crosses the
+ * ray to the left of the point. Summed over the segments, the differences leave one argument per
+ * loose end. So a closed polyline's winding number is a count of crossings, decided by exact
+ * predicates and found in a tree whose nodes know their own loose ends. The arguments of many loose
+ * ends are summed in a tree, too (ArgumentSum.h).
  *
  * On a segment w is the mean of both sides, in a closed polygon's corner the angle over 2 pi.
  */
@@ -36,7 +36,7 @@ class PolylineWindingNumber
 public:
   /**
    * @param[in] points finite, also their differences
-   * @param[in] metric which angles are those of
+   * @param[in] metric in which angles are measured
    */
   PolylineWindingNumber(std::vector<PlanarPoint> points,
     const std::vector<CountedSegment>& segments, const PlanarMetric& metric = PlanarMetric());
@@ -45,14 +45,13 @@ public:
   double At(const PlanarPoint& p) const;
 
   /**
-   * At the mean of three finite points that run counter-clockwise, which need not be a double: on
-   * the right side of each segment, exactly, and in angles but for rounding, however near open ends
-   * are.
+   * At the exact mean of three finite points that run counter-clockwise. The side of each segment
+   * is exact; angles are right to rounding, however near open ends are.
    */
   double AtMean(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) const;
 
   /**
-   * One value per point, on as many threads as that is worth.
+   * One value per point, on as many threads as pay off.
    * @throws Error (Stopped)
    */
   std::vector<double> At(const std::vector<PlanarPoint>& points, Monitor& monitor) const;

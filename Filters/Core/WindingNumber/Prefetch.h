@@ -3,7 +3,7 @@
 
 namespace insideout
 {
-/** Begin to bring what is at an address into the cache: for reads that jump about in memory. */
+/** Prefetch an address into the cache, for scattered reads. */
 inline void Prefetch(const void* address)
 {
 #if defined(__GNUC__)

@@ -14,24 +14,24 @@ namespace insideout
 {
 namespace
 {
-constexpr double NanosecondsPerFacet = 60; // in each of two passes, of a few cubes each
+constexpr double NanosecondsPerFacet = 60; // per pass, of two; a few cubes each
 
-// Cubes, and entries of facets in cubes, per facet: more take longer to build; with fewer, queries
-// take longer. MostEntries fits counts of 32 bits.
+// Limits of cubes, and of entries of facets in cubes, per facet: more take longer to build, fewer
+// make queries slower. MostEntries fits counts of 32 bits.
 constexpr double CubesPerFacet = 2;
 constexpr double EntriesPerFacet = 8;
 constexpr double MostCubesPerAxis = 1024;
 constexpr std::size_t MostEntries = std::numeric_limits<std::uint32_t>::max() / 2;
 
-// References stand in so much of each cube's middle.
+// References lie in this central fraction of each cube.
 constexpr double Spread = 0.1;
 
-// How often they are moved. Where that does not help, the chain is made to prevent it, and a tree
-// of the whole serves instead.
+// How many times the references are moved. If none works the chain was made to prevent it, and one
+// tree of the whole is used instead.
 constexpr int MostTries = 8;
 
-// In lengths of a cube: how far at least the grid goes beyond the chain, and by how much a cube is
-// taken to be larger than it is, so that rounding loses no facet at its sides.
+// Margins in cube lengths: by how much the grid at least exceeds the chain, and by how much a cube
+// is enlarged so that rounding loses no facet at its sides.
 constexpr double Rim = 0.25;
 constexpr double Margin = 1e-6;
 
@@ -62,7 +62,7 @@ ReferenceGrid::ReferenceGrid(const ChainFacets& facets)
   this->First.resize(this->Index(this->Cubes[0] - 1, this->Cubes[1] - 1, this->Cubes[2] - 1) + 2);
 }
 
-/** As small as the numbers of cubes and entries allow. */
+/** The smallest length that the limits of cubes and entries allow. */
 void ReferenceGrid::ChooseCubes()
 {
   Box all = this->Facets.BoxOf(0);
@@ -159,7 +159,7 @@ bool ReferenceGrid::ForCubesOf(
   const Range range = this->RangeOf(facet);
   const PlaneOfTriangle& plane = this->Facets[facet].Plane;
   const Point& corner = this->Facets[facet].Corners[0];
-  // From a reference to the farthest place of its cube.
+  // The distance from a reference to the farthest corner of its cube.
   double reach = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -200,8 +200,8 @@ bool ReferenceGrid::ForCubesOf(
 }
 
 /**
- * Where the facet meets a column of references that is wanted, note by how much the winding number
- * rises to the next reference above.
+ * Where the facet crosses a wanted column of references, add the jump of the winding number at the
+ * next reference above.
  *
  * @return false where doubles do not decide
  */
@@ -268,7 +268,7 @@ bool ReferenceGrid::AddRises(Id f, const std::vector<char>& isWantedColumn)
   return true;
 }
 
-/** One per column, whether a cube in it is wanted; empty for all. */
+/** Per column, whether a cube in it is wanted; empty for all. */
 std::vector<char> ReferenceGrid::ColumnsOf(const std::vector<char>& isWanted) const
 {
   const std::size_t height = static_cast<std::size_t>(this->Cubes[2]);

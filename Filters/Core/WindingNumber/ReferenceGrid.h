@@ -10,9 +10,9 @@ namespace insideout
  * each cube, and the facets that may meet it.
  *
  * References stand in columns. Along a column the winding number is carried from 0 outside through
- * one facet after the other. Where a reference lies in a facet's plane, or doubles do not tell
- * which column meets a facet, the references are moved all together; that helps, but for chains
- * that are made to prevent it.
+ * one facet after the other. If a reference lies in a facet's plane, or doubles do not decide which
+ * column meets a facet, all references are moved together. This fails only for chains made to
+ * prevent it.
  *
  * There are about twice as many cubes as facets at most, so that time and memory grow with the
  * number of facets.
@@ -27,13 +27,13 @@ public:
    * Carry winding numbers, and hand out facets, to cubes that are wanted.
    *
    * @param[in] isWanted one per cube, or empty for all
-   * @return false where no references would do: this object is of no use then
+   * @return false if no references work: the object is then unusable
    */
   bool Fill(const std::vector<char>& isWanted);
 
   std::size_t NumberOfCubes() const { return this->First.size() - 1; }
 
-  /** None where the place is beyond the chain's box. */
+  /** None if the place is outside the chain's box. */
   std::ptrdiff_t CubeAt(const Point& place) const
   {
     std::size_t cube = 0;
@@ -49,13 +49,12 @@ public:
     return static_cast<std::ptrdiff_t>(cube);
   }
 
-  /** A little larger than the places which CubeAt finds in it. */
+  /** Slightly larger than the region whose places CubeAt maps to the cube. */
   Box BoxOf(std::size_t cube) const;
   Point ReferenceOf(std::size_t cube) const;
   int ValueAtReference(std::size_t cube) const { return this->Value[cube]; }
 
-  /** Facets that may meet the cube, each with the side on which the reference lies. They are in no
-   * certain order. */
+  /** Facets that may meet the cube, each with the reference's side of it, in no certain order. */
   const SidedFacet* FirstFacet(std::size_t cube) const
   {
     return this->Entries.data() + this->First[cube];
@@ -101,7 +100,7 @@ private:
   std::array<int, 3> Cubes;
   Point Offset; ///< of the references, from 0 to 1 within each cube
   std::vector<int> Value;
-  std::vector<std::uint32_t> First; ///< of each cube, and the end
+  std::vector<std::uint32_t> First; ///< start index per cube, and the end
   std::vector<SidedFacet> Entries;
 };
 } // namespace insideout

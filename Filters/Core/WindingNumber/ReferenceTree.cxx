@@ -14,30 +14,30 @@ namespace
 constexpr std::size_t LeafSize = 32;
 constexpr int MostDepth = 60;
 
-// A box with this few facets is not divided when it is much smaller than they are, nor one with any
-// number after so many divisions in a row that hardly separated them.
+// A box with at most SmallLeafSize facets is not divided if it is much smaller than they are. No
+// box is divided after MostFruitlessSplits divisions in a row that hardly separated its facets.
 constexpr std::size_t SmallLeafSize = 64;
 constexpr int MostFruitlessSplits = 4;
 
-// Where sites are wanted in a few places only, a box with so many of them is not divided.
+// With few wanted sites, a box with at most this many of them is not divided.
 constexpr std::size_t WantedPerLeaf = 2;
 
-// Facets that cross each other everywhere cannot be kept apart: leaves have at most this many
-// facets together, relative to the number of facets.
+// Facets that all cross each other cannot be separated: this limits the facets of all leaves
+// together, relative to the number of facets.
 constexpr double FacetsInLeaves = 16;
 
-// A tree of so many facets is built as jobs, each with less than one in so many of them; the same
-// jobs for any number of threads.
+// A tree of at least FacetsForThreads facets is built as jobs, each with less than 1 /
+// PartsForThreads of them; the jobs are the same for any number of threads.
 constexpr std::size_t FacetsForThreads = 4096;
 constexpr std::size_t PartsForThreads = 32;
 
-// The empty part of a box is cut off where it is this part of it.
+// The empty part of a box is cut off if it is at least this fraction of the box.
 constexpr double WorthwhileGap = 0.2;
 
-// Splits stand at crooked places, off the planes that people draw.
+// Splits are at irregular coordinates, off the planes that people draw.
 constexpr double SplitPlace = 0.4937;
 
-// Places that are tried for a reference. One fails only where the line to it meets an edge exactly.
+// Places tried for a reference. A place fails only if the line to it meets an edge exactly.
 constexpr int MostTries = 64;
 
 /** Sign of a site's coordinate less x. */
@@ -59,7 +59,7 @@ public:
   {
   }
 
-  /** Build a region's tree from a node on; where `jobs` is given, small parts of it become jobs. */
+  /** Build a region's tree from a node on; if `jobs` is given, small subtrees become jobs. */
   void Build(Region region, std::int32_t node, Arena& arena, std::vector<Job>* jobs,
     std::size_t sizeOfJobs) const;
 
@@ -105,7 +105,7 @@ ReferenceTree::ReferenceTree(const ChainFacets& facets, const std::vector<Point>
   }
 }
 
-/** Put a tree in the place of a node. */
+/** Replace a node by a tree. */
 void ReferenceTree::Append(const Arena& arena, std::int32_t node)
 {
   const std::int32_t nodes = static_cast<std::int32_t>(this->Tree.Nodes.size()) - 1;
@@ -137,7 +137,7 @@ void ReferenceTree::Append(const Arena& arena, std::int32_t node)
     this->Tree.LeafFacets.end(), arena.LeafFacets.begin(), arena.LeafFacets.end());
 }
 
-/** Cut off an empty side of the box, or else halve its longest side. */
+/** Cut off an empty side of the box, or halve its longest side. */
 ReferenceTree::Split ReferenceTree::Builder::ChooseSplit(const Region& region) const
 {
   Box filled = { region.Bounds.High, region.Bounds.Low };
@@ -150,7 +150,7 @@ ReferenceTree::Split ReferenceTree::Builder::ChooseSplit(const Region& region) c
   bool cut = false;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // A little beside the facets, so that they do not touch the empty box.
+    // Slightly beside the facets, so that they do not touch the empty box.
     const double extent = region.Bounds.Extent(axis);
     const double gapBelow = filled.Low[axis] - region.Bounds.Low[axis];
     const double gapAbove = region.Bounds.High[axis] - filled.High[axis];
@@ -196,7 +196,7 @@ bool ReferenceTree::Builder::FitsLeaf(const Region& region) const
   return std::all_of(region.Facets.begin(), region.Facets.end(), isMuchLarger);
 }
 
-/** Those whose bounding box meets that of a line, with the sides on which it ends at b. */
+/** The facets whose bounding box meets that of a line, each with its side at b. */
 std::vector<SidedFacet> ReferenceTree::Builder::FacetsBetween(
   const std::vector<Id>& facets, const Point& a, const Point& b) const
 {
@@ -213,7 +213,7 @@ std::vector<SidedFacet> ReferenceTree::Builder::FacetsBetween(
   return between;
 }
 
-/** Find a place in the child's box where the winding number can be told from the parent's. */
+/** Find a place in the child's box at which the winding number can be derived from the parent's. */
 bool ReferenceTree::Builder::FindReference(const Region& parent, Region& child, int axis) const
 {
   child.Reference = parent.Reference;

@@ -7,15 +7,15 @@
 namespace insideout
 {
 /**
- * A box cut in two again and again, until its parts hold few facets each or cutting helps no more.
- * The winding number is carried to a reference place in every part: exact predicates decide, and
- * where the line between two references meets an edge or a corner another place is taken. To find a
- * site's part takes time that grows with the logarithm of the number of facets.
+ * A recursive bisection of a box, until its cells hold few facets each or cutting no longer
+ * separates them. The winding number is carried to a reference place in every cell. Exact
+ * predicates decide; if the line between two references meets an edge or a corner another place is
+ * taken. Finding a site's cell takes time logarithmic in the number of facets.
  */
 class ReferenceTree
 {
 public:
-  /** A box with the facets that may meet it, and where the winding number is known. */
+  /** A box with the facets that may meet it, and a place where the winding number is known. */
   struct Region
   {
     Box Bounds;
@@ -23,15 +23,15 @@ public:
     double Value;
     std::vector<Id> Facets;
     std::vector<Id> Wanted = {};
-    double Budget = 0; ///< how many facets its leaves may have together
+    double Budget = 0; ///< limit of the facets of its leaves together
     int Depth = 0;
-    int FruitlessSplits = 0; ///< in a row
+    int FruitlessSplits = 0; ///< futile divisions in a row
   };
 
   /**
-   * @param[in] wanted the sites of which the region wants some; null for any place. At
-   * places that are not wanted the winding number may be unknown.
-   * @param[in] monitor asked where the region is large, whose parts are built on all threads
+   * @param[in] wanted the sites at which the winding number is wanted; null for all places.
+   * Elsewhere it may be unknown.
+   * @param[in] monitor asked if the region is large and built on all threads
    * @throws Error (Stopped)
    */
   ReferenceTree(const ChainFacets& facets, const std::vector<Point>* wanted, Region region,

@@ -14,13 +14,13 @@ namespace
 {
 using ExactVector = Vector<DyadicNumber>;
 
-// With u = 2^-53, the forward error of normal . d is below 16 u |edge| |edge| |d| (3 from the
-// difference, 6 from the normal and 3 from the product), that of a determinant of differences below
-// 16 u times its permanent; with room to spare.
+// Let u = 2^-53. The forward error of normal . d is below 16 u |edge| |edge| |d|: 3 from the
+// difference, 6 from the normal and 3 from the product. That of a determinant of differences is
+// below 16 u times its permanent. Both leave room to spare.
 constexpr double RelativeError = 0x1p-48;
 
-// Coordinates are below 1. What is decided is above the first, far from where products underflow; a
-// difference below the second has lost digits.
+// Coordinates are below 1. Only values above the first are decided, far from where products
+// underflow; a difference below the second has lost digits.
 constexpr double LeastDecided = 1e-250;
 constexpr double LeastDifference = 0x1p-45;
 
@@ -29,7 +29,7 @@ constexpr double LeastDifference = 0x1p-45;
 constexpr long double LongRelativeError = 16 * std::numeric_limits<long double>::epsilon();
 constexpr long double LeastLongDifference = 0x1p-36L;
 
-/** From the site to a point. One difference per axis tells it where the site is a point. */
+/** From the site to a point. If the site is a point, one difference per axis suffices. */
 ExactVector ExactVectorFrom(const Site& site, const Point& point)
 {
   const Point& first = site.Corners[0];
@@ -63,7 +63,7 @@ double SumOfComponents(const Point& d)
   return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
 }
 
-/** The sign of the determinant of the vectors from the site, 0 where such numbers do not tell. */
+/** The sign of the determinant of the vectors from the site, 0 where this type does not decide. */
 template <typename Number>
 int QuickSign(const PreparedSite& site, const Point& a, const Point& b, const Point& c,
   Number relativeError, Number leastDifference)

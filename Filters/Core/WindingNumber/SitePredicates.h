@@ -17,14 +17,14 @@ struct PreparedSite : RoundedSite
   Site Exact;
 };
 
-/** Decides quickly on which side of a triangle a place is. */
+/** Decides fast on which side of a triangle a place is. */
 struct PlaneOfTriangle
 {
   PlaneOfTriangle() = default;
   explicit PlaneOfTriangle(const std::array<Point, 3>& corners);
 
   Point Normal;         ///< cross product of the edges from corner 0
-  double UndecidedSide; ///< |normal . d| up to this times |d| does not tell the side
+  double UndecidedSide; ///< |normal . d| up to this times |d| does not decide the side
 };
 
 /**

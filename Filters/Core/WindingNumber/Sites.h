@@ -10,12 +10,12 @@ namespace insideout
 /** Weights of the four corners of a cell, whose exact sum is 1. */
 using SiteWeights = std::array<double, 4>;
 
-/** The weights of the barycentre. */
+/** The weights of the barycenter. */
 constexpr SiteWeights BarycentreWeights = { { 0.25, 0.25, 0.25, 0.25 } };
 
 /**
- * A place where a winding number is wanted: the sum of Weights[k] * Corners[k], which is never
- * rounded. Floating point would put many a sliver's barycentre outside its own cell.
+ * A point at which a winding number is wanted: the sum of Weights[k] * Corners[k], which is never
+ * rounded. Floating point would put the barycenter of many a sliver outside its own cell.
  */
 struct Site
 {
@@ -46,7 +46,7 @@ std::array<Number, 3> VectorFrom(const Site& site, const Point& point)
   return result;
 }
 
-/** A site's place in doubles: High + Low, without rounding to speak of. */
+/** A site's position in double-double precision: High + Low. */
 struct RoundedSite
 {
   explicit RoundedSite(const Site& site);

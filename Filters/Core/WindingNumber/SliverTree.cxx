@@ -14,7 +14,7 @@ namespace insideout
 {
 namespace
 {
-// The slivers of a node are left out where they add less than this to a winding number.
+// The slivers of a node are left out if they add less than this to a winding number.
 constexpr double LeastSeen = 0x1p-50;
 
 constexpr double NanosecondsPerSliver = 100;
@@ -35,7 +35,7 @@ double SquaredDistance(const Box& a, const Box& b)
 SliverTree::SliverTree(
   const std::vector<Point>& points, const std::vector<CountedTriangle>& slivers)
 {
-  // Long ones apart from short ones, for their boxes are large.
+  // Long slivers apart from short ones, because their boxes are large.
   std::vector<Point> middles(slivers.size());
   std::vector<int> size(slivers.size());
   ParallelLoop(slivers.size(), NanosecondsPerSliver,
@@ -118,7 +118,7 @@ Box BoxOfSites(const SiteBlock& sites)
 
 namespace
 {
-/** Calls visit(i) for each i, of some lines, that may be seen from a place in the box. */
+/** Calls visit(i) for each line i that may be seen from a place in the box. */
 template <typename Visitor>
 void VisitSeen(const SliverLines* lines, std::size_t count, const Box& box, const Visitor& visit)
 {

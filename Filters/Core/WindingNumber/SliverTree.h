@@ -8,9 +8,9 @@
 namespace insideout
 {
 /**
- * Triangles about as thin as rounding errors, in a tree of boxes. Those that are together too small
- * to be seen from a site are left out: what they add to a winding number is at most their area over
- * that of the sphere around the site which touches their box.
+ * Triangles about as thin as rounding errors, in a tree of boxes. Nodes too small to be seen from a
+ * site are left out: a node's winding number is at most its area over that of the sphere around the
+ * site which touches its box.
  */
 class SliverTree
 {
@@ -18,18 +18,18 @@ public:
   /** @param[in] points below 1 in each coordinate; has to live as long as this object */
   SliverTree(const std::vector<Point>& points, const std::vector<CountedTriangle>& slivers);
 
-  /** Those that may be seen from some sites. */
+  /** The slivers that may be seen from some sites. */
   struct Selection
   {
     std::vector<Id> Slivers;
     std::vector<SliverLines> Lines; ///< of these
   };
 
-  /** Those that may be seen from sites that, rounded, are in a box. */
+  /** The slivers that may be seen from sites whose rounded positions are in a box. */
   Selection Select(const Box& box) const;
 
   /** Add half the solid angles of all to each site's sum. The block is made of `sites`, and of
-   * such that the selection is for. */
+   * sites that the selection is for. */
   void Add(const Selection& selection, const Sites& sites, const SiteProducts& block,
     double (&sums)[Lanes]) const;
 
@@ -42,7 +42,7 @@ private:
     std::size_t First;
     std::size_t Last;
     std::size_t Lines; ///< of its slivers
-    std::size_t Next;  ///< the node to go on with where this one is passed over
+    std::size_t Next;  ///< the next node when this one is skipped
   };
 
   void Build(std::size_t first, std::size_t last);

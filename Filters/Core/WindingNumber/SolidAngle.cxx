@@ -21,7 +21,7 @@ using Precise = boost::multiprecision::number<
   boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
   boost::multiprecision::et_off>;
 
-// Enough where the site is not nearer than some 1e-30 sizes to a corner or to an edge.
+// Enough if the site is at least some 1e-30 sizes away from corners and edges.
 constexpr int FewDigits = 50;
 
 // Enough for all sites. Vectors from a site are multiples of 2^-1134, a double's least bit times
@@ -29,8 +29,8 @@ constexpr int FewDigits = 50;
 // is not less than the determinant, has 50 digits beyond.
 constexpr int ManyDigits = 1080;
 
-// How well z has to be known, against |z|; and how many times a single rounding's effect that of
-// all is at most.
+// The required error of z, relative to |z|, and a bound of all roundings' effect relative to that
+// of one.
 constexpr double RelativeError = 0x1p-60;
 constexpr double RoundingErrors = 0x1p8;
 
@@ -47,7 +47,7 @@ constexpr double LeastLongModulus = 0x1p-14;
 constexpr double UndecidedLongDeterminant = 0x1p-56;
 constexpr double LeastSquaredDistance = 0x1p-70;
 
-/** The largest difference of coordinates that VectorFrom takes. */
+/** The largest difference of coordinates for VectorFrom. */
 double Extent(const std::array<Point, 3>& triangle, const Site& site)
 {
   double extent = 0;
@@ -64,7 +64,7 @@ double Extent(const std::array<Point, 3>& triangle, const Site& site)
   return extent;
 }
 
-/** From a site to a point as a unit vector; false where too near for long doubles. */
+/** The unit vector from a site to a point; false if they are too near for long doubles. */
 bool UnitVector(const RoundedSite& site, const Point& point, Vector<long double>& unit)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -85,22 +85,22 @@ int Side(const std::array<Point, 3>& triangle, const Site& site)
   return SignOfDeterminant(site, triangle[0], triangle[1], triangle[2]);
 }
 
-/** z of modulus 1 from its real part and the size of its imaginary one; 1 in the triangle's plane.
- */
+/** z of modulus 1 from its real part and the absolute value of its imaginary part; 1 in the
+ * triangle's plane. */
 std::complex<double> OnSide(int side, double real, double imaginary)
 {
   if (side == 0)
   {
     return 1.0;
   }
-  // A side that is known must not get lost by underflow on the way to double.
+  // A known side must not be lost by underflow in the conversion to double.
   const double least = 1e-180;
   return { real, side * std::max(imaginary, least) };
 }
 
 /**
- * In long doubles, of 64 bits, which know z but close to 0 to 40 * 2^-64. The side, where that does
- * not tell it, is decided exactly.
+ * In long doubles of 64 bits, whose error of z is 40 * 2^-64 unless z is close to 0. If they do not
+ * decide the side, an exact predicate does.
  *
  * @return whether they know z to 1e-13 of its modulus
  */
@@ -129,7 +129,7 @@ bool QuickHalfSolidAngle(
 }
 
 /**
- * In numbers of so many digits, on a side that is not 0.
+ * In numbers of the given precision, for a side other than 0.
  *
  * @return whether they know z to RelativeError
  */
@@ -157,7 +157,7 @@ bool PreciseHalfSolidAngle(
 
   // The error of a vector is relative to the extent, not to its own length.
   const Number least = std::min({ lengthA, lengthB, lengthC });
-  // Not numeric_limits' own epsilon, which threads that ask for it first write at the same time.
+  // Not numeric_limits' epsilon: threads that call it first write it at the same time.
   const Number epsilon = ldexp(Number(1), 1 - std::numeric_limits<Number>::digits);
   const Number error = epsilon * RoundingErrors * Extent(triangle, site) * all;
   return modulus * least * RelativeError > error;
@@ -174,7 +174,7 @@ std::complex<double> HalfSolidAngle(const std::array<Point, 3>& triangle, const 
   const int side = Side(triangle, site);
   if (side != 0 && !PreciseHalfSolidAngle<FewDigits>(triangle, site, side, z))
   {
-    // So many always know it.
+    // This precision always suffices.
     PreciseHalfSolidAngle<ManyDigits>(triangle, site, side, z);
   }
   return side == 0 ? 1.0 : z;

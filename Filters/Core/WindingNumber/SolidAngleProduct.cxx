@@ -13,25 +13,26 @@ namespace insideout
 {
 namespace
 {
-// Products are normalized every so many facets: (2^-6)^32 to 4^32, times LeastImaginary, is far
+// Products are normalized after this many facets: (2^-6)^32 to 4^32, times LeastImaginary, is far
 // from overflow and underflow.
 constexpr int FacetsToNormalize = 32;
 
-// z is trusted where |z|^2 is at least this: its error is below 30 * 2^-53, which turns it by less
-// than 3e-13 there and by some 1e-16 nearly always.
+// The least |z|^2 at which z is trusted: its error is below 30 * 2^-53, which turns it by less than
+// 3e-13 there and by some 1e-16 nearly always.
 constexpr double LeastSquaredModulus = 0x1p-12;
 
 // The forward error of u . normal is below 16 u |edge| |edge| with u = 2^-53: 3 from the unit
 // vector's components, 6 from the normal and 3 from the product, with room to spare.
 constexpr double SideError = 0x1p-48;
 
-// The imaginary part is u . normal over the product of the other two distances, and wrong by its
-// error over that: where a site is much nearer to two corners than the edges are long, as at the
-// short side of a needle, by digits that count. This bound allows it some 1e-14.
+// The imaginary part is u . normal over the product of the other two distances; so is its error.
+// The error is large where a site is much nearer to two corners than the edges are long, as at the
+// short side of a needle. This bound allows some 1e-14.
 constexpr double MostImaginaryError = 0x1p-42;
 
-// Imaginary parts below are zero: far less than rounding, and far from underflow in products. Where
-// the real part is negative this is out of reach, for there u . normal is above LeastSide.
+// Smaller imaginary parts count as zero: far less than rounding, and far from underflow in
+// products. This cannot happen where the real part is negative, because u . normal is above
+// LeastSide there.
 constexpr double LeastImaginary = 1e-200;
 constexpr double LeastSide = 1e-180;
 
@@ -40,8 +41,8 @@ constexpr double LeastSide = 1e-180;
 constexpr double LeastSquaredDistance = 0x1p-96;
 
 /**
- * Multiply each site's product by the facet's z, except in the sites where doubles do not decide
- * it: those get a 1 in `undecided`, the others a 0.
+ * Multiply each site's product by the facet's z, except for sites where doubles do not decide z:
+ * those get a 1 in `undecided`, the others a 0.
  *
  * @return whether any site is undecided
  */
@@ -57,7 +58,7 @@ INSIDEOUT_ALWAYS_INLINE bool MultiplyByFacet(const SummedFacet& facet, const Uni
     const double ca = a.X[lane] * c.X[lane] + a.Y[lane] * c.Y[lane] + a.Z[lane] * c.Z[lane];
     const double side =
       a.X[lane] * facet.Normal[0] + a.Y[lane] * facet.Normal[1] + a.Z[lane] * facet.Normal[2];
-    const double real = 1 + ((ab + ca) + bc); // the same when b and c change places
+    const double real = 1 + ((ab + ca) + bc); // symmetric in b and c
     const double inverse = b.InverseDistance[lane] * c.InverseDistance[lane];
     const double unflushed = side * inverse;
     const double imaginary = std::abs(unflushed) > LeastImaginary ? unflushed : 0;
@@ -154,7 +155,7 @@ INSIDEOUT_VECTOR_CLONES
 const SummedFacet* MultiplyByFacets(const SummedFacet* first, const SummedFacet* last,
   const UnitVectors* vectors, Products& products, double (&undecided)[Lanes])
 {
-  // Kept apart from the argument, so that nothing else can refer to it.
+  // A local copy: the compiler knows that nothing aliases it.
   Products local = products;
   const SummedFacet* facet = first;
   bool any = false;

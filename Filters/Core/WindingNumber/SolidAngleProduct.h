@@ -9,19 +9,17 @@
  * The sum of solid angles in doubles, side by side for a block of sites (WindingNumberSum.h).
  *
  * A sum of arctangents is the argument of a product. The solid angle of a facet is twice the
- * argument of z = real + i imaginary (SolidAngle.h). So the product of all z is kept instead of a
- * sum of arctangents, with the number of turns of its argument; one arctangent at the end gives the
- * rest. There remain multiplications and comparisons, which the compiler vectorizes over a block of
- * sites.
+ * argument of z = real + i imaginary (SolidAngle.h). So the product of all z is kept, with the
+ * number of turns of its argument, and one arctangent at the end gives the rest. The loop consists
+ * of multiplications and comparisons, which the compiler vectorizes over a block of sites.
  *
  * With u, v, w the unit vectors from the site to the facet's corners,
  *
  *   real = 1 + u.v + v.w + w.u      imaginary = det(u, v, w)      |z| from 0 (on an edge) to 4.
  *
- * Unit vectors belong to points, and a point serves six facets or so, therefore they are computed
- * once per point. Doubles decide nearly all pairs. A pair that they do not decide well (close to
- * the negative real axis, where the side matters by a whole turn, or close to 0) goes to
- * HalfSolidAngle.
+ * Unit vectors are computed once per point, because about six facets share a point. Doubles decide
+ * nearly all pairs. A pair that they do not decide (close to the negative real axis, where the side
+ * matters by a whole turn, or close to 0) goes to HalfSolidAngle.
  *
  * All coordinates here are below 1.
  */
@@ -29,16 +27,16 @@ namespace insideout
 {
 constexpr int Lanes = 8; ///< sites of a block
 
-/** A facet as the sum takes it. */
+/** A facet, prepared for the sum. */
 struct SummedFacet
 {
   Triangle Corners;         ///< points of the complex
-  std::array<int, 3> Local; ///< the same corners, as indices of the unit vectors at hand
+  std::array<int, 3> Local; ///< the same corners, as indices of the available unit vectors
   Point Normal;             ///< cross product of the edges from corner 0
-  double UndecidedSide;     ///< |u . Normal| up to this does not tell the side
+  double UndecidedSide;     ///< |u . Normal| up to this does not decide the side
 };
 
-/** The sites of a block: High + Low, without rounding to speak of. */
+/** The sites of a block in double-double precision: High + Low. */
 struct SiteBlock
 {
   double High[3][Lanes];
@@ -54,7 +52,7 @@ struct UnitVectors
   double InverseDistance[Lanes];
 };
 
-/** Per site the product so far, and by how many turns its argument has wrapped around. */
+/** Per site the product so far, and the number of times its argument has wrapped around. */
 struct Products
 {
   double Real[Lanes];
@@ -62,10 +60,10 @@ struct Products
   double Turns[Lanes];
 };
 
-/** Everything but Corners and Local, from the positions of the corners. */
+/** Set all but Corners and Local from the positions of the corners. */
 void SetGeometry(SummedFacet& facet, const Point& a, const Point& b, const Point& c);
 
-/** The corners of a block's sites: of each one the four that its weights belong to. */
+/** The corners of a block's sites: four points and weights per site. */
 struct SiteCorners
 {
   double Of[4][3][Lanes];
@@ -79,11 +77,11 @@ void ComputeUnitVectors(
   const Point* points, std::size_t count, const SiteBlock& from, UnitVectors* vectors);
 
 /**
- * Multiply each site's product by the facets from `first` on, up to the end or up to and including
- * the first one that is not decided for every site: sites that it is not decided for get a 1 in
- * `undecided`, and their product lacks it. All others get a 0.
+ * Multiply each site's product by the facets from `first` on, up to the end or the first facet,
+ * included, that is undecided for some site. Undecided sites get a 1 in `undecided`, and their
+ * product lacks that facet; all others get a 0.
  *
- * @return the facet after the last one that was taken
+ * @return the facet after the last one that was multiplied
  */
 const SummedFacet* MultiplyByFacets(const SummedFacet* first, const SummedFacet* last,
   const UnitVectors* vectors, Products& products, double (&undecided)[Lanes]);

@@ -13,10 +13,10 @@ namespace insideout
 {
 namespace
 {
-// Cells are scattered over memory. Those of a block so many later are fetched ahead.
+// Prefetch distance in a block: cells are scattered over memory.
 constexpr std::size_t BlocksAhead = 2;
 
-constexpr std::size_t FacetsPerTile = 128; // their unit vectors for a block fit in the first cache
+constexpr std::size_t FacetsPerTile = 128; // their unit vectors for a block fit in the L1 cache
 } // namespace
 
 SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first)

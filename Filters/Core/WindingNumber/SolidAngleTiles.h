@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A block of sites, and the product of what was multiplied to it so far. */
+/** A block of sites, and the product so far. */
 struct SiteProducts
 {
   std::array<std::size_t, Lanes> Index; ///< of the sites, in the list that they come from
@@ -23,13 +23,13 @@ struct TileRange
   std::size_t Last = 0;
 };
 
-/** The block of the sites from `first` on of `order`, the last again and again where these end. */
+/** The block of the sites from `first` on of `order`; the last site is repeated at the end. */
 SiteProducts MakeBlock(const Sites& sites, const std::vector<Id>& order, std::size_t first);
 
 /**
- * Triangles prepared for the product of SolidAngleProduct.h. Those that share points stand together
- * in a tile, whose unit vectors fit in the first cache: a block of sites computes them once per
- * tile.
+ * Triangles prepared for the product of SolidAngleProduct.h. Triangles that share points are
+ * grouped in a tile, whose unit vectors fit in the L1 cache: a block of sites computes them once
+ * per tile.
  */
 class SolidAngleTiles
 {
@@ -40,8 +40,8 @@ public:
    */
   explicit SolidAngleTiles(const std::vector<Point>& points);
 
-  /** Put these triangles into new tiles, turned over where their count is negative and repeated
-   * where it is above 1. Triangles next to each other in space should be next to each other. */
+  /** Put these triangles into new tiles, reversed if their count is negative and repeated if it is
+   * above 1. Triangles next to each other in space should be next to each other. */
   TileRange Add(const std::vector<CountedTriangle>& triangles);
 
   /** Multiply each site's product by the triangles of some tiles. The block is made of `sites`. */

@@ -17,7 +17,7 @@ constexpr double NanosecondsPerPlace = 7;
 constexpr int BitsPerAxis = 10; // of three axes in 32 bits
 constexpr std::uint32_t CellsPerAxis = 1u << BitsPerAxis;
 
-/** Spread 10 bits out to every third. */
+/** Spread 10 bits to every third bit. */
 std::uint32_t Spread(std::uint32_t x)
 {
   x = (x | (x << 16)) & 0x030000ffu;
@@ -33,7 +33,7 @@ struct Key
   Id Index;
 };
 
-/** Stable, by 15 bits at a time. */
+/** A stable radix sort, 15 bits per pass. */
 void SortByCode(std::vector<Key>& keys)
 {
   constexpr int digitBits = 3 * BitsPerAxis / 2;

@@ -14,7 +14,7 @@ namespace insideout
  */
 std::vector<Id> SpatialOrder(const std::vector<Point>& positions);
 
-/** The same where some places are not finite, which stand as one that is 0. */
+/** The same with positions that need not be finite; those count as 0. */
 std::vector<Id> SpatialOrderOfAny(std::vector<Point> positions);
 
 /** The same for sites, by their rounded positions. */

@@ -13,21 +13,22 @@ namespace insideout
 {
 namespace
 {
-// As in SolidAngleProduct.cxx, where they are explained.
+// See SolidAngleProduct.cxx.
 constexpr double LeastSquaredModulus = 0x1p-12;
 constexpr double SideError = 0x1p-48;
 constexpr double MostImaginaryError = 0x1p-42;
 
-// Where a site keeps so far from all corners, its unit vectors to these are those of any place
-// within the reach of a cap (2^-46) but for 2^-10. At a place on the triangle z is a negative real
-// number or 0. So next to it z has a negative real part, or a modulus less than the least one.
+// If a site is at least this far from all corners, its unit vectors to them differ by at most 2^-10
+// from those of any place within the reach of a cap (2^-46). At a place on the triangle z is a
+// negative real number or 0. So next to it z has a negative real part, or a modulus less than the
+// least one.
 constexpr double LeastSquaredDistance = 0x1p-72;
 
-// Products are normalized every so many triangles. Factors are from 2^-6 (2^-36)^3 to 2^8, and the
-// imaginary part of a negative one is above 2^-170: far from underflow, and from overflow.
+// Products are normalized after this many triangles. Factors are from 2^-6 (2^-36)^3 to 2^8, and
+// the imaginary part of a negative one is above 2^-170: far from underflow, and from overflow.
 constexpr int TrianglesToNormalize = 6;
 
-// Imaginary parts below are zero: far less than rounding.
+// Smaller imaginary parts count as zero: far less than rounding.
 constexpr double LeastImaginary = 0x1p-200;
 
 // A sliver's solid angle is taken from real and imaginary part without an arctangent, up to this
@@ -117,7 +118,7 @@ INSIDEOUT_VECTOR_CLONES
 const CapTriangle* MultiplyByTriangles(const CapTriangle* first, const CapTriangle* last,
   const SiteBlock& sites, Products& products, double (&undecided)[Lanes])
 {
-  // Kept apart from the argument, so that nothing else can refer to it.
+  // A local copy: the compiler knows that nothing aliases it.
   Products local = products;
   const CapTriangle* triangle = first;
   bool any = false;

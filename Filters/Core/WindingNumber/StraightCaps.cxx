@@ -19,10 +19,10 @@ namespace
 // triangle, against its edges and its distance from them.
 constexpr long double RoundingErrors = 16;
 
-/** Larger counts get no cap: a triangle is multiplied by as often as it counts. */
+/** Larger counts get no cap: a triangle is multiplied as often as its count. */
 constexpr int MostCount = 4;
 
-/** Input triangles that might have a cap, numbered from 0. */
+/** Input triangles that may get a cap, numbered from 0. */
 struct Candidates
 {
   std::vector<Id> OfFacet;   ///< per facet; None for none
@@ -62,8 +62,8 @@ std::vector<char> OpenEdgesOf(const FacetComplex& surface, const std::vector<Cou
 }
 
 /**
- * A triangle might have a cap where its facets are its alone and count the same, and where at least
- * two of their edges are open: the least that a cap could save.
+ * A triangle may get a cap if its facets belong to it alone and have one count, and at least two of
+ * their edges are open: the least that a cap could save.
  */
 Candidates FindCandidates(const FacetComplex& surface, const std::vector<CountedEdge>& boundary)
 {
@@ -141,7 +141,7 @@ public:
   std::vector<CountedTriangle> Slivers;
 
 private:
-  /** Whole triangles save nothing, unless what is left is nothing at all. */
+  /** Whole triangles save nothing, unless nothing else remains. */
   bool IsWorthwhile(Id openEdges) const
   {
     const Id edges = static_cast<Id>(this->Outline.size());
@@ -156,12 +156,12 @@ private:
 
   const std::vector<Point>& Points;
   const Buckets<CountedTriangle>::Range Pieces;
-  std::vector<std::pair<Id, Id>> Outline; ///< to each point the next one, sorted
+  std::vector<std::pair<Id, Id>> Outline; ///< the next point of each point, sorted
   std::array<Point, 3> Corners;
   Point Normal;
 };
 
-/** The edges of pieces that all run one way and count the same. @return false where they do not */
+/** The outline of pieces that have one orientation and one count. @return false otherwise */
 bool CapMaker::FindOutline()
 {
   if (this->Pieces.Size() == 0)
@@ -214,7 +214,7 @@ bool CapMaker::FindOutline()
   return this->Outline.size() >= 3;
 }
 
-/** The point of an outline that is farthest by some measure. */
+/** The outline's point that maximizes some measure. */
 template <typename Edges, typename Measure>
 Id Farthest(const Edges& outline, const Measure& measure)
 {
@@ -232,7 +232,7 @@ Id Farthest(const Edges& outline, const Measure& measure)
   return farthest;
 }
 
-/** The corners of the outline, taken for a triangle's. */
+/** The corners of the outline, taken as a triangle. */
 bool CapMaker::FindCorners()
 {
   const auto from = [this](const Point& p)
@@ -272,7 +272,7 @@ bool CapMaker::FindCorners()
   return !IsDegenerate(this->Points, corners);
 }
 
-/** Whether all pieces are near the triangle; sets their height. */
+/** Whether all pieces are near the triangle; sets their height above it. */
 bool CapMaker::IsClose()
 {
   const double area = Length(this->Normal);
@@ -322,11 +322,11 @@ bool CapMaker::IsClose()
   }
   height += RoundingErrors * std::numeric_limits<long double>::epsilon() * longest / leastSine;
   this->Cap.Height = static_cast<double>(height) * (1 + 0x1p-40);
-  // At a corner the distance may be larger than those from both sides.
+  // At a corner the distance may exceed the distances from both sides.
   return 4 * (this->Cap.Height + outside) < ReachOfStraightCap * leastSine;
 }
 
-/** Slivers between the sides and the outline, which has to run along them. */
+/** Add slivers between the sides and the outline, which has to run along them. */
 bool CapMaker::MakeSlivers()
 {
   std::vector<char> isUsed(this->Outline.size(), 0);
@@ -357,8 +357,8 @@ bool CapMaker::MakeSlivers()
   return used == this->Outline.size();
 }
 
-/** Between a part of a line and the straight edge from its first to its last point. Halved again
- * and again, so that most slivers are short. */
+/** Add slivers between a polyline and its chord, by recursive bisection, so that most slivers are
+ * short. */
 void CapMaker::FillBetween(const std::vector<Id>& line, std::size_t first, std::size_t last)
 {
   if (last - first < 2)

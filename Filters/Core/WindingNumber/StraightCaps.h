@@ -8,7 +8,7 @@ namespace insideout
 /**
  * An input triangle that stands in for its pieces.
  *
- * Resolving cut it, and the pieces' corners are rounded, so that they lie beside it by a rounding
+ * Resolving cut the triangle, and the pieces' corners are rounded, so they lie off it by a rounding
  * error. Slivers fill the gap between its straight sides and the pieces' outline: triangle, slivers
  * and the pieces turned over make a closed chain that is flat but for rounding. Off that chain's
  * hull the pieces have the winding number of the triangle and the slivers.
@@ -23,10 +23,10 @@ struct StraightCap
   std::size_t LastSliver = 0;
 };
 
-/** Pieces and slivers are at most so far from the triangle, the points of which are below 1. */
+/** Pieces and slivers are at most this far from the triangle, whose coordinates are below 1. */
 constexpr double ReachOfStraightCap = 0x1p-46;
 
-/** A chain of triangles: some that input triangles stand in for, and the rest. */
+/** A chain of triangles: those that caps replace, and the rest. */
 struct StraightCaps
 {
   std::vector<StraightCap> Caps;
@@ -37,10 +37,9 @@ struct StraightCaps
 };
 
 /**
- * Find the input triangles most of whose outline is open, and which can stand in for their pieces.
+ * Find the input triangles whose outline is mostly open and which can stand in for their pieces.
  *
- * @param[in] surface whose facets say which triangles they are of; there are no caps where none
- * does
+ * @param[in] surface whose facets say which triangles they are of; without this there are no caps
  * @param[in] points of the chain, below 1 in each coordinate
  * @param[in] chain that the complex counts as, in triangles each of which belongs to a facet
  * @param[in] boundary of the complex's facets

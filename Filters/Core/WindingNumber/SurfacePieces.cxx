@@ -22,8 +22,8 @@ struct Part
   Id Facet; ///< of the surface; else one of those below
 };
 constexpr Id CapOfCut = -1;
-// With these the surface is closed, so that the edges of any part of it are whole loops. No piece
-// keeps them.
+// These close the surface, so that the edges of any part of it are whole loops. No piece keeps
+// them.
 constexpr Id CapOfHole = -2;
 
 using FacetCount = std::numeric_limits<std::int16_t>;
@@ -57,7 +57,7 @@ public:
 private:
   using Key = std::pair<double, Id>; // no two facets have the same
 
-  /** Three times the centre. */
+  /** Three times the center. */
   Point CentreOf(const Part& part) const
   {
     Point centre = { 0, 0, 0 };
@@ -87,7 +87,7 @@ private:
     return box.LongestAxis();
   }
 
-  /** The key of the first facet of the second half, where the first has `share` of all facets. */
+  /** The key of the first facet of the second half, with `share` of all facets in the first. */
   Key Middle(const std::vector<Part>& parts, int axis, Id pieces, Id share) const
   {
     std::vector<Key> keys;
@@ -127,7 +127,7 @@ private:
     this->Cut(std::move(rest), pieces - share);
   }
 
-  /** Number the points of parts from 0, in `Local`. @return which points these are */
+  /** Number the points of parts from 0, in `Local`. @return the ids of these points */
   std::vector<Id> NumberPoints(const std::vector<Part>& parts)
   {
     std::vector<Id> used;
@@ -159,7 +159,7 @@ private:
     return { { this->Local[t[0]], this->Local[t[1]], this->Local[t[2]] } };
   }
 
-  /** What leaves the parts no boundary; each triangle once, as often as it counts. */
+  /** The caps that leave the parts no boundary; each triangle once, with its count. */
   std::vector<CountedTriangle> CapsToClose(const std::vector<Part>& parts)
   {
     const std::vector<Id> used = this->NumberPoints(parts);
@@ -199,7 +199,7 @@ private:
     }
   }
 
-  /** @param[in] parts facets first, ascending: so they were, and caps came after them */
+  /** @param[in] parts facets first, ascending, then caps */
   CountedPiece PieceOf(std::vector<Part> parts)
   {
     parts.erase(std::remove_if(parts.begin(), parts.end(),
@@ -214,7 +214,7 @@ private:
     }
     for (const Part& part : parts)
     {
-      int left = part.Triangle.Count; // of a cap, where many facets end, it may be any number
+      int left = part.Triangle.Count; // for a cap, where many facets end, it may be any number
       do
       {
         const int count = std::clamp<int>(left, FacetCount::min(), FacetCount::max());
@@ -234,7 +234,7 @@ private:
   const FacetComplex& Surface;
   const std::vector<Point> Points; // scaled to below 1
   Monitor& Progress;
-  std::vector<Id> Local; // per point, in use for one set of parts at a time
+  std::vector<Id> Local; // per point; used for one set of parts at a time
   std::vector<CountedPiece> Pieces;
 };
 } // namespace

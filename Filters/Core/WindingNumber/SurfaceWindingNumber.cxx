@@ -35,7 +35,7 @@ FacetComplex ComplexOf(
   return surface;
 }
 
-/** What a line current along the edge from a to b gives at p, without its constant. */
+/** The field at p of a line current along the edge from a to b, without its constant. */
 void AddBiotSavart(const Point& a, const Point& b, const Point& p, double count, Point& sum)
 {
   const Point u = Difference(a, p);
@@ -51,7 +51,7 @@ void AddBiotSavart(const Point& a, const Point& b, const Point& p, double count,
   {
     return; // in line with the edge
   }
-  // Where the edge is seen under nearly 180 degrees the sum in the denominator cancels.
+  // Where the edge is seen under nearly 180 degrees the denominator's sum cancels.
   const double sumOfLengths = lengthU + lengthV;
   const double factor =
     uv > 0 ? sumOfLengths / denominator : sumOfLengths * (lengths - uv) / (lengths * squaredCross);
@@ -94,7 +94,7 @@ public:
 
   Point Scale(const Point& point) const { return ScaledPoints({ point }, -this->Exponent).front(); }
 
-  /** At points that are finite and not afar, `scaled`. */
+  /** At points that are finite and not far away, `scaled`. */
   std::vector<double> At(
     const std::vector<Point>& scaled, Monitor& monitor, const ProgressRange& progress) const
   {
@@ -206,7 +206,7 @@ void SurfaceWindingNumber::InGrid(const GridPlaces& grid, std::optional<double> 
   monitor.Check(progress.Stage, progress.End);
 }
 
-/** As at any points: where places are afar or do not ascend, and by another method. */
+/** Evaluate as at any points: for far or unordered places, and for the other methods. */
 void SurfaceWindingNumber::SliceBySlice(const GridPlaces& grid, const SliceVisitor& visit,
   Monitor& monitor, const ProgressRange& progress) const
 {

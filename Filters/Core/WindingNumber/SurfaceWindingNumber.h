@@ -55,13 +55,13 @@ public:
     const ProgressRange& progress = { Stages::WindingNumbers, 0, 1 }) const;
 
   /**
-   * At all places of a grid, equal to At but for rounding, and much faster where the method is
-   * Exact, and the grid's places ascend: time grows little beyond what it takes to write the
-   * values. Few slices are held at once.
+   * At all places of a grid, equal to At but for rounding, and much faster if the method is Exact
+   * and the grid's places ascend: little more than the time to write the values. Few slices are
+   * held at once.
    *
    * @param[in] grid of any places: not finite ones have w = NaN
-   * @param[in] sideOf where given, values only tell on which side of it w is, which is faster where
-   *   the surface is open
+   * @param[in] sideOf if given, values only tell on which side of it w is; this is faster for open
+   * surfaces
    * @throws Error (Stopped)
    */
   void InGrid(const GridPlaces& grid, std::optional<double> sideOf, const SliceVisitor& visit,

@@ -11,13 +11,13 @@ namespace insideout
 {
 namespace
 {
-/** Add a place and what the cell's symmetries make of it. The last coordinate makes the sum 1. */
+/** Add a place and its images under the cell's symmetries. The last coordinate makes the sum 1. */
 void AddOrbit(QuadratureRule& rule, double weight, SiteWeights place)
 {
   std::sort(place.begin(), place.end());
   do
   {
-    // To 52 binary places, so that the sum is exactly 1.
+    // Rounded to 52 binary places, so that the sum is exactly 1.
     SiteWeights rounded;
     for (int k = 0; k < 3; ++k)
     {

@@ -52,7 +52,7 @@ struct Group
   std::vector<Bunch> Bunches;
 };
 
-/** Triangles that are neighbours in space come together. */
+/** Group triangles that are neighbors in space. */
 std::vector<Group> MakeGroups(
   const std::vector<Point>& points, const std::vector<Triangle>& triangles)
 {

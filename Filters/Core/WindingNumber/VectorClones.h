@@ -13,7 +13,7 @@
 #define INSIDEOUT_VECTOR_CLONES
 #endif
 
-/** What such a function calls has to become part of it, to be compiled for the same processor. */
+/** Functions that such a function calls must be inlined, to be compiled for the same processor. */
 #if defined(__GNUC__)
 #define INSIDEOUT_ALWAYS_INLINE __attribute__((always_inline)) inline
 #else

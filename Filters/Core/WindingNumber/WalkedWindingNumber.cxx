@@ -22,7 +22,7 @@ constexpr int Unknown = std::numeric_limits<int>::min();
       std::to_string(to));
 }
 
-// Cells are scattered over memory. Those that come so many steps later are fetched ahead.
+// Prefetch distance: cells are scattered over memory.
 constexpr std::size_t StepsAhead = 8;
 
 void PrefetchFaces(const TetrahedralMesh& mesh, Id cell)

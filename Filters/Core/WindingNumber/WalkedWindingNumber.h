@@ -18,7 +18,7 @@ namespace insideout
 std::vector<double> WalkedWindingNumbers(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Monitor& monitor);
 
-/** The count of every face of the mesh, as far as the facets in it are whole. */
+/** The count of every face of the mesh, from the facets that the mesh has whole. */
 class FaceCounts
 {
 public:
@@ -26,17 +26,17 @@ public:
    * live as long as this object */
   FaceCounts(const FacetComplex& surface, const TetrahedralMesh& mesh);
 
-  /** By how much w rises when entering the cell through the face; 0 for pieces of lost facets. */
+  /** The jump of w when entering the cell through the face; 0 for pieces of lost facets. */
   int OnEntering(Id cell, int face) const
   {
     const Id facet = this->Mesh.Facets[cell][face];
     return facet == None ? 0 : this->Mesh.FacetSides[cell][face] * this->Count[facet];
   }
 
-  /** The faces that count, each once, along the outward normal of one of its cells. */
+  /** The faces with a count, each once, along the outward normal of one of its cells. */
   ChainOfFacets Chain() const;
 
-  /** Let faces count nothing where `facets`, one per facet, is not 0. */
+  /** Set to 0 the count of faces of facets whose flag in `facets`, one per facet, is not 0. */
   void LeaveOut(const std::vector<char>& facets);
 
 private:
@@ -44,13 +44,13 @@ private:
   std::vector<int> Count; // per facet
 };
 
-/** Parts of the mesh, joined through faces, of the cells that nothing but its faces touches. */
+/** Parts of the mesh: untouched cells connected through faces. */
 struct UntouchedParts
 {
   struct Place
   {
     Id Part;  ///< None for touched cells
-    int Rise; ///< from the part's first cell
+    int Rise; ///< relative to the part's first cell
   };
 
   std::vector<Place> OfCell;

@@ -15,24 +15,24 @@ namespace insideout
 {
 namespace
 {
-// Far caps together are below this; 1/2 less room for rounding.
+// A bound of the sum of far caps: 1/2, less room for rounding.
 constexpr double MostOfFarCaps = 0.49;
 
-// Sites nearer to a cap's ball than this part of its radius might see an edge under nearly 180
-// degrees, where the boundary alone would lose digits.
+// From sites nearer to a cap's ball than this fraction of its radius an edge might be seen under
+// nearly 180 degrees, where the boundary alone would lose digits.
 constexpr double LeastRelativeDistance = 0x1p-4;
 
-// What BoundaryProduct.h asks for, with room to spare.
+// The distances required by BoundaryProduct.h, with room to spare.
 constexpr double LeastDistance = 0x1p-40;
 constexpr double LeastAhead = 0x1p-6;
 constexpr double MostAhead = 4;
 
-// Caps that are neighbours make a bunch, up to so many boundary points. It is taken as one where
-// its winding number is certainly below the second value.
+// Neighboring caps form a bunch, up to this many boundary points. A bunch is evaluated as one cap
+// where its winding number is certainly below the second value.
 constexpr std::size_t PointsPerBunch = 64;
 constexpr double MostOfBunch = 0x1p-6;
 
-/** About the middle of the sites' box. */
+/** Centered at the middle of the sites' box. */
 WindingNumberOfCaps::Ball BallAround(const SiteBlock& sites)
 {
   WindingNumberOfCaps::Ball ball;
@@ -57,7 +57,8 @@ double QuickDistance(const Point& a, const Point& b)
 }
 
 /**
- * Find a frame in which all sites in a ball see all places in another ahead, not too near.
+ * Find a frame in which, from all sites in a ball, all places in another ball lie ahead and not too
+ * near.
  *
  * @return whether there is one
  */
@@ -80,7 +81,7 @@ bool FindFrame(
   return std::abs(ahead) > from.Radius + to.Radius + LeastAhead && std::abs(ahead) < MostAhead;
 }
 
-/** |w| is at most the area over that of the sphere around the site which touches the part. */
+/** |w| is at most the area over that of the sphere around the site which touches the cap. */
 double BoundOf(
   double area, const WindingNumberOfCaps::Ball& around, const WindingNumberOfCaps::Ball& sites)
 {
@@ -89,7 +90,7 @@ double BoundOf(
   return clear ? area / (4 * Pi * distance * distance) : 1;
 }
 
-/** The largest bound of parts that are far; these are together below 1/2. */
+/** The largest bound of caps that count as far; together these are below 1/2. */
 template <typename BoundedParts>
 double LargestFar(const BoundedParts& parts)
 {
@@ -110,7 +111,7 @@ double LargestFar(const BoundedParts& parts)
 /** A chain's boundary, in loops. */
 std::vector<Loop> LoopsAround(std::vector<CountedTriangle> triangles)
 {
-  // Numbered anew, for the time grows with the highest number.
+  // Renumber the points: time grows with the highest number.
   std::vector<Id> ids;
   for (const CountedTriangle& triangle : triangles)
   {
@@ -264,7 +265,7 @@ void WindingNumberOfCaps::AddLoops(const std::vector<Loop>& loops, Part& cap)
   cap.LastSize = this->LoopSizes.size();
 }
 
-/** Bunches, and the caps of those that are too near to be taken as one, each with its bound. */
+/** Bunches, and the single caps of those too near to be taken as one, each with its bound. */
 void WindingNumberOfCaps::Choose(const Ball& sites, std::vector<BoundedPart>& parts) const
 {
   parts.clear();

@@ -8,15 +8,15 @@
 namespace insideout
 {
 /**
- * The winding number of a chain of triangles that is small against the region where it is wanted:
- * the caps that close the holes of a surface.
+ * The winding number of a chain of triangles that is small compared with the region of its query
+ * points: the caps that close the holes of a surface.
  *
  * The chain is given in parts, its caps. A site takes the winding numbers of far caps from their
  * boundaries alone (BoundaryProduct.h), which give them modulo 1, as long as these together are
- * below 1/2 by their areas. The other caps are summed, triangle by triangle, with
- * exact decisions on which side of a triangle the site lies (SolidAngleProduct.h). Either way the
- * value is right to rounding and never off by one. Neighbouring caps make a bunch, so that where it
- * is far many small caps cost no more than a large one with as many edges.
+ * below 1/2 by their areas. The other caps are summed, triangle by triangle, with exact decisions
+ * on which side of a triangle the site lies (SolidAngleProduct.h). Either way the value is right to
+ * rounding and never off by one. Neighboring caps form a bunch, so that many small far caps cost no
+ * more than a large one with as many edges.
  */
 class WindingNumberOfCaps
 {

@@ -20,7 +20,7 @@ namespace insideout
 {
 namespace
 {
-/** Facets that count and are no faces of the mesh: lost by it, or left out before. */
+/** Facets with a count that are not faces of the mesh: lost by it, or left out before. */
 ChainOfFacets FacetsBeyondMesh(const FacetComplex& surface, const TetrahedralMesh& mesh)
 {
   std::vector<Id> facets = mesh.LostFacets;
@@ -40,7 +40,7 @@ ChainOfFacets FacetsBeyondMesh(const FacetComplex& surface, const TetrahedralMes
   return beyond;
 }
 
-/** The mesh's faces that count, and the facets beyond it. */
+/** The mesh's faces with a count, and the facets beyond it. */
 ChainOfFacets WholeChain(const FaceCounts& counts, const ChainOfFacets& beyond)
 {
   ChainOfFacets chain = counts.Chain();
@@ -49,7 +49,7 @@ ChainOfFacets WholeChain(const FaceCounts& counts, const ChainOfFacets& beyond)
   return chain;
 }
 
-/** A chain of triangles in pieces: its caps, which close its holes, and the chain less these. */
+/** A chain of triangles in two: the caps that close its holes, and the chain less its caps. */
 struct ClosedWithCaps
 {
   std::vector<CountedTriangle> Closed;
@@ -64,7 +64,7 @@ ClosedWithCaps Close(std::vector<CountedTriangle> chain, const std::vector<Point
   return result;
 }
 
-/** Where the rule's places are in some cells, rounded. */
+/** The rule's places in some cells, rounded. */
 std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
   const std::vector<Tetrahedron>& cells, const std::vector<Id>& which, const QuadratureRule& rule)
 {
@@ -81,16 +81,16 @@ std::vector<Point> RoundedPlaces(const std::vector<Point>& points,
 }
 
 /**
- * The winding number of a chain that is open, or part of which is no faces of the mesh. Its holes
- * have caps: on cells that neither caps nor what is beyond the mesh may touch, the whole part is
- * walked; elsewhere it is evaluated.
+ * The winding number of a chain that is open, or partly not in the mesh. Its holes have caps. The
+ * integer part is carried by walking through cells that neither caps nor triangles outside the mesh
+ * may touch; in the other cells it is evaluated.
  */
 class PartlyWalked
 {
 public:
   /**
-   * @param[in] beyond the part of the chain that is no faces; everything has to live as long as
-   * this object
+   * @param[in] beyond the part of the chain outside the mesh; all arguments have to outlive this
+   * object
    */
   PartlyWalked(const std::vector<Point>& points, const TetrahedralMesh& mesh,
     const FaceCounts& counts, std::vector<CountedTriangle> chain,
@@ -132,7 +132,9 @@ public:
       ProgressRange{ Stages::WindingNumbers, 0.05, 0.1 });
   }
 
-  /** All cells, neighbours in space next to each other; none where this was not needed. */
+  /**
+   * All cells, sorted so that neighbors in space are near each other; empty if this was not needed.
+   */
   const std::vector<Id>& OrderOfCells() const { return this->Order; }
 
   /** Set all cells' values. */
@@ -167,9 +169,9 @@ private:
 };
 
 /**
- * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. Its chain
- * is the mesh's faces and the facets beyond it: pieces of triangles that stand in for them, and the
- * rest.
+ * The mean winding numbers of a complex that is open, or of which the mesh lacks facets. The chain
+ * consists of the mesh's faces and the facets outside it: straight caps that replace pieces, and
+ * the rest.
  */
 std::vector<double> PartlyWalkedMeans(const FacetComplex& surface,
   const std::vector<CountedEdge>& boundary, const TetrahedralMesh& mesh,
@@ -197,7 +199,7 @@ std::vector<double> PartlyWalkedMeans(const FacetComplex& surface,
     order = SpatialOrder({ points, mesh.Cells });
   }
 
-  // As the first place's value and differences to it, so that what is constant stays exact.
+  // The first place's value and differences from it, so that constants stay exact.
   std::vector<double> means;
   std::vector<double> first;
   std::vector<double> w(mesh.Cells.size(), 0.0);
@@ -254,7 +256,7 @@ std::vector<double> WindingNumberOfCells(
 
 double SignedContent(const TetrahedralMesh& mesh, const std::vector<double>& w)
 {
-  // Compensated after Neumaier (1974).
+  // Compensated summation (Neumaier 1974).
   double sum = 0;
   double compensation = 0;
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)

@@ -16,12 +16,12 @@ namespace insideout
 {
 namespace
 {
-// From a site amid pieces a line leads to a place so far above them, and anywhere in a cube around
-// that of half the size. It fails only where it meets an edge or a corner exactly.
+// From a site among the pieces a line leads to a point at this height above them, anywhere in a
+// cube of half that size. It fails only where it meets an edge or a corner exactly.
 constexpr double Above = 0x1p-30;
 constexpr int MostLines = 64;
 
-/** Long doubles err by at most so many of their rounding errors in a height. */
+/** Error bound of a height in long doubles, in units of their rounding error. */
 constexpr long double RoundingErrors = 16;
 } // namespace
 
@@ -43,7 +43,9 @@ WindingNumberOfStraightCaps::WindingNumberOfStraightCaps(
   this->IsTreeMade = std::make_unique<std::once_flag[]>(caps.Caps.size());
 }
 
-/** Of a cap's pieces, then of its slivers. Few caps are asked for it: it is made when one is. */
+/**
+ * The triangles of a cap's pieces, then of its slivers. Made on demand, because few caps need it.
+ */
 const BoxTree& WindingNumberOfStraightCaps::TreeOf(std::size_t index) const
 {
   const StraightCap& cap = this->Caps.Caps[index];
@@ -64,7 +66,7 @@ const BoxTree& WindingNumberOfStraightCaps::TreeOf(std::size_t index) const
   return this->Trees[index];
 }
 
-/** False only where the site certainly is farther from the cap's plane than all pieces. */
+/** False only if the site is certainly farther from the cap's plane than all pieces. */
 bool WindingNumberOfStraightCaps::MayBeAmid(const StraightCap& cap, const RoundedSite& site) const
 {
   const std::array<Point, 3> corners = CornersOf(this->Points, cap.Whole.Corners);
@@ -83,7 +85,7 @@ bool WindingNumberOfStraightCaps::MayBeAmid(const StraightCap& cap, const Rounde
   return !(std::abs(Dot(d[0], normal)) > cap.Height * std::sqrt(Dot(normal, normal)) + error);
 }
 
-/** Of pieces less triangle and slivers, those that may meet the box. */
+/** The triangles of pieces, less triangle and slivers, that may meet the box. */
 std::vector<CountedTriangle> WindingNumberOfStraightCaps::ChainAround(
   std::size_t cap, const Box& box) const
 {
@@ -167,7 +169,7 @@ void WindingNumberOfStraightCaps::AddTriangles(
     triangle = MultiplyByTriangles(triangle, end, block.Rounded, block.Product, undecided);
     for (int lane = 0; lane < Lanes; ++lane)
     {
-      // The last site stands for those that the block lacks.
+      // The last site fills the block.
       if (undecided[lane] > 0 && (lane == 0 || block.Index[lane] != block.Index[lane - 1]))
       {
         labels[lane] += this->MultiplyByUndecided(static_cast<std::size_t>(triangle - 1 - begin),

@@ -14,8 +14,8 @@ namespace insideout
 {
 /**
  * The winding number of the pieces that straight caps stand in for: that of the caps' triangles,
- * plus that of the slivers, plus a label. The label is 0 but at a site as near to a triangle as its
- * pieces are, where exact predicates find it.
+ * plus that of the slivers, plus a label. The label is 0, except at a site as near to a triangle as
+ * its pieces are; there exact predicates find it.
  */
 class WindingNumberOfStraightCaps
 {
@@ -47,10 +47,10 @@ private:
 
   const std::vector<Point>& Points;
   const StraightCaps& Caps;
-  std::vector<CapTriangle> Triangles; ///< each as often as it counts
+  std::vector<CapTriangle> Triangles; ///< each repeated by its count
   std::vector<std::size_t> CapOf;     ///< per triangle
   SliverTree Slivers;
-  mutable std::vector<BoxTree> Trees; ///< per cap, once it is made
+  mutable std::vector<BoxTree> Trees; ///< per cap, made on demand
   std::unique_ptr<std::once_flag[]> IsTreeMade;
 };
 } // namespace insideout

@@ -19,7 +19,7 @@ namespace
 {
 constexpr std::size_t SitesPerBatch = 8 * Lanes;
 
-/** The facets that count, neighbours in space next to each other. */
+/** The facets with a count, sorted so that neighbors in space are near each other. */
 std::vector<CountedTriangle> SortedFacets(const FacetComplex& surface)
 {
   const std::vector<CountedTriangle> counted = CountedFacets(surface);
@@ -44,7 +44,7 @@ std::vector<CountedTriangle> SortedFacets(const FacetComplex& surface)
   return sorted;
 }
 
-/** The sites from `first` on of `order`, a block of lanes at a time. */
+/** The sites from `first` on of `order`, one block of lanes at a time. */
 void SumBatch(const SolidAngleTiles& tiles, TileRange all, const Sites& sites,
   const std::vector<Id>& order, std::size_t first, std::vector<double>& w)
 {

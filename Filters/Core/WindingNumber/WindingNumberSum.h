@@ -16,8 +16,9 @@ namespace insideout
  * so that no value is off by a whole facet. Where it lies on a facet, that facet counts 0, the mean
  * of its two sides.
  *
- * Takes time facets times sites, on all threads; the values do not depend on their number, nor on a
- * scaling of all coordinates by a power of two. Turning all facets over negates the values.
+ * Time is proportional to facets times sites, on all threads. The values depend neither on the
+ * number of threads nor on a scaling of all coordinates by a power of two. Reversing all facets
+ * negates them.
  *
  * @param[in] surface every facet counts, the ones behind NumberOfConstraints too
  * @param[in] sites finite; their cells may be of any volume, even none

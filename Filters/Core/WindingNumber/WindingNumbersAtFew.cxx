@@ -8,10 +8,12 @@ namespace insideout
 {
 namespace
 {
-/** Half the width of a bar, of the chain's size: few facets of usual surfaces are as small. */
+/**
+ * Half the width of a bar, relative to the chain's size: few facets of usual surfaces are as small.
+ */
 constexpr double BarWidth = 0x1p-12;
 
-/** Triangles that a thread looks at in one go. */
+/** Triangles per task of a thread. */
 constexpr std::size_t BlockSize = 4096;
 
 Box BoxAround(const std::vector<Point>& points, const std::vector<CountedTriangle>& triangles)
@@ -24,14 +26,14 @@ Box BoxAround(const std::vector<Point>& points, const std::vector<CountedTriangl
   return box;
 }
 
-/** A box from about a site to beyond the chain, and a place in it that is beyond. */
+/** A box from the neighborhood of a site to beyond the chain, and a point in it that is beyond. */
 struct Bar
 {
   Box Bounds;
   Point End;
 };
 
-/** The bar that leaves the chain's box on the nearest way. */
+/** The bar that leaves the chain's box by the shortest way. */
 Bar BarFrom(const Point& site, const Box& chain)
 {
   int axis = 0;

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** At most this many sites are few: a tree takes 110 ns per facet, a bar for a site 3 ns. */
+/** Up to this many sites bars are faster: a tree takes 110 ns per facet, a bar for a site 3 ns. */
 constexpr std::size_t MostFewSites = 32;
 
 /**
