@@ -36,7 +36,7 @@ class Panel(NamedTuple):
 
 
 def actor(data: vtkDataSet, colour=GREY, edges: bool = False, width: float = 1.0, opacity: float = 1.0) -> vtkActor:
-    """A data set's faces, or its lines, in one colour."""
+    """A data set's faces, or its lines, in one color."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(faces_of(data))
     mapper.ScalarVisibilityOff()
@@ -74,7 +74,7 @@ def coloured(data: vtkDataSet, name: str, values: tuple[float, float], edges: bo
 
 
 def painted(data: vtkDataSet, colours: np.ndarray, of_cells: bool = False) -> vtkActor:
-    """Each point, or cell, in a colour of its own: red, green and blue from 0 to 255."""
+    """Each point, or cell, in a color of its own: red, green and blue from 0 to 255."""
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     array = numpy_to_vtk(np.ascontiguousarray(colours, np.uint8), deep=True)

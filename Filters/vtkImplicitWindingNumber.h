@@ -32,7 +32,7 @@
  *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
  *
  * Areas are those of AreaArrayName, or those of each point's Voronoi cell among its 20 nearest
- * neighbours in its tangent plane. As a term grows beyond all bounds near its point, it is made to
+ * neighbors in its tangent plane. As a term grows beyond all bounds near its point, it is made to
  * fall to 0 within the radius of a disk of the point's area: w passes smoothly from 1 to 0 across a
  * layer as thick as points are apart, and within this layer means no more than that. Sums are by a
  * tree of expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by

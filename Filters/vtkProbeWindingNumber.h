@@ -4,7 +4,7 @@
  * @brief   the winding number of a surface at the points or cells of any data set
  *
  * Takes any data set (port 0) and any triangle or polygon surface (port 1), however broken.
- * Evaluates at each point, or at the centre of each cell, the generalized winding number w of
+ * Evaluates at each point, or at the center of each cell, the generalized winding number w of
  * Jacobson, Kavan and Sorkine-Hornung (2013): how often the surface wraps around it. The surface is
  * neither resolved nor meshed. It may cross itself, and it may be open: w is then a fraction that
  * fades smoothly near the holes, and w > 1/2 still tells inside from outside, where ray casting, as
@@ -41,7 +41,7 @@
  *     w(q) = sum of a n . (p - q) / (4 pi |p - q|^3).
  *
  * Areas are those of AreaArrayName, or those of each point's Voronoi cell among its 20 nearest
- * neighbours in its tangent plane. As a term grows beyond all bounds near its point, it is made to
+ * neighbors in its tangent plane. As a term grows beyond all bounds near its point, it is made to
  * fall to 0 within the radius of a disk of the point's area: w passes smoothly from 1 to 0 across a
  * layer as thick as points are apart, and within this layer means no more than that. Sums are by a
  * tree of expansions that err by 1e-2 of the sum of a / (4 pi |p - q|^2) at most, in practice by
@@ -105,7 +105,7 @@ public:
   enum AssociationType
   {
     POINTS = 0, ///< at the points
-    CELLS = 1   ///< at the cells' parametric centres
+    CELLS = 1   ///< at the cells' parametric centers
   };
 
   ///@{

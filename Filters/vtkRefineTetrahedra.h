@@ -17,7 +17,7 @@
  * wish.
  *
  * Output: vtkTetra, or with QuadraticCells vtkQuadraticTetra. Each cell has the cell data of the
- * input cell that holds its barycentre. But FacetIds and FacetMultiplicity (4 components, one value
+ * input cell that holds its barycenter. But FacetIds and FacetMultiplicity (4 components, one value
  * per face) are those of the input's face on the boundary or between regions: the same face, the
  * one that it is a piece of, or the one next to it where the surface is remeshed; and -1 and 0 on
  * all others, also where the input had facets within a region. Where the surface is kept, cells of

@@ -7,7 +7,7 @@
  * (text with as many digits as keep every bit) or .stl (binary; the format has only floats). What
  * vtkSurfaceReader reads back from the first three has the same coordinates to the last bit.
  *
- * Normals, texture coordinates and colours (scalars of 3 or 4 unsigned char) are written to PLY
+ * Normals, texture coordinates and colors (scalars of 3 or 4 unsigned char) are written to PLY
  * and OBJ, every other numeric array to PLY, none to OFF. OBJ gets the groups that the cell array
  * BoundaryTag, or else GroupIds, and the materials that MaterialIds numbers, where the field array
  * BoundaryTagNames, GroupNames or MaterialNames has their names. Lines and vertices are not

@@ -3,7 +3,7 @@
  * @class   vtkWindingNumberToImageStencil
  * @brief   the voxels inside a surface, however broken, as an image stencil
  *
- * Takes any triangle or polygon surface and gives a vtkImageStencilData of the voxels whose centres
+ * Takes any triangle or polygon surface and gives a vtkImageStencilData of the voxels whose centers
  * are inside it, for vtkImageStencil, vtkImageAccumulate and their like: what
  * vtkPolyDataToImageStencil does for closed surfaces that do not cross themselves. Inside is where
  * the surface's winding number is above Threshold, as in vtkProbeWindingNumber, whose array Inside

@@ -111,7 +111,7 @@ def with_points(surface: vtkPolyData, points: np.ndarray) -> vtkPolyData:
 
 
 def colours_of(weights: np.ndarray) -> np.ndarray:
-    """A mixture of a colour for each bone."""
+    """A mixture of a color for each bone."""
     hues = np.random.default_rng(4).permutation(weights.shape[1]) / weights.shape[1]
     palette = 155 + 85 * np.cos(2 * np.pi * (hues[:, None] + np.array([0, 1 / 3, 2 / 3])))
     return weights @ palette

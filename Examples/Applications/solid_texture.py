@@ -43,7 +43,7 @@ def depth_in(points: np.ndarray, cells: np.ndarray, boundary: np.ndarray) -> np.
 
 
 def texture(places: np.ndarray, depth: np.ndarray, size: float) -> np.ndarray:
-    """Wood: bark, then rings, which waves bend and make uneven; a colour for each place."""
+    """Wood: bark, then rings, which waves bend and make uneven; a color for each place."""
     x, y, z = (places / size * 2 * np.pi * 3).T
     uneven = 0.015 * (np.sin(2 * x + np.cos(3 * y)) + np.sin(3 * z + np.cos(2 * x)) + np.sin(5 * y + z))
     ring = (depth + uneven) * RINGS % 1

@@ -4,7 +4,7 @@
     xvfb-run -a python3 one_component.py PICTURE.png [SURFACE]
 
 By default it is a model of Debian's package libcgal-demo. Regions, which faces of cells connect, have
-colours; red are cells that join regions. What joining them adds to the energy is said, and what is dropped.
+colors; red are cells that join regions. What joining them adds to the energy is said, and what is dropped.
 """
 
 import sys
@@ -24,7 +24,7 @@ JOINING, REST = (217, 38, 31), (115, 168, 204)
 
 
 def colours_of(regions):
-    """A colour for each number, always the same."""
+    """A color for each number, always the same."""
     return np.random.default_rng(3).integers(90, 230, size=(regions.max() + 1, 3))[regions]
 
 

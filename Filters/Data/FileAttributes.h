@@ -16,13 +16,13 @@ class vtkFieldData;
 
 namespace vtkInsideOut
 {
-/** Add an attribute as an array, and as VTK's normals, texture coordinates or colours if it is
+/** Add an attribute as an array, and as VTK's normals, texture coordinates or colors if it is
  * these. */
 void AddAttribute(const insideout::Attribute& attribute, vtkDataSetAttributes* data);
 
 /**
  * The numeric arrays of the points or cells with these ids. VTK's normals, texture coordinates and
- * colours (scalars of 3 or 4 unsigned char) are called Normals, TCoords and Colors, whatever their
+ * colors (scalars of 3 or 4 unsigned char) are called Normals, TCoords and Colors, whatever their
  * name; other arrays keep theirs. Integers of other types become int, or double where they do not
  * fit.
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * Reads a vtkUnstructuredGrid: tetrahedra as they are; for the graph cut with their neighbours, or
+ * Reads a vtkUnstructuredGrid: tetrahedra as they are; for the graph cut with their neighbors, or
  * cells of any type by their parts.
  */
 #pragma once
@@ -53,7 +53,7 @@ std::vector<double> ReadWindingNumbers(vtkUnstructuredGrid* grid);
 bool HasFacetIds(vtkUnstructuredGrid* grid);
 
 /**
- * Tetrahedra with their neighbours. A face is on a facet where FacetIds is not negative; without
+ * Tetrahedra with their neighbors. A face is on a facet where FacetIds is not negative; without
  * the array, none is.
  *
  * @throws insideout::Error TooLarge, and when the grid does not conform

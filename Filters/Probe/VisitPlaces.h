@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file
- * The places where a data set is asked something: its points, or the centres of its cells.
+ * The places where a data set is asked something: its points, or the centers of its cells.
  */
 #pragma once
 

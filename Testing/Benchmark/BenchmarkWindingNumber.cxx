@@ -142,7 +142,7 @@ void Compare(const std::string& name, std::size_t facets, const Work& ours, cons
   PrintRatio(name + "/" + otherName, seconds[1] / seconds[0], limit);
 }
 
-/** The stage on the hull's cells, against others at the same barycentres. */
+/** The stage on the hull's cells, against others at the same barycenters. */
 void MeasureCells(const std::string& name, const TriangleSoup& soup)
 {
   Monitor monitor;

@@ -5,7 +5,7 @@ Each runs in a process of its own with a limit of memory and of processor time, 
 have the processors. As a program this is three of them:
 
     meshers.py netgen BOUNDARY.stl MESH.vol          mesh a surface by Netgen's Python module
-    meshers.py delaunay SURFACE.vtp MESH.vtu         vtkDelaunay3D's cells whose centres vtkSelectEnclosedPoints has inside
+    meshers.py delaunay SURFACE.vtp MESH.vtu         vtkDelaunay3D's cells whose centers vtkSelectEnclosedPoints has inside
     meshers.py refine SOLID.vtu MESH.vtu NAME=VALUE...  improve a solid by vtkRefineTetrahedra with these properties
 """
 

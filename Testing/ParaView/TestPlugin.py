@@ -313,7 +313,7 @@ class TestPlugin(unittest.TestCase):
     def test_points_with_normals_are_a_surface(self):
         sphere = simple.Sphere(ThetaResolution=40, PhiResolution=40)
         cloud = simple.MaskPoints(Input=sphere, OnRatio=1, MaximumNumberofPoints=5000, GenerateVertices=1)
-        places = simple.Wavelet(WholeExtent=[-1, 1] * 3)  # the centre, and 26 places outside
+        places = simple.Wavelet(WholeExtent=[-1, 1] * 3)  # the center, and 26 places outside
         probe = simple.ProbeWindingNumber(Input=places, Surface=cloud)
         probe.UpdatePipeline()
         inside = servermanager.Fetch(probe).GetPointData().GetArray("Inside")

@@ -42,7 +42,7 @@ class InAFolder(unittest.TestCase):
 
 
 def awkward_box() -> vtkPolyData:
-    """A box whose coordinates no float holds, with normals, texture coordinates, colours and other arrays."""
+    """A box whose coordinates no float holds, with normals, texture coordinates, colors and other arrays."""
     surface = surfaces.box(low=(1 / 3, 1e-17, -1e5 / 7), size=np.pi)
     surface.GetPointData().SetNormals(surfaces.add_array(surface.GetPointData(), "up", np.tile([0.0, 0.6, 0.8], (8, 1))))
     texture = np.arange(16.0).reshape(8, 2) / 16

@@ -21,7 +21,7 @@ namespace insideout
 {
 namespace
 {
-// The cell is that of all points as soon as its own neighbours, six on average, are among them.
+// The cell is that of all points as soon as its own neighbors, six on average, are among them.
 constexpr std::size_t NeighboursPerPoint = 20;
 
 using Point2 = Kernel::Point_2;
@@ -75,7 +75,7 @@ std::vector<Box> BoxesOf(const std::vector<Place>& places)
   return boxes;
 }
 
-/** Differences from a place to its nearest neighbours that face as it does; of several as near as
+/** Differences from a place to its nearest neighbors that face as it does; of several as near as
  * each other to the lowest. */
 std::vector<Point> ToNeighbours(const std::vector<Place>& places, const BoxTree& tree, Id place)
 {
@@ -170,7 +170,7 @@ double AreaOf(const std::vector<Point2>& polygon)
   return std::max(twice / 2, 0.0);
 }
 
-/** Of the origin among its neighbours, within the convex hull of all of them. */
+/** Of the origin among its neighbors, within the convex hull of all of them. */
 double AreaOfCell(const std::vector<Point2>& neighbours)
 {
   std::vector<Point2> all = neighbours;

@@ -11,14 +11,14 @@ namespace insideout
 {
 /**
  * How much of a surface each of its points stands for, as Barill, Dickson, Schmidt, Levin and
- * Jacobson (2018) estimate it: the area of the point's Voronoi cell among its nearest neighbours,
- * all seen in the point's tangent plane; here within the neighbours' convex hull, so that on the
- * rim of an open surface nothing beyond it counts. Neighbours are those that face the same way, so
+ * Jacobson (2018) estimate it: the area of the point's Voronoi cell among its nearest neighbors,
+ * all seen in the point's tangent plane; here within the neighbors' convex hull, so that on the
+ * rim of an open surface nothing beyond it counts. Neighbors are those that face the same way, so
  * that the other side of a thin wall is none. Points in one place share its area.
  *
  * @param[in] points finite
  * @param[in] normals one per point, of length 1
- * @return one area per point, in squared units; 0 where all neighbours are in a line with the point
+ * @return one area per point, in squared units; 0 where all neighbors are in a line with the point
  * @throws Error (Stopped)
  */
 std::vector<double> AreasOfPoints(const std::vector<Point>& points,

@@ -23,7 +23,7 @@ constexpr int Halvings = 10;
 
 constexpr int Terms = 3; // all that FarField has
 
-/** What the first three terms leave out of points within `radius` of a centre, at `distance` from
+/** What the first three terms leave out of points within `radius` of a center, at `distance` from
  * it, by the sum of their areas over squared distances. */
 double MostLeftOut(double thirdMoment, double area, double radius, double distance)
 {
@@ -65,7 +65,7 @@ int ExponentOf(const PointCloud& cloud)
 }
 } // namespace
 
-/** In an order in which neighbours stand together. */
+/** In an order in which neighbors stand together. */
 std::vector<CloudWindingNumber::Dipole> CloudWindingNumber::DipolesOf(
   const PointCloud& cloud, int exponent)
 {

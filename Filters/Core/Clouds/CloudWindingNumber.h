@@ -19,8 +19,8 @@ namespace insideout
  * most 1/4, and has no step. (It is the field of a dipole that is spread evenly over a ball.)
  *
  * Sums over all points, or over a tree, in which the points of a part that is far away count as the
- * first three terms of a Taylor series. The n-th term of a point that is d from the part's centre
- * is at most n a d^(n - 1) / (4 pi r^(n + 1)), at r from the centre. So of a part with points at
+ * first three terms of a Taylor series. The n-th term of a point that is d from the part's center
+ * is at most n a d^(n - 1) / (4 pi r^(n + 1)), at r from the center. So of a part with points at
  * most R from it, and with t = R / r, what is left out is at most
  *
  *     (sum of a_i d_i^3) / (4 pi r^5) * (4 - 3 t) / (1 - t)^2.

@@ -40,7 +40,7 @@ std::size_t NumberOfNodes(Id count)
 }
 } // namespace
 
-/** The centre of a box on its way to its place: moved with its number, for centres that are near in
+/** The center of a box on its way to its place: moved with its number, for centers that are near in
  * memory are looked at much faster. */
 struct BoxTree::Centre
 {
@@ -132,7 +132,7 @@ std::vector<Id> BoxTree::SetsOfParts(const std::vector<Id>& setOf) const
   return sets;
 }
 
-/** Puts the centres in order of a part's halves, along the axis on which they lie widest apart. */
+/** Puts the centers in order of a part's halves, along the axis on which they lie widest apart. */
 void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
 {
   Box bounds = Box::Empty();

@@ -34,7 +34,7 @@ SolidRegions FindRegions(const Neighbors& neighbors, const std::vector<unsigned 
   const LoopProgress visits(monitor, progress, neighbors.size());
   SolidRegions regions;
   regions.OfCell.assign(neighbors.size(), None);
-  std::vector<Id> reached; // cells whose neighbours are still to be looked at
+  std::vector<Id> reached; // cells whose neighbors are still to be looked at
   std::size_t visited = 0;
   const auto reach = [&](Id cell)
   {

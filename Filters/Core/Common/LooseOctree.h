@@ -10,7 +10,7 @@ namespace insideout
 {
 /**
  * Boxes that come and go, and which of them meet a box: each is in the smallest cube of an octree
- * that holds its centre and is as wide (Ulrich 2000, Loose Octrees). BoxTree is faster for boxes
+ * that holds its center and is as wide (Ulrich 2000, Loose Octrees). BoxTree is faster for boxes
  * that stay.
  */
 class LooseOctree

@@ -10,7 +10,7 @@ namespace insideout
  * tells.
  *
  * The distance from one facet is convex, so that the corners of a piece of the tetrahedron tell of
- * all of it. Where not all of them are near the facet that is nearest to the piece's centre the
+ * all of it. Where not all of them are near the facet that is nearest to the piece's center the
  * piece is cut in two: by a wall that stands on an edge of this facet, or else in the middle of its
  * longest edge.
  *

@@ -160,7 +160,7 @@ private:
     return true;
   }
 
-  /** False where one of the names is missing. Numbers that are no colours stay. */
+  /** False where one of the names is missing. Numbers that are no colors stay. */
   bool MakeColors(const Names& names)
   {
     const Columns columns = this->Find(names);

@@ -287,7 +287,7 @@ private:
     return vector;
   }
 
-  /** `v x y z`, then nothing, a weight, a colour, or a weight of the colour behind it. */
+  /** `v x y z`, then nothing, a weight, a color, or a weight of the color behind it. */
   void ReadPoint()
   {
     this->Surface.Points.push_back(this->ReadVector());
@@ -481,7 +481,7 @@ private:
     this->Surface.PointAttributes.push_back({ name, static_cast<int>(N), std::move(values) });
   }
 
-  /** Points that no face uses need no colour: they get black. */
+  /** Points that no face uses need no color: they get black. */
   void AddColors()
   {
     if (!this->HasColors)

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 // The format: Geomview's manual, "OFF Files". Files in the wild leave out the number of edges, glue
-// the numbers to the first word, or give three colours where the manual asks for four.
+// the numbers to the first word, or give three colors where the manual asks for four.
 
 namespace insideout
 {
@@ -182,7 +182,7 @@ private:
     }
   }
 
-  /** The colour, whose length nothing tells but the line's, and the texture coordinates. */
+  /** The color, whose length nothing tells but the line's, and the texture coordinates. */
   void ReadExtrasOfPoint(std::uint64_t point)
   {
     const std::vector<double>& extras = this->RestOfLine();

@@ -10,10 +10,10 @@
 namespace insideout
 {
 /**
- * Colours in the two spare bytes of the facets of binary STL, five bits for each component, in two
+ * Colors in the two spare bytes of the facets of binary STL, five bits for each component, in two
  * dialects. Magics has `COLOR=` and four bytes in the title, the lowest bits are red, and the
- * highest bit says that the facet has the title's colour. Elsewhere (VisCAM, SolidView) the lowest
- * bits are blue, and the highest bit says that there is a colour.
+ * highest bit says that the facet has the title's color. Elsewhere (VisCAM, SolidView) the lowest
+ * bits are blue, and the highest bit says that there is a color.
  */
 class StlColors
 {

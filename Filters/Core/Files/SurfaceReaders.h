@@ -67,19 +67,19 @@ bool ClosePolygon(const FileContent& file, PolygonSurface& surface);
 /** Say how many polygons ClosePolygon dropped, if any. */
 void WarnOfDropped(const FileContent& file, std::uint64_t dropped, PolygonSurface& surface);
 
-/** Colours that are given as numbers beside points or polygons, for all of them or not at all. */
+/** Colors that are given as numbers beside points or polygons, for all of them or not at all. */
 class ColorColumn
 {
 public:
-  /** The colour of the next point or polygon: 3 or 4 numbers; anything else is none. */
+  /** The color of the next point or polygon: 3 or 4 numbers; anything else is none. */
   void Add(const std::vector<double>& color);
 
-  /** Whether any point or polygon had a colour, or something else in its place. */
+  /** Whether any point or polygon had a color, or something else in its place. */
   bool Any() const { return this->SomeNumbers; }
 
   /**
    * The attribute `Colors`. Numbers are 0 to 1 if the largest in the file is at most 1, else 0 to
-   * 255. Nothing where a colour is missing, has another number of components or is beyond 255.
+   * 255. Nothing where a color is missing, has another number of components or is beyond 255.
    */
   std::optional<Attribute> ToAttribute() const;
 

@@ -29,7 +29,7 @@ void WriteObjNumbers(
     {
       for (std::size_t i = first; i < first + count; ++i)
       {
-        // Colours are the only bytes, and OBJ has them from 0 to 1.
+        // Colors are the only bytes, and OBJ has them from 0 to 1.
         const bool isByte = sizeof(values[i]) == 1;
         file.Text(" ");
         file.Decimal(isByte ? double(values[i]) / 255.0 : double(values[i]));

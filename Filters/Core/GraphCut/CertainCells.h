@@ -14,7 +14,7 @@ namespace insideout
  * minimum can lack a part of R: adding it costs at most its faces to cells outside R, and gains
  * more. The largest such R comes from all cells that are better inside, by taking away those that
  * their faces outweigh until there are none. Likewise for the outside, where equality will do, for
- * the smallest minimum is wanted. The costs between a certain cell and its neighbours are then no
+ * the smallest minimum is wanted. The costs between a certain cell and its neighbors are then no
  * longer open. The same is done again with the cells that are left, as long as that settles most of
  * them.
  */

@@ -6,7 +6,7 @@
 namespace insideout
 {
 /**
- * A mesh of tetrahedra from anywhere, with their neighbours and no facets. Cells that are
+ * A mesh of tetrahedra from anywhere, with their neighbors and no facets. Cells that are
  * negatively oriented get their last two corners swapped, by which their faces 0 and 3 change
  * places.
  *

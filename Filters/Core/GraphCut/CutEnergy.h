@@ -119,7 +119,7 @@ public:
   /** By how much E's data term of the cell is larger inside than outside. */
   double ExtraInside(Id cell) const;
 
-  /** A neighbour's cost in E, but for rounding. */
+  /** A neighbor's cost in E, but for rounding. */
   double CostInEnergy(const Neighbor& neighbor) const;
 
   /** 1 where the cell has to be inside, -1 outside, 0 where either will do. */

@@ -72,7 +72,7 @@ struct AreaProperties
   Point Center = { { 0, 0, 0 } };
 };
 
-/** Area and centre of each region. */
+/** Area and center of each region. */
 std::vector<AreaProperties> MeasureRegions(const SegmentComplex& curve, const PlanarMesh& mesh,
   const Plane& plane, const SolidRegions& regions);
 } // namespace insideout

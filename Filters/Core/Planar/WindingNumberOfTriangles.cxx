@@ -61,7 +61,7 @@ std::vector<double> Evaluate(
   }
   const PolylineWindingNumber number(curve.Points, segments, metric);
   std::vector<double> w(mesh.Cells.size());
-  // Neighbours one after the other ask for what the cache still has.
+  // Neighbors one after the other ask for what the cache still has.
   std::vector<Point> places;
   places.reserve(mesh.Cells.size());
   for (const Triangle& cell : mesh.Cells)

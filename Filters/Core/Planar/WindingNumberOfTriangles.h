@@ -14,7 +14,7 @@ namespace insideout
  *
  * For a closed curve it is carried from triangle to triangle, from 0 beyond the hull, rising by
  * what each segment counts: whole numbers, exactly. Otherwise it is that of PolylineWindingNumber
- * at the barycentre: the exact one, where rounding would put it out of its triangle.
+ * at the barycenter: the exact one, where rounding would put it out of its triangle.
  *
  * @param[in] curve which the mesh was made of
  * @throws Error Stopped

@@ -54,7 +54,7 @@ struct Circumsphere
 };
 Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/** The circumcentre of a triangle in its plane, and the squared radius.
+/** The circumcenter of a triangle in its plane, and the squared radius.
  */
 struct CircleOfTriangle
 {

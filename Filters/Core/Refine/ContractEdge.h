@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Takes points that are on no facet out of the mesh, each by moving it into a neighbour. */
+/** Takes points that are on no facet out of the mesh, each by moving it into a neighbor. */
 class Contraction
 {
 public:
@@ -17,7 +17,7 @@ public:
   }
 
   /**
-   * Move a point into the neighbour that gives the best cells, if their shapes are above `wanted`
+   * Move a point into the neighbor that gives the best cells, if their shapes are above `wanted`
    * and no edge gets longer than `longest` times the sizes at its ends.
    */
   bool Remove(Id point, double wanted, double longest);

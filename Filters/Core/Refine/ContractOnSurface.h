@@ -24,18 +24,18 @@ public:
   }
 
   /**
-   * Move a point into a neighbour, if all new shapes (ShapeOf) are above `wanted`, at least
+   * Move a point into a neighbor, if all new shapes (ShapeOf) are above `wanted`, at least
    * 0, and no edge gets longer than `longest` times the sizes at its ends.
    */
   bool Contract(Id point, Id target, double wanted, double longest);
 
   /**
-   * Move a point with all its ridges into a neighbour, which has to stay then: if all new cells
+   * Move a point with all its ridges into a neighbor, which has to stay then: if all new cells
    * have a shape above `wanted`, each piece looks where it did, and no label loses its last piece.
    */
   bool ContractStep(Id point, Id target, double wanted);
 
-  /** Move a point into the first of its neighbours where that can be done. */
+  /** Move a point into the first of its neighbors where that can be done. */
   bool Remove(Id point, double wanted, double longest);
 
 private:

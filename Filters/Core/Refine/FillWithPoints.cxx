@@ -44,7 +44,7 @@ constexpr std::size_t MostBesideShort = 4;
 
 /**
  * Where one length is asked for, the surface is remeshed to it, and its edges are not shorter than
- * this part of it, points lie on a body-centred cubic lattice: its cells are congruent, and their
+ * this part of it, points lie on a body-centerd cubic lattice: its cells are congruent, and their
  * edges are as long as the side of a cube and 0.87 of it.
  */
 constexpr double LeastUniformShare = 0.8;
@@ -127,7 +127,7 @@ public:
     }
   }
 
-  /** Insert circumcentres of cells that are too large. */
+  /** Insert circumcenters of cells that are too large. */
   void FillWithCenters(Monitor& monitor, const ProgressRange& progress)
   {
     this->Run([this](Id cell) { return this->InsertCenter(cell); }, monitor, progress);

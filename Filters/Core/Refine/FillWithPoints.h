@@ -15,7 +15,7 @@ void ThinPoints(RefinableMesh& mesh);
 /**
  * Delaunay refinement by lengths. Where one length is asked for, and the surface is remeshed to it,
  * insert points of a lattice. Then
- * insert the circumcentre of each cell whose circumsphere is too large for the lengths there,
+ * insert the circumcenter of each cell whose circumsphere is too large for the lengths there,
  * unless a facet is between or other points are close.
  *
  * @throws Error Stopped

@@ -320,7 +320,7 @@ bool SurfaceInsertion::FindOnEdge(const EdgeOfCell& edge)
 
 bool SurfaceInsertion::FindOnFacet(PieceOfCell piece, const Point& place)
 {
-  // The centre of its circle is near or beyond a locked ridge, but for rounding.
+  // The center of its circle is near or beyond a locked ridge, but for rounding.
   this->Met = EdgeOfCell();
   if (this->Surface.IsLocked(this->FacetOf(piece)))
   {

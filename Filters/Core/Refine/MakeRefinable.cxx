@@ -17,7 +17,7 @@ namespace
 /** What makes a label: the regions on both sides, and the label that was given. */
 using LabelKey = std::array<Id, 3>;
 
-/** Whether a face has a cell that sees it from the same side as its neighbour does. */
+/** Whether a face has a cell that sees it from the same side as its neighbor does. */
 bool Overlaps(const TetrahedralMesh& mesh, Id cell, int k)
 {
   const SortedTriangle face(FaceOf(mesh.Cells[cell], k));

@@ -381,7 +381,7 @@ void PlanarRefiner::LookAtTriangle(const Task& task)
   const auto [a, b, c] = this->Mesh.Cells()[task.At.Cell].Corners;
   const auto& points = this->Mesh.Points();
   const PlanarMetric& metric = this->Mesh.Metric();
-  // The centre from c, in perpendicular coordinates.
+  // The center from c, in perpendicular coordinates.
   const PlanarPoint u = metric.Map({ points[a][0] - points[c][0], points[a][1] - points[c][1] });
   const PlanarPoint v = metric.Map({ points[b][0] - points[c][0], points[b][1] - points[c][1] });
   const double twice = 2 * (u[0] * v[1] - u[1] * v[0]);

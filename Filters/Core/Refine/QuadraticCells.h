@@ -10,7 +10,7 @@ namespace insideout
 /** Four corners, and the points amid the edges 01, 12, 20, 03, 13 and 23, as vtkQuadraticTetra. */
 using QuadraticTetrahedron = std::array<Id, 10>;
 
-/** Cells of second order, of which neighbours share the points amid their edges. */
+/** Cells of second order, of which neighbors share the points amid their edges. */
 struct QuadraticCells
 {
   std::vector<QuadraticTetrahedron> Cells;

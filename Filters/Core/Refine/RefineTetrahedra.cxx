@@ -277,7 +277,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   locator.Locate(barycentres, result.OriginalCells, monitor, { Stages::Refining, 0.9, 0.97 });
   for (std::size_t c = 0; c < near.size() && !regions.empty(); ++c)
   {
-    // The rounded barycentre of a sliver may be beyond a face between regions.
+    // The rounded barycenter of a sliver may be beyond a face between regions.
     Id& found = result.OriginalCells[c];
     found = regions[found] == regions[near[c]] ? found : near[c];
   }

@@ -42,7 +42,7 @@ struct RefinedMesh
   std::vector<Id>
     OriginalPoints; ///< per point, the one of the input that it is, None for a new one
 
-  /** Per cell, the one of the input that holds its barycentre, or is near it; of the same region.
+  /** Per cell, the one of the input that holds its barycenter, or is near it; of the same region.
    */
   std::vector<Id> OriginalCells;
 

@@ -20,7 +20,7 @@ struct RefinedTriangles
     OriginalPoints;              ///< per point, the one of the input that it is, None for a new one
   std::vector<Id> CellsOfPoints; ///< per point, a cell of the input that holds it, or is near it
 
-  /** Per cell, the one of the input that holds its barycentre, or is near it; on the same side of
+  /** Per cell, the one of the input that holds its barycenter, or is near it; on the same side of
    * all segments. */
   std::vector<Id> OriginalCells;
   insideout::Statistics Statistics;
@@ -29,11 +29,11 @@ struct RefinedTriangles
 
 /**
  * Triangles of the same inside that are better and as large as asked for, by Delaunay refinement:
- * the centre of the circumcircle of a triangle that is too large or too thin becomes a point
+ * the center of the circumcircle of a triangle that is too large or too thin becomes a point
  * (Ruppert 1995). Constraints are the boundary and all segments at inside cells. Kept: these stay
  * as they are, and no angle comes to be below 20.7 degrees that is less than those in its place
  * were; where lengths or areas are asked for, below 10: beside long constraints triangles stay
- * larger, and a warning counts them. Split: a constraint is cut where a centre or a point is within
+ * larger, and a warning counts them. Split: a constraint is cut where a center or a point is within
  * the circle around it, or where it is too long; then no angle is below 20.7 degrees but near sharp
  * corners of the curve. Cuts near corners below 60 degrees are at powers of two from these
  * (Ruppert's concentric shells). The triangle at such a corner stays thin; and below half a

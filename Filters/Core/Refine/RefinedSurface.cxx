@@ -81,7 +81,7 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
         const RefinableCell& cell = mesh.Cell(c);
         if (cell.Facets[k] != None)
         {
-          // The centre is the same from both sides: so is the nearest facet.
+          // The center is the same from both sides: so is the nearest facet.
           const Triangle sorted = SortedTriangle(FaceAcross(cell.Corners, k)).Points;
           const auto [p, q, r] = CornersOf(mesh.Points, sorted);
           const Point centre = { { p[0] / 3 + q[0] / 3 + r[0] / 3, p[1] / 3 + q[1] / 3 + r[1] / 3,

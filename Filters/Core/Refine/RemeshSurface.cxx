@@ -32,7 +32,7 @@ constexpr double LongestUncut = 4;
 /** How long edges may get where others are contracted. */
 constexpr double LongestContracted = 1.6;
 
-/** Of that length: the largest circumcircle of a piece that is split, and how near its centre may
+/** Of that length: the largest circumcircle of a piece that is split, and how near its center may
  * be to other points. A regular triangle has 0.58. */
 constexpr double LargestRadius = 0.7;
 constexpr double LeastSpacing = 0.6;
@@ -288,7 +288,7 @@ private:
     }
   }
 
-  /** Insert the centre of a piece's circumcircle if that is too large; or the middle of the ridge
+  /** Insert the center of a piece's circumcircle if that is too large; or the middle of the ridge
    * that is between, or too near. */
   void InsertAmid(const Candidate& candidate, std::deque<Candidate>& queue)
   {

@@ -15,7 +15,7 @@ namespace insideout
 /**
  * Says which pieces of a surface may take the place of others: of the boundary those that cross no
  * other piece of it. Where it is remeshed it stays near the input's, too, both ways: no point of it
- * is farther than the tolerance. Neither are the corners, edge middles and centres of the input's
+ * is farther than the tolerance. Neither are the corners, edge middles and centers of the input's
  * facets from it (each of them is followed to the piece that it is next to; as Hu et al. 2017,
  * Error-Bounded and Feature Preserving Surface Remeshing with Minimal Angle Improvement).
  */

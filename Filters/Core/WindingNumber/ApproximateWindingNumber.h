@@ -9,7 +9,7 @@ namespace insideout
 /**
  * The winding number by a far-field expansion (Barill, Dickson, Schmidt, Levin and Jacobson 2018):
  * a tree of facets in which a node that is far enough away counts as the first terms of the Taylor
- * series about its centre. Within the leaves that are near, facets count exactly. Errs by some 1e-3
+ * series about its center. Within the leaves that are near, facets count exactly. Errs by some 1e-3
  * at the usual setting, second order and accuracy 2; the error shrinks about as
  * accuracy^-(order + 1).
  */
@@ -19,7 +19,7 @@ public:
   /**
    * @param[in] points below 1 in each coordinate; has to live as long as this object
    * @param[in] order of the expansion, 1 to 3
-   * @param[in] accuracy how many of its radii away from its centre a node is far, at least 1
+   * @param[in] accuracy how many of its radii away from its center a node is far, at least 1
    * @throws Error (InvalidParameter)
    */
   ApproximateWindingNumber(const std::vector<Point>& points,

@@ -8,7 +8,7 @@ namespace insideout
 {
 /**
  * A binary tree of triangles, split at the median along the longest side of the boxes that hold
- * their centres. Every triangle is in one leaf; nodes stand in depth-first order.
+ * their centers. Every triangle is in one leaf; nodes stand in depth-first order.
  */
 struct FacetTree
 {

@@ -9,7 +9,7 @@ namespace insideout
 {
 /**
  * The far field of facets or dipoles (Barill, Dickson, Schmidt, Levin and Jacobson 2018): the first
- * three terms of the Taylor series about a centre. A vector area n at x contributes
+ * three terms of the Taylor series about a center. A vector area n at x contributes
  *
  *     w(p) = n . (x - p) / (4 pi |x - p|^3).
  *
@@ -19,7 +19,7 @@ struct FarField
 {
   Point Centre = {};
   Point First = {};                  ///< sum of the vector areas n
-  std::array<double, 6> Second = {}; ///< mean of n_i d_j over orders, d from the centre: SecondAxes
+  std::array<double, 6> Second = {}; ///< mean of n_i d_j over orders, d from the center: SecondAxes
   std::array<double, 10> Third = {}; ///< mean of n_i d_j d_k over orders: ThirdAxes
 
   static constexpr std::array<std::array<int, 2>, 6> SecondAxes = { { { { 0, 0 } }, { { 1, 1 } },

@@ -7,7 +7,7 @@ namespace insideout
 {
 /**
  * The indices of `positions` in the order of a Z-shaped curve through their bounding box (Morton
- * 1966), so that neighbours in space are mostly neighbours in the order. Equal places keep their
+ * 1966), so that neighbors in space are mostly neighbors in the order. Equal places keep their
  * order.
  *
  * @param[in] positions finite

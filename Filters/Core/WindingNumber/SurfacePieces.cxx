@@ -73,7 +73,7 @@ private:
 
   Key KeyOf(const Part& part, int axis) const { return { this->CentreOf(part)[axis], part.Facet }; }
 
-  /** The axis along which the facets' centres lie farthest apart. */
+  /** The axis along which the facets' centers lie farthest apart. */
   int LongestAxis(const std::vector<Part>& parts) const
   {
     Box box = Box::Empty();

@@ -30,7 +30,7 @@ public:
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i. Fastest
-   * where neighbours in `order` are neighbours in space; the values do not depend on the number of
+   * where neighbors in `order` are neighbors in space; the values do not depend on the number of
    * threads.
    *
    * @param[in] sites below 2^50 in each coordinate
@@ -63,7 +63,7 @@ private:
     std::size_t FirstSize;  ///< of its loops, in LoopSizes
     std::size_t LastSize;
   };
-  /** Neighbouring caps. */
+  /** Neighboring caps. */
   struct Bunch
   {
     Part Whole;

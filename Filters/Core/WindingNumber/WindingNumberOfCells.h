@@ -20,12 +20,12 @@ bool IsClosed(const FacetComplex& surface);
  *   so that every value is an exact integer.
  * - Open: caps close the holes (ExactWindingNumber.h). The integer part is carried from cell to
  *   cell as before, and evaluated exactly in the cells that a cap touches; the winding number of
- *   the caps is added at the barycentre, or integrated (TetrahedronQuadrature.h). Together they are
+ *   the caps is added at the barycenter, or integrated (TetrahedronQuadrature.h). Together they are
  *   smooth within a cell. Values are never off by one, and right to about 1e-14.
  * - Facets that the mesh lost or the resolver left out count all the same. The cells that such a
  *   facet touches, and one cell of each part of the mesh that these cut off, are evaluated, and all
  *   others walked. On a closed complex values are integers. In a cell that such a facet crosses
- *   they may be a mean of the integers around a barycentre that lies on it.
+ *   they may be a mean of the integers around a barycenter that lies on it.
  *
  * The values do not depend on the number of threads.
  *

@@ -26,7 +26,7 @@ public:
 
   /**
    * Add the winding number at site order[i] to w[order[i]], for all i. Fastest
-   * where neighbours in `order` are neighbours in space; the values do not depend on the number of
+   * where neighbors in `order` are neighbors in space; the values do not depend on the number of
    * threads.
    *
    * @throws Error (Stopped)

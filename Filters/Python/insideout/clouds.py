@@ -22,7 +22,7 @@ def point_cloud(points: ArrayLike, normals: ArrayLike, areas: Optional[ArrayLike
 
     points   an array with three columns
     normals  the same, outward, of any length but 0
-    areas    what each point stands for, in squared units, at least 0; estimated from its neighbours where it is None
+    areas    what each point stands for, in squared units, at least 0; estimated from its neighbors where it is None
 
     Raises `Error` where there are not as many of each. What is wrong with one of them is said when the cloud is asked.
     """

@@ -54,7 +54,7 @@ class Row(NamedTuple):
 
 
 def counts(statistics: Mapping[str, float]) -> list[Row]:
-    """What was wrong, in the words of the command's summary, and in which colour: what is drawn, then all else."""
+    """What was wrong, in the words of the command's summary, and in which color: what is drawn, then all else."""
     kinds = PLANAR_DEFECTS if statistics.get("Dimension", 3) == 2 else DEFECTS
     found = [defect for defect in kinds if statistics.get(defect.statistic, 0) > 0]
     found.sort(key=lambda defect: defect.statistic not in DRAWN)

@@ -124,7 +124,7 @@ def voxels(
     count_duplicates: bool = False,
     progress: Optional[Progress] = None,
 ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """The voxels whose centres are inside a surface, as an array, and where the first of them is.
+    """The voxels whose centers are inside a surface, as an array, and where the first of them is.
 
     surface   what `insideout` takes for one: a vtkPolyData, a file's name, a pair (points, triangles) ...
     spacing   from one voxel to the next, above 0, in the surface's units: one number, or one for each axis
@@ -132,7 +132,7 @@ def voxels(
 
     {options}
 
-    Returns (inside, origin): an array of bool with an index for x, y and z each, and the centre of inside[0, 0, 0];
+    Returns (inside, origin): an array of bool with an index for x, y and z each, and the center of inside[0, 0, 0];
     that of inside[i, j, k] is origin + spacing * (i, j, k). The voxels cover the box around the surface, with
     nothing of it beyond them. Raises `Error` with one line that names what is wrong.
     """

@@ -74,7 +74,7 @@ std::vector<Face> BoundaryOf(const Solid& solid)
   return faces;
 }
 
-/** Volume and centre of each region, by the place of the centre. */
+/** Volume and center of each region, by the place of the center. */
 std::vector<std::array<double, 4>> RegionsOf(const Solid& solid)
 {
   Monitor silent;

@@ -237,7 +237,7 @@ TEST(vtkGraphCutSegmentation, KeepsTheFaceThatFacetIdsNamesHoweverTheCellIsTurne
 
 TEST(vtkGraphCutSegmentation, MakesTheBoundaryAManifold)
 {
-  // Numbers of cubes that share an edge alone, a point alone, and all of both colours of a board.
+  // Numbers of cubes that share an edge alone, a point alone, and all of both colors of a board.
   const std::set<int> families[] = { { 0, 4 }, { 0, 13 },
     { 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26 } };
   for (const std::set<int>& filled : families)

@@ -16,7 +16,7 @@ using namespace testflips;
 
 namespace
 {
-/** Points on a sphere and its centre, which has an edge to each: stars of all sizes. */
+/** Points on a sphere and its center, which has an edge to each: stars of all sizes. */
 std::vector<Point> BallWithCentre(int size)
 {
   std::mt19937 random(1);
@@ -134,7 +134,7 @@ std::vector<Tetrahedron> ThreeCells()
   return { { { 4, 3, 0, 1 } }, { { 4, 3, 1, 2 } }, { { 4, 3, 2, 0 } } };
 }
 
-/** The cells of the faces of a cube around its centre. */
+/** The cells of the faces of a cube around its center. */
 FlippableMesh Cube()
 {
   std::vector<Point> points(1, { { 4, 4, 4 } });

@@ -17,7 +17,7 @@ bool Breaks(const std::vector<std::string>& lines, const std::string& law)
     [&law](const std::string& line) { return line.rfind(law + ": ", 0) == 0; });
 }
 
-/** An octahedron around its centre, with facets. */
+/** An octahedron around its center, with facets. */
 MeshWithFacets Octahedron()
 {
   const std::vector<Point> points = { { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { -4, 0, 0 } },
@@ -36,7 +36,7 @@ Id FirstCell(const MeshRecord& mesh, bool infinite)
   return cell;
 }
 
-/** All cells with the same permutation of corners, neighbours and facets. */
+/** All cells with the same permutation of corners, neighbors and facets. */
 void SwapCorners(FlippableCell& cell, int i, int j)
 {
   std::swap(cell.Corners[i], cell.Corners[j]);

@@ -207,7 +207,7 @@ TEST(SegmentWalk, PassesOverEdgesOfAPlane)
 
 TEST(SegmentWalk, EndsWhereAVertexIsInTheWay)
 {
-  // The centre of a cube, and corners across from each other: along two edges.
+  // The center of a cube, and corners across from each other: along two edges.
   std::vector<Point> points(1, { { 4, 4, 4 } });
   for (int k = 0; k < 8; ++k)
   {

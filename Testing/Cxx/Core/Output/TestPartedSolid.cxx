@@ -45,7 +45,7 @@ Split SplitAll(const TetrahedralMesh& mesh, const std::vector<unsigned char>& in
 void ExpectManifold(const std::vector<Triangle>& triangles)
 {
   std::set<std::pair<Id, Id>> edges;
-  std::map<Id, std::map<Id, Id>> around; // per point from one neighbour to the next
+  std::map<Id, std::map<Id, Id>> around; // per point from one neighbor to the next
   for (const Triangle& t : triangles)
   {
     for (int k = 0; k < 3; ++k)

@@ -123,7 +123,7 @@ double IntegralOfW(const HullMesh& hull)
   return sum;
 }
 
-/** Neighbours that cells have say the same as their points; each face has at most two cells. */
+/** Neighbors that cells have say the same as their points; each face has at most two cells. */
 void ExpectConforming(const PartedSolid& solid)
 {
   std::map<std::set<Id>, std::vector<Id>> cellsOf;

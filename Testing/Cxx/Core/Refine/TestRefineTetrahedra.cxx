@@ -273,7 +273,7 @@ TEST(RefineTetrahedra, NamesWhatItCannotTake)
 TEST(RefineTetrahedra, TakesATinyDetailOfALargeSolid)
 {
   // Points on one face of a tetrahedron, each in a triangle of those before: the last one has
-  // neighbours on the face that are all at hand. As fine everywhere, cells could not be counted.
+  // neighbors on the face that are all at hand. As fine everywhere, cells could not be counted.
   std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   std::vector<Tetrahedron> cells = { { { 0, 1, 2, 3 } } };
   const double x = 0.25;

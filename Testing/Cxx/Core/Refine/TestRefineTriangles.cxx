@@ -144,7 +144,7 @@ Constraints ConstraintsOf(const RefinedTriangles& refined)
   return constraints;
 }
 
-/** Triangles are positive, edge to edge with the neighbours that they name, and cover the inside.
+/** Triangles are positive, edge to edge with the neighbors that they name, and cover the inside.
  */
 std::string BrokenByCells(const Refinement& all)
 {
@@ -317,7 +317,7 @@ SegmentSoup Ring(int corners)
   return Lines(points, { line });
 }
 
-/** Needles around a centre: corners of few degrees. */
+/** Needles around a center: corners of few degrees. */
 SegmentSoup Star(int needles)
 {
   std::vector<PlanarPoint> points;

@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, SplitAndRemeshed, testing::Range(0U, 3U));
 
 TEST(RemeshedSurface, HasFewThinTrianglesBesideEdgesThatStayShort)
 {
-  // A disc of many sides, with a triangle from the centre to each: none of its rim may go.
+  // A disc of many sides, with a triangle from the center to each: none of its rim may go.
   constexpr int sides = 60;
   std::vector<Point> points = { { { 0, 0, 0 } }, { { 0, 0, 1 } } };
   std::vector<Tetrahedron> cells;
@@ -431,7 +431,7 @@ TEST(SurfaceTreatments, AreTheSameTwiceAndAtAnySize)
 TEST(RemeshedSurface, HasNoFlatTrianglesBesideAnEdgeThatStays)
 {
   // Four of the six cells of a cube, so that four facets meet in its diagonal: that stays as it is.
-  // Its neighbours may not be halved again and again in its stead.
+  // Its neighbors may not be halved again and again in its stead.
   const TetrahedralMesh grid = EvenGrid(1);
   std::vector<unsigned char> isTaken(grid.Cells.size(), 0);
   isTaken[0] = 1;

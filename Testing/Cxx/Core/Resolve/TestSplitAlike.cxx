@@ -70,7 +70,7 @@ TEST(SplitAlike, UnitesTheChainsOfAnEdge)
 
 TEST(SplitAlike, CarriesSplitsOverToEdgesThatLieOnEachOther)
 {
-  // Edge 0-4 has point 1 as its neighbour sees it; that 1-4 has point 3 only another edge knows.
+  // Edge 0-4 has point 1 as its neighbor sees it; that 1-4 has point 3 only another edge knows.
   const std::vector<Triangle> facets = { { 0, 4, 5 }, { 1, 4, 6 } };
   const auto after = Applied(
     facets, SplitAlike(Line, facets, { { { 0, 4 }, { 0, 1, 4 } }, { { 1, 4 }, { 1, 3, 4 } } }));

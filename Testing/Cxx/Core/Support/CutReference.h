@@ -23,7 +23,7 @@ double EnergyOf(const CellGraph& graph, const GraphCutParameters& parameters,
 double LeastEnergy(const CellGraph& graph, const GraphCutParameters& parameters);
 
 /** Edges of the inside cells' boundary that do not have two of its faces, and points whose faces
- * are not one fan; counted without the mesh's neighbours. */
+ * are not one fan; counted without the mesh's neighbors. */
 struct NotManifold
 {
   int Edges = 0;

@@ -102,7 +102,7 @@ bool CoverTheSame(const std::vector<Vector>& places, const std::set<Triangle>& s
 std::vector<std::string> ConstraintViolations(
   const FlippableMesh& mesh, const SegmentTable& segments, const std::vector<Triangle>& facets);
 
-/** How two meshes differ: cells, their neighbours and facets, vertices and their places. */
+/** How two meshes differ: cells, their neighbors and facets, vertices and their places. */
 std::vector<std::string> Differences(const MeshRecord& a, const MeshRecord& b);
 
 /** Expect that there are no violations. */

@@ -43,7 +43,7 @@ struct MeshWithFacets
   /** Mark those of the facets that are faces. */
   MeshWithFacets(FlippableMesh mesh, std::vector<Triangle> facets);
 
-  /** How near a new point is to its neighbours. In sevenths there are few doubles. */
+  /** How near a new point is to its neighbors. In sevenths there are few doubles. */
   struct Weights
   {
     double First = 4;

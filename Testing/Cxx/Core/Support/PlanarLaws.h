@@ -37,7 +37,7 @@ std::string BrokenByResolving(const SegmentSoup& soup, const PlanarHull& hull);
 std::string BrokenByTriangles(const PlanarHull& hull);
 
 /** Of stage w: the jump at each edge where the curve is closed, and the sum of angles at each
- * barycentre. */
+ * barycenter. */
 std::string BrokenByWindingNumbers(const SegmentSoup& soup, const PlanarHull& hull);
 
 /** All of these. */

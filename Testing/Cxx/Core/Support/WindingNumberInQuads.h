@@ -12,7 +12,7 @@ namespace testmeshes
  * lacks digits is looked at with enough of them to be exact, so that one in whose plane the site
  * lies counts 0.
  *
- * @param[in] site a barycentre, or a point by SiteAt
+ * @param[in] site a barycenter, or a point by SiteAt
  * @return NaN if coordinates differ so much in size that even those digits were too few
  */
 double WindingNumberInQuads(const insideout::FacetComplex& surface, const insideout::Site& site);

@@ -288,7 +288,7 @@ TEST(TetrahedralizerFaults, InvertedCells)
     const StandInAnswer standIn(BytesOf(turned));
     EXPECT_TRUE(ConstrainedDelaunay(box, { Seconds, Mebibytes, TetGen }, monitor).Failures.empty());
   }
-  // A cell folded back over its neighbour: one corner of all cells around it leaves the box's
+  // A cell folded back over its neighbor: one corner of all cells around it leaves the box's
   // middle.
   TriangleSoup soup = testmeshes::Box({ 0, 0, 0 }, { 1, 1, 1 });
   soup.Points.push_back({ { 0.5, 0.5, 0.5 } });

@@ -26,7 +26,7 @@ public:
 
   Point Next() { return { this->Coordinate(), this->Coordinate(), this->Coordinate() }; }
 
-  /** The barycentre of a point taken four times, or of points near a triangle's edge or corner. */
+  /** The barycenter of a point taken four times, or of points near a triangle's edge or corner. */
   Site NextSite(const std::array<Point, 3>& triangle)
   {
     Site site = SiteAt(this->Next());
@@ -99,7 +99,7 @@ TEST(HalfSolidAngle, KnowsTheSideHoweverNearASlantedPlane)
   {
     for (const double sign : { -1.0, 1.0 })
     {
-      // Barycentres off the plane by t / 4, next to nothing or lost where they are rounded.
+      // Barycenters off the plane by t / 4, next to nothing or lost where they are rounded.
       const double t = std::ldexp(sign, exponent);
       const Site inside = {
         { { { t, 0.25, 0.75 }, { 0.5, 0.25, 0.25 }, { 0.25, 0.25, 0.5 }, { 0.25, 0.25, 0.5 } } },

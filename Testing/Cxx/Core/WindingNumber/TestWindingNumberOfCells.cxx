@@ -54,7 +54,7 @@ TetrahedralMesh MakeMesh(int shape, unsigned seed, int size = 3)
   return mesh;
 }
 
-/** The barycentre of a cell. */
+/** The barycenter of a cell. */
 Site SiteOf(const TetrahedralMesh& mesh, std::size_t cell)
 {
   return Sites{ mesh.Points, mesh.Cells }[cell];
@@ -93,7 +93,7 @@ ErrorCode CodeOf(const FacetComplex& surface, const TetrahedralMesh& mesh, std::
   return ErrorCode::EmptySurface;
 }
 
-/** One cell whose barycentre is `centre`: the corners lie around it. */
+/** One cell whose barycenter is `centre`: the corners lie around it. */
 TetrahedralMesh CellAround(Point centre, double size)
 {
   TetrahedralMesh mesh;
@@ -446,7 +446,7 @@ TEST(WindingNumberSum, KeepsItsDigitsFarFromTheOrigin)
   const std::vector<double> w = Sum(surface, mesh);
   for (Point& p : mesh.Points)
   {
-    // Exact, for these are integers; barycentres no longer fit in a double.
+    // Exact, for these are integers; barycenters no longer fit in a double.
     p = { p[0] + 0x1p51, p[1] - 0x1p51, p[2] + 0x1p51 };
   }
   surface.Points = mesh.Points;
