@@ -25,7 +25,7 @@ CornerRange CornersOf(const CellParts& parts, const std::vector<Id>& corners, st
   return { corners.data() + parts.Offsets[part], corners.data() + parts.Offsets[part + 1] };
 }
 
-/** From the first corner to the k-th. */
+/** The vector from the first corner to the k-th. */
 Eigen::Vector3d Edge(const std::vector<Point>& points, CornerRange corners, std::ptrdiff_t k)
 {
   const Point& from = points[corners.First[0]];
@@ -67,7 +67,8 @@ std::vector<InteriorFace> SharedSides(const std::vector<Point>& points, const Ce
   };
   std::vector<std::size_t> order(sides.Cells.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), isLess); // equal sides stay in the cells' order
+  // stable: equal sides stay in the cells' order
+  std::stable_sort(order.begin(), order.end(), isLess);
   const auto areEqual = [&](std::size_t i, std::size_t j)
   { return j < order.size() && !isLess(order[i], order[j]); };
 

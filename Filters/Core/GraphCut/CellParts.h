@@ -5,11 +5,11 @@
 
 namespace insideout
 {
-/** Parts of cells of any shape, all volumes or all polygons: sides, or simplices. */
+/** Parts of cells of any shape (all volumes or all polygons): their sides, or simplices. */
 struct CellParts
 {
-  std::vector<Id> Cells;                    ///< whose part each is, ascending
-  std::vector<std::size_t> Offsets = { 0 }; ///< into Corners: one per part, and the end
+  std::vector<Id> Cells;                    ///< the cell of each part, ascending
+  std::vector<std::size_t> Offsets = { 0 }; ///< start in Corners per part, and the end
   std::vector<Id> Corners;
 
   template <typename Ids>
@@ -22,8 +22,8 @@ struct CellParts
 };
 
 /**
- * The sides that two cells share, for they have the same corners: each once, with its area, or
- * length where the cells are polygons.
+ * The sides with the same corners in two cells, each once, with its area, or length if the cells
+ * are polygons.
  *
  * @param[in] sides faces of volumes, corners as they run around, or edges of polygons
  * @throws Error InvalidParameter, which names three cells that share a side

@@ -54,7 +54,7 @@ void CertainCells::Settle(Id cell)
   }
 }
 
-/** @return whether it is worth while to look again: whether most cells became certain */
+/** @return whether another pass pays off: whether most cells became certain */
 bool CertainCells::Look()
 {
   const std::size_t before = this->OpenCells.size();
@@ -77,7 +77,7 @@ bool CertainCells::Look()
   {
     this->GiveUpIfOutweighed(cell);
   }
-  for (std::size_t k = 0; k < this->GivenUp.size(); ++k) // which grows
+  for (std::size_t k = 0; k < this->GivenUp.size(); ++k) // grows while it is read
   {
     const Id cell = this->GivenUp[k];
     for (const CutEnergy::Neighbor& next : this->Energy.Neighbors(cell))

@@ -39,7 +39,7 @@ std::vector<double> SumByRegion(const SolidRegions& regions, const std::vector<d
   return sums;
 }
 
-/** For each region whether `isMarked` is true of one of its cells. */
+/** Per region, whether `isMarked` is true for one of its cells. */
 template <typename Predicate>
 std::vector<unsigned char> RegionsWith(const SolidRegions& regions, const Predicate& isMarked)
 {
@@ -54,7 +54,7 @@ std::vector<unsigned char> RegionsWith(const SolidRegions& regions, const Predic
   return marks;
 }
 
-/** For each region whether it stays. */
+/** Per region, whether it stays. */
 std::vector<unsigned char> Stay(const SolidRegions& regions, const ScaledSizes& sizes,
   const std::vector<std::int8_t>& demands, const ChooseRegionsParameters& parameters)
 {
@@ -80,7 +80,7 @@ std::vector<unsigned char> Stay(const SolidRegions& regions, const ScaledSizes& 
   return stays;
 }
 
-/** Give another label to the regions whose value is not `stays`. */
+/** Flip the labels of regions whose value is not `stays`. */
 void Relabel(const SolidRegions& regions, const std::vector<unsigned char>& stays,
   const ScaledSizes& sizes, unsigned char label, std::vector<unsigned char>& inside, Id& count,
   double& volume)

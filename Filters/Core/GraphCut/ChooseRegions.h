@@ -6,13 +6,14 @@
 
 namespace insideout
 {
-/** Which parts of the solid stay, and which holes. All that is asked for has to hold. */
+/** Criteria for the regions of the solid, and the cavities, that stay. All of them have to hold. */
 struct ChooseRegionsParameters
 {
-  Id LargestRegions = 0;          ///< how many stay at most, the largest; 0 for any number
-  double MinimumRegionVolume = 0; ///< of those that stay, an area in a plane, at least 0
-  bool SeededRegions = false;     ///< only those with a cell that a seed wants inside
-  bool FillCavities = false;      ///< nothing outside is cut off from beyond the hull
+  Id LargestRegions = 0;          ///< number of largest regions that stay; 0 for no limit
+  double MinimumRegionVolume = 0; ///< of regions that stay, an area in a plane, at least 0
+  bool SeededRegions = false;     ///< only regions with a cell that a seed wants inside
+  /// fill cavities: nothing outside is disconnected from beyond the hull
+  bool FillCavities = false;
 
   bool ChooseAll() const
   {
@@ -21,7 +22,7 @@ struct ChooseRegionsParameters
   }
 };
 
-/** What a choice, or a joining, changes of the solid. */
+/** Changes of the solid by choosing or joining regions. */
 struct RegionChanges
 {
   Id DroppedRegions = 0;
@@ -31,8 +32,8 @@ struct RegionChanges
 };
 
 /**
- * Drop the parts of the solid that are not wanted, then fill its cavities: the parts of the outside
- * that sides of cells do not connect with the hull. Parts of equal volume come in the order of
+ * Drop the parts of the solid that do not meet the criteria, then fill its cavities: parts of the
+ * outside not connected with the hull through sides of cells. Parts of equal volume are ordered by
  * their lowest cells. A cavity with a cell that a seed wants outside stays.
  *
  * @param[in] demands per cell 1 to be inside, -1 outside, 0 either; or empty

@@ -6,9 +6,8 @@
 namespace insideout
 {
 /**
- * A mesh of tetrahedra from anywhere, with their neighbors and no facets. Cells that are
- * negatively oriented get their last two corners swapped, by which their faces 0 and 3 change
- * places.
+ * A mesh of given tetrahedra, with their neighbors and without facets. Negatively oriented cells
+ * get their last two corners swapped, which swaps their faces 0 and 3.
  *
  * @param[in] cells ids in range
  * @throws Error InvalidParameter, which names three cells that share a face

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double Unreached = std::numeric_limits<double>::infinity();
 
-/** What E's term of the side between two cells is where their labels differ. */
+/** The smoothness term of the side between two cells with different labels. */
 double CostBetween(const CutEnergy& energy, Id cell, Id beyond)
 {
   for (const CutEnergy::Neighbor& neighbor : energy.Neighbors(cell))
@@ -29,22 +29,22 @@ double CostBetween(const CutEnergy& energy, Id cell, Id beyond)
   return 0;
 }
 
-/** How cells are reached from the parts of the solid: each from the nearest. */
+/** The shortest way from the nearest part of the solid to each cell. */
 struct Ways
 {
   std::vector<double> Costs; ///< 0 for cells inside
-  std::vector<Id> Regions;   ///< where the way comes from, None for cells without one
-  std::vector<Id> Previous;  ///< on the way, None for cells inside
+  std::vector<Id> Regions;   ///< the part that the way starts from; None for cells without a way
+  std::vector<Id> Previous;  ///< the cell before on the way; None for cells inside
 };
 
-/** Dijkstra's algorithm from all parts at once, through cells outside whose label may change. */
+/** Dijkstra's algorithm from all parts at once, through outside cells whose label may change. */
 Ways FindWays(const SimplicialCells& cells, const CutEnergy& energy, const FixedLabels& fixed,
   const std::vector<unsigned char>& inside, const SolidRegions& regions, Monitor& monitor,
   const ProgressRange& progress)
 {
   Ways ways = { std::vector<double>(inside.size(), Unreached), regions.OfCell,
     std::vector<Id>(inside.size(), None) };
-  using Entry = std::pair<double, Id>; // of equal costs the lowest cell comes first
+  using Entry = std::pair<double, Id>; // ties: the lowest cell first
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (Id cell = 0; cell < static_cast<Id>(inside.size()); ++cell)
   {
@@ -62,7 +62,7 @@ Ways FindWays(const SimplicialCells& cells, const CutEnergy& energy, const Fixed
     queue.pop();
     if (cost > ways.Costs[cell])
     {
-      continue; // a better way was found meanwhile
+      continue; // a shorter way was found meanwhile
     }
     for (const Id next : cells[cell])
     {
@@ -70,7 +70,7 @@ Ways FindWays(const SimplicialCells& cells, const CutEnergy& energy, const Fixed
       {
         continue;
       }
-      // The side that the way goes through counts as one to the outside in both of its cells.
+      // The side crossed by the way counts as a side to the outside in both of its cells.
       const double step = GrowthByFlip(energy, inside, next) -
         (inside[cell] ? 0 : 2 * CostBetween(energy, cell, next));
       const double whole = cost + std::max(step, 0.0);
@@ -86,22 +86,22 @@ Ways FindWays(const SimplicialCells& cells, const CutEnergy& energy, const Fixed
   return ways;
 }
 
-/** Something that makes one part less, and what it adds to the energy. */
+/** An action that reduces the number of parts by one, and the energy it adds. */
 struct Action
 {
   double Cost;
-  Id First;  ///< a cell of the way; or None
-  Id Second; ///< the cell beyond, which is reached from another part; or the part to be dropped
+  Id First;  ///< a cell at the end of the way; or None
+  Id Second; ///< the cell beyond, reached from another part; or the part to be dropped
 
   bool operator<(const Action& other) const
   {
-    // Of two that cost the same to join comes first.
+    // Ties: joining comes before dropping.
     return std::make_tuple(this->Cost, this->First == None, this->First, this->Second) <
       std::make_tuple(other.Cost, other.First == None, other.First, other.Second);
   }
 };
 
-/** Where ways from two parts meet, each such side once. */
+/** Each side at which ways from two parts meet, once. */
 void AddMeetings(const SimplicialCells& cells, const CutEnergy& energy,
   const std::vector<unsigned char>& inside, const Ways& ways, std::vector<Action>& actions)
 {
@@ -121,7 +121,7 @@ void AddMeetings(const SimplicialCells& cells, const CutEnergy& energy,
   }
 }
 
-/** What E grows by where each part is dropped; infinite where that is forbidden. */
+/** The energy added by dropping each part; infinite if that is forbidden. */
 std::vector<double> CostsOfDropping(const CutEnergy& energy, const FixedLabels& fixed,
   const std::vector<unsigned char>& inside, const SolidRegions& regions)
 {
@@ -175,7 +175,7 @@ Buckets<Id> CellsOf(const SolidRegions& regions)
     });
 }
 
-/** Does what a list of actions says, as far as each still means what it did. */
+/** Perform a list of actions, as far as each is still valid. */
 class Round
 {
 public:

@@ -7,32 +7,33 @@
 
 namespace insideout
 {
-/** The labels that joining regions may not change. */
+/** Constraints on joining regions. */
 struct FixedLabels
 {
-  std::vector<unsigned char> Cells;                ///< per cell not 0 where its label stays
-  const std::vector<FacetPiece>* Pieces = nullptr; ///< to be kept, those that are; may be null
+  std::vector<unsigned char> Cells; ///< per cell, not 0 if its label is fixed
+  /// constraints to be kept where they are satisfied; may be null
+  const std::vector<FacetPiece>* Pieces = nullptr;
 };
 
-/** What became of the parts of the solid. */
+/** The result of joining the parts of the solid. */
 struct ConnectedRegions
 {
   Id Joined = 0;           ///< ways that were made between two parts
-  std::vector<Id> Dropped; ///< cells of parts that were given up
+  std::vector<Id> Dropped; ///< cells of dropped parts
   Id DroppedRegions = 0;
-  Id Left = 0; ///< parts in the end: 1, unless what is fixed forbids it; 0 where nothing is inside
+  Id Left = 0; ///< parts in the end: 1, unless fixed labels forbid it; 0 if nothing is inside
 };
 
 /**
- * Make the solid one part, with little energy added: of all ways through the outside from a part to
- * another, and of all parts that can be dropped, take what adds least, again and again. A way is a
- * shortest one in the dual graph, by what each cell on it adds when it goes inside after the one
- * before; what would lower the energy counts as nothing. Greedy, so no minimum: to connect several
- * parts with least energy contains the problem of Steiner trees. Chen, Freedman and Lampert 2011
- * enforce topology on a cut by changing labels as little as that, too.
+ * Make the solid one part, adding little energy: repeatedly either join two parts by a way through
+ * the outside or drop a part, whichever adds least. A way is a shortest path in the dual graph; the
+ * length of a cell is the energy it adds when it goes inside after the cell before, at least 0. The
+ * result is greedy, not minimal: connecting several parts with least energy contains the Steiner
+ * tree problem. Chen, Freedman and Lampert 2011 likewise enforce topology on a cut by small changes
+ * of labels.
  *
- * Shortest ways are found from all parts at once, and all that the order of what they add allows is
- * done before they are found anew: a part beside one that was dropped waits for that.
+ * Shortest ways are found from all parts at once. All actions that the order of added energies
+ * permits are performed before new ways are found; a part next to a dropped one waits for these.
  *
  * @param[in,out] inside one label per cell
  * @throws Error Stopped
@@ -41,15 +42,15 @@ ConnectedRegions ConnectRegions(const SimplicialCells& cells, const CutEnergy& e
   const FixedLabels& fixed, std::vector<unsigned char>& inside, Monitor& monitor,
   const ProgressRange& progress);
 
-/** By how much E grows when the cell's label changes. */
+/** The change of E when the cell's label changes. */
 double GrowthByFlip(const CutEnergy& energy, const std::vector<unsigned char>& inside, Id cell);
 
 /** The cells at each point. */
 Buckets<Id> CellsAtPoints(const SimplicialCells& cells);
 
 /**
- * The solid stays one part: no cell goes inside that has none inside beside it, none outside where
- * those inside beside it are not connected around it.
+ * A constraint: the solid stays one part. A cell goes inside only next to a cell inside, and
+ * outside only if its neighbors inside are connected around it.
  */
 class OneRegion : public LabelConstraint
 {

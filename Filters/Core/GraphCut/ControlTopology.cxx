@@ -25,7 +25,7 @@ std::vector<Id> DifferentCells(
   return different;
 }
 
-/** Cells that have a seed, and those that regions were chosen by. */
+/** Cells with a seed, and the cells of chosen regions. */
 FixedLabels FixedBy(
   const OtherConstraints& others, const std::vector<Id>& chosen, std::size_t numberOfCells)
 {
@@ -43,7 +43,7 @@ FixedLabels FixedBy(
   return fixed;
 }
 
-/** Improve around the cells, and make a manifold, while the solid stays one part, or a ball. */
+/** Improve around the cells and restore the manifold, while the solid stays one part, or a ball. */
 void Improve(const SimplicialCells& cells, const CutEnergy& energy, const OtherConstraints& others,
   const FixedLabels& fixed, const std::vector<Id>& changed, bool isBall,
   std::vector<unsigned char>& inside, ControlledTopology& result, Monitor& monitor,

@@ -9,15 +9,15 @@
 
 namespace insideout
 {
-/** The topology that the solid is to have, whatever energy it takes. */
+/** The required topology of the solid, at any cost in energy. */
 enum class TopologyGoal
 {
-  Any,            ///< as the cut has it
+  Any,            ///< as the cut leaves it
   OneComponent,   ///< parts joined or dropped (ConnectRegions)
-  SimplyConnected ///< a ball, in a plane a disc: no tunnels and cavities either (SimplyConnect)
+  SimplyConnected ///< a ball, in a plane a disc: no tunnels or cavities either (SimplyConnect)
 };
 
-/** Makes the boundary of labels a manifold, and reports from one fraction to another. */
+/** Makes the boundary of labels a manifold; reports progress between two fractions. */
 using MakeManifold = std::function<ManifoldConstraint::Outcome(
   GreedyLabels& labels, Monitor& monitor, double begin, double end)>;
 
@@ -35,25 +35,25 @@ struct ControlTopologyParameters
 /** Further constraints on the labels. */
 struct OtherConstraints
 {
-  const std::vector<std::int8_t>* Demands; ///< as CellGraph has them
-  const std::vector<FacetPiece>* Pieces;   ///< to be kept where they are; null for none
-  insideout::MakeManifold MakeManifold;    ///< empty where the boundary need not be one
+  const std::vector<std::int8_t>* Demands; ///< as in CellGraph
+  const std::vector<FacetPiece>* Pieces;   ///< to be kept where satisfied; null for none
+  insideout::MakeManifold MakeManifold;    ///< empty if the boundary need not be manifold
 };
 
 struct ControlledTopology
 {
-  RegionChanges Regions;   ///< with those that were dropped to make the solid one part
+  RegionChanges Regions;   ///< including cells of parts dropped to make the solid one part
   Id Joined = 0;           ///< ways between parts
-  double EnergyBefore = 0; ///< once regions were chosen, before the goal cost any
-  Id ForcedCells = 0;      ///< to make the boundary a manifold again
-  Id LeftPoints = 0;       ///< that are not manifold in the end, where that was asked for
+  double EnergyBefore = 0; ///< after regions were chosen, before the topology cost any
+  Id ForcedCells = 0;      ///< cells forced to make the boundary manifold again
+  Id LeftPoints = 0;       ///< points that stay non-manifold, if a manifold was requested
   std::vector<std::string> Warnings;
 };
 
 /**
  * Last step of the cut: choose among the solid's regions and cavities; make it one part or a ball
- * where that is asked for; greedily improve around the changes as long as it stays so; make the
- * boundary a manifold once more. Dropped regions stay dropped, filled cavities filled.
+ * if requested; greedily improve around the changes while it stays so; make the boundary a manifold
+ * again. Dropped regions stay dropped, filled cavities filled.
  *
  * @param[in,out] inside one label per cell
  * @throws Error InvalidParameter, Stopped

@@ -11,11 +11,11 @@ namespace insideout
 {
 namespace
 {
-/** The terms around a cell sum to less than two to this, so that doubles hold their sums exactly.
- */
+/** The terms around a cell sum to less than 2 to this power, so that doubles hold their sums
+ * exactly. */
 constexpr int TermBits = 52;
 
-constexpr double NanosecondsPerFace = 7; // for the exponential; to round takes half of it
+constexpr double NanosecondsPerFace = 7; // for the exponential; rounding takes half of it
 
 [[noreturn]] void ThrowInvalid(const std::string& message)
 {
@@ -93,7 +93,10 @@ void CheckSize(std::size_t cells)
   }
 }
 
-/** Values over their mean; all 0 if that is. Scaled first, so that the sum cannot overflow. */
+/**
+ * Values divided by their mean; all 0 if the mean is. Scaled first, so that the sum cannot
+ * overflow.
+ */
 void DivideByMean(std::vector<double>& values)
 {
   double largest = 0;
@@ -145,7 +148,7 @@ double CostInside(double w)
   return std::max(1 - w, 0.0);
 }
 
-/** Positive exactly where w > 1/2 and 0 where it is 1/2, for 1 - w never rounds across 1/2. */
+/** Positive exactly if w > 1/2, and 0 if w is 1/2, because 1 - w never rounds across 1/2. */
 double GainInside(double w)
 {
   return CostOutside(w) - CostInside(w);
@@ -179,12 +182,12 @@ void CutEnergy::MakeIntegers()
 {
   const std::vector<InteriorFace>& faces = this->Graph.Faces;
   const std::size_t cells = this->Graph.W.size();
-  // The energy is divided by a power of two that makes gamma at most 1, so that nothing overflows.
+  // The energy is divided by a power of two that makes gamma at most 1, to prevent overflow.
   int gammaExponent = 0;
   std::frexp(this->Gamma, &gammaExponent);
   gammaExponent = std::max(gammaExponent, 0);
   const double scaledGamma = std::ldexp(this->Gamma, -gammaExponent);
-  std::vector<double> around(cells, 0.0); // what all of a cell's faces cost
+  std::vector<double> around(cells, 0.0); // the costs of all of a cell's faces
   double largest = std::numeric_limits<double>::min();
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
@@ -198,7 +201,8 @@ void CutEnergy::MakeIntegers()
   }
   int exponent = 0;
   std::frexp(largest, &exponent);
-  const int shift = TermBits - 3 - exponent; // a gain may be twice what is around, and all round up
+  // a gain may be twice the sum of faces, and all may round up
+  const int shift = TermBits - 3 - exponent;
 
   this->Shift = shift - gammaExponent;
 
@@ -218,7 +222,7 @@ void CutEnergy::MakeIntegers()
     }
     const double gain = GainInside(this->W(cell));
     const double scaled = std::ldexp(std::abs(gain), -gammaExponent) * this->Weight(cell);
-    // A preference stays one, however small: without smoothness this is an exact threshold.
+    // A preference keeps its sign, however small: without smoothness this is an exact threshold.
     const std::int64_t least = std::max<std::int64_t>(
       1, scaled < 2 * around[i] ? std::min(ToInteger(scaled, shift), 2 * all) : 2 * all);
     const int demand = this->Demand(cell);

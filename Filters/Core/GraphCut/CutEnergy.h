@@ -10,15 +10,14 @@
 namespace insideout
 {
 /**
- * How much a cell's own winding number counts against the others'.
+ * The weight of a cell's data term.
  *
- * Uniform is the default for two reasons. On closed surfaces it gives exactly the cells that w says
- * (see GraphCutParameters), which a weight as small as a sliver's does not. And around details
- * there are many small cells, which keep what is thin and close holes where the detail ends: with
- * four large holes in Debian's blobby.off 2.4 % of the solid's volume is wrong, and 14.3 % when
- * weighted; in cow.off 2.8 and 6.2 %, in femur.off 2.1 and 5.6 %. VolumeWeighted is the better one
- * where errors are many and small, as where single facets face the wrong way: 0.30 % against 0.36 %
- * in hand.off.
+ * Uniform is the default for two reasons. On closed surfaces it gives exactly the cells with w = 1
+ * (see GraphCutParameters); the small weights of slivers do not. Around details there are many
+ * small cells, which keep thin features and close holes where the detail ends: with four large
+ * holes in Debian's blobby.off 2.4 % of the solid's volume is wrong, and 14.3 % when weighted; in
+ * cow.off 2.8 and 6.2 %, in femur.off 2.1 and 5.6 %. VolumeWeighted is better for many small
+ * errors, such as single facets that face the wrong way: 0.30 % against 0.36 % in hand.off.
  */
 enum class DataTerm
 {
@@ -29,8 +28,8 @@ enum class DataTerm
 /**
  * The defaults come from 15 of Debian's closed surfaces (armadillo, bear, camel, cow, man, ...),
  * each damaged in four ways: small holes, four large ones, every fifth facet away, every twelfth
- * turned over. JudgeSegmentation counts the volume that is then labelled otherwise than the
- * undamaged surface has it, in percent of the solid's, the mean over the surfaces:
+ * turned over. JudgeSegmentation measures the volume that is labelled differently than with the
+ * undamaged surface, in percent of the solid's, the mean over the surfaces:
  *
  *   gamma  sigma   small holes   large holes   facets away   turned over
  *     0     any       1.38          24.5          0.209         0.573
@@ -53,8 +52,8 @@ struct GraphCutParameters
 };
 
 /**
- * Whether a cut with these weights is known to take the cells with w of 1 or more, where w is a
- * whole number in each: no weight is above the defaults', for which the proof is above.
+ * Whether a cut with these weights is proved to take the cells with w of 1 or more, if w is a whole
+ * number in each cell: no weight exceeds the defaults', for which the proof is above.
  */
 bool IsCutByWholeNumbers(const GraphCutParameters& cut);
 
@@ -66,7 +65,7 @@ struct InteriorFace
   double Area; ///< length in 2D
 };
 
-/** What the cut sees of a mesh. */
+/** The cut's view of a mesh. */
 struct CellGraph
 {
   std::vector<double> W;            ///< one finite value per cell
@@ -86,16 +85,15 @@ struct CellGraph
  * with a_ij the face's area over the mean area of all faces, so that gamma means the same at every
  * size. VolumeWeighted multiplies u_i by the cell's volume over the mean volume of all cells.
  *
- * Beside E there are its terms as integers, by which labellings are compared exactly: scaled by a
- * power of two so that all terms around any cell sum to less than 2^52, and rounded. Only the
- * difference of a cell's two data terms matters; one that outweighs all faces of the cell is cut
- * down to twice their sum. A demand is such a difference, so that every minimum meets it as if it
- * were larger than all other terms together.
+ * Labellings are compared exactly by E's terms as integers: scaled by a power of two so that all
+ * terms around any cell sum to less than 2^52, and rounded. Only the difference of a cell's two
+ * data terms matters; a difference that outweighs all faces of the cell is limited to twice their
+ * sum. A demand is such a difference: every minimum meets it as if it were infinite.
  */
 class CutEnergy
 {
 public:
-  /** A cell that shares a face with another, and what it costs to label the two differently. */
+  /** A cell that shares a face with another, and the cost of labelling the two differently. */
   struct Neighbor
   {
     Id Cell;
@@ -110,19 +108,22 @@ public:
 
   Id NumberOfCells() const { return static_cast<Id>(this->Gains.size()); }
 
-  /** By how much `cell` alone costs less inside than outside: 0 where w is 1/2. */
+  /** The cost of `cell` alone outside less that inside: 0 if w is 1/2. */
   std::int64_t Gain(Id cell) const { return this->Gains[cell]; }
 
-  /** The cells next to `cell` that should have its label; not those where this costs nothing. */
+  /**
+   * The neighbors of `cell` that should have its label, without those where a difference costs
+   * nothing.
+   */
   Buckets<Neighbor>::Range Neighbors(Id cell) const { return this->NeighborsOfCells[cell]; }
 
-  /** By how much E's data term of the cell is larger inside than outside. */
+  /** E's data term of the cell inside less that outside. */
   double ExtraInside(Id cell) const;
 
-  /** A neighbor's cost in E, but for rounding. */
+  /** A neighbor's cost in E, up to rounding. */
   double CostInEnergy(const Neighbor& neighbor) const;
 
-  /** 1 where the cell has to be inside, -1 outside, 0 where either will do. */
+  /** 1 if the cell has to be inside, -1 outside, 0 for either. */
   int Demand(Id cell) const { return this->Graph.Demands.empty() ? 0 : this->Graph.Demands[cell]; }
 
   double W(Id cell) const { return this->Graph.W[cell]; }
@@ -140,7 +141,7 @@ private:
   std::vector<double> Weights;    ///< of data terms, one per cell; empty for 1
   std::vector<double> Smoothness; ///< v_ij for different labels, one per face
   std::vector<std::int64_t> Gains;
-  int Shift = 0; ///< costs are E's times two to this
+  int Shift = 0; ///< costs are E's times 2 to this power
   Buckets<Neighbor> NeighborsOfCells;
 };
 } // namespace insideout

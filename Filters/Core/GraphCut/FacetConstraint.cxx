@@ -15,7 +15,7 @@ bool IsInside(const GreedyLabels& labels, Id cell)
   return cell != None && labels.IsInside(cell);
 }
 
-/** The cell to be labelled inside for a piece; None where neither may be. */
+/** The cell to be labelled inside for a piece; None if neither may be. */
 Id BetterCell(const GreedyLabels& labels, const FacetPiece& piece)
 {
   Id best = None;

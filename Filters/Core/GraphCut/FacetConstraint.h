@@ -7,12 +7,12 @@
 
 namespace insideout
 {
-/** A face of the mesh that lies on a facet: satisfied when a cell beside it is inside. */
+/** A face of the mesh that lies on a facet: satisfied if one of its cells is inside. */
 struct FacetPiece
 {
   Id First;
   Id Second; ///< None beyond the hull
-  Id Facet;  ///< by the caller's numbers
+  Id Facet;  ///< in the caller's numbering
 };
 
 /**
@@ -37,9 +37,8 @@ public:
   };
 
   /**
-   * March over the pieces; where one is not satisfied label the cell beside it inside whose w is
-   * larger, the lower one where both are equal, and improve greedily. Pieces that are satisfied
-   * stay so.
+   * March over the pieces; if one is not satisfied, label its cell with the larger w inside, the
+   * lower one on ties, and improve greedily. Pieces that are satisfied stay so.
    *
    * @throws Error Stopped; progress is reported from `begin` to `end`
    */

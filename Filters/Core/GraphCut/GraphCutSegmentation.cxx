@@ -16,8 +16,9 @@ namespace insideout
 namespace
 {
 /**
- * On integers below 2^52: residual capacities stay below twice that, so that doubles hold them
- * exactly and a saturated edge has exactly 0 left. The library has no 64-bit integers compiled in.
+ * Capacities are integers below 2^52: residual capacities stay below twice that, so that doubles
+ * hold them exactly and a saturated edge has exactly 0 left. The library has no 64-bit integers
+ * compiled in.
  */
 using FlowGraph = maxflow::Graph<double, double, double>;
 
@@ -72,8 +73,8 @@ public:
   }
 
   /**
-   * Label the cells that the source still reaches when the flow is maximal. They are inside in
-   * every minimum, so no minimum has fewer.
+   * Label the cells that the source still reaches at maximum flow. They are inside in every
+   * minimum, so no minimum has fewer cells.
    */
   void Cut(std::vector<unsigned char>& inside)
   {

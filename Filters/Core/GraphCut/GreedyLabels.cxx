@@ -38,7 +38,7 @@ void GreedyLabels::TakeBack(Id cell)
 
 bool GreedyLabels::IsImprovement(Id cell) const
 {
-  // By how much the energy grows when the cell goes inside, seen from its label.
+  // The change of the energy when the cell goes inside, from its label's point of view.
   std::int64_t growth = -this->Energy.Gain(cell);
   for (const CutEnergy::Neighbor& next : this->Energy.Neighbors(cell))
   {
@@ -83,7 +83,7 @@ void GreedyLabels::ImproveAround(const std::vector<Id>& cells)
     }
   };
   std::for_each(cells.begin(), cells.end(), pushAround);
-  for (std::size_t k = 0; k < queue.size(); ++k) // which grows
+  for (std::size_t k = 0; k < queue.size(); ++k) // grows while it is read
   {
     const Id cell = queue[k];
     this->IsQueued[cell] = 0;

@@ -7,29 +7,28 @@ namespace insideout
 {
 class GreedyLabels;
 
-/** What a labelling has to satisfy and cannot be put into the energy's terms. */
+/** A constraint on labels that the energy's terms cannot express. */
 class LabelConstraint
 {
 public:
   virtual ~LabelConstraint() = default;
 
-  /** Whether the constraint stays satisfied wherever it is so now when the cell changes its label.
-   */
+  /** Whether the constraint stays satisfied wherever it is now if the cell changes its label. */
   virtual bool Allows(const GreedyLabels& labels, Id cell) = 0;
 
-  /** The cell has changed its label. */
+  /** Notification: the cell has changed its label. */
   virtual void Changed(Id cell) = 0;
 };
 
 /**
- * A labelling that constraints change cell by cell (thesis, section 8.5.2): cells that one of them
- * needs are labelled inside, and after each such step the energy is improved greedily. Energies are
- * compared as integers, so that every improvement is one, and there cannot be endlessly many.
+ * A labelling that constraints change cell by cell (thesis, section 8.5.2): cells that a constraint
+ * needs are labelled inside, and after each step the energy is improved greedily. Energies are
+ * compared as integers, so every improvement is strict and their number is finite.
  */
 class GreedyLabels
 {
 public:
-  /** @param[in] energy must live on; demands are not touched */
+  /** @param[in] energy must live on; its demands are never violated */
   GreedyLabels(const CutEnergy& energy, std::vector<unsigned char> inside);
 
   const std::vector<unsigned char>& Labels() const { return this->Inside; }
@@ -42,13 +41,13 @@ public:
   /** Never change the cell's label. */
   void Fix(Id cell) { this->Fixed[cell] = 1; }
 
-  /** From now on no improvement may violate it. It must live on. */
+  /** Add a constraint that no later improvement may violate. It must live on. */
   void Add(LabelConstraint& constraint) { this->Constraints.push_back(&constraint); }
 
-  /** Label a cell inside that is outside and may be inside. */
+  /** Force an outside cell inside; it must be allowed to be inside. */
   void Force(Id cell);
 
-  /** Label a cell outside that was just forced. */
+  /** Label a just forced cell outside. */
   void TakeBack(Id cell);
 
   /** Do not label the cell outside until it is released. */
@@ -58,8 +57,8 @@ public:
   void ReleaseAndImprove();
 
   /**
-   * Change labels as long as a change lowers the energy and no constraint objects. The cells are
-   * those in `cells`, next to one of these, or next to a changed one. Neither demands nor kept
+   * Change labels while a change lowers the energy and violates no constraint. Candidates are the
+   * cells in `cells`, their neighbors, and neighbors of changed cells. Neither demands nor kept
    * cells are violated.
    */
   void ImproveAround(const std::vector<Id>& cells);

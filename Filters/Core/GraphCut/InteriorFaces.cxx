@@ -12,10 +12,10 @@ namespace insideout
 {
 namespace
 {
-constexpr double NanosecondsPerElement = 10; // per face or cell, its corners here and there
+constexpr double NanosecondsPerElement = 10; // per face or cell, its corners in both numberings
 
-/** The points below 1: only ratios count, and products of very large or small coordinates leave the
- * range. */
+/** The points scaled below 1: only ratios count, and products of very large or small coordinates
+ * overflow or underflow. */
 std::vector<Point> PointsBelowOne(const TetrahedralMesh& mesh)
 {
   return ScaledPoints(mesh.Points, -LargestExponent(mesh.Points));
@@ -26,7 +26,7 @@ Eigen::Vector3d Edge(const Point& from, const Point& to)
   return { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
 }
 
-/** Also where the squares of the edges leave the range. */
+/** Safe also if the squares of the edges overflow or underflow. */
 double AreaOf(const Point& a, const Point& b, const Point& c)
 {
   const Eigen::Vector3d cross = Edge(a, b).cross(Edge(a, c));

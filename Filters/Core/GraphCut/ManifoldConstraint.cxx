@@ -15,7 +15,10 @@ namespace
 {
 using LinkEdge = std::pair<Id, Id>;
 
-/** The first point of the link from `above` on where several of its edges begin; None for none. */
+/**
+ * The first point of the link, from `above` on, at which several of its edges begin; None if there
+ * is none.
+ */
 Id FindBranch(const std::vector<LinkEdge>& link, Id above)
 {
   auto edge = std::lower_bound(link.begin(), link.end(), LinkEdge(above, None));
@@ -29,7 +32,7 @@ Id FindBranch(const std::vector<LinkEdge>& link, Id above)
   return None;
 }
 
-/** Whether the link without branches is one circle, or nothing. */
+/** Whether the link, which has no branches, is one circle or empty. */
 bool IsOneCircle(const std::vector<LinkEdge>& link)
 {
   std::size_t length = 0;
@@ -47,7 +50,10 @@ bool IsManifold(const std::vector<LinkEdge>& link)
   return FindBranch(link, 0) == None && IsOneCircle(link);
 }
 
-/** Tells the two sides of a face apart: whether sorting turns it over as the cell sees it. */
+/**
+ * Tells the two sides of a face apart: whether sorting its corners reverses it as seen from the
+ * cell.
+ */
 bool IsTurned(const Tetrahedron& cell, int face)
 {
   return SortedTriangle(FaceOf(cell, face)).Turned;
@@ -125,7 +131,7 @@ void ManifoldConstraint::CheckThatCellsAreApart() const
   }
 }
 
-/** The link, sorted, when the cell `flipped` has its other label. */
+/** The link, sorted, as it is when the label of cell `flipped` is flipped. */
 std::vector<LinkEdge> ManifoldConstraint::LinkOf(
   const GreedyLabels& labels, Id point, Id flipped) const
 {
@@ -161,8 +167,7 @@ bool ManifoldConstraint::IsManifold(const GreedyLabels& labels, Id point, Id oth
   return other == None ? insideout::IsManifold(link) : FindBranch(link, other) != other;
 }
 
-/** Whether the point, if it is manifold, and its edges that are, stay so when the cell is flipped.
- */
+/** Whether the point and its edges stay manifold, if they are, when the cell is flipped. */
 bool ManifoldConstraint::Keeps(const GreedyLabels& labels, Id cell, Id point) const
 {
   const std::vector<LinkEdge> after = this->LinkOf(labels, point, cell);
@@ -200,8 +205,8 @@ void ManifoldConstraint::Changed(Id cell)
   }
 }
 
-/** Take back the last forced cells first where the point, or its edge to another, can do without.
- */
+/** Release forced cells, the last first, that the point (or its edge to another point) does not
+ * need. */
 void ManifoldConstraint::TakeBack(
   GreedyLabels& labels, std::vector<Id>& forced, Id point, Id other) const
 {
@@ -219,7 +224,7 @@ void ManifoldConstraint::TakeBack(
   }
 }
 
-/** Around a point, or its edge to another. @return whether it is manifold now */
+/** Repair a point, or its edge to another point. @return whether it is manifold now */
 bool ManifoldConstraint::Fill(GreedyLabels& labels, Id point, Id other) const
 {
   std::vector<Id> outside;

@@ -18,7 +18,7 @@ bool Contains(const std::vector<Point>& points, const Tetrahedron& cell, const P
   return std::all_of(TetrahedronFaces.begin(), TetrahedronFaces.end(),
     [&](const std::array<int, 3>& face)
     {
-      // Seen from outside a face's corners run counter-clockwise, and there is the positive side.
+      // From outside a face's corners run counter-clockwise, and the outside is the positive side.
       return Orient3D(points[cell[face[0]]], points[cell[face[1]]], points[cell[face[2]]], point) <=
         0;
     });

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** A place that somebody says is inside or outside. */
+/** A point given as inside or outside. */
 struct Seed
 {
   Point Position;
@@ -18,16 +18,15 @@ struct Seed
 struct SeededCells
 {
   std::vector<std::int8_t> Demands;  ///< per cell 1 inside, -1 outside, 0 no seed; see CellGraph
-  std::vector<Id> Seeds;             ///< per cell the seed that counts there, None for none
-  Id Conflicts = 0;                  ///< seeds that do not count
-  std::vector<std::string> Warnings; ///< that name them
+  std::vector<Id> Seeds;             ///< per cell the seed that holds there, None for none
+  Id Conflicts = 0;                  ///< seeds without effect
+  std::vector<std::string> Warnings; ///< warnings that name them
 };
 
 /**
- * The cells that contain the seeds, by exact predicates; of several that share the seed's place,
- * the one of the lowest id. The first of several seeds in one cell counts; the others are
- * conflicts where they ask for the opposite; so is a seed that is to be inside and lies outside all
- * cells.
+ * The cells that contain the seeds, by exact predicates; on a shared boundary, the cell of the
+ * lowest id. The first of several seeds in one cell holds; others that demand the opposite are
+ * conflicts. A seed inside that lies in no cell is a conflict, too.
  *
  * @param[in] cells positively oriented
  * @throws Error PointNotFinite, which names the seed

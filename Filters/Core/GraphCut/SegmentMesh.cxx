@@ -11,13 +11,13 @@ namespace insideout
 {
 namespace
 {
-// What share of the progress is over before the cut, the facets, the manifold and the topology.
+// Fractions of the progress at which the cut, the facets, the manifold and the topology begin.
 constexpr double BeforeCut = 0.2;
 constexpr double BeforeFacets = 0.5;
 constexpr double BeforeManifold = 0.7;
 constexpr double BeforeTopology = 0.8;
 
-/** The seed in a cell beside the piece. */
+/** The seed in a cell next to the piece. */
 Id SeedBeside(const FacetPiece& piece, const SeededCells& seeded)
 {
   const Id seed = seeded.Seeds[piece.First];
@@ -41,7 +41,7 @@ Id CountUnsatisfied(const std::vector<FacetPiece>& pieces, const std::vector<uns
     { return !inside[piece.First] && (piece.Second == None || !inside[piece.Second]); }));
 }
 
-/** Cells of seeds that are to be inside and are not, for their regions were dropped. */
+/** Cells with a seed inside that are outside, because their regions were dropped. */
 std::vector<Id> DroppedSeeds(
   const std::vector<std::int8_t>& demands, const std::vector<unsigned char>& inside)
 {

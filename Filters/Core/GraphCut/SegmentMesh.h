@@ -24,21 +24,21 @@ struct MeshSegmentation
 };
 
 /**
- * Stage cut on tetrahedra, with all that may be asked of it: the minimum cut with the seeds' cells
- * where they are to be, then the constraints on facets, on manifoldness, on regions and on
- * topology. Seeds win over constraints, and the choice of regions over both; what they make
- * impossible is counted and warned about.
+ * Stage cut on tetrahedra, with all its options: the minimum cut with the seeds' cells fixed, then
+ * the constraints on facets, on manifoldness, on regions and on topology. Seeds override
+ * constraints, and the choice of regions overrides both; violated constraints are counted and
+ * warned about.
  *
  * Statistics:
  * - Energy of the result, EnergyOfCut before the constraints
  * - ForcedFacets: pieces of facets that a cell was labelled inside for
  * - ForcedCells: cells labelled inside for a constraint
  * - ChangedCells: labels that differ from the cut's
- * - UnsatisfiedFacets: pieces that seeds keep outside, or that were of dropped regions
- * - NonManifoldPoints: those that could not be helped
- * - SeedConflicts: seeds that do not count, pieces and points that seeds keep from being satisfied,
- *   seeds that were dropped with their region
- * - EnergyBeforeTopology: with the regions that were chosen, before any were joined or dropped
+ * - UnsatisfiedFacets: pieces that seeds keep outside, or that belonged to dropped regions
+ * - NonManifoldPoints: points that could not be repaired
+ * - SeedConflicts: seeds without effect, pieces and points that seeds keep unsatisfied, seeds
+ *   dropped with their region
+ * - EnergyBeforeTopology: after regions were chosen, before any were joined or dropped
  * - DroppedRegions and DroppedVolume (an area in a plane), FilledCavities and FilledVolume
  * - JoinedRegions: ways made between two regions
  *
@@ -50,10 +50,10 @@ MeshSegmentation SegmentMesh(const TetrahedralMesh& mesh, const std::vector<doub
   const std::vector<FacetPiece>& pieces, const std::vector<Seed>& seeds,
   const SegmentMeshParameters& parameters, Monitor& monitor);
 
-/** Whether the statistics of a segmentation tell of regions that were dropped. */
+/** Whether the statistics of a segmentation report dropped regions. */
 bool DropsRegions(const Statistics& statistics);
 
-/** Supplies parts of the mesh where they are needed. */
+/** Supplies parts of the mesh on demand. */
 struct MeshToSegment
 {
   insideout::MakeManifold MakeManifold;
@@ -63,7 +63,7 @@ struct MeshToSegment
 /**
  * The same on cells of any kind.
  *
- * @param[in] graph without demands, which are those of the seeds
+ * @param[in] graph without demands; the seeds supply them
  */
 MeshSegmentation SegmentCells(CellGraph graph, SeededCells seeded,
   const std::vector<FacetPiece>& pieces, const SegmentMeshParameters& parameters,

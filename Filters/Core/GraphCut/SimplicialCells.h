@@ -8,20 +8,20 @@
 
 namespace insideout
 {
-/** Volumes, or areas, scaled so that they neither overflow nor vanish. */
+/** Volumes, or areas, scaled to prevent overflow and underflow. */
 struct ScaledSizes
 {
   std::vector<double> Scaled; ///< one per cell
-  int Exponent;               ///< times two to this they are in the units of the points
+  int Exponent;               ///< times 2 to this power they are in the units of the points
 
   double InUnits(double scaled) const { return std::ldexp(scaled, this->Exponent); }
 };
 
-/** Tetrahedra or triangles, by what decides how they hang together. */
+/** Tetrahedra or triangles, with their connectivity. */
 class SimplicialCells
 {
 public:
-  /** Ids that stand one behind the other. */
+  /** Ids in contiguous memory. */
   struct Range
   {
     const Id* First;
@@ -31,7 +31,7 @@ public:
   };
 
   /**
-   * @param[in] sizes measures the cells, where that is asked for
+   * @param[in] sizes measures the cells on demand
    * @param[in] opposite for each side of a cell the corner that is not on it
    */
   template <std::size_t Corners>
@@ -56,8 +56,7 @@ public:
 
   std::size_t size() const { return this->Points.size() / this->NumberOfCorners; }
 
-  /** The cells next to a cell, each at the place of the corner that is not its; None on the hull.
-   */
+  /** The neighbors of a cell, each at the index of the opposite corner; None on the hull. */
   Range operator[](Id cell) const { return this->Of(this->Neighbors, cell); }
 
   Range CornersOf(Id cell) const { return this->Of(this->Points, cell); }
@@ -65,7 +64,7 @@ public:
   ScaledSizes Sizes() const { return this->MeasureSizes(); }
 
   const std::size_t NumberOfPoints;
-  const std::size_t NumberOfCorners; ///< of each cell: 4, or 3 in a plane
+  const std::size_t NumberOfCorners; ///< per cell: 4, or 3 in a plane
 
 private:
   Range Of(const std::vector<Id>& ids, Id cell) const

@@ -13,14 +13,14 @@ namespace insideout
 {
 namespace
 {
-/** So many holes are tried one by one: for each a ball grows anew, which takes seconds for a
+/** Limit of holes that are tried one by one: for each a new ball grows, which takes seconds for a
  * million cells. */
 constexpr std::size_t MostMembranes = 16;
 
-/** Faces of a cell, by the sets of its corners as bits. */
+/** Faces of a cell, as bit sets of its corners. */
 constexpr unsigned AllSets = 16;
 
-/** Some faces of a cell, with all faces of these. */
+/** A set of faces of a cell, closed under taking faces. */
 class Faces
 {
 public:
@@ -34,8 +34,8 @@ public:
 
   bool HasAll(unsigned corners) const { return this->Has[corners]; }
 
-  /** Whether they can shrink to a point: in the boundary of a tetrahedron, a sphere, or of a
-   * triangle they can where they are connected and of Euler characteristic 1. */
+  /** Whether they are contractible. In the boundary of a tetrahedron (a sphere) or a triangle this
+   * holds if they are connected and have Euler characteristic 1. */
   bool AreContractible() const
   {
     int euler = 0;
@@ -79,7 +79,9 @@ private:
   std::array<bool, AllSets> Has = {};
 };
 
-/** How many sides each cell whose label is `label` is from the nearest one with another, from 1. */
+/**
+ * Per cell labelled `label`, the number of sides to the nearest cell with another label, from 1.
+ */
 std::vector<Id> Depths(
   const SimplicialCells& cells, const std::vector<unsigned char>& inside, unsigned char label)
 {
@@ -96,7 +98,7 @@ std::vector<Id> Depths(
       reached.push_back(cell);
     }
   }
-  for (std::size_t k = 0; k < reached.size(); ++k) // which grows
+  for (std::size_t k = 0; k < reached.size(); ++k) // grows while it is read
   {
     for (const Id next : cells[reached[k]])
     {
@@ -110,7 +112,7 @@ std::vector<Id> Depths(
   return depths;
 }
 
-/** Cells by their depths, the deepest first, and of equal ones the lowest. */
+/** Cells by descending depth; ties: lowest first. */
 using DeepestFirst = std::priority_queue<std::pair<Id, Id>>;
 
 std::pair<Id, Id> EntryOf(const std::vector<Id>& depths, Id cell)
@@ -119,10 +121,8 @@ std::pair<Id, Id> EntryOf(const std::vector<Id>& depths, Id cell)
 }
 
 /**
- * Give `changing` the label `label`, from cells that have it on through sides, where they are
- * simple and `mayChange`.
- *
- * @param[in] starts cells to be looked at first
+ * Grow `label` in `changing` through sides, cell by cell, where a cell is simple and `mayChange`.
+ * @param[in] starts cells to be checked first
  */
 template <typename Predicate>
 void Spread(const SimplicialCells& cells, const SimpleCells& simple, const std::vector<Id>& depths,
@@ -151,7 +151,7 @@ void Spread(const SimplicialCells& cells, const SimpleCells& simple, const std::
       }
       if (!simple.IsSimple(changing, cell))
       {
-        waiting.push_back(cell); // it may be later
+        waiting.push_back(cell); // it may become simple later
         continue;
       }
       changing[cell] = label;
@@ -190,7 +190,7 @@ std::vector<unsigned char> Cut(const SimplicialCells& cells, const SimpleCells& 
   return ball;
 }
 
-/** The hull without cells outside. */
+/** The hull minus cells outside. */
 std::vector<unsigned char> Fill(const SimplicialCells& cells, const SimpleCells& simple,
   const std::vector<unsigned char>& inside, const LoopProgress& visits)
 {
@@ -210,7 +210,7 @@ std::vector<unsigned char> Fill(const SimplicialCells& cells, const SimpleCells&
   return ball;
 }
 
-/** Whether all that is fixed in `inside` is so in `labels` too. */
+/** Whether all fixed labels in `inside` are the same in `labels`. */
 bool Obeys(const std::vector<unsigned char>& labels, const std::vector<unsigned char>& inside,
   const FixedLabels& fixed)
 {
@@ -228,8 +228,7 @@ bool Obeys(const std::vector<unsigned char>& labels, const std::vector<unsigned 
       [&](const FacetPiece& piece) { return has(labels, piece) || !has(inside, piece); });
 }
 
-/** What was filled, each hole by itself: cells that points connect; what costs least comes first.
- */
+/** The filled holes, components of cells connected by points; cheapest first. */
 std::vector<std::vector<Id>> Membranes(const SimplicialCells& cells, const CutEnergy& energy,
   const std::vector<unsigned char>& inside, const std::vector<unsigned char>& filled)
 {
@@ -270,13 +269,13 @@ std::vector<std::vector<Id>> Membranes(const SimplicialCells& cells, const CutEn
   return membranes;
 }
 
-/** Of the cells inside with all their sides, edges and points. */
+/** The Euler characteristic of the cells inside with all their sides, edges and points. */
 Id EulerCharacteristic(const SimplicialCells& cells, const std::vector<unsigned char>& inside)
 {
   std::vector<Id> points;
   std::vector<std::array<Id, 2>> edges;
   Id tops = 0;
-  Id sides = 0; // each that two cells share twice
+  Id sides = 0; // sides that two cells share occur twice
   for (Id cell = 0; cell < static_cast<Id>(inside.size()); ++cell)
   {
     if (!inside[cell])
@@ -304,7 +303,7 @@ Id EulerCharacteristic(const SimplicialCells& cells, const std::vector<unsigned 
   return cells.NumberOfCorners == 4 ? low + sides / 2 - tops : low + tops;
 }
 
-/** Whether points connect the sides of the cells inside that no other has, as they do a ball's. */
+/** Whether the boundary sides of the cells inside are connected by points, as a ball's are. */
 bool IsBoundaryConnected(const SimplicialCells& cells, const std::vector<unsigned char>& inside)
 {
   DisjointSets sets(cells.NumberOfPoints);
@@ -391,8 +390,9 @@ bool IsBall(const SimplicialCells& cells, const std::vector<unsigned char>& insi
   Monitor& monitor, const ProgressRange& progress)
 {
   const std::vector<unsigned char> isOpen = FindOutside(cells, inside, monitor, progress).IsOpen;
-  // One component, no cavity; Euler's formula then leaves no tunnel. In a plane holes are cavities.
-  // What no cell fills may be one as well, where they fill no convex hull: it has a boundary apart.
+  // One component, no cavity; Euler's formula then excludes tunnels. In a plane holes are cavities.
+  // If the cells do not fill a convex hull, a gap between them may be a cavity as well: its
+  // boundary is separate.
   return FindRegions(cells, inside, monitor, progress).Count == 1 &&
     std::find(isOpen.begin(), isOpen.end(), 0) == isOpen.end() &&
     EulerCharacteristic(cells, inside) == 1 && IsBoundaryConnected(cells, inside);
@@ -414,7 +414,7 @@ bool SimplyConnect(const SimplicialCells& cells, const CutEnergy& energy, const 
   const SimpleCells simple(cells);
   std::vector<unsigned char> best;
   double least = std::numeric_limits<double>::infinity();
-  /** Whether the ball is better than the best so far. */
+  /** Whether the ball has less energy than the best so far. */
   const auto take = [&](const std::vector<unsigned char>& ball, std::size_t step)
   {
     const double cost = energy.Of(ball);

@@ -6,10 +6,10 @@
 namespace insideout
 {
 /**
- * A cell is simple when the solid keeps its topology as the cell changes its label: when what the
- * cell has in common with the other cells inside, its sides, edges and points, can shrink to a
- * point. Going inside is then an expansion and going outside a collapse, neither of which changes
- * a homotopy type; so Betti numbers stay, those of parts that touch in a point or edge included.
+ * A cell is simple if changing its label keeps the solid's topology: if the cell's intersection
+ * with the other cells inside (sides, edges and points) is contractible. Going inside is then an
+ * expansion and going outside a collapse. Neither changes the homotopy type, so Betti numbers stay,
+ * also of parts that touch in a point or edge.
  */
 class SimpleCells : public LabelConstraint
 {
@@ -29,21 +29,21 @@ private:
 
 /**
  * Make the solid a ball, in a plane a disc: one part without tunnels or cavities. *Cut*: a ball
- * grows from the deepest cell inside, through simple cells inside; what it cannot take stays
- * outside, as walls across tunnels and ways into cavities. *Fill*: the hull shrinks through simple
- * cells outside; what it cannot leave stays inside, as membranes across tunnels, and cavities.
- * Either takes deep cells first, those many sides from the solid's boundary, so that walls and
- * membranes stand where it is narrow. The way of least energy is taken, among both and cutting once
- * some holes are filled: the holes are tried one by one, the membranes that cost least first.
+ * grows from the deepest cell inside, through simple cells inside; the remaining cells go outside,
+ * as walls across tunnels and ways into cavities. *Fill*: the hull shrinks through simple cells
+ * outside; the remaining cells go inside, as membranes across tunnels, and fill cavities. Both take
+ * cells far from the solid's boundary first, so that walls and membranes are at narrow places. The
+ * result of least energy is taken among cutting, filling, and cutting after some holes were filled;
+ * holes are tried one by one, the cheapest membranes first.
  *
- * @param[in,out] inside one label per cell; left alone where no way obeys what is fixed
+ * @param[in,out] inside one label per cell; unchanged if no way respects the fixed labels
  * @return whether it is a ball now
  * @throws Error Stopped
  */
 bool SimplyConnect(const SimplicialCells& cells, const CutEnergy& energy, const FixedLabels& fixed,
   std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
 
-/** Whether the solid is one part, which sides connect, with the Betti numbers of a ball. */
+/** Whether the solid is one part, connected through sides, with the Betti numbers of a ball. */
 bool IsBall(const SimplicialCells& cells, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress);
 } // namespace insideout

@@ -14,28 +14,28 @@ namespace insideout
 {
 namespace
 {
-/** 4,096 ways: a millisecond for each 100 regions. */
+/** Limit of shells for which all ways are tried: 4,096 ways, a millisecond for each 100 regions. */
 constexpr std::size_t MostTried = 12;
 
-/** Volumes that differ by less than this part of where they differ may be equal: about three
- * deviations of some hundred lines. */
+/** Volumes may be equal if their difference is below this fraction of the volume where the ways
+ * differ: about three standard deviations with some hundred lines. */
 constexpr double SureShare = 0.15;
 
-/** Volumes are equal if they differ by less than this share of the volume where w differs. Faces of
- * two shells that coincide but for rounding to floats leave less between them. */
+/** Volumes are equal if their difference is below this fraction of the volume where w differs. It
+ * exceeds the gap between faces of two shells that coincide up to rounding to floats. */
 constexpr double RoundingShare = 1e-5;
 
-/** Rounds of turning shells one by one; few are ever needed. */
+/** Limit of rounds of turning shells one by one; few are ever needed. */
 constexpr int MostRounds = 32;
 
-using Turns = std::vector<char>; // per shell of a cluster
+using Turns = std::vector<char>; // per shell of a cluster: 1 if it is turned
 
-/** Volumes of two ways to turn shells, as far as they differ. */
+/** Volumes of two ways to turn shells, where they differ. */
 struct Difference
 {
-  double Net = 0;    ///< of the second, less the first
-  double Gross = 0;  ///< where only one of them has it
-  double Turned = 0; ///< where w differs
+  double Net = 0;    ///< volume of the second less that of the first
+  double Gross = 0;  ///< volume that only one of them has
+  double Turned = 0; ///< volume where w differs
 
   void Add(bool first, bool second, double volume)
   {
@@ -47,7 +47,7 @@ struct Difference
   /** Whether the volumes differ by more than rounding. */
   bool Matters() const { return std::abs(this->Net) > RoundingShare * this->Turned; }
 
-  /** -1 where the second has surely less, +1 where more. */
+  /** -1 if the second certainly has less, +1 if more. */
   int Sign() const
   {
     const bool sure = this->Matters() && std::abs(this->Net) > SureShare * this->Gross;
@@ -62,7 +62,7 @@ public:
   std::vector<Id> Shells;
   std::vector<ShellRegion> Regions; ///< in the cluster's numbers
 
-  /** To be called once both are there. @param[in] facets of all shells */
+  /** To be called after both are set. @param[in] facets of all shells */
   void Prepare(const std::vector<Id>& facets)
   {
     for (const Id shell : this->Shells)
@@ -128,7 +128,7 @@ public:
     return differences;
   }
 
-  /** How many facets are turned against the others. */
+  /** Number of facets turned against the others. */
   Id TurnedFacets(const Turns& turns) const
   {
     std::array<Id, 2> facets{ { 0, 0 } };
@@ -152,11 +152,11 @@ public:
 
 private:
   std::vector<Id> Facets;
-  std::vector<int> Given; // |w| per region, nothing turned
+  std::vector<int> Given; // |w| per region, with nothing turned
   Buckets<std::size_t> RegionsOf;
 };
 
-/** What is to be least after the volumes. */
+/** The criterion after the volumes: to be least. */
 auto LastResort(const Cluster& cluster, const Turns& turns)
 {
   return std::make_tuple(
@@ -169,8 +169,8 @@ struct Choice
   Turns Undecided;
 };
 
-/** Of some ways those that have, by one volume of the law, not surely more than the least. Where
- * they may or may not have more these and the least are added to the unsure ones. */
+/** The ways whose volume by one criterion of the law is not certainly above the least. If ways are
+ * uncertain, they and the least are added to the unsure ones. */
 template <typename VolumeOf>
 void KeepLeast(const Cluster& cluster, std::size_t which, const VolumeOf& volumeOf,
   std::vector<Turns>& ways, std::vector<Turns>& unsure)
@@ -245,7 +245,8 @@ Choice TryAll(const Cluster& cluster)
   return choice;
 }
 
-/** -1 where the second way is better by the law, +1 where worse. @param[in] regions all that differ
+/** -1 if the second way is better by the law, +1 if worse. @param[in] regions all regions that
+ * differ
  */
 template <typename SomeRegions>
 int Compare(
@@ -264,7 +265,7 @@ int Compare(
   return (b < a) ? -1 : (a < b);
 }
 
-/** Turn shells of a large cluster one by one while that is better; larger shells first. */
+/** Turn shells of a large cluster one by one while this is an improvement; larger shells first. */
 Choice Search(const Cluster& cluster)
 {
   const std::size_t shells = cluster.Shells.size();

@@ -12,10 +12,10 @@ namespace insideout
 {
 namespace
 {
-/** Up to here each pair that is chosen is followed from seam to seam before the next is. */
+/** Up to this number, each chosen pair is followed from seam to seam before the next is chosen. */
 constexpr std::size_t MostSeamsToFollow = 256;
 
-/** A copy at a seam, and whether it runs along (1) or against it (-1). */
+/** A copy at a seam; it runs along (1) or against it (-1). */
 struct CopyAtSeam
 {
   Id Copy;
@@ -37,7 +37,8 @@ std::vector<Id> SurfacesOfCopies(
       continue;
     }
     isSeen[patch] = 1;
-    std::array<std::vector<Id>, 2> given; // along the patch, and against it
+    // index of the copy along the patch, and of that against it
+    std::array<std::vector<Id>, 2> given;
     for (Id s = surface.SourceOffsets[f]; s < surface.SourceOffsets[f + 1]; ++s)
     {
       const bool against =
@@ -121,7 +122,7 @@ public:
   {
   }
 
-  /** The copies at a seam, but for pairs of one set. */
+  /** The copies at a seam, without pairs in one set. */
   std::vector<CopyAtSeam> LeftAt(const PatchSeam& seam)
   {
     struct InSet
@@ -172,7 +173,7 @@ public:
     return left;
   }
 
-  /** Join the copies of one given surface at a seam that copies of others share. */
+  /** Join the copies of one given surface at a seam that copies of other surfaces share. */
   void JoinWithinSurfaces(const PatchSeam& seam)
   {
     std::vector<CopyAtSeam> left = this->LeftAt(seam);
@@ -201,8 +202,8 @@ public:
     this->Sets.Join(std::min(a.Copy, b.Copy), std::max(a.Copy, b.Copy), false);
   }
 
-  /** Join what bounds the same wedges. A facet that runs along the edge has the solid clockwise of
-   * it, one that runs against it counterclockwise. */
+  /** Join copies that bound the same wedges. A facet that runs along the edge has the solid
+   * clockwise of it, one that runs against it counterclockwise. */
   void JoinByWedges(const PatchSeam& seam, const std::vector<CopyAtSeam>& left)
   {
     const FacetEdge* const first = this->Edges.data() + seam.Longest[0];
@@ -221,7 +222,7 @@ public:
       around.push_back({ angles.Of(edge->Facet), -direction, i });
     }
     std::sort(around.begin(), around.end());
-    // Twice around, so that each wedge that is begun ends.
+    // Twice around, so that each open wedge is closed.
     std::vector<std::size_t> begun;
     std::vector<char> joined(left.size(), 0);
     for (int round = 0; round < 2; ++round)

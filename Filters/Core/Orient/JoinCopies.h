@@ -24,13 +24,13 @@ private:
 };
 
 /**
- * Join copies of patches in pairs at seams where as many run along as against.
+ * Join copies of patches in pairs at seams where as many run along the seam as against it.
  *
- * Copies that are of one set already are a pair. Next come the copies of one given surface
- * (FacetComplex::SourceSurfaces) at seams that copies of others share. Two that are left at a seam
- * are the next pair, and so on from seam to seam. If more are left, at the longest seam first, two
- * are a pair that bound the same solid wedge at the seam: the one behind which it begins, going
- * around, and the next behind which it ends.
+ * Copies already in one set are a pair. Next come the copies of one given surface
+ * (FacetComplex::SourceSurfaces) at seams that copies of other surfaces share. If only two remain
+ * at a seam they are the next pair, and so on from seam to seam. If more remain, longest seam
+ * first, two that bound the same solid wedge at the seam are a pair: one behind which it begins,
+ * going around, and the next behind which it ends.
  *
  * @param[in] seams that balance
  * @param[in,out] sets of copies

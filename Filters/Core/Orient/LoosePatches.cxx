@@ -13,11 +13,11 @@ namespace insideout
 {
 namespace
 {
-/** A gain has to be more than this part of a patch's seams: less is the rounding of their lengths.
- */
+/** A gain has to exceed this fraction of a patch's seams; less may be the rounding of their
+ * lengths. */
 constexpr double LeastGain = 1e-9;
 
-/** The sums at all seams as patches are taken away and put back. */
+/** The sums at all seams, updated as patches are removed and restored. */
 class SeamSums
 {
 public:
@@ -63,7 +63,7 @@ public:
     return !this->Loose[patch] && this->Gains[patch] > LeastGain * this->Lengths[patch];
   }
 
-  /** Take a patch away, or put it back. @return the seams it is at */
+  /** Remove or restore a patch. @return its seams */
   Buckets<Id>::Range Switch(Id patch)
   {
     this->Loose[patch] ^= 1;
@@ -82,7 +82,7 @@ public:
     return this->SeamsOf[patch];
   }
 
-  /** Put those back at whose seams others do not balance. */
+  /** Restore the patches at whose seams other patches do not balance. */
   void PutBack()
   {
     std::vector<Id> seams;
@@ -132,13 +132,16 @@ private:
   const SeamedPatches& Given;
   const std::vector<char>& Turned;
   std::vector<std::int64_t> Sums; // per seam
-  std::vector<double> Gains;      // per patch, of taking it away
-  std::vector<double> Lengths;    // per patch, of its seams
+  std::vector<double> Gains;      // per patch, gain of removing it
+  std::vector<double> Lengths;    // per patch, length of its seams
   Buckets<Id> SeamsOf;
   std::vector<char> Loose;
 };
 
-/** What each patch adds to the volume of those that seams connect it with, counted positively. */
+/**
+ * Each patch's contribution to the volume of the patches that seams connect it with, taken
+ * positive.
+ */
 std::vector<double> SharesOfVolume(const SeamedPatches& patches, const std::vector<double>& volumes)
 {
   DisjointSets connected(volumes.size());

@@ -11,17 +11,17 @@ bool AllSeamsBalance(const SeamedPatches& patches, const std::vector<char>& turn
 /**
  * Patches without which the others fit together: candidates for membranes.
  *
- * A patch is loose where the signed sum of facets at the seams it is at is 0 without the loose
- * ones, but not with them: as a wall across a box, at whose edges the box's own facets fit
- * together. Such a wall, and what it cuts off, are each loose if the other is not: taken is the one
- * that encloses less, its holes capped. Patches without seams are never loose.
+ * A patch is loose if the signed sum of facets at its seams is 0 without the loose patches, but not
+ * with them. An example is a wall across a box, at whose edges the box's own facets balance. Either
+ * such a wall or the part it cuts off can be the loose one: the one that encloses less, holes
+ * capped, is chosen. Patches without seams are never loose.
  *
- * Patches are taken away one by one, those first that enclose least, as long as that shortens the
- * seams' imbalance, the length of seams times their signed sums; then those are put back at whose
- * seams others do not balance.
+ * Patches are removed one by one, those that enclose least first, while this reduces the imbalance:
+ * the sum of seam lengths times their signed sums. Then patches are restored if the others do not
+ * balance at their seams.
  *
- * @param[in] turned one per patch: 1 where its facets are to be turned over
- * @param[in] volumes one per patch: what it encloses then, holes capped
+ * @param[in] turned one per patch: 1 if its facets are to be turned over
+ * @param[in] volumes one per patch: the volume that it then encloses, holes capped
  * @return one per patch
  */
 std::vector<char> FindLoosePatches(const SeamedPatches& patches, const std::vector<char>& turned,

@@ -15,33 +15,33 @@ namespace insideout
 {
 namespace
 {
-/** Places on a shell, fewer where there are many shells. */
+/** Limits of sample points on a shell; fewer if there are many shells. */
 constexpr Id LeastPlaces = 4;
 constexpr Id MostPlaces = 128;
 constexpr Id PlacesOfAll = 1 << 10;
 
-/** Lines through each place of a shell, doubled until its means are sure; fewer where there are
- * many places. */
+/** Lines through each sample point, doubled until the means are certain; fewer if there are many
+ * points. */
 constexpr int FirstLines = 2;
 constexpr int MostLines = 64;
 constexpr Id LinesOfAll = 1 << 13;
 
-/** A mean is sure if it differs from a limit by this number of standard errors. */
+/** A mean is certain if it differs from a limit by this number of standard errors. */
 constexpr double SureErrors = 2;
 
-/** Distance from a place, in units of the surface's size, at which the solid is looked for on both
- * sides: a sheet on the solid's surface is in it. */
+/** Distance, relative to the surface's size, at which both sides of a point are tested for the
+ * solid. It exceeds the gap between a sheet and the solid's surface that it lies on. */
 constexpr double Beside = 0x1p-24;
 
-/** The largest share of its area that a shell within the solid may have outside. */
+/** The largest fraction of its area that a shell within the solid may have outside. */
 constexpr double OutsideByChance = 0.2;
 
-/** A shell that seals off no space is a sheet if a larger share of its area is outside, else a
+/** A shell that seals off no space is a sheet if a larger fraction of its area is outside, else a
  * membrane. */
 constexpr double MostOutside = 0.5;
 
-/** A shell lies within shells with holes if their mean winding number along it is higher. It is 1/2
- * on their caps, where a lid lies. */
+/** A shell lies within shells with holes if their mean winding number along it exceeds this. On
+ * their caps, where a lid lies, it is 1/2. */
 constexpr double MostInside = 0.6;
 
 /** A shell with a lower seal does not count. Two squares that face each other at four tenths of
@@ -86,20 +86,24 @@ std::vector<Place> PlacesOn(const std::vector<Point>& points,
   return places;
 }
 
-/** A shell that is not all within closed shells, with sums over the lines through its places. */
+/**
+ * A shell that is not entirely within closed shells, with sums over the lines through its sample
+ * points.
+ */
 struct OutsideShell
 {
   Id Shell;
-  std::vector<Place> Places; ///< outside
+  std::vector<Place> Places; ///< number of sample points outside
   bool IsMostlyOutside;
   RandomNumbers Random;
-  Id Lines = 0;                   ///< drawn through all places
-  double Rest = 0;                ///< the sum of the winding numbers of shells with holes
-  std::map<Id, double> Seal = {}; ///< the same of each outside shell, by its index among these
+  Id Lines = 0;                   ///< lines drawn through all sample points
+  double Rest = 0;                ///< sums of the winding numbers of shells with holes
+  std::map<Id, double> Seal = {}; ///< likewise per outside shell, by its index among these
   double Squares = 0;             ///< of the winding number of all
 
-  /** Whether the means are farther than their errors from the limits.
-   * @param[in] seal of the shell, judged without shells that do not count */
+  /** Whether the means differ from the limits by more than their errors. @param[in] seal of the
+   * shell, judged without shells that do not count
+   */
   bool IsSure(double seal) const
   {
     const double lines = static_cast<double>(this->Lines);
@@ -115,7 +119,7 @@ struct OutsideShell
   }
 };
 
-/** The role of an outside shell, and the seal by which it was found. */
+/** The role of an outside shell, and the seal that decided it. */
 struct Judgement
 {
   ShellRole Role;
@@ -184,7 +188,7 @@ private:
     return this->Chains[shell].Kind <= kind && !this->Chains[shell].IsLoose;
   }
 
-  /** Find the boxes around the solids. @return false if no shell bounds one */
+  /** Find the boxes around the solids. @return false if no shell bounds a solid */
   bool FindSolids()
   {
     bool isThere = false;
@@ -210,7 +214,7 @@ private:
     return isThere;
   }
 
-  /** Whether a place is, on either side, in the solid of shells up to a kind, holes capped. */
+  /** Whether either side of a point is in the solid of shells up to a kind, holes capped. */
   bool IsInSolid(const Place& place, ShellKind kind, RandomNumbers& random) const
   {
     for (const double side : { -Beside, Beside })
@@ -367,7 +371,7 @@ private:
     return point;
   }
 
-  /** Take out shells within shells with holes, then those with a low seal, the lowest first. */
+  /** Remove shells within shells with holes, then those with a low seal, the lowest first. */
   static std::vector<Judgement> JudgeByMeans(const std::vector<OutsideShell>& outside)
   {
     std::vector<Judgement> judged;
@@ -376,8 +380,9 @@ private:
       const double seal = shell.Rest / static_cast<double>(shell.Lines);
       judged.push_back({ seal > MostInside ? ShellRole::Membrane : ShellRole::Counts, seal });
     }
-    std::vector<std::vector<std::pair<Id, double>>> sealed(outside.size()); // others, by each shell
-    std::set<std::pair<double, Id>> left;                                   // the lowest first
+    std::vector<std::vector<std::pair<Id, double>>> sealed(
+      outside.size());                    // the other shells, per shell
+    std::set<std::pair<double, Id>> left; // the lowest first
     for (Id shell = 0; shell < static_cast<Id>(outside.size()); ++shell)
     {
       if (judged[shell].Role != ShellRole::Counts)

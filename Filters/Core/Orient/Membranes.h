@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** Whether a shell counts beside the others. */
+/** The role of a shell beside the others. */
 enum class ShellRole : char
 {
   Counts,
@@ -16,14 +16,13 @@ enum class ShellRole : char
 /**
  * Find the shells that do not count: sheets that seal off no space.
  *
- * Sheets, and loose shells (LoosePatches.h), are compared with the other shells. One within closed
- * shells does not count. Outside closed shells, the mean winding number along a sheet decides, half
- * way between its two sides. A sheet does not count if the mean of shells with holes exceeds
- * `MostInside`: it is within them; on their caps, where a lid lies, it is 1/2. The *seal* of each
- * other sheet is the mean of shells with holes, of all the other sheets, and of the parts of their
- * caps that lie in the solid. A flat sheet alone has a seal of 0, a dome on a body 1/2. The sheet
- * with the lowest seal does not count if that is below `LeastSeal`; the others are judged without
- * it.
+ * Sheets, and loose shells (LoosePatches.h), are compared with the other shells. A sheet within
+ * closed shells does not count. Outside them, mean winding numbers along the sheet decide, averaged
+ * over its two sides. A sheet does not count if the mean of shells with holes exceeds `MostInside`:
+ * it is within them; on their caps, where a lid lies, it is 1/2. The *seal* of each other sheet is
+ * the mean of shells with holes, of all the other sheets, and of the parts of their caps that lie
+ * in the solid. A flat sheet alone has a seal of 0, a dome on a body 1/2. The sheet with the lowest
+ * seal does not count if that is below `LeastSeal`; the others are judged without it.
  *
  * Means are taken over random lines, the same for any number of threads. All shells count if there
  * is no solid.

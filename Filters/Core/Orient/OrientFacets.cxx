@@ -14,13 +14,13 @@ namespace insideout
 {
 namespace
 {
-/** Lines through a shell, fewer where there are many: all of them in some hundredths of a second.
- */
+/** Numbers of lines through a shell, fewer if there are many shells: all take some hundredths of a
+ * second. */
 constexpr Id LeastLines = 16;
 constexpr Id MostLines = 128;
 constexpr Id LinesOfAll = 1 << 11;
 
-/** How often twice as many lines are drawn, until the choice stays the same. */
+/** How often the number of lines may double before the choice is stable. */
 constexpr int MostDoublings = 3;
 
 Id FirstLines(const std::vector<ShellChain>& chains)
@@ -29,7 +29,7 @@ Id FirstLines(const std::vector<ShellChain>& chains)
   return std::clamp(LinesOfAll / shells, LeastLines, MostLines);
 }
 
-/** Which shells to turn by the law of ChooseTurns.h. */
+/** The shells to turn by the law of ChooseTurns.h. */
 ShellTurns ChooseAutomatically(
   const std::vector<ShellChain>& chains, const RegionSampler& sampler, Monitor& monitor)
 {
@@ -68,14 +68,14 @@ ShellTurns ChooseAsTold(const std::vector<ShellChain>& chains, Orientation orien
   return chosen;
 }
 
-/** A volume that is this much of the area, of a surface of size 1, has the right sign: it is a sum
- * of as many terms as there are facets, each of them off by some 2^-50 of the facet's area. */
+/** A volume of this fraction of the area, for a surface of size 1, has the right sign: it is a sum
+ * of one term per facet, each with an error of some 2^-50 of the facet's area. */
 constexpr double SureVolume = 1e-8;
 
 /**
- * Whether the surface is one closed shell that no region but its inside belongs to. If nothing
- * crosses, the winding number just before all facets of a patch is the same, and just behind them,
- * too; with one patch, of facets that count once, there is but one beside that of the outside, 0.
+ * Whether the surface is one closed shell with one region inside. Without crossings the winding
+ * number is constant just before all facets of a patch, and just behind them. So with one patch, of
+ * facets with count 1, there is a single winding number beside 0 outside.
  */
 bool IsPlain(const Shells& shells, const std::vector<ShellChain>& chains)
 {
@@ -84,8 +84,7 @@ bool IsPlain(const Shells& shells, const std::vector<ShellChain>& chains)
     std::abs(chains[0].Volume) > SureVolume * chains[0].Area;
 }
 
-/** Turns a plain shell outward: then w is 1 within, and there is no need to look where it is not.
- */
+/** Turn a simple shell outward: then w is 1 within, and regions need not be sampled. */
 ShellTurns TurnOutward(const ShellChain& plain)
 {
   ShellTurns chosen;
@@ -94,7 +93,7 @@ ShellTurns TurnOutward(const ShellChain& plain)
   return chosen;
 }
 
-/** What share of the surface's area is marked. */
+/** The fraction of the surface's area that is marked. */
 double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
   const std::vector<Triangle>& facets)
 {
@@ -112,7 +111,7 @@ double ShareOf(const std::vector<char>& marks, const std::vector<Point>& points,
   return areas[1] > 0 ? areas[1] / (areas[0] + areas[1]) : 0;
 }
 
-/** Which facets are turned over, and how often each counts in the end: the sum of its copies. */
+/** The facets turned over, and the final count of each: the sum of its copies. */
 void TurnCopies(const FacetComplex& surface, const Shells& shells,
   const std::vector<ShellChain>& chains, const std::vector<char>& shellTurned,
   const std::vector<ShellRole>& roles, Orientation orientation, FacetTurns& turns)
@@ -150,7 +149,7 @@ void TurnCopies(const FacetComplex& surface, const Shells& shells,
   }
 }
 
-/** Mark the facets that have an edge at which the counted facets do not sum to 0. */
+/** Mark the facets with an edge at which the counted facets do not sum to 0. */
 std::vector<char> BesideOpenEdges(const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {
   std::vector<char> marks(surface.Facets.size(), 0);
@@ -170,8 +169,8 @@ std::vector<char> BesideOpenEdges(const FacetComplex& surface, const std::vector
   return marks;
 }
 
-/** Count the facets given again of which copies do not count, cancel or face both ways, where
- * facets disagree; where none do, those beside open edges that face more often one way. */
+/** Count repeated facets whose copies do not count, cancel or face both ways, next to facets that
+ * disagree; if none disagree, those next to open edges that face one way more often. */
 Id CountDoubtfulCopies(
   const FacetComplex& surface, const std::vector<FacetEdge>& edges, Id disagreeingFacets)
 {

@@ -13,8 +13,8 @@ namespace insideout
 {
 namespace
 {
-/** Copies of a facet that are told apart. More, as a surface may claim that was resolved before,
- * are one that counts as often. */
+/** Limit of copies of a facet that are distinguished. More, as an already resolved surface may
+ * claim, are merged into one with their count. */
 constexpr int MostCopies = 64;
 
 /** The patches at an edge that do not balance there by themselves. */
@@ -45,7 +45,7 @@ void PatchesAt(const FacetEdge* first, const FacetEdge* last, const FacetComplex
   found.resize(kept);
 }
 
-/** Edges run from their lower point to their higher one, which is no matter for a seam. */
+/** Edges run from their lower to their higher point; seams do not depend on it. */
 void DirectAlongFirst(std::vector<PatchAtSeam>& patches)
 {
   if (!patches.empty() && patches.front().Direction < 0)
@@ -65,7 +65,7 @@ bool ComesBefore(const PatchSeam& a, const PatchSeam& b)
     { return std::make_pair(x.Patch, x.Direction) < std::make_pair(y.Patch, y.Direction); });
 }
 
-/** Make one seam of edges at which the same patches meet. */
+/** Merge edges at which the same patches meet into one seam. */
 void JoinEqual(std::vector<PatchSeam>& seams)
 {
   std::stable_sort(seams.begin(), seams.end(), ComesBefore);

@@ -8,11 +8,11 @@
 
 namespace insideout
 {
-/** A patch at a seam. Facets that count negatively are taken as turned over here. */
+/** A patch at a seam. Facets with a negative count are taken as turned over here. */
 struct PatchAtSeam
 {
   Id Patch;
-  int Direction; ///< how often its facets run along the seam, less the other way; not 0
+  int Direction; ///< signed number of its facets that run along the seam; not 0
 
   bool operator==(const PatchAtSeam& other) const
   {
@@ -29,18 +29,18 @@ struct PatchSeam
   Id Counting;                      ///< of these facets: that do not count 0
 };
 
-/** Patches, how often their facets count, and the seams between them. */
+/** Patches, the counts of their facets, and the seams between them. */
 struct SeamedPatches
 {
   SurfacePatches Patches;
 
   std::vector<int> Count;   ///< one per patch: copies of each of its facets that count, at least 0
-  std::vector<int> Weight;  ///< one per patch: how often each copy counts; 1 but for very many
-  std::vector<int> Opposed; ///< one per patch: pairs of copies that cancel, of each of its facets
+  std::vector<int> Weight;  ///< one per patch: the count of each copy; 1 unless there are very many
+  std::vector<int> Opposed; ///< one per patch: pairs of copies that cancel, per facet
   std::vector<PatchSeam> Seams; ///< empty where there is one patch
   std::vector<Point> Points; ///< of the surface, scaled to below 1; empty where there is one patch
 
-  /** How often a patch runs along a seam, counted, less the other way. */
+  /** The signed count of a patch along a seam. */
   std::int64_t RunOf(const PatchAtSeam& at) const
   {
     return static_cast<std::int64_t>(at.Direction) * this->Count[at.Patch] * this->Weight[at.Patch];
@@ -48,14 +48,17 @@ struct SeamedPatches
 };
 
 /**
- * The patches of a surface and where they meet: where there are more than two facets, or two that
- * do not agree. A patch that balances at an edge by itself is not told of there.
+ * The patches of a surface and the seams where they meet: edges of more than two facets, or of two
+ * that do not agree. A patch that balances at an edge by itself is left out there.
  *
  * @param[in] edges those of facets that count, or of whose copies some cancel
  */
 SeamedPatches FindSeams(const FacetComplex& surface, const std::vector<FacetEdge>& edges);
 
-/** A facet's own orientation, less what PatchAtSeam says of those that count negatively. */
+/**
+ * A facet's own orientation along the seam: PatchAtSeam has facets with a negative count turned
+ * over.
+ */
 inline int SignOfCount(int multiplicity)
 {
   return multiplicity < 0 ? -1 : 1;

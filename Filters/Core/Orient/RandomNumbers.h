@@ -8,8 +8,7 @@
 
 namespace insideout
 {
-/** Random numbers that are the same everywhere, a sequence for each seed (Steele, Lea and Flood's
- * SplitMix 2014). */
+/** Reproducible random numbers, one sequence per seed (Steele, Lea and Flood's SplitMix 2014). */
 class RandomNumbers
 {
 public:
@@ -29,7 +28,7 @@ public:
     return static_cast<double>(bits >> 11) * 0x1p-53;
   }
 
-  /** A direction, all alike. */
+  /** A direction, uniformly distributed. */
   Point OnSphere()
   {
     for (;;)

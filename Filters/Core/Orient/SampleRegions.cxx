@@ -49,14 +49,14 @@ struct Line
 
 using Crossing = CrossedLine::Crossing;
 
-/** Part of a line in one region. */
+/** A stretch of a line within one region. */
 struct Stretch
 {
   std::vector<ShellWinding> Windings;
   double Length;
 };
 
-/** A line may meet an edge: as many others are tried. */
+/** A line may meet an edge: it is replaced by up to this many others. */
 constexpr int MostTries = 16;
 } // namespace
 
@@ -91,7 +91,9 @@ public:
 
   Id NumberOfShells() const { return static_cast<Id>(this->Ranges.size()); }
 
-  /** A line through a shell. @param[in] part of its area, 0 to 1, in which the line begins */
+  /**
+   * A line through a shell. @param[in] part fraction of its area, 0 to 1, at which the line begins
+   */
   Line Draw(Id shell, double part, RandomNumbers& random) const
   {
     const auto [first, last] = this->Ranges[shell];
@@ -107,7 +109,7 @@ public:
     const double size = Length(normal);
     Line line;
     double length = 0;
-    while (!(length > 0x1p-20)) // all but always
+    while (!(length > 0x1p-20)) // nearly always
     {
       const Point sphere = random.OnSphere();
       for (int axis = 0; axis < 3; ++axis)
@@ -125,10 +127,10 @@ public:
   }
 
   /**
-   * Where the line crosses the shells. A facet's side of the line is told by the signs of products
-   * of coordinates, which facets that share an edge have in common: nothing slips through.
+   * The line's crossings with the shells. Signs of products of coordinates, common to the facets
+   * that share an edge, decide on which side of the line an edge is: the line cannot slip through.
    *
-   * @return false where it meets an edge, as far as doubles tell
+   * @return false if it meets an edge, as far as doubles decide
    */
   bool Cross(const Line& line, std::vector<Crossing>& crossings) const
   {
@@ -139,7 +141,7 @@ public:
       [&](Id f)
       {
         const Facet& facet = this->Facets[f];
-        std::array<std::array<double, 3>, 3> seen; // across the line, and along it
+        std::array<std::array<double, 3>, 3> seen; // coordinates across the line, and along it
         for (int k = 0; k < 3; ++k)
         {
           const Point from = Difference(facet.Corners[k], line.Origin);
@@ -166,10 +168,10 @@ public:
     return sure;
   }
 
-  /** The stretches of a line between its crossings, as long as they count. */
+  /** The stretches of a line between its crossings, as far as they count. */
   std::vector<Stretch> Divide(std::vector<Crossing>& crossings) const
   {
-    // How likely the line was to be drawn, as a density among all lines, per line of each shell.
+    // The density of drawing the line among all lines, per line of each shell.
     double density = 0;
     for (const Crossing& crossing : crossings)
     {
@@ -188,11 +190,11 @@ public:
       {
         windings.erase(crossings[i].Shell);
       }
-      // Facets that coincide in part are crossed at one place, in an order that rounding decides.
+      // Facets that partly coincide are crossed at one place, in an order decided by rounding.
       const double length = crossings[i + 1].At - crossings[i].At;
       if (!windings.empty() && length > crossings[i].Error + crossings[i + 1].Error)
       {
-        // The lines through a place have a solid angle of 2 pi.
+        // The lines through a point have a solid angle of 2 pi.
         Stretch stretch = { {}, length / (2 * Pi * density) };
         for (const auto& [shell, count] : windings)
         {
@@ -210,11 +212,11 @@ private:
     std::array<Point, 3> Corners;
     Id Shell;
     int Count;
-    double AreaUpTo; ///< of the shell's facets up to this one
+    double AreaUpTo; ///< cumulated over the shell's facets
   };
 
-  /** The error of Crossing::At: weights err by rounding, the more the flatter or thinner the facet
-   * is as seen along the line. */
+  /** The error of Crossing::At: weights have rounding errors, which grow as the facet gets flatter
+   * or thinner seen along the line. */
   static double ErrorOfCrossing(const std::array<std::array<double, 3>, 3>& seen, double sum)
   {
     double across = 0;
@@ -240,7 +242,7 @@ private:
   }
 
   std::vector<Facet> Facets;
-  std::vector<std::array<std::size_t, 2>> Ranges; // of the facets, per shell that is no sheet
+  std::vector<std::array<std::size_t, 2>> Ranges; // of the facets, per shell that is not a sheet
   std::vector<double> Areas;                      // per shell, with its caps
   std::optional<BoxTree> Tree;
 };
@@ -305,7 +307,7 @@ std::vector<ShellRegion> RegionSampler::Sample(
       }
     }
   };
-  const double nanosecondsPerLine = 5000; // tens of thousands of facets; with few it is half
+  const double nanosecondsPerLine = 5000; // for tens of thousands of facets; half of it for few
   ChunkedLoop(lines, nanosecondsPerLine, monitor, progress, draw);
 
   std::map<std::vector<ShellWinding>, double> volumes;

@@ -10,7 +10,7 @@
 
 namespace insideout
 {
-/** By how much a shell winds around a place. */
+/** The winding number of a shell around a place. */
 struct ShellWinding
 {
   Id Shell;
@@ -22,22 +22,22 @@ struct ShellWinding
   }
 };
 
-/** All places around which the same shells wind as often. */
+/** All places with the same winding numbers of all shells. */
 struct ShellRegion
 {
   std::vector<ShellWinding> Windings; ///< by shell; not empty
   double Volume;
 };
 
-/** A line, and where it crosses triangles of shells. */
+/** A line, and its crossings with triangles of shells. */
 struct CrossedLine
 {
   struct Crossing
   {
     double At;    ///< along the line
-    double Error; ///< of At, by rounding
+    double Error; ///< error bound of At, by rounding
     Id Shell;
-    int Rise; ///< of the shell's winding number
+    int Rise; ///< jump of the shell's winding number
   };
 
   Point Direction = { 0, 0, 0 }; ///< of length 1
@@ -47,20 +47,19 @@ struct CrossedLine
 /**
  * The regions into which shells cut space, and their volumes, found along random straight lines.
  *
- * A line meets a shell where it does, and between two such places the winding numbers of all shells
- * are known, however they cross. The lines go through random places of each shell, in directions
- * about its normal by the cosine law; so they are uniform among those that meet the shell, and thin
- * shells are met as often as thick ones (Santalo, Integral Geometry and Geometric Probability,
- * 1976). As a line may come from any shell that it meets, it is weighed by the sum of those chances
- * (the balance heuristic of Veach and Guibas 1995). The volumes are right in the mean, and the
- * same for any number of threads.
+ * Between two crossings along a line the winding numbers of all shells are known, however they
+ * cross. The lines go through random points of each shell, in directions about its normal by the
+ * cosine law. So they are uniform among those that meet the shell, and thin shells are met as often
+ * as thick ones (Santalo, Integral Geometry and Geometric Probability, 1976). A line may come from
+ * any shell that it meets, so it is weighted by the sum of those densities (the balance heuristic
+ * of Veach and Guibas 1995). The volumes are unbiased, and the same for any number of threads.
  */
 class RegionSampler
 {
 public:
   /**
    * @param[in] points that the chains refer to, below 1 in each coordinate
-   * @param[in] chains sheets are passed over
+   * @param[in] chains sheets are skipped
    */
   RegionSampler(const std::vector<Point>& points, const std::vector<ShellChain>& chains);
   ~RegionSampler();
@@ -73,11 +72,11 @@ public:
   std::vector<ShellRegion> Sample(
     Id linesPerShell, Monitor& monitor, const ProgressRange& progress) const;
 
-  /** A random line through a point, at which Crossing::At is 0. It has no crossings if each of
-   * several lines meets an edge. */
+  /** A random line through a point, at which Crossing::At is 0. It has no crossings if several
+   * lines in turn meet an edge. */
   CrossedLine Through(const Point& point, RandomNumbers& random) const;
 
-  /** By how much shells wind around a point, by a random line through it. */
+  /** The winding numbers of shells around a point, by a random line through it. */
   std::vector<ShellWinding> At(const Point& point, RandomNumbers& random) const;
 
 private:

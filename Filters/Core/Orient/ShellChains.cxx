@@ -30,7 +30,7 @@ double VolumeOf(const std::vector<Point>& points, const std::vector<CountedTrian
   return volume;
 }
 
-/** Numbers the points that a shell uses, so that work on it does not depend on all others. */
+/** Renumbers the points of a shell, so that work on it does not depend on all others. */
 class PointsInUse
 {
 public:
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /** The triangles in new numbers, which hold until the next call. */
+  /** The triangles in the new numbering, valid until the next call. */
   std::vector<CountedTriangle> Renumber(std::vector<CountedTriangle> triangles)
   {
     for (const Id p : this->Ids)
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  std::vector<Point> Points; ///< by the new numbers
+  std::vector<Point> Points; ///< in the new numbering
 
 private:
   const std::vector<Point>& All;
@@ -84,7 +84,7 @@ private:
   std::vector<Id> Ids;
 };
 
-/** Cap the holes of a shell that has its triangles and area. */
+/** Cap the holes of a shell whose triangles and area are set. */
 void Close(ShellChain& shell, PointsInUse& points)
 {
   shell.Triangles = points.Renumber(std::move(shell.Triangles));

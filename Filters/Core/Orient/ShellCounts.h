@@ -18,7 +18,7 @@ struct ShellCounts
  * Count shells by kind.
  *
  * @param[in] turned one per shell
- * @param[in] roles one per shell: membranes are left out, and ShellRole::Sheet is a sheet
+ * @param[in] roles one per shell: membranes are left out; ShellRole::Sheet counts as a sheet
  */
 ShellCounts CountShells(const std::vector<ShellChain>& chains, const std::vector<char>& turned,
   const std::vector<ShellRole>& roles);

@@ -13,21 +13,24 @@ namespace insideout
 {
 namespace
 {
-/** Two patches that meet, the lower first, and how much asks that one of them is turned over. */
+/**
+ * Two patches that meet, the lower first, and the length of edges that asks for turning one of
+ * them.
+ */
 struct Relation
 {
   Id Low;
   Id High;
   bool Branching; ///< not only edges of two facets
-  double Weight;  ///< length of edges: above 0 to stay as they are, below to be turned
+  double Weight;  ///< length of edges: above 0 to keep both, below 0 to turn one
 };
 
-/** The seams of some patches: what these ask of one another, and where they are joined in pairs. */
+/** The seams of some patches: the relations they demand, and the pairs joined there. */
 struct SeamsOfPatches
 {
   std::vector<Relation> Relations;
   std::vector<PatchSeam> Balanced;
-  std::vector<Id> Cancelling; ///< patches whose copies nothing else is joined with
+  std::vector<Id> Cancelling; ///< patches whose copies are joined with nothing else
 };
 
 void AddSeam(const PatchSeam& seam, const SeamedPatches& patches, SeamsOfPatches& seams)
@@ -86,7 +89,7 @@ void SortRelations(std::vector<Relation>& relations)
     });
 }
 
-/** Join the copies of patches that are loose, or of those that are not. */
+/** Join the copies of loose patches, or of all others. */
 void JoinPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
   const SeamedPatches& patches, const PatchCopies& copies, const std::vector<char>& isLoose,
   char loose, TurnedSets& sets)
@@ -123,7 +126,7 @@ void JoinPatches(const FacetComplex& surface, const std::vector<FacetEdge>& edge
   }
 }
 
-/** A shell of copies, in which pairs of one facet cancel. */
+/** A shell of copies, in which pairs of copies of one facet cancel. */
 class CopiesLeft
 {
 public:
@@ -155,7 +158,7 @@ private:
   std::vector<char> Left;
 };
 
-/** Turn over the fewer of each shell. */
+/** Turn over the smaller side of each shell. */
 void TurnTheFewer(Shells& shells)
 {
   std::vector<Id> size(shells.Count, 0);
@@ -185,7 +188,7 @@ void TurnTheFewer(Shells& shells)
   }
 }
 
-/** Number shells, and say of which each facet is. */
+/** Number the shells, and set each facet's shell. */
 Shells NumberShells(const FacetComplex& surface, const SeamedPatches& patches,
   const PatchCopies& copies, const std::vector<char>& isLoose, TurnedSets& sets)
 {
@@ -198,7 +201,7 @@ Shells NumberShells(const FacetComplex& surface, const SeamedPatches& patches,
   struct Seen
   {
     Id Shell = None;
-    char Turned = 0; // the shell's lowest facet against the representative
+    char Turned = 0; // orientation of the shell's lowest facet against the representative
   };
   std::vector<Seen> seen(copies.Count());
   for (Id f = 0; f < surface.NumberOfFacets(); ++f)

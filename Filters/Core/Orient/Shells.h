@@ -6,8 +6,8 @@
 
 namespace insideout
 {
-/** A further copy of a facet that counts several times, or cancels: shells that share it have one
- * each. */
+/** A further copy of a facet that counts several times, or cancels: each shell that shares the
+ * facet has a copy. */
 struct ShellCopy
 {
   Id Facet;
@@ -16,34 +16,35 @@ struct ShellCopy
   char Turned;
 };
 
-/** Facets that face one way or the other together, and which of them were given against the rest.
+/** Sets of facets that are oriented together, and the facets given with the opposite orientation.
  */
 struct Shells
 {
   std::vector<Id> Shell; ///< one per facet, of its first copy; None for those that count 0
-  std::vector<std::int16_t> Multiplicity; ///< one per facet: of its first copy
-  std::vector<char> Turned;          ///< one per facet: 1 where it has to be turned over to agree
-  std::vector<ShellCopy> MoreCopies; ///< by facet
-  std::vector<char> IsLoose;         ///< one per shell: without it the others fit (LoosePatches.h)
-  Id Patches = 0;                    ///< of the surface (SurfacePatches.h)
-  Id Count = 0;                      ///< of shells, numbered by their lowest facet
+  std::vector<std::int16_t> Multiplicity; ///< one per facet: orientation of its first copy
+  std::vector<char> Turned;               ///< one per facet: 1 if it has to be turned over to agree
+  std::vector<ShellCopy> MoreCopies;      ///< by facet
+  /// one per shell: the others balance without it (LoosePatches.h)
+  std::vector<char> IsLoose;
+  Id Patches = 0; ///< of the surface (SurfacePatches.h)
+  Id Count = 0;   ///< of shells, numbered by their lowest facet
 };
 
 /**
- * Shells: patches put together again at the seams where they can agree which way to run.
+ * Shells: patches joined at the seams where their orientations can agree.
  *
- * Where two patches meet at a seam, and no other does that is not balanced there by itself, they
- * are to run opposite ways along it: as they do already, or once one of them is turned over. What
- * patches ask of one another may be at odds, as on a surface with one side only: then edges of two
- * facets go before others, and what a greater length of edges asks for before less.
+ * If two patches meet at a seam, and any others balance there by themselves, the two are to run
+ * along it in opposite directions, perhaps after turning one. These demands may contradict each
+ * other, as on a one-sided surface. Then edges of two facets take precedence, and greater lengths
+ * of edges over smaller ones.
  *
- * Where more patches balance, each is joined with another that runs against it (JoinCopies.h). A
- * facet that counts n times, or cancels, has copies there: so n closed surfaces that share facets
- * are n shells.
+ * If more patches balance, each is joined with another that runs against it (JoinCopies.h). A facet
+ * that counts n times, or cancels, has copies there: so n closed surfaces that share facets become
+ * n shells.
  *
- * Loose patches are joined with each other alone.
+ * Loose patches are joined only with each other.
  *
- * In each shell the fewer facets are Turned, of as many those that the lowest facet is not of.
+ * In each shell the minority of facets is Turned; on a tie, the half without the lowest facet.
  *
  * @param[in] edges those of surface.Facets
  */

@@ -15,11 +15,11 @@ struct SurfacePatches
 };
 
 /**
- * Patches: the largest sets of facets joined through edges of exactly two,
- * which run along the edge opposite ways, count as often, and have as many copies that cancel
- * (FacetComplex::Opposed). On a resolved surface nothing else comes near such an edge. So the
- * winding number just beside a patch does not jump along it, on either side (Zhou, Grinspun, Zorin
- * and Jacobson 2016, section 4).
+ * Patches: the largest sets of facets joined through edges of exactly two facets that run along the
+ * edge in opposite directions, have the same count, and the same number of canceling copies
+ * (FacetComplex::Opposed). On a resolved surface no other facet touches such an edge. So the
+ * winding number just beside a patch is constant on either side (Zhou, Grinspun, Zorin and Jacobson
+ * 2016, section 4).
  *
  * @param[in] edges those of surface.Facets
  */

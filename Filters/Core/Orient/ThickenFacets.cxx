@@ -16,10 +16,12 @@ namespace insideout
 {
 namespace
 {
-/** Of the surface's size: far more than rounding, far less than any sheet. */
+/**
+ * The least width relative to the surface's size: far more than rounding, far less than any sheet.
+ */
 constexpr double LeastWidth = 1e-9;
 
-/** How much farther than half the width a corner of the slab may be, where facets bend. */
+/** Limit of a slab corner's distance relative to half the width, where facets bend. */
 constexpr double MostMiter = 2;
 
 /** Facets of one sheet, and the corners of the slab around them. */
@@ -101,7 +103,7 @@ public:
         const int next = (k + 1) % 3;
         if (this->IsRim[3 * i + EdgeBetween(order[k], order[next])])
         {
-          // With the facet's own edge, that it may not stick out where the rim is no plane.
+          // With the facet's own edge, so that it does not stick out if the rim is not planar.
           const Id from = this->CornerOf(i, order[k]);
           const Id to = this->CornerOf(i, order[next]);
           add(c[k][0], from, to, turned);
@@ -119,7 +121,7 @@ private:
     return this->Surface.Facets[this->Facets[facet]][k];
   }
 
-  /** The number of the edge from corner k to k + 1, by its two corners in either order. */
+  /** The number of the edge from corner k to k + 1, regardless of direction. */
   static std::size_t EdgeBetween(int a, int b)
   {
     return static_cast<std::size_t>((a + 1) % 3 == b ? a : b);
@@ -165,7 +167,7 @@ private:
     return normal;
   }
 
-  /** Per set of corners the sum of normals, each weighted by the angle of its corner. */
+  /** Per set of corners the sum of normals, each weighted by the corner's angle. */
   std::vector<Point> SumsOfNormals()
   {
     std::vector<Point> sums(3 * this->Facets.size(), Point{ 0, 0, 0 });
@@ -190,13 +192,13 @@ private:
     return sums;
   }
 
-  /** From the surface to a corner of the slab. */
+  /** The vector from the surface to a corner of the slab. */
   Point Offset(Id set, const std::vector<Point>& sums, double half) const
   {
     const std::vector<std::size_t>& facets = this->FacetsAt[set];
     Point direction = sums[set];
     double length = Length(direction);
-    if (!(length > 1e-6)) // a fold: any of the normals will do
+    if (!(length > 1e-6)) // a fold: any of the normals is suitable
     {
       direction = this->UnitNormal(facets.front());
       length = 1;
@@ -215,7 +217,7 @@ private:
   }
 
   const FacetComplex& Surface;
-  const std::vector<Point> Scaled; // for angles and normals, which overflow nowhere then
+  const std::vector<Point> Scaled; // scaled for angles and normals, to prevent overflow
   const std::vector<Id> Facets;
   DisjointSets Corners;    // corner k of facet i is 3 i + k
   std::vector<char> IsRim; // per edge, from corner k to k + 1

@@ -33,7 +33,7 @@ public:
     Place place = { i, 0 };
     while (this->Parents[place.Set] != place.Set)
     {
-      // Halve the way, as DisjointSets does.
+      // Path halving, as in DisjointSets.
       const Id parent = this->Parents[place.Set];
       this->AgainstParent[place.Set] ^= this->AgainstParent[parent];
       this->Parents[place.Set] = this->Parents[parent];
