@@ -14,16 +14,16 @@ namespace insideout
 {
 namespace
 {
-/** Uphill steps are few: what is left to gain after these is small. */
+/** Limit of uphill steps: after these little remains to gain. */
 constexpr int MostSteps = 8;
 constexpr int MostHalvings = 5;
 constexpr int StepsOfHull = 12;
 
-/** Cells whose shape is so near the worst one's go uphill with it. */
+/** Cells whose shape is this close to the worst one's are improved together with it. */
 constexpr double NearWorst = 1.2;
 constexpr std::size_t MostActive = 6;
 
-/** A step is worth its while that gains so much. */
+/** The least gain for which another step is taken. */
 constexpr double LeastGain = 1.002;
 
 Point Along(const Point& from, const Point& direction, double t)
@@ -31,7 +31,7 @@ Point Along(const Point& from, const Point& direction, double t)
   return { { from[0] + t * direction[0], from[1] + t * direction[1], from[2] + t * direction[2] } };
 }
 
-/** The cells between a place and walls, while it moves. */
+/** The cells between a moving place and walls. */
 class Climb
 {
 public:
@@ -52,7 +52,7 @@ public:
     this->Worst = this->ShapesAt(place, this->Shapes, -std::numeric_limits<double>::infinity());
   }
 
-  /** Go as far as it gets better. @param[in] normal as FindBestPlace has it */
+  /** Move while the shape improves. @param[in] normal as for FindBestPlace */
   void Rise(const Point* normal)
   {
     double step = 0.3 * this->Length;
@@ -89,11 +89,13 @@ public:
   }
 
   Point Place;
-  double Worst; ///< shape there
+  double Worst; ///< worst shape there
 
 private:
-  /** The shapes at a place, those first that are worst now: up to one that is not above `wanted`.
-   * @return the worst of these */
+  /** The shapes at a place, in order of the currently worst; stops at the first that is not above
+   * `wanted`.
+   * @return the worst of these
+   */
   double ShapesAt(const Point& place, std::vector<double>& shapes, double wanted) const
   {
     double worst = 1;
@@ -109,7 +111,7 @@ private:
     return worst;
   }
 
-  /** How the place is to be moved to make the worst cells better; none if it cannot be. */
+  /** The direction of a step that improves the worst cells; none if there is none. */
   Point Uphill(const Point* normal)
   {
     const double most = this->Worst > 0 ? NearWorst * this->Worst : 0.0;
@@ -138,7 +140,7 @@ private:
       }
       if (this->Worst <= 0)
       {
-        // Beyond a wall the way back is what counts, for all alike.
+        // Beyond a wall only the way back matters, equally for all cells.
         const double norm = insideout::Length(gradient);
         gradient = norm > 0 ? Along({ { 0, 0, 0 } }, gradient, 1 / norm) : gradient;
       }
@@ -149,8 +151,9 @@ private:
 
   std::vector<BaseOfCells> Bases;
   std::vector<double> Shapes;
-  std::vector<std::size_t> Order;                          ///< in which cells are looked at
-  double Length = std::numeric_limits<double>::infinity(); ///< to the nearest corner, at first
+  std::vector<std::size_t> Order; ///< order in which cells are evaluated
+  /// distance to the nearest corner, at first
+  double Length = std::numeric_limits<double>::infinity();
 };
 } // namespace
 

@@ -10,15 +10,15 @@ namespace insideout
 /**
  * The worst shape (ShapeOf) of the cells between a place and walls around it, which are
  * counter-clockwise seen from it.
- * @param[in] enough where it is below this, any smaller value
+ * @param[in] enough if the shape is below this, any smaller value may be returned
  */
 double WorstShapeAt(const std::vector<Point>& points, const std::vector<Triangle>& walls,
   const Point& place, double enough);
 
 /**
- * Move a place to where the worst shape of the cells between it and the walls is better. Steps go
- * uphill along the shortest vector between the gradients of the worst cells' shapes (Freitag and
- * Ollivier-Gooch 1997, Tetrahedral Mesh Improvement Using Swapping and Smoothing).
+ * Move a place to improve the worst shape of the cells between it and the walls. Steps follow the
+ * shortest vector between the gradients of the worst cells' shapes (Freitag and Ollivier-Gooch
+ * 1997, Tetrahedral Mesh Improvement Using Swapping and Smoothing).
  *
  * @param[in,out] place it may lie beyond walls in the beginning
  * @param[in] normal of the plane that it stays in, of length 1; null: none

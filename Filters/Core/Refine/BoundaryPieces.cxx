@@ -33,7 +33,7 @@ Triangle KeyOf(const SurfacePiece& piece)
   return SortedTriangle(piece.Corners).Points;
 }
 
-/** Also where they are the same from two sides. */
+/** Covers pieces that are the same from both sides, too. */
 bool Meet(const SurfacePiece& a, const SurfacePiece& b)
 {
   return KeyOf(a) == KeyOf(b) || MeetBeyondSharedCorners(a.Corners, a.Places, b.Corners, b.Places);

@@ -43,7 +43,7 @@ void Cavity::Grow(std::size_t most)
       {
         const auto [a, b, c, d] = CornersOf(this->Mesh.Points, this->Mesh.Cell(neighbor).Corners);
         const Circumsphere sphere = CircumsphereOf(a, b, c, d);
-        // A cell too flat for doubles goes.
+        // Cells too flat for doubles are replaced.
         if (!(SquaredDistance(sphere.Center, this->Place) >= sphere.SquaredRadius))
         {
           this->Add(neighbor);

@@ -9,9 +9,9 @@
 namespace insideout
 {
 /**
- * The cells that give way to those between a place and the walls around them (Bowyer 1981, Watson
- * 1981): those whose circumsphere holds it, as far as it sees their walls. They are marked in the
- * mesh.
+ * The cells that are replaced by those between a place and the walls around them (Bowyer 1981,
+ * Watson 1981): cells whose circumsphere contains the place, restricted to those whose walls it
+ * sees. They are marked in the mesh.
  */
 class Cavity
 {
@@ -21,37 +21,37 @@ public:
   {
   }
 
-  /** Begin with no cells. */
+  /** Start with no cells. */
   void Start(const Point& place);
 
-  /** Add a cell that is not there yet. */
+  /** Add a cell that is not in the cavity yet. */
   void Add(Id cell);
 
   bool Has(Id cell) const { return this->Mesh.Marks().Has(cell); }
 
   /**
-   * Add the cells whose circumsphere holds the place, up to facets, the nearest first in steps from
-   * cell to cell. @param[in] most cells that there are to be
+   * Add the cells whose circumsphere contains the place, breadth-first up to facets. @param[in]
+   * most limit of cells
    */
   void Grow(std::size_t most);
 
   /**
    * Collect the walls, and unmark the cells with walls that the place does not see.
-   * @param[in] isOpen (cell, k) of a face with a facet, whether it goes
-   * @param[in] isSeen of a wall
-   * @return whether any was unmarked: KeepConnected is to follow
+   * @param[in] isOpen for (cell, k) of a face with a facet, whether the facet is removed
+   * @param[in] isSeen whether a wall is seen
+   * @return whether any was unmarked: then call KeepConnected
    */
   template <class IsOpen, class IsSeen>
   bool CollectWalls(const IsOpen& isOpen, const IsSeen& isSeen);
 
-  /** Forget the unmarked cells, and those that `seeds` are not connected with. */
+  /** Remove the unmarked cells, and those not connected with `seeds`. */
   template <class IsOpen>
   void KeepConnected(const std::vector<Id>& seeds, const IsOpen& isOpen);
 
   /** Whether every corner of the cells is at a wall. */
   bool KeepsItsPoints() const;
 
-  /** The square of how far the nearest corner is. */
+  /** The squared distance of the nearest corner. */
   double SquaredSpacing() const;
 
   const std::vector<Id>& Cells() const { return this->AllCells; }

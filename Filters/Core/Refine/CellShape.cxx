@@ -39,13 +39,13 @@ double BaseOfCells::ShapeWith(const Point& d) const
   const double inverseA = 1 / Dot(acrossA, acrossA);
   const double inverseB = 1 / Dot(acrossB, acrossB);
   const double inverseC = 1 / Dot(acrossC, acrossC);
-  // The sine at an edge is 3/2 volume times its length over the areas of the two faces there.
+  // The sine at an edge is 3/2 volume times the edge's length over the areas of its two faces.
   const double least = std::min(
     { this->SquaredAB * (inverseC * this->Inverse), this->SquaredAC * (inverseB * this->Inverse),
       Dot(ad, ad) * (inverseB * inverseC), this->SquaredBC * (inverseA * this->Inverse),
       Dot(bd, bd) * (inverseA * inverseC), Dot(cd, cd) * (inverseA * inverseB) });
   const double shape = determinant * determinant * least;
-  // No number where a face has no area, and too much where products under- and overflow.
+  // NaN if a face has no area; too large if products under- or overflow.
   return shape > 0 && shape < 1 ? shape : 0.0;
 }
 

@@ -8,9 +8,9 @@
 namespace insideout
 {
 /**
- * How good a tetrahedron is: the square of the least sine of its six dihedral angles, which is
- * small where an angle is near 0 or near 180 degrees; at most 8/9, of a regular one. Not positive
- * where the volume is not.
+ * The quality of a tetrahedron: the square of the least sine of its six dihedral angles. It is
+ * small if an angle is near 0 or 180 degrees, at most 8/9 (for a regular tetrahedron), and not
+ * positive if the volume is not.
  */
 double ShapeOf(const Point& a, const Point& b, const Point& c, const Point& d);
 double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell);
@@ -18,7 +18,9 @@ double ShapeOf(const std::vector<Point>& points, const Tetrahedron& cell);
 /** The worst shape of some cells, at most 1. */
 double WorstShapeOf(const RefinableMesh& mesh, const std::vector<Id>& cells);
 
-/** A face, and what cells on its positive side have in common, to try many fourth corners. */
+/**
+ * A face with precomputed values for cells on its positive side, for trying many fourth corners.
+ */
 class BaseOfCells
 {
 public:
@@ -38,19 +40,19 @@ private:
   double SquaredAB;
   double SquaredAC;
   double SquaredBC;
-  double Inverse; ///< of the square of the normal
+  double Inverse; ///< squared length of the normal
 };
 
-/** The shape whose least dihedral angle has this many degrees. */
+/** The shape of a cell whose least dihedral angle has this many degrees. */
 double ShapeOfAngle(double degrees);
 
 Point Barycentre(const std::vector<Point>& points, const Tetrahedron& cell);
 
-/** Where all four corners are equally far, and the square of how far. */
+/** A circumcenter and the squared radius. */
 struct Circumsphere
 {
   Point Center;
-  double SquaredRadius; ///< not finite where the cell is too flat for doubles
+  double SquaredRadius; ///< not finite if the cell is too flat for doubles
 };
 Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, const Point& d);
 
@@ -59,7 +61,7 @@ Circumsphere CircumsphereOf(const Point& a, const Point& b, const Point& c, cons
 struct CircleOfTriangle
 {
   Point Center;
-  double SquaredRadius; ///< not finite where it is too thin for doubles
+  double SquaredRadius; ///< not finite if the triangle is too thin for doubles
 };
 CircleOfTriangle CircumcircleOf(const std::array<Point, 3>& triangle);
 } // namespace insideout

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Takes points that are on no facet out of the mesh, each by moving it into a neighbor. */
+/** Removes points that are on no facet, by contracting an edge to a neighbor. */
 class Contraction
 {
 public:
@@ -17,8 +17,8 @@ public:
   }
 
   /**
-   * Move a point into the neighbor that gives the best cells, if their shapes are above `wanted`
-   * and no edge gets longer than `longest` times the sizes at its ends.
+   * Contract a point into the neighbor that gives the best cells, if their shapes are above
+   * `wanted` and no edge gets longer than `longest` times the sizes at its ends.
    */
   bool Remove(Id point, double wanted, double longest);
 

@@ -62,7 +62,7 @@ void SurfaceContraction::Look(Id point, Around& around) const
   SortUniquely(around.FacetEdges);
 }
 
-/** Given what is around the two. */
+/** Requires the surroundings of both points. */
 bool SurfaceContraction::KeepsTopology(Id point, Id target)
 {
   std::vector<Id> linkPoints;
@@ -87,7 +87,8 @@ bool SurfaceContraction::KeepsTopology(Id point, Id target)
     }
     for (int i = 0; i < 2; ++i)
     {
-      if (cell.Facets[others[i]] != None) // which has both ends, and the other of the two
+      // which contains both ends, and one that contains only the other
+      if (cell.Facets[others[i]] != None)
       {
         linkOfFacets.push_back(cell.Corners[others[1 - i]]);
       }
@@ -134,7 +135,7 @@ bool SurfaceContraction::MakeCells(Id point, Id target, double wanted)
   return true;
 }
 
-/** The pieces that go and come. */
+/** The pieces that are removed and created. */
 void SurfaceContraction::MakePieces(Id point, Id target)
 {
   this->Gone.clear();
@@ -161,8 +162,8 @@ void SurfaceContraction::MakePieces(Id point, Id target)
   }
 }
 
-/** Make the cells that come, and look around both. What costs least comes first: most contractions
- * are refused. */
+/** Make the new cells, and check both ends. The cheapest checks come first: most contractions are
+ * refused. */
 bool SurfaceContraction::Approach(Id point, Id target, double wanted)
 {
   this->OfPoint.Cells.clear();
@@ -177,7 +178,7 @@ bool SurfaceContraction::Approach(Id point, Id target, double wanted)
     this->OfPoint.FacetPoints.begin(), this->OfPoint.FacetPoints.end(), target);
 }
 
-/** Whether each label of a piece that goes for good has another beside it. */
+/** Whether each label of a piece that vanishes remains on another piece nearby. */
 bool SurfaceContraction::KeepsLabels() const
 {
   const auto labelOf = [&](const SurfacePiece& piece)

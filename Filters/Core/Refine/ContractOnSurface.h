@@ -9,9 +9,9 @@
 namespace insideout
 {
 /**
- * Takes points out of a surface that is remeshed, each by moving it along an edge of the surface
- * into the next point. The surface has to stay near enough, and connected as it was (the link
- * conditions of Dey, Edelsbrunner, Guha and Nekhayev 1999, Topology Preserving Edge Contraction).
+ * Removes points from a remeshed surface by contracting edges of the surface. The surface has to
+ * stay within the tolerance and keep its topology (the link conditions of Dey, Edelsbrunner, Guha
+ * and Nekhayev 1999, Topology Preserving Edge Contraction).
  */
 class SurfaceContraction
 {
@@ -24,18 +24,19 @@ public:
   }
 
   /**
-   * Move a point into a neighbor, if all new shapes (ShapeOf) are above `wanted`, at least
-   * 0, and no edge gets longer than `longest` times the sizes at its ends.
+   * Contract a point into a neighbor, if all new shapes (ShapeOf) are above `wanted`, at least 0,
+   * and no edge gets longer than `longest` times the sizes at its ends.
    */
   bool Contract(Id point, Id target, double wanted, double longest);
 
   /**
-   * Move a point with all its ridges into a neighbor, which has to stay then: if all new cells
-   * have a shape above `wanted`, each piece looks where it did, and no label loses its last piece.
+   * Contract a point with all its ridges into a neighbor, which then has to stay. All new cells
+   * must have a shape above `wanted`, each piece must keep its orientation, and no label may lose
+   * its last piece.
    */
   bool ContractStep(Id point, Id target, double wanted);
 
-  /** Move a point into the first of its neighbors where that can be done. */
+  /** Contract a point into the first of its neighbors for which this is possible. */
   bool Remove(Id point, double wanted, double longest);
 
 private:
@@ -44,9 +45,9 @@ private:
   {
     std::vector<Id> Cells;
     std::vector<Id> Points;
-    std::vector<Edge> Edges;      ///< across from it in faces
-    std::vector<Id> FacetPoints;  ///< at the other ends of edges of facets
-    std::vector<Edge> FacetEdges; ///< across from it in pieces of facets
+    std::vector<Edge> Edges;      ///< opposite faces
+    std::vector<Id> FacetPoints;  ///< other ends of edges of facets
+    std::vector<Edge> FacetEdges; ///< opposite edges in pieces of facets
   };
   void Look(Id point, Around& around) const;
   bool KeepsTopology(Id point, Id target);
@@ -65,6 +66,6 @@ private:
   CellExchange Exchange;
   std::vector<SurfacePiece> Gone;
   std::vector<SurfacePiece> Fresh;
-  std::vector<SurfacePiece> Moved; ///< those of the gone ones that the fresh ones were
+  std::vector<SurfacePiece> Moved; ///< for each fresh piece, the gone one that it comes from
 };
 } // namespace insideout

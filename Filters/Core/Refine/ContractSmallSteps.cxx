@@ -17,19 +17,21 @@ namespace insideout
 {
 namespace
 {
-/** Of the longest edge of a triangle: a longer edge of it does not make it a needle. */
+/**
+ * Relative to the longest edge of a triangle: an edge longer than this does not make it a needle.
+ */
 constexpr double LargestShare = 0.1;
 
-/** One contraction may make room for another. */
+/** Limit of rounds: one contraction may make room for another. */
 constexpr int MostRounds = 10;
 
-/** Of the worst cell at a point that goes: the shape that cells are to have after it. */
+/** Required shape of new cells, relative to the worst cell at the removed point. */
 constexpr double LeastShare = 0.5;
 
-/** Cells with such an angle, in degrees, may be in the way. */
+/** Cells with an angle below this, in degrees, may obstruct contractions. */
 constexpr double FlatAngle = 3;
 
-/** An edge of the surface that may go. */
+/** An edge of the surface that may be contracted. */
 struct Step
 {
   double Length;
@@ -42,7 +44,7 @@ struct Step
   bool operator==(const Step& other) const { return this->Ends == other.Ends; }
 };
 
-/** The shortest first. */
+/** Shortest first. */
 std::vector<Step> FindSteps(const RefinableMesh& mesh, double tolerance)
 {
   std::vector<Step> steps;
@@ -86,7 +88,7 @@ public:
   {
   }
 
-  /** Move a point into the next one, if both are there and it can be done. */
+  /** Contract an edge, if both ends still exist and it is possible. */
   bool Contract(Id point, Id target)
   {
     if (this->Mesh.CellAt(point) == None || this->Mesh.CellAt(target) == None)
@@ -97,8 +99,7 @@ public:
     return this->OnSurface.ContractStep(point, target, wanted);
   }
 
-  /** Cells between nearly coplanar points are in the way of any move: take others in their place.
-   */
+  /** Cells between nearly coplanar points obstruct any move: replace them. */
   bool MakeRoom(Id point)
   {
     if (this->Mesh.CellAt(point) == None)

@@ -9,10 +9,10 @@
 namespace insideout
 {
 /**
- * Contract the edges of a surface that are shorter than a tolerance, and far shorter than the
- * triangles beside them, with the ridges that they part: a step of a millionth, as CAD leaves it,
- * would else have to stay, and ask for triangles as small as itself all along. The points that
- * others went into are Fixed after it: ridges are to be found anew.
+ * Contract the edges of a surface that are shorter than a tolerance and far shorter than the
+ * adjacent triangles, together with the ridges that they separate. Otherwise a step of a millionth,
+ * as CAD produces, would stay and require triangles as small as itself along its whole length. The
+ * points that others were contracted into are Fixed afterwards: ridges have to be found anew.
  *
  * @throws Error Stopped
  */

@@ -19,48 +19,49 @@ namespace insideout
 namespace
 {
 /**
- * Of the length that edges are to have there: the largest radius of a circumsphere, that of a
- * regular cell being 0.61, and how near another point may be. Edges come out near that length then
- * at the median; where the second is as large as the first, gaps beside facets stay open.
+ * Relative to the required edge length: the largest circumradius (0.61 for a regular cell), and the
+ * least distance to another point. The median edge is then near that length. If the second were as
+ * large as the first, gaps beside facets would remain.
  */
 constexpr double LargestRadius = 0.8;
 constexpr double LeastSpacing = 0.7;
 
 /**
- * Of the shortest edge of a cell: radii may be this large (Shewchuk 1998). Beside short edges of a
- * surface cells are small then, also where lengths that are means of short and long edges are not.
+ * Limit of the circumradius relative to a cell's shortest edge (Shewchuk 1998). It makes cells
+ * beside short edges of a surface small, even where the required length, a mean of short and long
+ * edges, is not.
  */
 constexpr double LargestRadiusEdgeRatio = 2;
 
-/** Larger cavities would be of places far from the cell that is to go. */
+/** Larger cavities are refused: their places are far from the cell to be removed. */
 constexpr std::size_t LargestCavity = 2000;
 
-/** Of the length, where edges are shorter: beside two points that are all but one there would be
- * points without number. */
+/** Least distance to other points, relative to the length, beside shorter edges: beside two nearly
+ * coincident points the number of points would be unbounded. */
 constexpr double LeastSpacingBesideShort = 0.01;
 
-/** Per point that is there, so many are inserted for radii of thin cells at most: only a budget. */
+/** Limit of points inserted for radii of thin cells, per existing point: a budget. */
 constexpr std::size_t MostBesideShort = 4;
 
 /**
- * Where one length is asked for, the surface is remeshed to it, and its edges are not shorter than
- * this part of it, points lie on a body-centerd cubic lattice: its cells are congruent, and their
- * edges are as long as the side of a cube and 0.87 of it.
+ * The body-centered cubic lattice is used if one length is wanted, the surface is remeshed to it,
+ * and its edges are at least this fraction of it. Its cells are congruent; their edges are 1 and
+ * 0.87 times the side of a cube.
  */
 constexpr double LeastUniformShare = 0.8;
 
-/** Shares of the length: the side of the lattice's cubes, the largest radius of a circumsphere
- * beside the lattice, and how near a point of it may be to others. Most edges are longer than the
- * length then: cells of a mesh whose median edge is as long are 1.6 times as many as gmsh makes. */
+/** Relative to the length: the side of the lattice's cubes, the largest circumradius next to the
+ * lattice, and the least distance of a lattice point to others. Most edges are then longer than the
+ * length: a mesh with that median length has 1.6 times as many cells as gmsh's. */
 constexpr double LatticeSide = 1.36;
 constexpr double LargestUniformRadius = 0.86;
 constexpr double LeastLatticeSpacing = 0.75;
 
-/** The lattice's cells have this share of the largest volume, so that rounding makes none larger.
- */
+/** The volume of the lattice's cells relative to the largest volume, so that rounding makes none
+ * larger. */
 constexpr double ShareOfVolume = 0.99;
 
-/** Points nearer to another than this part of the length are taken out. */
+/** Points closer to another than this fraction of the length are removed. */
 constexpr double CrowdedSpacing = 0.5;
 
 double ShortestEdgeOf(const std::array<Point, 4>& c)
@@ -87,7 +88,7 @@ double NearestNeighbor(const RefinableMesh& mesh, Id point, std::vector<Id>& sta
   return nearest;
 }
 
-/** A cell to look at, and its version, by which one knows whether it is still there. */
+/** A cell to check, with its version, which tells whether it still exists. */
 struct Candidate
 {
   Id Cell;
@@ -110,7 +111,7 @@ public:
     {
       this->Side = std::min(this->Side, std::cbrt(12 * ShareOfVolume * maximumVolume));
     }
-    // Beside the middle, where points of the input may be.
+    // Off-center, because points of the input may be at the center.
     this->Origin = Midpoint(box.Low, box.High);
     for (int k = 0; k < 3 && this->HasLattice(); ++k)
     {
@@ -118,7 +119,7 @@ public:
     }
   }
 
-  /** Insert points of the lattice where one length is wanted. */
+  /** Insert lattice points where one length is wanted. */
   void FillWithLattice(Monitor& monitor, const ProgressRange& progress)
   {
     if (this->HasLattice())
@@ -137,12 +138,12 @@ private:
   template <class Insert>
   void Run(const Insert& insert, Monitor& monitor, const ProgressRange& progress)
   {
-    std::deque<Candidate> queue; // what was looked at goes: there are far more than cells
+    std::deque<Candidate> queue; // drop checked cells: they far outnumber the cells of the mesh
     for (Id cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
     {
       queue.push_back({ cell, this->Mesh.Cell(cell).Version });
     }
-    // Each cell that there will be is looked at some times.
+    // Each resulting cell is checked several times.
     const LoopProgress looked(monitor, progress,
       static_cast<std::size_t>(2 * this->Sizes.EstimatedCells()) + 2 * queue.size());
     for (std::size_t turn = 0; !queue.empty(); ++turn)
@@ -199,7 +200,7 @@ private:
     return true;
   }
 
-  /** Insert the place that was located, unless another point is near. */
+  /** Insert the located place, unless another point is near. */
   bool InsertApart(const Point& place, double size, double spacing)
   {
     if (this->Insertion.SquaredDistanceToHolder() < spacing * spacing ||
@@ -215,7 +216,7 @@ private:
 
   bool HasLattice() const { return this->Side < std::numeric_limits<double>::infinity(); }
 
-  /** Whether a length is the one that is asked for everywhere, or nearly. */
+  /** Whether a length is (nearly) the one wanted everywhere. */
   bool IsUniform(double size) const
   {
     return this->HasLattice() && size >= LeastUniformShare * this->Sizes.Most();
@@ -245,7 +246,7 @@ private:
       6 * this->MaximumVolume;
   }
 
-  /** The nearest point of the lattice: a corner of a cube, or its middle. */
+  /** The nearest lattice point: a corner or the center of a cube. */
   Point SiteNear(const Point& place) const
   {
     Point corner;
@@ -263,7 +264,7 @@ private:
   SizingField& Sizes;
   const double MaximumVolume; ///< of a cell; 0: any
   PointInsertion Insertion;
-  std::size_t Budget; ///< of points for thin cells
+  std::size_t Budget; ///< points left for thin cells
   double Side;
   Point Origin;
 };

@@ -8,17 +8,14 @@
 
 namespace insideout
 {
-/** Take points that are on no facet out where they are much closer to others than edges are to be.
- */
+/** Remove points on no facet that are much closer to others than the wanted edge length. */
 void ThinPoints(RefinableMesh& mesh);
 
 /**
- * Delaunay refinement by lengths. Where one length is asked for, and the surface is remeshed to it,
- * insert points of a lattice. Then
- * insert the circumcenter of each cell whose circumsphere is too large for the lengths there,
- * unless a facet is between or other points are close.
- *
- * @throws Error Stopped
+ * Delaunay refinement by lengths. If one length is wanted and the surface is remeshed to it, insert
+ * lattice points first. Then insert the circumcenter of each cell whose circumsphere is too large
+ * for the lengths there, unless a facet is between or other points are close. // @throws Error
+ * Stopped
  */
 void FillWithPoints(RefinableMesh& mesh, SizingField& sizes, double maximumVolume,
   SurfaceTreatment surface, Monitor& monitor, const ProgressRange& progress);

@@ -18,44 +18,43 @@ namespace insideout
 {
 namespace
 {
-/** Degrees. Cells with all dihedral angles above this, and below 180 less it, are left as they are:
- * with more, most of the time goes into what is good. */
+/** Degrees. Cells with all dihedral angles between this and 180 minus this are left alone: a higher
+ * value spends most of the time on good cells. */
 constexpr double GoodAngle = 22;
 
-/** Where the surface is remeshed less is in the way, so that cells do get so good. Points move far
- * for it: where lengths are asked for these come first. */
+/** The same where the surface is remeshed and obstructs less. Points move far for such angles, so
+ * lengths that are wanted take precedence. */
 constexpr double GoodAngleWhereRemeshed = 30;
 
-/** Where an angle is below this, a point more may help. */
+/** Cells with an angle below this, in degrees, may be improved by an additional point. */
 constexpr double AngleForPoint = 20;
 
-/** Later passes find little. Long edges of flat cells have gone by the first one before which
- * others are cut. */
+/** Later passes gain little. From the second value on, long edges of flat cells are split; the
+ * passes before have removed most of them. */
 constexpr int Passes = 4;
 constexpr int FirstPassOfLongEdges = 2;
 
-/** What gets better by less is left, so that changes come to an end; a point more costs cells. */
+/** Least relative gains, so that improvement terminates; an additional point costs cells. */
 constexpr double LeastGain = 1.0001;
 constexpr double LeastGainByPoint = 1.2;
 
-/** Of cells in whose place a point may come: where they are flat there are hundreds, and then the
- * cells around the point are hardly ever better. */
+/** Limit of cells that an additional point replaces. In flat regions there are hundreds, and the
+ * new cells are hardly ever better. */
 constexpr std::size_t LargestCavity = 25;
 
-/** How long, of the lengths wanted, edges may get for a point less. */
+/** Limit of an edge's length, relative to the wanted one, when a point is removed. */
 constexpr double LongestEdge = 1.8;
 
-/** Degrees. Edges within the solid that are longer yet get a point amid them where the surface is
- * remeshed to lengths that are asked for, unless a cell gets a smaller angle than this and than
- * there was. */
+/** Degrees. Interior edges that are still too long get a midpoint if the surface is remeshed to
+ * wanted lengths, unless a cell gets an angle smaller than this and than the old ones. */
 constexpr double AngleAmidLongEdge = 10;
 constexpr std::size_t LargestCavityAmidLongEdge = 100;
 
-/** Per point, when something was tried there last, in changes of the mesh. */
+/** Per point, the time of the last attempt, counted in changes of the mesh. */
 class Tries
 {
 public:
-  /** Whether what is around the point has changed since this was asked last. */
+  /** Whether the surroundings of the point have changed since the last call. */
   bool IsNew(const RefinableMesh& mesh, Id point)
   {
     this->At.resize(mesh.Points.size(), None);
@@ -86,7 +85,7 @@ public:
   {
   }
 
-  /** The cells that are not good, the worst first, where anything has changed since then. */
+  /** The cells that are not good and whose surroundings changed, worst first. */
   std::vector<std::pair<double, Id>> BadCells(std::int64_t since) const
   {
     std::vector<std::pair<double, Id>> cells;
@@ -105,7 +104,7 @@ public:
     return cells;
   }
 
-  /** @param[in] mayAdd whether by a point more, too */
+  /** @param[in] mayAdd whether points may be added, too */
   void Improve(Id cell, bool mayAdd)
   {
     if (this->Mesh.IsDead(cell) || this->ShapeOfCell(cell) >= this->Good ||
@@ -120,8 +119,8 @@ public:
     }
   }
 
-  /** Put points amid edges within the solid that are far too long, where lengths are asked for and
-   * the surface has them, too. */
+  /** Split interior edges that are far too long, if lengths are wanted and the surface has them,
+   * too. */
   void CutLongEdges()
   {
     const Id count = this->IsRemeshed && this->Sizes.IsAskedFor() ? this->Mesh.NumberOfCells() : 0;

@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** A walk crosses some tens of cells; one that goes round and round ends. */
+/** A walk crosses some tens of cells; this limit ends cycles. */
 constexpr int MostSteps = 2000;
 } // namespace
 

@@ -7,8 +7,8 @@
 namespace insideout
 {
 /**
- * Inserts a point in the cells whose circumsphere holds it (Bowyer 1981, Watson 1981), but never
- * across a facet, and only in cells whose faces it sees, exactly.
+ * Inserts a point into the cells whose circumsphere contains it (Bowyer 1981, Watson 1981), but
+ * never across a facet, and only into cells whose faces it sees, exactly.
  */
 class PointInsertion
 {
@@ -19,40 +19,40 @@ public:
   {
   }
 
-  /** Look for a place from a cell on. @return false where a facet is between */
+  /** Locate a place, walking from a cell. @return false if a facet is between */
   bool Locate(Id cell, const Point& place);
 
-  /** The square of how far the place is from the nearest corner of the cell that holds it: no more
-   * than SquaredSpacing will be. */
+  /** The squared distance of the place to the nearest corner of its cell: an upper bound of
+   * SquaredSpacing. */
   double SquaredDistanceToHolder() const;
 
   /**
-   * Look for the cells that the place located would replace.
-   * @param[in] most cells that it replaces, those nearest to it: circumspheres of flat cells hold
-   *   hundreds of others
-   * @return false where it cannot be inserted
+   * Find the cells that the located place would replace.
+   * @param[in] most limit of replaced cells, nearest first: circumspheres of flat cells contain
+   * hundreds of points
+   * @return false if it cannot be inserted
    */
   bool FindCavity(std::size_t most);
 
-  /** Both. */
+  /** Locate and find cells. */
   bool Find(Id cell, const Point& place, std::size_t most)
   {
     return this->Locate(cell, place) && this->FindCavity(most);
   }
 
-  /** The cell that the place found lies in or on. */
+  /** The cell that contains the located place. */
   Id Holder() const { return this->Holding; }
 
-  /** The square of how far the nearest corner of the cells to be replaced is. */
+  /** The squared distance to the nearest corner of the cells to be replaced. */
   double SquaredSpacing() const { return this->Hole.SquaredSpacing(); }
 
   /** The worst shape (ShapeOf) of the cells to be replaced. */
   double WorstShapeBefore() const { return WorstShapeOf(this->Mesh, this->Hole.Cells()); }
 
-  /** Move the place found to where the new cells would be better. @return their worst shape */
+  /** Move the located place to improve the new cells. @return their worst shape */
   double OptimizePlace();
 
-  /** Insert the place found. @return the point */
+  /** Insert the located place. @return the point */
   Id Insert(double size);
 
 private:

@@ -11,10 +11,10 @@ namespace insideout
 {
 namespace
 {
-/** A walk that is longer goes round and round. */
+/** A longer walk is cyclic. */
 constexpr int MostSteps = 1000;
 
-/** A walk takes so many nanoseconds, and a search in a tree as well. */
+/** Nanoseconds per walk, and per search in a tree. */
 constexpr double CostOfWalk = 1000;
 
 Box BoxOf(const std::vector<Point>& points, const Tetrahedron& cell)
@@ -31,7 +31,7 @@ Box BoxOf(const std::vector<Point>& points, const Tetrahedron& cell)
   return box;
 }
 
-/** Whether a place is beyond a face, seen from its cell. */
+/** Whether a place is beyond a face of a cell. */
 bool IsBeyond(
   const std::vector<Point>& points, const Tetrahedron& cell, int face, const Point& place)
 {
@@ -52,7 +52,7 @@ bool CellLocator::Holds(Id cell, const Point& place) const
   return true;
 }
 
-/** @return false where the walk met the boundary; the cell is the last one then */
+/** @return false if the walk met the boundary; the cell is then the last one */
 bool CellLocator::Walk(const Point& place, Id& cell) const
 {
   for (int step = 0; step < MostSteps; ++step)
@@ -88,7 +88,7 @@ void CellLocator::Locate(const std::vector<Point>& places, std::vector<Id>& cell
   {
     return;
   }
-  // The solid is not convex: what is between may be outside it.
+  // The solid is not convex: the way to the place may leave it.
   std::vector<Box> boxes;
   boxes.reserve(this->Mesh.Cells.size());
   for (const Tetrahedron& cell : this->Mesh.Cells)

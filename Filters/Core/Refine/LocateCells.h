@@ -8,19 +8,19 @@
 
 namespace insideout
 {
-/** Finds the cells of a mesh that hold places, by exact predicates. */
+/** Locates places in the cells of a mesh, by exact predicates. */
 class CellLocator
 {
 public:
-  /** @param[in] mesh has to live as long */
+  /** @param[in] mesh has to outlive this object */
   explicit CellLocator(const TetrahedralMesh& mesh)
     : Mesh(mesh)
   {
   }
 
   /**
-   * @param[in,out] cells per place one to begin with; then the one that holds it. A place that
-   *   rounding put outside all cells gets one near it.
+   * @param[in,out] cells per place a cell to start from, replaced by the cell that contains the
+   * place, or a near one if rounding put the place outside all cells
    * @throws Error Stopped
    */
   void Locate(const std::vector<Point>& places, std::vector<Id>& cells, Monitor& monitor,

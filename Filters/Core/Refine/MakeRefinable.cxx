@@ -14,7 +14,7 @@ namespace insideout
 {
 namespace
 {
-/** What makes a label: the regions on both sides, and the label that was given. */
+/** The definition of a label: the regions on both sides, and the given label. */
 using LabelKey = std::array<Id, 3>;
 
 /** Whether a face has a cell that sees it from the same side as its neighbor does. */

@@ -16,8 +16,8 @@ void CheckCells(const TetrahedralMesh& mesh);
  * The faces on the boundary and between regions, in the order of their first cells.
  *
  * @param[in] regions one per cell; empty: all are one
- * @param[in] labels per face of each cell; empty: all are one. A facet's own label tells those and
- *   the regions on its two sides apart.
+ * @param[in] labels per face of each cell; empty: all are one. A facet's label depends on the given
+ * one and on the regions on its two sides.
  */
 std::vector<FacetOfInput> FacetsOf(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const std::vector<std::array<Id, 4>>& labels);

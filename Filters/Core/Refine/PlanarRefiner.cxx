@@ -17,39 +17,45 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/** Of the length that edges are to have there: the largest radius, that of a regular triangle being
- * 0.58, and the longest constraint. */
+/** Relative to the required edge length: the largest circumradius (0.58 for a regular triangle),
+ * and the longest constraint. */
 constexpr double LargestRadius = 0.7;
 constexpr double LongestConstraint = 4.0 / 3;
 
-/** The square of the largest radius over the shortest edge, for which Ruppert's proof holds; and
- * the angle below which no triangle is then, in degrees. */
+/** The square of the largest ratio of circumradius to shortest edge for which Ruppert's proof
+ * holds, and the resulting least angle, in degrees. */
 constexpr double LargestSquaredRatio = 2;
 constexpr double GoodAngle = 20.7;
 
-/** Corners of the curve below the first angle get shells. Below the second all triangles between
- * shells stay thin: good ones are as small as the corner is sharp, some hundred for each power of
- * two in length. */
+/** Corners of the curve below the first angle, in degrees, get shells. Below the second all
+ * triangles between shells stay thin: good ones would be as small as the corner is sharp, some
+ * hundred for each power of two in length. */
 constexpr double SharpCorner = 60;
 constexpr double SharpestCorner = 0.5;
 
-/** Two cuts are on one shell whose distances from the corner differ by less, as a part. */
+/**
+ * Two cuts are on one shell if their distances from the corner differ by less than this,
+ * relatively.
+ */
 constexpr double SameShell = 1e-6;
 
-/** Kept: how near other points may be, of the length there, and constraints, of that. */
+/**
+ * Kept: least distance to other points relative to the length, and to constraints relative to the
+ * former.
+ */
 constexpr double LeastSpacing = 0.7;
 constexpr double LeastHeight = 0.5;
 
-/** Kept: beside a long constraint either small triangles are flat or large ones stay. Edge lengths
- * that are asked for make none that is flatter than this, in degrees. */
+/** Kept: beside a long constraint either small triangles are flat or large ones stay. Wanted edge
+ * lengths make no triangle with an angle below this, in degrees. */
 constexpr double LeastAngleForLength = 10;
 
-/** Kept: triangles are told of whose edges are so many times longer than asked for. */
+/** Kept: triangles with edges this many times longer than wanted are counted and warned about. */
 constexpr double TooLong = 1.5;
 
-/** Points that there may be, per point of the input and per cell that sizes ask for: only against
- * two curves side by side, whose gap would be filled with triangles as small as it. Long edges come
- * first, so that what is left is small. */
+/** Limits of points, per input point and per cell that sizes require. They guard against two curves
+ * side by side, whose gap would be filled with triangles as small as it. Long edges come first, so
+ * that only small ones remain. */
 constexpr double PointsPerPoint = 400;
 constexpr double PointsPerCell = 4;
 
@@ -107,7 +113,7 @@ Id PlanarRefiner::InputEdge(Id source) const
   return std::min(source, 3 * beyond + k);
 }
 
-/** As long as the constraints at a point are at the mean, growing from there (Dijkstra 1959). */
+/** The mean length of the constraints at each point, growing from there (Dijkstra 1959). */
 void PlanarRefiner::FindSizes()
 {
   std::vector<double> sums(this->Mesh.Points().size(), 0);
@@ -154,7 +160,7 @@ void PlanarRefiner::FindSizes()
   }
 }
 
-/** Where two constraints make a sharp angle, on whichever side. */
+/** Points at which two constraints make a sharp angle, on either side. */
 void PlanarRefiner::FindSharpCorners()
 {
   std::vector<std::vector<double>> directions(this->Mesh.Points().size());
@@ -218,7 +224,7 @@ double PlanarRefiner::EstimatedCells() const
   return cells;
 }
 
-/** A triangle and its constraints are to be looked at. */
+/** Queue a triangle and its constraints. */
 void PlanarRefiner::Push(Id cell)
 {
   const RefinableTriangles::Cell& here = this->Mesh.Cells()[cell];
@@ -244,7 +250,7 @@ void PlanarRefiner::PushChanged()
   }
 }
 
-/** Whether a place is within the circle around a segment. */
+/** Whether a place is within the diametral circle of a segment. */
 bool PlanarRefiner::IsEncroached(const Segment& ends, const PlanarPoint& place) const
 {
   const PlanarPoint &a = this->Mesh.Points()[ends[0]], &b = this->Mesh.Points()[ends[1]];
@@ -253,9 +259,9 @@ bool PlanarRefiner::IsEncroached(const Segment& ends, const PlanarPoint& place) 
   return u[0] * v[0] + u[1] * v[1] < 0;
 }
 
-/** Whether a point may come to a place within a cell where constraints stay: all points that it
- * sees are so far away, constraints are not much nearer, and no triangle around it would be thinner
- * than the angle, unless one that it takes the place of is. */
+/** Whether a point may be inserted at a place within a cell where constraints stay: all points that
+ * it sees are far enough away, constraints are not much nearer, and no new triangle is thinner than
+ * the angle, unless a replaced one is. */
 bool PlanarRefiner::IsRoomy(
   Id cell, const PlanarPoint& place, double spacing, double leastAngle) const
 {
@@ -282,9 +288,9 @@ bool PlanarRefiner::IsRoomy(
     });
 }
 
-/** Whether two corners of a triangle cut constraints with a sharp corner between them, on one
- * shell, and the third is that corner, or it is sharper than triangles beside it can be good: then
- * the edge between the two is short for that corner, and no point is to help. */
+/** Whether two corners of a triangle cut constraints at a sharp corner, on one shell, and the third
+ * is that corner, or the corner is too sharp for good triangles beside it. The edge between the two
+ * is then short because of that corner, and no point is inserted. */
 bool PlanarRefiner::IsAcrossSharpCorner(Id u, Id v, const Triangle& corners) const
 {
   const Id first = this->InputEdges[u], second = this->InputEdges[v];
@@ -306,7 +312,9 @@ bool PlanarRefiner::IsAcrossSharpCorner(Id u, Id v, const Triangle& corners) con
   return false;
 }
 
-/** @param[in] leastHalf a constraint stays whose half is shorter. @return whether it was split */
+/**
+ * @param[in] leastHalf constraints with a shorter half are not split. @return whether it was split
+ */
 bool PlanarRefiner::SplitConstraint(const Place& edge, double leastHalf)
 {
   Segment ends = this->EndsOf(edge);
@@ -315,7 +323,7 @@ bool PlanarRefiner::SplitConstraint(const Place& edge, double leastHalf)
   double part = 0.5;
   if (this->IsSharp(ends[0]) != this->IsSharp(ends[1]))
   {
-    // A power of two that leaves a third at least.
+    // A power of two that leaves at least a third.
     const double shell = std::exp2(std::floor(std::log2(length * 2 / 3))) / length;
     part = this->IsSharp(ends[0]) ? shell : 1 - shell;
   }
@@ -350,7 +358,9 @@ void PlanarRefiner::LookAtConstraint(const Task& task)
   }
 }
 
-/** Split what a new point would be too near to. @return whether something was split */
+/**
+ * Split the constraints that a new point would be too near to. @return whether something was split
+ */
 bool PlanarRefiner::MakeWay(
   const Place& at, const PlanarPoint& center, double leastHalf, bool& isBlocked)
 {
@@ -371,7 +381,7 @@ bool PlanarRefiner::MakeWay(
     }
   }
   isBlocked = !blocking.empty();
-  // One after the other: a split changes the cells around it.
+  // One by one: a split changes the cells around it.
   return std::any_of(blocking.begin(), blocking.end(),
     [&](const Place& edge) { return this->SplitConstraint(edge, leastHalf); });
 }
@@ -381,7 +391,7 @@ void PlanarRefiner::LookAtTriangle(const Task& task)
   const auto [a, b, c] = this->Mesh.Cells()[task.At.Cell].Corners;
   const auto& points = this->Mesh.Points();
   const PlanarMetric& metric = this->Mesh.Metric();
-  // The center from c, in perpendicular coordinates.
+  // The center relative to c, in orthonormal coordinates.
   const PlanarPoint u = metric.Map({ points[a][0] - points[c][0], points[a][1] - points[c][1] });
   const PlanarPoint v = metric.Map({ points[b][0] - points[c][0], points[b][1] - points[c][1] });
   const double twice = 2 * (u[0] * v[1] - u[1] * v[0]);
@@ -429,7 +439,7 @@ void PlanarRefiner::LookAtTriangle(const Task& task)
   }
   const Place at = this->Mesh.Locate(task.At.Cell, center);
   bool isBlocked = at.Cell == None;
-  // For a thin triangle no constraint is halved into pieces shorter than its shortest edge.
+  // For a thin triangle no constraint is split into halves shorter than its shortest edge.
   if (!isBlocked && this->MakeWay(at, center, isLarge ? 0 : least, isBlocked) &&
     this->Mesh.Cells()[task.At.Cell].Version == task.Version)
   {
@@ -494,7 +504,7 @@ Id PlanarRefiner::CountLargeCells() const
     }));
 }
 
-/** Of a length that is asked for. */
+/** Relative to a wanted length. */
 Id PlanarRefiner::CountLongCells() const
 {
   return static_cast<Id>(std::count_if(this->Mesh.Cells().begin(), this->Mesh.Cells().end(),

@@ -15,9 +15,9 @@
 namespace insideout
 {
 /**
- * Ruppert's Delaunay refinement (1995) of the triangles that are inside a curve: what is too large
- * or too thin gets a point, the longest first, as RefineTriangles says. Constraints are the
- * boundary and all segments at inside cells.
+ * Ruppert's Delaunay refinement (1995) of the triangles inside a curve: too large or too thin
+ * triangles get a point, the longest first (see RefineTriangles). Constraints are the boundary and
+ * all segments at inside cells.
  */
 class PlanarRefiner
 {
@@ -31,16 +31,16 @@ public:
 
   const RefinableTriangles& Result() const { return this->Mesh; }
 
-  /** How many triangles are larger than the largest area that is asked for. */
+  /** Number of triangles larger than the wanted largest area. */
   Id CountLargeCells() const;
 
-  /** How many have an edge much longer than the length that is asked for. */
+  /** Number of triangles with an edge much longer than wanted. */
   Id CountLongCells() const;
 
-  /** Whether it ended only for its budget of points. */
+  /** Whether only its budget of points ended it. */
   bool RanOut() const { return this->HasRunOut; }
 
-  /** How many points it put on constraints. */
+  /** Number of points inserted on constraints. */
   Id SurfacePoints() const
   {
     return static_cast<Id>(std::count_if(
@@ -50,10 +50,10 @@ public:
 private:
   using Place = RefinableTriangles::Place;
 
-  /** One thing to look at: a triangle, or one of its constraints. */
+  /** A triangle, or one of its constraints, to check. */
   struct Task
   {
-    double Length; ///< the longest come first
+    double Length; ///< longest first
     Place At;
     Id Version;
     bool operator<(const Task& other) const
@@ -98,12 +98,12 @@ private:
   const RefinementParameters& Parameters;
   Monitor& Watch;
   const bool IsSplit;
-  const double EdgeLength; ///< that is asked for, 0 for none
+  const double EdgeLength; ///< wanted area, 0 for none
   const double MostArea;
-  double Most;                ///< that edges may be long
-  std::vector<double> Sizes;  ///< per point, how long edges are to be there
+  double Most;                ///< limit of edge lengths
+  std::vector<double> Sizes;  ///< per point, the required edge length there
   std::vector<char> Sharp;    ///< per point of the input
-  std::vector<Id> InputEdges; ///< per point, the constraint of the input that it cuts
+  std::vector<Id> InputEdges; ///< per point, the constraint of the input that it splits
   std::priority_queue<Task> Tasks;
   bool HasRunOut = false;
 };

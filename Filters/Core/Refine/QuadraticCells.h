@@ -7,19 +7,19 @@
 
 namespace insideout
 {
-/** Four corners, and the points amid the edges 01, 12, 20, 03, 13 and 23, as vtkQuadraticTetra. */
+/** Four corners, and the mid-edge nodes of 01, 12, 20, 03, 13 and 23, as in vtkQuadraticTetra. */
 using QuadraticTetrahedron = std::array<Id, 10>;
 
-/** Cells of second order, of which neighbors share the points amid their edges. */
+/** Cells of second order; neighbors share their mid-edge nodes. */
 struct QuadraticCells
 {
   std::vector<QuadraticTetrahedron> Cells;
 
-  /** Per point that is amid an edge, in the order of their ids, which follow the corners': whose.
-   * They ascend. */
+  /** The edge of each mid-edge node, in the order of their ids, which follow the corners'.
+   * Ascending. */
   std::vector<Edge> Edges;
 };
 
-/** @throws Error TooLarge when there would be more points than can be counted */
+/** @throws Error TooLarge if there would be more points than can be counted */
 QuadraticCells MakeQuadraticCells(Id numberOfPoints, const std::vector<Tetrahedron>& cells);
 } // namespace insideout

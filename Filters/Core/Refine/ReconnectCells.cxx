@@ -11,10 +11,13 @@ namespace insideout
 {
 namespace
 {
-/** All triangulations of longer rings take long, and hardly one of them is better. */
+/**
+ * Limit of the ring's length: all triangulations of longer rings take long, and hardly any
+ * improves.
+ */
 constexpr int LongestRing = 9;
 
-/** What gets better by less is left, so that changes come to an end. */
+/** Least relative gain, so that improvement terminates. */
 constexpr double LeastGain = 1.0001;
 
 /** The worst shape of the cells of a triangulation of a ring. */
@@ -50,8 +53,8 @@ bool Reconnection::ArePositive() const
     [this](const Tetrahedron& cell) { return Orient3D(this->Mesh.Points, cell) > 0; });
 }
 
-/** Whether the faces of a cell that hold not both ends of the edge lead to others of its region:
- * where it is the only one at the edge it may go then, without another in its place. */
+/** Whether the faces of a cell that do not contain both ends of the edge lead to cells of its
+ * region. If it is the only cell at the edge, it may then be removed without replacement. */
 bool Reconnection::HasCellsBehind(Id cell) const
 {
   const RefinableCell& here = this->Mesh.Cell(cell);
@@ -66,7 +69,9 @@ bool Reconnection::HasCellsBehind(Id cell) const
   return true;
 }
 
-/** Whether the two pieces at an edge of the boundary may be others, and which (FreshPieces). */
+/**
+ * Whether the two pieces at an edge of the boundary may be replaced, and by which (FreshPieces).
+ */
 bool Reconnection::TurnDiagonal()
 {
   const EdgeRing& ring = this->Around;
@@ -77,7 +82,7 @@ bool Reconnection::TurnDiagonal()
     const Triangle corners = { { a, b, c } };
     return SurfacePiece{ corners, CornersOf(this->Mesh.Points, corners), facet };
   };
-  // Counter-clockwise seen from within, where the cells are (U, V, first, second).
+  // Counter-clockwise seen from within, from the cells (U, V, first, second).
   this->GonePieces = { piece(ring.U, ring.V, first, ring.EndFacets[0]),
     piece(ring.V, ring.U, last, ring.EndFacets[1]) };
   this->FreshPieces = { piece(first, last, ring.V, ring.EndFacets[0]),

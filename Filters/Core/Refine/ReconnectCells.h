@@ -10,12 +10,11 @@
 namespace insideout
 {
 /**
- * Other cells between the same points: an edge removed with the cells around it, by the best of all
+ * Local reconnection: an edge is removed with the cells around it, by the best of all
  * triangulations of its ring (Klincsek 1980; Shewchuk 2002, Two Discrete Optimization Algorithms
- * for the Topological Improvement of Tetrahedral Meshes), or a face removed for an edge across it.
- * Each does so only where the worst shape (ShapeOf) gets better, and leaves the mesh as it is else.
- * An edge of the boundary between two pieces is removed for the other diagonal of the two, where
- * the surface allows it.
+ * for the Topological Improvement of Tetrahedral Meshes), or a face is replaced by an edge across
+ * it. Each changes the mesh only if the worst shape (ShapeOf) improves. An edge of the boundary
+ * between two pieces is flipped to the other diagonal, if the surface allows it.
  */
 class Reconnection
 {
@@ -29,12 +28,12 @@ public:
 
   bool RemoveEdge(Id u, Id v, Id cell);
 
-  /** The same where the new cells are to be better than `wanted`, at least 0, or half as good as
-   * the old ones. */
+  /** The same, if the new cells' shapes are above `wanted`, at least 0, or half as good as the old
+   * ones'. */
   bool RemoveEdgeUnlessWorse(Id u, Id v, Id cell, double wanted);
   bool RemoveFace(Id cell, int face);
 
-  /** The first of these that can be done at the six edges and four faces of a cell. */
+  /** The first of these that is possible at the six edges and four faces of a cell. */
   bool ImproveCell(Id cell);
 
 private:

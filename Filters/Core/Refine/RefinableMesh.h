@@ -13,14 +13,14 @@ struct SolidPolicy
   {
     Id Region;
     Id Parent;  ///< a cell of the input near it
-    Id Version; ///< how often a cell of this id has been replaced
+    Id Version; ///< number of times that a cell of this id has been replaced
   };
   static constexpr bool HasBoundary = true;
 };
 
 using RefinableCell = MeshCell<SolidPolicy::Content>;
 
-/** Where a point may go. */
+/** The freedom of a point. */
 enum class PointKind : char
 {
   Free,    ///< anywhere in the solid
@@ -29,33 +29,33 @@ enum class PointKind : char
   Fixed    ///< nowhere
 };
 
-/** Cells to be, and those that they are put in place of; both fill the same space. */
+/** New cells, and those that they replace; both fill the same space. */
 struct CellExchange
 {
   std::vector<Id> Old;
   std::vector<Tetrahedron> Fresh;
-  std::vector<Id> Models; ///< per fresh cell the old one that it is in the region of
+  std::vector<Id> Models; ///< per fresh cell, the old one whose region it inherits
 
-  std::vector<Triangle> Gone;     ///< pieces of facets around the old cells that go, sorted
-  std::vector<FreshFacet> Facets; ///< in place of those
+  std::vector<Triangle> Gone;     ///< pieces of facets of the old cells that are removed, sorted
+  std::vector<FreshFacet> Facets; ///< that replace those
 
   void Clear();
   void Add(const Tetrahedron& fresh, Id model);
 };
 
 /**
- * Tetrahedra of a solid that can be changed by "replace these cells by those". Every cell has a
- * positive volume, exactly, before and after.
+ * Tetrahedra of a solid, changed by replacing some cells by others. Every cell has a positive
+ * volume, exactly, before and after.
  */
 class RefinableMesh : public Mesh<SolidPolicy>
 {
 public:
   std::vector<Point> Points;
   std::vector<PointKind> Kinds; ///< per point
-  std::vector<double> Sizes;    ///< per point: how long edges there are to be
+  std::vector<double> Sizes;    ///< per point: the required edge length there
 
-  /** Whether the face across from corner k is a piece of a facet, and seen from its side of the
-   * larger region, which none beyond the boundary is: each piece is from one side. */
+  /** Whether the face opposite to corner k is a piece of a facet, and seen from the side of the
+   * larger region. There is no region outside, so each piece is seen from exactly one side. */
   bool HasPiece(Id cell, int k) const
   {
     const RefinableCell& here = this->Cells[cell];
@@ -64,10 +64,10 @@ public:
       here.Region > (neighbor == None ? None : this->Cells[neighbor].Region);
   }
 
-  /** The id that AddPoint gives next. */
+  /** The id that AddPoint returns next. */
   Id NextPoint() const { return static_cast<Id>(this->Points.size()); }
 
-  /** A point in no cell yet. */
+  /** Add a point in no cell yet. */
   Id AddPoint(const Point& place, PointKind kind, double size);
 
   /** A cell of the input, with its neighbors' ids. */
@@ -76,27 +76,29 @@ public:
   using Mesh::Star;
   void Star(Id point, std::vector<Id>& cells) const { Mesh::Star(point, cells, this->Own.Marks); }
 
-  /** The cells around a point, and their faces across from it, counter-clockwise seen from it. */
+  /** The cells around a point, and their opposite faces, counter-clockwise seen from it. */
   void StarWithWalls(Id point, std::vector<Id>& cells, std::vector<Triangle>& walls) const;
 
-  /** Mesh::Replace of cells of one region, without facets within. */
+  /** Mesh::Replace for cells of one region, without facets within. */
   void Replace(const std::vector<Id>& old, const std::vector<Tetrahedron>& fresh);
 
-  /** The same of cells of several regions, and where facets get other pieces. */
+  /** The same for cells of several regions, and with new pieces of facets. */
   void Replace(const CellExchange& exchange);
 
-  /** Make the face across from corner k, a piece of one facet, one of another, on one side. */
+  /**
+   * Reassign the face opposite to corner k, a piece of one facet, to another facet, on one side.
+   */
   void SetFacet(Id cell, int k, Id facet) { this->Cells[cell].Facets[k] = facet; }
 
   /** The cells that the last Replace made. */
   const std::vector<Id>& Fresh() const { return this->Own.FreshCells; }
 
-  /** Move a point to a place that sees all walls of its star. */
+  /** Move a point to a place from which all walls of its star are visible. */
   void Move(Id point, const Point& place, const std::vector<Triangle>& walls);
 
   std::int64_t NumberOfChanges() const { return this->Own.Changes; }
 
-  /** Marks for searches that have none of their own. */
+  /** Marks for searches without marks of their own. */
   CellMarks& Marks() const { return this->Own.Marks; }
 
 private:

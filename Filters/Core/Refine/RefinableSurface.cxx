@@ -9,13 +9,13 @@
 
 namespace insideout
 {
-/** A facet at an edge, of the mesh as it is given. */
+/** A facet at an edge of the given mesh. */
 struct RefinableSurface::EdgeUse
 {
   Edge Ends;
   Id Facet;
-  std::array<Id, 2> Regions; ///< on both sides of it, the second None beyond the boundary
-  Point Normal;              ///< for facets of the same regions on the same side
+  std::array<Id, 2> Regions; ///< regions on both sides, the second None outside
+  Point Normal;              ///< equal for facets of the same regions on the same side
 
   bool operator<(const EdgeUse& other) const
   {
@@ -32,7 +32,7 @@ double CosineOf(double degrees)
   return std::cos(degrees * std::acos(-1.0) / DegreesOfHalfTurn);
 }
 
-/** Whether the angle between two directions is above the one of this cosine. */
+/** Whether the angle between two directions exceeds that of this cosine. */
 bool DifferByMore(const Point& a, const Point& b, double cosine)
 {
   return !(Dot(a, b) >= cosine * Length(a) * Length(b));
@@ -144,7 +144,7 @@ void RefinableSurface::SetKinds(double featureAngle)
       }
     }
   }
-  // A ridge goes on where two of its edges meet, not too sharply.
+  // A ridge continues where two of its edges meet at a blunt angle.
   std::vector<std::array<Id, 2>> ends(this->Mesh.Points.size(), { { None, None } });
   for (const auto& [edge, isKept] : this->Ridges)
   {

@@ -9,25 +9,25 @@
 
 namespace insideout
 {
-/** What becomes of the faces on the boundary and between regions. */
+/** The treatment of faces on the boundary and between regions. */
 enum class SurfaceTreatment
 {
-  Kept,    ///< each stays as it is, bit by bit
-  Split,   ///< points may be added on them; the pieces stay in their planes, within rounding
-  Remeshed ///< others take their place, within a distance
+  Kept,    ///< each stays bit by bit
+  Split,   ///< points may be added on them; the pieces stay in their planes, up to rounding
+  Remeshed ///< replaced by others within a distance
 };
 
 /** A face of the input on the boundary or between regions. */
 struct FacetOfInput
 {
   std::array<Point, 3> Corners;
-  std::array<Id, 2> Faces; ///< of the input, 4 * cell + face; the second None on the boundary
-  Id Label;                ///< facets of one label may stand in for another
+  std::array<Id, 2> Faces; ///< faces of the input, 4 * cell + face; the second None on the boundary
+  Id Label;                ///< facets of one label may replace each other
 };
 
 /**
- * The facets of a refinable mesh: which of their edges are ridges, that have to stay where they
- * are, and what may become of their points (PointKind).
+ * The facets of a refinable mesh: which of their edges are ridges, which must stay in place, and
+ * how their points may move (PointKind).
  */
 class RefinableSurface
 {
@@ -47,37 +47,40 @@ public:
   SurfaceTreatment Treatment() const { return this->How; }
   const FacetOfInput& Facet(Id facet) const { return this->Facets[facet]; }
 
-  /** Whether an edge of facets has to stay where it is. */
+  /** Whether an edge of facets is a ridge. */
   bool IsRidge(Id u, Id v) const { return this->Ridges.count(EdgeBetween(u, v)) > 0; }
 
-  /** Whether a facet has to stay as it is. */
+  /** Whether a facet is locked. */
   bool IsLocked(Id facet) const
   {
     return this->How == SurfaceTreatment::Kept ||
       (!this->Locked.empty() && this->Locked[facet] != 0);
   }
 
-  /** Whether an edge of facets has to stay as it is: at a locked facet, and where more than two of
-   * the boundary meet. */
+  /** Whether an edge of facets must stay as it is: at a locked facet, and where more than two
+   * facets of the boundary meet. */
   bool IsLocked(Id u, Id v) const;
 
-  /** Whether not all cells around a point can be reached from one of them through faces at it. */
+  /** Whether the point is pinched: not all cells around it are connected through faces at it. */
   bool IsPinched(Id point) const
   {
     return point < static_cast<Id>(this->Pinched.size()) && this->Pinched[point] != 0;
   }
 
-  /** A point was inserted in an edge of facets. */
+  /** Update: a point was inserted in an edge of facets. */
   void Split(Id u, Id v, Id middle);
 
-  /** Whether a point on a ridge may go into the next one: a ridge around three edges would close
-   * up, and what is within would be gone. */
+  /** Whether a point on a ridge may be contracted into the next one: a ridge around three edges
+   * would collapse, with everything within. */
   bool MayContract(Id point, Id target) const;
 
-  /** Whether a corner of ridges may go: where it is not pinched, and none of them is locked. */
+  /**
+   * Whether a corner of ridges may be contracted: it is not pinched, and none of the ridges is
+   * locked.
+   */
   bool MayLeave(Id point) const;
 
-  /** A point is to go into the next one; its ridges go on from there. */
+  /** Update: a point is contracted into the next one, which its ridges then end at. */
   void Contract(Id point, Id target);
 
 private:

@@ -60,7 +60,7 @@ RefinableTriangles::Place RefinableTriangles::Locate(Id from, const PlanarPoint&
   {
     if (Orient2D(corner(from, k), corner(from, k + 1), start) <= 0)
     {
-      return { None, None }; // a sliver, whose middle is beside it
+      return { None, None }; // a sliver, whose rounded center is beside it
     }
   }
   int entry = None;
@@ -87,7 +87,7 @@ RefinableTriangles::Place RefinableTriangles::Locate(Id from, const PlanarPoint&
     }
     if (exit == None)
     {
-      return { None, None }; // through a point
+      return { None, None }; // the way goes through a point
     }
     if (this->Triangles[cell].Sources[exit] != None)
     {
@@ -97,7 +97,7 @@ RefinableTriangles::Place RefinableTriangles::Locate(Id from, const PlanarPoint&
     entry = this->EdgeTo(next, cell);
     cell = next;
   }
-  return { None, None }; // around a point that the way goes through
+  return { None, None }; // around a point on the way
 }
 
 RefinableTriangles::View RefinableTriangles::ViewFrom(Id cell, const PlanarPoint& place) const
@@ -154,7 +154,7 @@ void RefinableTriangles::Relink(Id neighbor, Id before, Id after)
   }
 }
 
-/** On the same side of all constraints as another one. */
+/** A cell of the input on the same side of all constraints as another one. */
 Id RefinableTriangles::AddCell(Id like)
 {
   Cell fresh{};
@@ -246,7 +246,7 @@ Id RefinableTriangles::Split(const Place& edge, const PlanarPoint& place)
   return point;
 }
 
-/** Whether the edge across from a new point, edge 0, is not Delaunay. */
+/** Whether edge 0, opposite to a new point, is not Delaunay. */
 bool RefinableTriangles::MustFlip(Id cell) const
 {
   const Cell& here = this->Triangles[cell];
@@ -261,7 +261,7 @@ bool RefinableTriangles::MustFlip(Id cell) const
            this->Places[here.Corners[2]], this->Places[beyond]) > 0;
 }
 
-/** Flip edges across from a new point, which is corner 2 of the cells around it, until all are
+/** Flip edges opposite to a new point, which is corner 2 of the cells around it, until all are
  * Delaunay (Lawson 1977). */
 void RefinableTriangles::Restore(std::vector<Id> star)
 {

@@ -9,8 +9,8 @@
 namespace insideout
 {
 /**
- * The triangles inside a curve, to be refined: constrained Delaunay before and after each step, by
- * exact predicates, and each triangle positive, exactly. There are no triangles outside.
+ * The triangles inside a curve, during refinement: constrained Delaunay before and after each step,
+ * by exact predicates, and each triangle exactly positive. There are no triangles outside.
  */
 class RefinableTriangles
 {
@@ -21,10 +21,10 @@ public:
     std::array<Id, 3> Neighbors; ///< across edge k (EdgeOf), None beyond the boundary
     std::array<Id, 3> Sources;   ///< 3 * cell + edge of the input's constraint there, None for none
     Id Near;                     ///< a cell of the input on the same side of all constraints
-    Id Version = 0;              ///< counts its changes
+    Id Version = 0;              ///< number of its changes
   };
 
-  /** An edge, as a cell has it. */
+  /** An edge of a cell. */
   struct Place
   {
     Id Cell;
@@ -33,8 +33,8 @@ public:
 
   /**
    * @param[in] points of the mesh, which is constrained Delaunay by the metric
-   * @param[in] inside one value per cell of the mesh, 0 for those to be left out. Constraints are
-   *   the edges on segments and those between inside and outside
+   * @param[in] inside one value per cell of the mesh, 0 for cells to be left out. Constraints are
+   * the edges on segments and those between inside and outside
    */
   RefinableTriangles(const std::vector<PlanarPoint>& points, const PlanarMesh& mesh,
     const std::vector<unsigned char>& inside, const PlanarMetric& metric);
@@ -45,27 +45,29 @@ public:
   Id NumberOfCells() const { return static_cast<Id>(this->Triangles.size()); }
 
   /**
-   * The cell that holds a place, or the first constraint on the straight way there from the middle
-   * of a cell; Cell is None where rounding leaves no way.
+   * The cell that contains a place, or the first constraint on the straight way there from the
+   * center of a cell; Cell is None if rounding blocks the way.
    */
   Place Locate(Id from, const PlanarPoint& place) const;
 
-  /** What a place within a cell sees: the cells whose circles it is in, which those of a new point
-   * there would replace. */
+  /** The cells whose circumcircles contain a place within a cell: a new point there would replace
+   * them. */
   struct View
   {
     std::vector<Id> Cells;
-    std::vector<Place> Rim; ///< the edges around these; constraints are among them
-    double Spacing;         ///< to the nearest corner
+    std::vector<Place> Rim; ///< the edges around these, including constraints
+    double Spacing;         ///< distance to the nearest corner
   };
   View ViewFrom(Id cell, const PlanarPoint& place) const;
 
-  /** A new point within a cell or on an edge of it that is no constraint. @return it, None where it
-   * is no such place */
+  /** Insert a point within a cell or on an unconstrained edge of it. @return it, None if the place
+   * is elsewhere
+   */
   Id Insert(Id cell, const PlanarPoint& place);
 
-  /** A new point between the ends of an edge, off it only by rounding. @return it, None where a
-   * triangle would not be positive */
+  /** Insert a point between the ends of an edge, off it only by rounding. @return it, None if a
+   * triangle would not be positive
+   */
   Id Split(const Place& edge, const PlanarPoint& place);
 
   /** The cells that the last step changed or made. */

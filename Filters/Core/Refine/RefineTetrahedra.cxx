@@ -29,13 +29,13 @@ namespace insideout
 {
 namespace
 {
-/** Of cells that are to be: a mesh may need some times as many while it is made. */
+/** Cells during refinement relative to those of the result. */
 constexpr double MostCells = std::numeric_limits<Id>::max() / 16.0;
 
 /** Memory per cell, measured on nine surfaces. */
 constexpr double GibibytesOfCell = 4e-7;
 
-/** Beyond 2 to this power products of lengths might over- or underflow: sizes are scaled then. */
+/** Beyond 2 to this power products of lengths might over- or underflow: sizes are then scaled. */
 constexpr int LargestOrdinaryExponent = 60;
 
 void CheckInput(const TetrahedralMesh& mesh, const SizingParameters& parameters)
@@ -51,7 +51,9 @@ void CheckInput(const TetrahedralMesh& mesh, const SizingParameters& parameters)
   }
 }
 
-/** The face of the input that a piece of a facet has on its side, where cells are of a region. */
+/**
+ * The face of the input that a piece of a facet belongs to, on the side of the cells of a region.
+ */
 Id FaceOnSide(const FacetOfInput& facet, const std::vector<Id>& regions, Id region)
 {
   const bool isSecond = !regions.empty() && regions[facet.Faces[0] / 4] != region;
@@ -136,11 +138,11 @@ void CheckEstimate(const SizingField& sizes, Id maximumCells)
   throw Error(ErrorCode::TooLarge, words.str());
 }
 
-/** A surface that is being refined. */
+/** A surface during refinement. */
 struct SurfaceOfRun
 {
   std::vector<FacetOfInput> Facets;
-  std::vector<char> Locked; ///< those that are to stay
+  std::vector<char> Locked; ///< facets that stay as they are
   double Tolerance;
 
   Id NumberOfLocked() const
@@ -149,7 +151,7 @@ struct SurfaceOfRun
   }
 };
 
-/** The facets with pieces on the boundary that cross others, each marked; none where it is kept. */
+/** Mark the facets with pieces on the boundary that cross others; none if the surface is kept. */
 std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& run,
   SurfaceTreatment treatment, Monitor& monitor, double progress)
 {
@@ -164,7 +166,7 @@ std::vector<char> MarkCrossing(const RefinableMesh& mesh, const SurfaceOfRun& ru
   return marks;
 }
 
-/** Refine the mesh; its surface is treated as is asked for, but for locked facets. */
+/** Refine the mesh; its surface is treated as requested, except for locked facets. */
 void Run(RefinableMesh& refinable, const SurfaceOfRun& run, const RefinementParameters& parameters,
   Monitor& monitor)
 {
@@ -205,18 +207,18 @@ RefinableMesh RunWithoutCrossings(const TetrahedralMesh& mesh, const std::vector
   RefinableMesh refinable = MakeRefinable(mesh, regions, run.Facets);
   run.Locked = MarkCrossing(refinable, run, parameters.Surface, monitor, 0);
   Run(refinable, run, parameters, monitor);
-  // SurfaceBound allows none that would cross; this does not take that on trust.
+  // SurfaceBound allows no crossings; this verifies it.
   const std::vector<char> crossing = MarkCrossing(refinable, run, parameters.Surface, monitor, 0.9);
   if (!std::equal(crossing.begin(), crossing.end(), run.Locked.begin(), std::less_equal<>()))
   {
-    run.Locked.assign(run.Facets.size(), 1); // pieces of these are as they were
+    run.Locked.assign(run.Facets.size(), 1); // their pieces are unchanged
     refinable = MakeRefinable(mesh, regions, run.Facets);
     Run(refinable, run, parameters, monitor);
   }
   return refinable;
 }
 
-/** How far the surfaces before and after are apart. @throws Error Stopped */
+/** The distances between the surfaces before and after. @throws Error Stopped */
 void CompareSurfaces(
   const RefinableMesh& mesh, const SurfaceOfRun& run, Statistics& statistics, Monitor& monitor)
 {
@@ -230,7 +232,7 @@ void CompareSurfaces(
   {
     after.push_back({ piece.Places, run.Facets[piece.Facet].Label });
   }
-  const double enough = run.Tolerance / 4; // what is as near need not be told
+  const double enough = run.Tolerance / 4; // smaller distances are not reported
   const ProgressRange atEnd = { Stages::Refining, 1, 1 };
   statistics.emplace_back("SurfaceTolerance", run.Tolerance);
   statistics.emplace_back(
@@ -305,7 +307,7 @@ RefinedMesh RefineNearUnitSize(const TetrahedralMesh& mesh, const std::vector<Id
   return result;
 }
 
-/** Regions from 0, in the order of their numbers: none is the one beyond the boundary. */
+/** Regions from 0, in the order of their numbers: None is the outside. */
 std::vector<Id> NumberedAnew(std::vector<Id> regions)
 {
   std::vector<Id> sorted = regions;
@@ -317,7 +319,7 @@ std::vector<Id> NumberedAnew(std::vector<Id> regions)
   return regions;
 }
 
-/** Not 0, which has a meaning of its own, unless the size is. */
+/** Not 0, which has a special meaning, unless the size is 0. */
 double ScaledSize(double size, int exponent)
 {
   return size > 0 ? std::max(std::ldexp(size, exponent), std::numeric_limits<double>::min()) : 0;

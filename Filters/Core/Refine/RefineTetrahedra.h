@@ -16,21 +16,20 @@ struct RefinementParameters
   SizingParameters Sizes;
   SurfaceTreatment Surface = SurfaceTreatment::Kept;
 
-  /** Where lengths are asked for that would make more cells, by estimate, nothing is made; 0: no
-   * limit. */
+  /** Limit of the estimated number of cells: beyond it nothing is refined; 0: no limit. */
   Id MaximumCells = 10000000;
 
-  /** Remeshed: how far the new surface may be from the old one, both ways; 0: DefaultTolerance of
-   * the longest edge of the points' bounding box. */
+  /** Remeshed: the largest distance between the new and the old surface, both ways; 0:
+   * DefaultTolerance times the longest edge of the points' bounding box. */
   double SurfaceTolerance = 0;
   static constexpr double DefaultTolerance = 1e-3;
 
-  /** Remeshed: edges stay where the normals differ by more, but for those of steps lower than the
+  /** Remeshed: edges stay where the normals' angle exceeds this, except at steps lower than the
    * tolerance; in degrees. */
   double FeatureAngle = 30;
 
-  /** Remeshed: per face of each cell, a number; edges between faces of different ones stay. Empty:
-   * all faces have the same. */
+  /** Remeshed: per face of each cell, a number; edges between faces with different numbers stay.
+   * Empty: all faces have the same number. */
   std::vector<std::array<Id, 4>> Labels;
 };
 
@@ -39,41 +38,37 @@ struct RefinedMesh
 {
   std::vector<Point> Points;
   std::vector<Tetrahedron> Cells;
-  std::vector<Id>
-    OriginalPoints; ///< per point, the one of the input that it is, None for a new one
+  std::vector<Id> OriginalPoints; ///< per point, the input point that it is, None for a new one
 
-  /** Per cell, the one of the input that holds its barycenter, or is near it; of the same region.
-   */
+  /** Per cell, the input cell that contains its barycenter, or is near it; of the same region. */
   std::vector<Id> OriginalCells;
 
   /** The input's face, as 4 * cell + face, for each face of each cell on the boundary or between
-   * regions: the one, on the same side, that it is a piece of, or (Remeshed) nearest to. None for
+   * regions: the face on the same side that it is a piece of, or (Remeshed) is nearest to. None for
    * other faces. */
   std::vector<std::array<Id, 4>> OriginalFaces;
 
-  /** Per point, a cell of the input that holds it, or is near it. */
+  /** Per point, an input cell that contains it, or is near it. */
   std::vector<Id> CellsOfPoints;
 
   insideout::Statistics Statistics;
 };
 
 /**
- * Tetrahedra of the same solid that are better and as large as asked for. Faces of the boundary,
- * and between two regions, stay as they are, bit by bit, or are treated as asked for
- * (RemeshSurface). Delaunay refinement by lengths (FillWithPoints), then the worst cells are
- * improved (ImproveCells). Every cell has a positive volume, exactly, and no faces of the boundary
- * cross; the same result for the same input, always.
+ * Refine the solid to better tetrahedra of the requested sizes. Faces of the boundary, and between
+ * two regions, stay bit by bit, or are treated as requested (RemeshSurface). Delaunay refinement by
+ * lengths (FillWithPoints), then the worst cells are improved (ImproveCells). Every cell has an
+ * exactly positive volume, and no faces of the boundary cross. The result is deterministic.
  *
- * Statistics: AddedPoints and RemovedPoints, CellsAboveMaximumVolume, where that is given; of a
- * surface that is not kept SurfacePoints, how many of the added ones are on it, and KeptFacets, how
- * many facets stay as they are since they cross others; and of a remeshed one
- * SurfaceTolerance, SurfaceDistance, how far it is from the input's at most, and InputDistance, how
- * far that is from it.
+ * Statistics: AddedPoints, RemovedPoints, and CellsAboveMaximumVolume if that is given. If the
+ * surface is not kept: SurfacePoints, the added points on it, and KeptFacets, the facets that stay
+ * because they cross others. If it is remeshed: SurfaceTolerance, SurfaceDistance, its largest
+ * distance from the input's, and InputDistance, the reverse.
  *
  * @param[in] mesh of any solid; its facets do not matter
  * @param[in] regions one per cell; empty: all are one
  * @throws Error InvalidParameter, which names the culprit: a cell without volume, two that overlap
- * at a face, a length that is not positive; TooLarge when there would be more cells than can be
+ * at a face, a length that is not positive; TooLarge if there would be more cells than can be
  * counted or than MaximumCells; Stopped
  */
 RefinedMesh RefineTetrahedra(const TetrahedralMesh& mesh, const std::vector<Id>& regions,

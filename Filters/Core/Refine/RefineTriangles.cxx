@@ -13,11 +13,11 @@ namespace insideout
 {
 namespace
 {
-/** Of triangles, in degrees. */
+/** In degrees. */
 struct Angles
 {
   double Least = 0;
-  double Quantile = 0; ///< the least that is no less than a hundredth of all
+  double Quantile = 0; ///< the least value with at least a hundredth of all at or below it
   double Most = 0;
 };
 
@@ -41,7 +41,7 @@ Angles AnglesOf(const std::vector<PlanarPoint>& points, const std::vector<Triang
   return { all.front(), all[(all.size() - 1) / 100], all.back() };
 }
 
-/** Finds cells of the input for places, on the same side of all segments as another cell. */
+/** Locates input cells for places, on the same side of all segments as another cell. */
 class InputCells
 {
 public:
@@ -60,7 +60,7 @@ public:
     this->Sides = FindRegions(neighbors, inside, monitor, { Stages::Refining, 0.8, 0.85 });
   }
 
-  /** The other cell itself where rounding has put the place beside them all. */
+  /** The other cell itself, if rounding has put the place beside all of them. */
   Id Find(const PlanarPoint& place, Id near) const
   {
     const Id found = this->Locator.Find(

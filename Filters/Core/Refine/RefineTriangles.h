@@ -11,44 +11,43 @@
 
 namespace insideout
 {
-/** Better triangles of what is inside, and the curve that they respect. */
+/** Better triangles of the inside, and the curve that they respect. */
 struct RefinedTriangles
 {
-  SegmentComplex Curve; ///< the pieces of segments at inside cells, with their sources
-  PlanarMesh Mesh;      ///< of the inside cells
-  std::vector<Id>
-    OriginalPoints;              ///< per point, the one of the input that it is, None for a new one
-  std::vector<Id> CellsOfPoints; ///< per point, a cell of the input that holds it, or is near it
+  SegmentComplex Curve;           ///< the pieces of segments at inside cells, with their sources
+  PlanarMesh Mesh;                ///< of the inside cells
+  std::vector<Id> OriginalPoints; ///< per point, the input point that it is, None for a new one
+  std::vector<Id> CellsOfPoints;  ///< per point, an input cell that contains it, or is near it
 
-  /** Per cell, the one of the input that holds its barycenter, or is near it; on the same side of
-   * all segments. */
+  /** Per cell, the input cell that contains its barycenter, or is near it; on the same side of all
+   * segments. */
   std::vector<Id> OriginalCells;
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };
 
 /**
- * Triangles of the same inside that are better and as large as asked for, by Delaunay refinement:
- * the center of the circumcircle of a triangle that is too large or too thin becomes a point
- * (Ruppert 1995). Constraints are the boundary and all segments at inside cells. Kept: these stay
- * as they are, and no angle comes to be below 20.7 degrees that is less than those in its place
- * were; where lengths or areas are asked for, below 10: beside long constraints triangles stay
- * larger, and a warning counts them. Split: a constraint is cut where a center or a point is within
- * the circle around it, or where it is too long; then no angle is below 20.7 degrees but near sharp
- * corners of the curve. Cuts near corners below 60 degrees are at powers of two from these
- * (Ruppert's concentric shells). The triangle at such a corner stays thin; and below half a
- * degree all those between shells, for good ones would be too many.
+ * Refine the inside to better triangles of the requested sizes, by Delaunay refinement: the center
+ * of the circumcircle of a triangle that is too large or too thin becomes a point (Ruppert 1995).
+ * Constraints are the boundary and all segments at inside cells. Kept: constraints stay as they
+ * are, and no new angle below 20.7 degrees is smaller than those it replaces; if lengths or areas
+ * are given, 10 degrees. Beside long constraints triangles stay larger, and a warning counts them.
+ * Split: a constraint is split if a center or a point is within its diametral circle, or if it is
+ * too long; then all angles are at least 20.7 degrees except near sharp corners of the curve.
+ * Splits near corners below 60 degrees are at powers of two from these (Ruppert's concentric
+ * shells). The triangle at such a corner stays thin; at corners below half a degree so do all
+ * between shells, because good ones would be too many.
  *
- * Every triangle is positive, exactly, and the same for the same input, always.
+ * Every triangle is exactly positive. The result is deterministic.
  *
- * Statistics: AddedPoints; SurfacePoints, those on constraints; CellsAboveMaximumVolume where that
- * is given; RefinedCells; MinAngle, Angle1Percent, MaxAngle, in degrees, and with Before in front
- * those of the input.
+ * Statistics: AddedPoints; SurfacePoints, those on constraints; CellsAboveMaximumVolume if that is
+ * given; RefinedCells; MinAngle, Angle1Percent, MaxAngle, in degrees, and the same of the input
+ * prefixed with Before.
  *
  * @param[in] inside one value per cell of the mesh, 0 for those that are left out
  * @param[in] parameters lengths are in the units of the input; MaximumVolume is the largest area
- * @throws Error InvalidParameter where the surface is to be remeshed, TooLarge when there would be
- *         more cells than can be counted, Stopped
+ * @throws Error InvalidParameter if the surface is to be remeshed, TooLarge if there would be more
+ *         cells than can be counted, Stopped
  */
 RefinedTriangles RefineTriangles(const SegmentComplex& curve, const PlanarMesh& mesh,
   const std::vector<unsigned char>& inside, const Plane& plane,

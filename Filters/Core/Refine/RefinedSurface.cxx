@@ -17,7 +17,7 @@ namespace
 /** In nanoseconds. */
 constexpr double CostOfDistance = 5000;
 
-/** Reports nothing of a search but that it goes on. */
+/** Reports only that a search is running. */
 class QuietMonitor : public Monitor
 {
 public:
@@ -81,7 +81,7 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
         const RefinableCell& cell = mesh.Cell(c);
         if (cell.Facets[k] != None)
         {
-          // The center is the same from both sides: so is the nearest facet.
+          // The center is the same from both sides, and so is the nearest facet.
           const Triangle sorted = SortedTriangle(FaceAcross(cell.Corners, k)).Points;
           const auto [p, q, r] = CornersOf(mesh.Points, sorted);
           const Point centre = { { p[0] / 3 + q[0] / 3 + r[0] / 3, p[1] / 3 + q[1] / 3 + r[1] / 3,
@@ -98,7 +98,7 @@ double LargestDistance(const std::vector<LabelledTriangle>& from,
   const ProgressRange& progress)
 {
   const TriangleTree tree(to);
-  // Few triangles are farther than those before them, and the rest need not be looked at closely.
+  // Few triangles are farther than those before them; the rest need no close check.
   std::atomic<double> largest{ 0 };
   ParallelLoop(from.size(), CostOfDistance, monitor, progress,
     [&](std::size_t i)

@@ -11,8 +11,8 @@
 namespace insideout
 {
 /**
- * The facets that have pieces on the boundary that meet others in more than corners and edges: a
- * surface that moves, if only by rounding, may touch a part that was next to it.
+ * The facets with pieces on the boundary that meet others beyond shared corners and edges: a
+ * surface that moves, if only by rounding, may touch a part next to it.
  *
  * @throws Error Stopped
  */
@@ -28,10 +28,8 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
   Monitor& monitor, const ProgressRange& progress);
 
 /**
- * How far the first surface's points are from the second, as far as samples tell
- * (TriangleTree::LargestDistanceOf).
- *
- * @throws Error Stopped
+ * The distance of the first surface's points from the second, as far as samples tell
+ * (TriangleTree::LargestDistanceOf). // @throws Error Stopped
  */
 double LargestDistance(const std::vector<LabelledTriangle>& from,
   const std::vector<LabelledTriangle>& to, double enough, Monitor& monitor,

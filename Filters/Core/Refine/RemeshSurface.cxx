@@ -22,48 +22,53 @@ namespace insideout
 {
 namespace
 {
-/** Of the length that edges are to have: between these an edge and its halves are near it. */
+/**
+ * Relative to the required edge length: outside of this range an edge is split or contracted, and
+ * its halves are then near the length.
+ */
 constexpr double LongestEdge = 4.0 / 3;
 constexpr double ShortestEdge = 4.0 / 5;
 
-/** Edges that are longer yet are split where they stay, at the price of flat cells. */
+/** Edges longer than this are split even if the split makes flat cells. */
 constexpr double LongestUncut = 4;
 
-/** How long edges may get where others are contracted. */
+/** Limit of an edge's relative length when others are contracted. */
 constexpr double LongestContracted = 1.6;
 
-/** Of that length: the largest circumcircle of a piece that is split, and how near its center may
- * be to other points. A regular triangle has 0.58. */
+/** Relative to the same length: the largest circumradius of a piece before it is split (0.58 for a
+ * regular triangle), and the least distance of its center to other points. */
 constexpr double LargestRadius = 0.7;
 constexpr double LeastSpacing = 0.6;
 
-/** Ridges at least so long are split for pieces that are too large. */
+/** Ridges of at least this relative length are split for pieces that are too large. */
 constexpr double SplittableEdge = 1;
 
 constexpr std::size_t TurnsBetweenReports = 1000;
 
-/** Degrees. Cells with such angles may get worse for the sake of the surface: most are mended. */
+/**
+ * Degrees. Cells may get angles down to this for the sake of the surface: most are repaired later.
+ */
 constexpr double AcceptableAngle = 3;
 
-/** The same where edges are contracted to lengths that are asked for. */
+/** The same where edges are contracted to wanted lengths. */
 constexpr double AcceptableAngleForLength = 0.3;
 
-/** Each splits edges in half, so that there are few; against endless ones. */
+/** Each round halves edges, so few are needed; this limit excludes endless rounds. */
 constexpr int MostRoundsOfSplits = 60;
 
-/** Of split, contract, turn and move: some by lengths as they are wanted, which show where edges
- * have to stay short, then by lengths that are short there. */
+/** Rounds of split, contract, flip and move. The first use the lengths as wanted, which shows where
+ * edges have to stay short; the others use lengths that are short there. */
 constexpr int RoundsOfWishes = 2;
 constexpr int RoundsWhereRemeshed = 7;
 constexpr int RoundsWhereSplit = 2;
 
-/** An edge of facets, one of its cells, and how long it is, of the length that it is to have. */
+/** An edge of facets, one of its cells, and its relative length. */
 struct SurfaceEdge
 {
   double Ratio;
   Edge Ends;
   Id Cell;
-  Id Version; ///< of the cell: where it is another one by then the edge may be gone
+  Id Version; ///< version of the cell: if it has changed, the edge may not exist any more
 
   bool operator<(const SurfaceEdge& other) const
   {
@@ -72,7 +77,7 @@ struct SurfaceEdge
   }
 };
 
-/** Where no step forward is to be told, but only whether to go on. */
+/** For stages without measurable progress: reports only that work goes on. */
 ProgressRange AtEndOf(const ProgressRange& progress)
 {
   return { progress.Stage, progress.End, progress.End };
@@ -95,7 +100,7 @@ public:
   {
   }
 
-  /** Points on ridges that are too long, then within facets, as Ruppert (1995) does it. */
+  /** Insert points on ridges that are too long, then within facets (Ruppert 1995). */
   void FillFacets(Monitor& monitor, const ProgressRange& progress)
   {
     this->SplitLongEdges(monitor, progress);
@@ -205,20 +210,20 @@ private:
     };
     if (!contract() && isAskedFor)
     {
-      this->ImproveAround(point); // cells that are in the way give way to others
+      this->ImproveAround(point); // obstructing cells are replaced
       return contract();
     }
     return this->Mesh.CellAt(point) == None;
   }
 
-  /** A piece to look at, and the version of its cell, by which one knows whether it is there. */
+  /** A piece to check, and the version of its cell, which tells whether it still exists. */
   struct Candidate
   {
     PieceOfCell Piece;
     Id Version;
   };
 
-  /** Within facets that are split points come to where circles are large. */
+  /** Insert points within split facets where circumcircles are large. */
   bool MaySplit(const SurfaceEdge& edge) const
   {
     return this->Surface.Treatment() == SurfaceTreatment::Remeshed ||
@@ -235,7 +240,7 @@ private:
     {
       return true;
     }
-    // Halves of cells are flat: where a surface is remeshed others may take the edge's place.
+    // Halves of cells are flat: on a remeshed surface the edge may be flipped.
     if ((isSplit || this->RatioOf(edge.Ends) > LongestUncut) && mayHalve())
     {
       this->ImproveAround(this->Splitting.Split(this->Sizes));
@@ -244,7 +249,7 @@ private:
     return false;
   }
 
-  /** Take others in the place of flat cells. */
+  /** Replace flat cells. */
   void ImproveAround(Id point)
   {
     std::vector<Id> star;
@@ -258,7 +263,10 @@ private:
     }
   }
 
-  /** Whether anything has around the ends since this was asked last: else nothing comes of it. */
+  /**
+   * Whether the surroundings of the ends have changed since the last call: otherwise the result is
+   * the same.
+   */
   bool HasChanged(const Edge& ends)
   {
     const auto [tried, isNew] = this->SplitTriedAt.emplace(ends, 0);
@@ -288,8 +296,8 @@ private:
     }
   }
 
-  /** Insert the center of a piece's circumcircle if that is too large; or the middle of the ridge
-   * that is between, or too near. */
+  /** Insert the center of a piece's circumcircle if that is too large, or the midpoint of a ridge
+   * that is between or too near. */
   void InsertAmid(const Candidate& candidate, std::deque<Candidate>& queue)
   {
     const Id cell = candidate.Piece.Cell;
@@ -336,7 +344,7 @@ private:
     return sum;
   }
 
-  /** The length of an edge over what it is to be. */
+  /** The length of an edge relative to the required one. */
   double RatioOf(const Edge& ends) const
   {
     return Distance(this->Mesh.Points[ends[0]], this->Mesh.Points[ends[1]]) /
@@ -348,7 +356,7 @@ private:
     return !this->Mesh.IsDead(edge.Cell) && this->Mesh.Cell(edge.Cell).Version == edge.Version;
   }
 
-  /** The edges of facets whose ratio is between two, the shortest first. */
+  /** The edges of facets whose ratio is in a range, shortest first. */
   std::vector<SurfaceEdge> EdgesWithin(double least, double most) const
   {
     std::vector<SurfaceEdge> edges;
@@ -379,7 +387,7 @@ private:
     return edges;
   }
 
-  /** Whether the angles across from an edge of the boundary are more than 180 degrees together. */
+  /** Whether the angles opposite to an edge of the boundary sum to more than 180 degrees. */
   bool IsBadDiagonal(const SurfaceEdge& edge)
   {
     this->Mesh.Ring(edge.Ends[0], edge.Ends[1], edge.Cell, this->Ring);
@@ -410,7 +418,8 @@ private:
   Reconnection Reconnect;
   PointSmoothing Smooth;
   EdgeRing Ring;
-  std::unordered_map<Edge, std::int64_t, HashOfEdge> SplitTriedAt; ///< in changes of the mesh
+  std::unordered_map<Edge, std::int64_t, HashOfEdge>
+    SplitTriedAt; ///< counted in changes of the mesh
 };
 } // namespace
 

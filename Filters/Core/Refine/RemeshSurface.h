@@ -9,9 +9,9 @@
 namespace insideout
 {
 /**
- * Make the edges of facets as long as they are to be, as far as the surface may change (Botsch and
- * Kobbelt 2004, A Remeshing Approach to Multiresolution Modeling): split long ones; where it is
- * remeshed contract short ones and move points along it; turn diagonals for better triangles. All
+ * Give the edges of facets the required length, as far as the surface may change (Botsch and
+ * Kobbelt 2004, A Remeshing Approach to Multiresolution Modeling). Split long edges; if it is
+ * remeshed, contract short ones and move points along it; flip diagonals for better triangles. All
  * cells stay positive.
  *
  * @throws Error Stopped

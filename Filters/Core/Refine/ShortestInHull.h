@@ -8,6 +8,7 @@
 namespace insideout
 {
 /** The point nearest to the origin in the convex hull of some vectors, by the method of Frank and
- * Wolfe (1956), within a thousandth. @param[in] steps at most */
+ * Wolfe (1956), within a thousandth. @param[in] steps limit of iterations
+ */
 Point ShortestInHull(const std::vector<Point>& vectors, int steps);
 } // namespace insideout

@@ -18,10 +18,15 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/** Of the mean edge at a point: a triangle that is thinner is not split into square pieces. */
+/**
+ * Relative to the mean edge at a point: a thinner triangle is not split into equilateral pieces.
+ */
 constexpr double LeastShare = 1.0 / 4;
 
-/** Of a triangle that is not thin: its longest edge over its least height, 1.2 of a regular one. */
+/**
+ * Bound of the longest edge over the least height of a triangle that is not thin; 1.2 for an
+ * equilateral one.
+ */
 constexpr double MostHeights = 2;
 
 double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
@@ -31,7 +36,7 @@ double VolumeOf(const std::vector<Point>& points, const Tetrahedron& c)
     6;
 }
 
-/** Of a regular tetrahedron. */
+/** Volume of a regular tetrahedron with edges of length 1. */
 double EdgeOfVolume(double volume)
 {
   return std::cbrt(6 * std::sqrt(2.0) * volume);
@@ -120,8 +125,8 @@ double SizingField::WantedAt(const Point& place, double otherwise) const
 }
 
 /**
- * At each point of a facet the mean length of the edges of facets there; or so many times how near
- * the edges across from it are, where `heights` is not 0, but at least a part of the mean.
+ * At each point of a facet the mean length of the facets' edges there. If `heights` is not 0, at
+ * most `heights` times the distance to the opposite edges, but at least a fraction of the mean.
  */
 void SizingField::SetLengthsOfSurface(double heights)
 {
@@ -160,7 +165,7 @@ void SizingField::SetLengthsOfSurface(double heights)
   }
 }
 
-/** Let lengths grow from the surface inward, along edges (Dijkstra 1959). */
+/** Extend the lengths inward from the surface along edges, with limited growth (Dijkstra 1959). */
 void SizingField::Grow()
 {
   using Entry = std::pair<double, Id>;
@@ -211,7 +216,7 @@ SizingField::Lengths SizingField::LengthsAt(Id cell, const Point& place) const
     isWanted = isWanted || there.Wanted < Infinite;
     result.Surface = std::min(result.Surface,
       there.Surface + this->Parameters.Grading * Distance(this->Mesh.Points[corners[k]], place));
-    // The weight of a corner is the volume between the place and the face across from it.
+    // The weight of a corner is the volume between the place and the opposite face.
     const Triangle f = FaceAcross(corners, k);
     const double weight = std::max(0.0,
       Determinant(Difference(this->Mesh.Points[f[1]], place),
@@ -243,7 +248,7 @@ double SizingField::EstimatedCells() const
     {
       continue;
     }
-    // Lengths grow from the corners, so that small ones matter near these only.
+    // Lengths grow from the corners, so that small ones act only near these.
     const Tetrahedron& corners = this->Mesh.Cell(c).Corners;
     const double size = this->At(c, Barycentre(this->Mesh.Points, corners));
     cells += 1 + VolumeOf(this->Mesh.Points, corners) / VolumeOfEdge(size);

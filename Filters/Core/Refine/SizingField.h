@@ -10,57 +10,58 @@ namespace insideout
 {
 struct SizingParameters
 {
-  double EdgeLength = 0;       ///< that edges are to have at most; 0: as the surface has them
-  double Grading = 0.35;       ///< by how much lengths may grow per unit of distance
-  double MaximumVolume = 0;    ///< of a cell; 0: any
-  std::vector<double> Lengths; ///< wanted at each point of the input; empty: none
+  double EdgeLength = 0;       ///< limit of edge lengths; 0: as on the surface
+  double Grading = 0.35;       ///< growth of lengths per unit of distance
+  double MaximumVolume = 0;    ///< limit of a cell's volume; 0: none
+  std::vector<double> Lengths; ///< wanted length at each input point; empty: none
 
-  /** Wanted anywhere, infinite where it does not matter; empty: nowhere. */
+  /** Wanted length anywhere, infinite for no limit; empty: nowhere. */
   std::function<double(const Point&)> LengthAt;
 };
 
 /**
- * How long edges are to be anywhere in a mesh: what is asked for, but no longer than those of the
- * surface, growing with the distance from it. Its values at the mesh's points are their Sizes.
+ * The required edge length anywhere in a mesh: the wanted length, but at most that of the surface's
+ * edges, growing with the distance from it. Its values at the mesh's points are their Sizes.
  */
 class SizingField
 {
 public:
-  /** Sets the mesh's Sizes; later points get theirs from At. The mesh has to live as long. */
+  /**
+   * Sets the mesh's Sizes; later points get theirs from At. The mesh has to outlive this object.
+   */
   SizingField(RefinableMesh& mesh, const SizingParameters& parameters);
 
-  /** Whether lengths are asked for, anywhere. */
+  /** Whether a length is wanted anywhere. */
   bool IsAskedFor() const;
 
-  /** Set the mesh's Sizes anew for a surface that has changed: as long as its edges are. */
+  /** Recompute the mesh's Sizes for a changed surface: the length of its edges. */
   void FollowSurface();
 
-  /** Set them for a surface that is to be split: at short edges and thin triangles short. */
+  /** Set them for a surface to be split: short at short edges and thin triangles. */
   void FollowThinTriangles();
 
-  /** Make them shorter where triangles of the surface are thin now: beside edges that stay short,
-   * since without them it would be too far from the input's. */
+  /** Reduce them at thin triangles of the surface: these are beside edges that stay short, without
+   * which the surface would be too far from the input's. */
   void ShortenAtThinTriangles();
 
-  /** Set them for a surface that is to be remeshed: what is asked for, whatever the surface has; if
-   * nothing is, as FollowSurface does. */
+  /** Set them for a surface to be remeshed: the wanted lengths, regardless of the surface; if none
+   * are wanted, as FollowSurface does. */
   void FollowWishes();
 
-  /** The length asked for everywhere; infinite without one. */
+  /** The length wanted everywhere; infinite without one. */
   double Most() const { return this->Everywhere; }
 
   /** At a place in or near a cell. */
   double At(Id cell, const Point& place) const;
 
-  /** Insert the values of a point that was added to the mesh, given what At(cell, its place) used.
-   */
+  /** Set the value of a point added to the mesh, from the cell that At(cell, its place) used. */
   void Append(Id cell, const Point& place);
 
-  /** How many cells a mesh of such sizes has, roughly. */
+  /** Estimated number of cells of a mesh with these sizes. */
   double EstimatedCells() const;
 
 private:
-  /** The length that the surface allows, and the one asked for. */
+  /** The length that the surface allows, and the wanted one. */
   struct Lengths
   {
     double Surface;
@@ -75,7 +76,7 @@ private:
 
   RefinableMesh& Mesh;
   const SizingParameters& Parameters;
-  double Everywhere; ///< what EdgeLength and MaximumVolume allow
+  double Everywhere; ///< limit by EdgeLength and MaximumVolume
   std::vector<Lengths> AtPoints;
 };
 } // namespace insideout

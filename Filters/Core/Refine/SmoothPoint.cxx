@@ -14,7 +14,10 @@ namespace
 {
 constexpr double LeastGain = 1.001;
 
-/** Of the wanted length: how far the middle of the points around has to be to go there. */
+/**
+ * Relative to the required length: the least distance for moving a point to the center of the
+ * points around it.
+ */
 constexpr double LeastMove = 0.03;
 } // namespace
 
@@ -32,7 +35,7 @@ bool PointSmoothing::MoveTo(Id point, const Point& place)
   return true;
 }
 
-/** The pieces at a point, as they are seen from one side. */
+/** The pieces at a point, as seen from one side. */
 void PointSmoothing::CollectPieces(Id point)
 {
   this->Pieces.clear();
@@ -48,7 +51,7 @@ void PointSmoothing::CollectPieces(Id point)
   }
 }
 
-/** Of length 1, or 0 where there is none. */
+/** Of length 1, or 0 if there is none. */
 Point PointSmoothing::NormalOfPieces() const
 {
   Point sum = { { 0, 0, 0 } };
@@ -72,7 +75,7 @@ Point PointSmoothing::NormalOfPieces() const
   return length > 0 ? Point{ { sum[0] / length, sum[1] / length, sum[2] / length } } : sum;
 }
 
-/** The nearest place in the plane of the facet, or on the input's surface. */
+/** The nearest place in the facet's plane, or on the input's surface. */
 Point PointSmoothing::PlaceOnSurface(const Point& place) const
 {
   const Id facet = this->Pieces.front().Facet;

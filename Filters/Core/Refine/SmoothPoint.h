@@ -9,8 +9,8 @@
 namespace insideout
 {
 /**
- * Moves points to where the worst shape of the cells around them is best: those on no facet
- * anywhere, those amid facets along the surface.
+ * Moves points to improve the worst shape of the cells around them: points on no facet anywhere,
+ * points within facets along the surface.
  */
 class PointSmoothing
 {
@@ -22,12 +22,12 @@ public:
   {
   }
 
-  /** @return whether the point moved: only where the worst shape (ShapeOf) around it gets better */
+  /** @return whether the point moved: only if the worst shape (ShapeOf) around it improves */
   bool Smooth(Id point);
 
   /**
-   * Move a point amid facets to the middle of those around it, if the shapes around it are above
-   * `wanted` then, or half as good as before.
+   * Move a point within facets to the center of the points around it, if the shapes around it are
+   * then above `wanted`, or half as good as before.
    */
   bool Relax(Id point, double wanted);
 
@@ -43,8 +43,8 @@ private:
   const RefinableSurface& Surface;
   SurfaceBound& Bound;
   std::vector<Id> Cells;
-  std::vector<Triangle> Walls;      ///< of the star, counter-clockwise seen from the point
-  std::vector<SurfacePiece> Pieces; ///< at a point amid facets
+  std::vector<Triangle> Walls;      ///< walls of the star, counter-clockwise seen from the point
+  std::vector<SurfacePiece> Pieces; ///< at a point within facets
   std::vector<SurfacePiece> Moved;
 };
 } // namespace insideout

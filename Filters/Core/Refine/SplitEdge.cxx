@@ -11,13 +11,13 @@ namespace insideout
 namespace
 {
 /**
- * An edge is not split where another of a piece is so many times as long. Below 3/2: in a low
- * piece, halving a short edge of 2/3 of the long one makes the other short edge 2/3 of it, and so
- * on.
+ * An edge is not split if another edge of a piece is this many times as long. The value is below
+ * 3/2: in a low piece, halving a short edge of 2/3 of the long one makes the other short edge 2/3
+ * of it, and the process would repeat.
  */
 constexpr double MostTimesLonger = 1.4;
 
-/** A cell or triangle with a point in the place of another. */
+/** A cell or triangle with one point replaced by another. */
 template <class Corners>
 Corners With(Corners corners, Id point, Id instead)
 {
@@ -27,8 +27,8 @@ Corners With(Corners corners, Id point, Id instead)
 } // namespace
 
 /**
- * Halves of a piece are half as high above a longer edge: where that cannot be split, and the
- * others always were, pieces would become ever lower.
+ * Halves of a piece are half as high above a longer edge: if only the other edges were split, again
+ * and again, pieces would become ever flatter.
  */
 bool EdgeSplitting::IsBesideLonger() const
 {

@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** Puts a point amid an edge, with all cells and pieces of facets around it cut in two. */
+/** Inserts a point in an edge, splitting all cells and pieces of facets around it. */
 class EdgeSplitting
 {
 public:
@@ -21,7 +21,7 @@ public:
   }
 
   /**
-   * Look for the cells around an edge of `cell`.
+   * Find the cells around an edge of `cell`.
    * @return false if it is locked, a piece at it has a much longer edge, or rounding leaves no room
    * between its ends or puts its middle beyond another piece
    */
@@ -40,6 +40,6 @@ private:
   EdgeRing Ring;
   Point Middle;
   std::vector<SurfacePiece> Gone;
-  std::vector<SurfacePiece> Halves; ///< in their place
+  std::vector<SurfacePiece> Halves; ///< that replace them
 };
 } // namespace insideout

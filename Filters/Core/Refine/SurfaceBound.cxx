@@ -90,8 +90,7 @@ std::vector<SurfacePiece> SurfaceBound::OnBoundary(const std::vector<SurfacePiec
   return result;
 }
 
-/** Put the samples of gone pieces down at the nearest fresh ones. @return the largest of their
- * distances */
+/** Project the samples of gone pieces onto the nearest fresh ones. @return the largest distance */
 double SurfaceBound::PutDown(
   const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh)
 {
@@ -166,8 +165,8 @@ bool SurfaceBound::StaysNear(
   return true;
 }
 
-/** The point of the input's surface that is nearest to a point's place, of a facet's label. Points
- * stay for many changes of the pieces at them, and so does this. */
+/** The point of the input's surface nearest to a point, of a facet's label. Cached, because points
+ * outlive many changes of their pieces. */
 TriangleTree::Nearest SurfaceBound::NearestTo(Id point, const Point& place, Id facet)
 {
   if (this->AtPoints.size() <= static_cast<std::size_t>(point))

@@ -13,42 +13,41 @@
 namespace insideout
 {
 /**
- * Says which pieces of a surface may take the place of others: of the boundary those that cross no
- * other piece of it. Where it is remeshed it stays near the input's, too, both ways: no point of it
- * is farther than the tolerance. Neither are the corners, edge middles and centers of the input's
- * facets from it (each of them is followed to the piece that it is next to; as Hu et al. 2017,
- * Error-Bounded and Feature Preserving Surface Remeshing with Minimal Angle Improvement).
+ * Decides which pieces of a surface may replace others: on the boundary, pieces that cross no
+ * other. A remeshed surface also stays near the input's, both ways: no point of it is farther than
+ * the tolerance. Neither are the corners, midpoints of edges and centers of the input's facets from
+ * it. Each of these samples is tracked to its nearest piece (Hu et al. 2017, Error-Bounded and
+ * Feature Preserving Surface Remeshing with Minimal Angle Improvement).
  */
 class SurfaceBound
 {
 public:
-  /** @param[in] tolerance positive where the surface is remeshed */
+  /** @param[in] tolerance positive if the surface is remeshed */
   SurfaceBound(const RefinableMesh& mesh, const std::vector<FacetOfInput>& facets,
     SurfaceTreatment treatment, double tolerance);
 
   /**
-   * Whether other pieces may take the place of some: crossing none, not turned over, and where the
-   * surface is remeshed near enough to facets of their labels.
+   * Whether fresh pieces may replace others: they cross none, keep the orientation, and, if the
+   * surface is remeshed, are near enough to facets of their labels.
    *
-   * @param[in,out] fresh each with a facet of its label; then with one that it is near, where the
-   *   surface is remeshed
+   * @param[in,out] fresh each with a facet of its label; replaced by one that it is near, if the
+   * surface is remeshed
    */
   bool Allows(const std::vector<SurfacePiece>& gone, std::vector<SurfacePiece>& fresh);
 
-  /** The same where each of the fresh pieces comes in the place of one, and is not turned from
-   * that.
-   * @param[in] moved of those that are gone, one for each fresh one */
+  /** The same if each fresh piece replaces one, and keeps its orientation.
+   * @param[in] moved gone pieces, one for each fresh one
+   */
   bool AllowsEach(const std::vector<SurfacePiece>& moved, const std::vector<SurfacePiece>& gone,
     std::vector<SurfacePiece>& fresh);
 
-  /** Whether others that differ only in how they are cut, but for rounding, may. */
+  /** Whether pieces that differ only in their triangulation, up to rounding, may replace others. */
   bool AllowsCut(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
-  /** The step that was allowed last was done. */
+  /** Notification: the last allowed step was done. */
   void Replace();
 
-  /** The point of the input's surface that is nearest to a place near a facet: only where it is
-   * remeshed. */
+  /** The nearest point of the input's surface to a place near a facet; only if it is remeshed. */
   Point PlaceOn(const Point& place, Id facet) const;
 
 private:
@@ -61,7 +60,7 @@ private:
 
   TriangleTree::Nearest NearestTo(Id point, const Point& place, Id facet);
 
-  /** The facet that a point was nearest to when last asked for. */
+  /** The facet that was nearest to a point at the last query. */
   struct NearestToPoint
   {
     Point Place;
@@ -72,12 +71,12 @@ private:
   const std::vector<FacetOfInput>& Facets;
   double Tolerance;
   BoundaryPieces Boundary;
-  std::unique_ptr<TriangleTree> Input; ///< where the surface is remeshed
+  std::unique_ptr<TriangleTree> Input; ///< if the surface is remeshed
   std::vector<NearestToPoint> AtPoints;
   std::vector<Point> Places; ///< of the samples
   std::unordered_map<Triangle, Samples, HashOfTriangle> AtPieces;
 
-  /** The step that was allowed last. */
+  /** The last allowed step. */
   std::vector<SurfacePiece> Gone;
   std::vector<SurfacePiece> Fresh;
   std::vector<Samples> AtFresh;

@@ -9,13 +9,15 @@ namespace insideout
 {
 namespace
 {
-/** Of the angle between a piece and those in whose place it comes: the surface would fold over. */
+/**
+ * Limit of the angle between a piece and those it replaces: beyond it the surface would fold over.
+ */
 constexpr double LeastCosine = 0.4;
 
-/** Height over the longest edge: thinner pieces of a surface may fold over by rounding. */
+/** Least height over longest edge: thinner pieces of a surface may fold over by rounding. */
 constexpr double LeastHeight = 1e-6;
 
-/** Whether a piece looks about where a normal does, and is not too thin to tell. */
+/** Whether a piece's normal is roughly along a direction, and the piece is not too thin to tell. */
 bool LooksWhere(const SurfacePiece& piece, const Point& normal)
 {
   const Point own = NormalOf(piece);

@@ -12,31 +12,30 @@ struct SurfacePiece
 {
   Triangle Corners;
   std::array<Point, 3> Places;
-  Id Facet; ///< of the input
+  Id Facet; ///< facet of the input
 };
 
-/** As long as twice its area. */
+/** Of a length of twice its area. */
 Point NormalOf(const SurfacePiece& piece);
 
 /** Whether a triangle is so thin that it may fold over by rounding. */
 bool IsThin(const std::array<Point, 3>& triangle);
 
-/** Whether pieces of one plane, all seen from one side, look where a normal does. Where cells are
- * flat their signs do not tell. */
+/** Whether coplanar pieces, all seen from one side, face a normal's direction. For flat cells their
+ * signs do not tell. */
 bool AreUnfolded(const std::vector<SurfacePiece>& pieces, const Point& normal);
 
-/** Whether all fresh pieces look where the gone ones do, all together. */
+/** Whether all fresh pieces face the way of the gone ones together. */
 bool LookAlike(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh);
 
-/** Whether each fresh piece looks where the one that it was does. */
+/** Whether each fresh piece faces the way of the one it replaces. */
 bool EachLooksAlike(
   const std::vector<SurfacePiece>& before, const std::vector<SurfacePiece>& fresh);
 
-/** The piece that the face of a cell across from corner k is, counter-clockwise seen from within.
- */
+/** The piece of the cell's face opposite to corner k, counter-clockwise seen from within. */
 SurfacePiece PieceAt(const RefinableMesh& mesh, Id cell, int k);
 
-/** Let pieces take the place of others in an exchange. */
+/** Record pieces and their replacements in an exchange. */
 void ExchangePieces(const std::vector<SurfacePiece>& gone, const std::vector<SurfacePiece>& fresh,
   CellExchange& exchange);
 

@@ -13,10 +13,13 @@ namespace insideout
 {
 namespace
 {
-/** Of a triangle into four, until it is clear how far it is: each halves what is not known. */
+/**
+ * Limit of subdivisions of a triangle into four, until its distance is certain: each halves the
+ * uncertainty.
+ */
 constexpr int MostDivisions = 3;
 
-/** Less than what is known: rounding decides nothing, so that the order of triangles does not. */
+/** Margin below the known distance: rounding, and thus the order of triangles, decides nothing. */
 constexpr double ClearlyLess = 1 - 1e-9;
 
 std::vector<Box> BoxesOf(const std::vector<LabelledTriangle>& triangles)
@@ -80,9 +83,9 @@ double TriangleTree::LargestDistanceOf(
   if (hint == None || divisions == MostDivisions ||
     (divisions == 0 && this->IsWithin(triangle, ClearlyLess * interest.Known, near)))
   {
-    return least; // or there is no triangle of that label
+    return least; // or no triangle of that label exists
   }
-  // The distance from one triangle is convex, so that the corners tell how large it is.
+  // The distance from one triangle is convex, so the corners bound it.
   double most = std::numeric_limits<double>::infinity();
   for (const auto& [t, place, distance] : near)
   {

@@ -8,14 +8,14 @@
 
 namespace insideout
 {
-/** A triangle by its corners' places. Facets of one label may stand in for another. */
+/** A triangle by its corners' places. Facets of one label may replace each other. */
 struct LabelledTriangle
 {
   std::array<Point, 3> Corners;
   Id Label;
 };
 
-/** How far places and triangles are from a surface. */
+/** Distances of places and triangles from a surface. */
 class TriangleTree
 {
 public:
@@ -29,17 +29,18 @@ public:
     double Distance;
   };
 
-  /** @param[in] hint a triangle of that label near the place, None for any: of several that are as
-   *   near it is taken, and time is saved */
+  /** @param[in] hint a triangle of that label near the place, None for any: it wins ties, and saves
+   * time
+   */
   Nearest NearestTo(const Point& place, Id label, Id hint = None) const;
 
   /**
-   * The largest distance that a point of a triangle has from the triangles of its label, as far as
-   * samples tell, eight along each edge: it may be more by a tenth of `enough`, and where the
-   * triangle is not near one other triangle, but several, by what is between samples.
+   * The largest distance of a triangle's points from the triangles of its label, by samples, eight
+   * along each edge. It may be exceeded by a tenth of `enough`, and, if the triangle is not near a
+   * single other triangle, between samples.
    *
-   * @param[in] enough what is below it need not be told exactly
-   * @param[in] known at least `enough`: what is below it need not be told at all
+   * @param[in] enough smaller distances need not be exact
+   * @param[in] known at least `enough`: smaller distances need not be found at all
    */
   double LargestDistanceOf(
     const LabelledTriangle& triangle, double enough, double known, Id hint = None) const
@@ -47,15 +48,16 @@ public:
     return this->LargestDistanceOf(triangle, { Precision * enough, known }, hint, 0);
   }
 
-  /** Whether no point of a triangle is farther than that; no where that would take long to tell.
-   * @param[in] ofCorners the nearest points of its label to the corners */
+  /** Whether no point of a triangle is farther than that; false if deciding it would take long.
+   * @param[in] ofCorners the nearest points of its label to the corners
+   */
   bool IsWithin(const LabelledTriangle& triangle, double distance,
     const std::array<Nearest, 3>& ofCorners) const;
 
 private:
   static constexpr double Precision = 0.1;
 
-  /** About a distance: what it need not be told better than, and more than. */
+  /** The required precision of a distance, and the least distance of interest. */
   struct Interest
   {
     double Precision;

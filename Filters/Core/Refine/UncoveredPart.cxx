@@ -18,7 +18,7 @@ Point Scaled(const Point& v, double factor)
   return { { factor * v[0], factor * v[1], factor * v[2] } };
 }
 
-/** Twice the area of a triangle in the plane, negative where it is clockwise. */
+/** Twice the signed area of a triangle in the plane, negative if clockwise. */
 double AreaInPlane(const Point& a, const Point& b, const Point& c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -53,11 +53,11 @@ void Cut(const Polygon& polygon, const Point& from, const Point& to, Polygon& le
   }
 }
 
-/** Whether all of a convex polygon is near a triangle: distances from one are convex. */
+/** Whether all of a convex polygon is near a triangle: distances from a triangle are convex. */
 bool IsNear(
   const Polygon& polygon, const std::array<Point, 3>& triangle, const Box& reach, double near)
 {
-  // What costs least comes first: hardly any is.
+  // The cheapest tests come first: hardly any polygon passes.
   return std::all_of(polygon.begin(), polygon.end(),
            [&](const Point& corner) { return reach.Holds(corner); }) &&
     std::all_of(polygon.begin(), polygon.end(),
@@ -68,7 +68,7 @@ bool IsNear(
       });
 }
 
-/** How high the plane of a triangle is above a place of this plane. */
+/** The height of a triangle's plane above a place of this plane. */
 double HeightOver(const std::array<Point, 3>& triangle, double area, const Point& place)
 {
   const auto& [a, b, c] = triangle;
@@ -105,7 +105,7 @@ Point UncoveredPart::ToPlane(const Point& place) const
   return { { Dot(from, this->Axes[0]), Dot(from, this->Axes[1]), Dot(from, this->Axes[2]) } };
 }
 
-/** Leave what is not near: where only some is, what is beyond each edge of the triangle. */
+/** Keep the uncovered rest: if only a part is near, the pieces beyond each edge of the triangle. */
 void UncoveredPart::CoverPart(
   const Polygon& part, const std::array<Point, 3>& near, const Box& reach)
 {
