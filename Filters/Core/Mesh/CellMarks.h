@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** A mark per cell for one search after the other. */
+/** One mark per cell, for consecutive searches. */
 class CellMarks
 {
 public:

@@ -12,11 +12,11 @@
 namespace insideout
 {
 /**
- * A tetrahedralization that can be changed: cells with their neighbors and facets, and one change
- * that all others are made of, "replace these cells by those". It knows no places of vertices.
+ * A tetrahedralization that can be changed: cells with their neighbors and facets, and one
+ * operation that all changes consist of, replacing some cells by others. It stores no coordinates.
  *
- * @tparam Policy has a type Content, what a cell has besides, and HasBoundary, whether faces may be
- * without a second cell; if not, what is beyond the hull is cells, too
+ * @tparam Policy has a type Content (a cell's additional data) and HasBoundary: whether faces may
+ * lack a second cell; if not, the outside of the hull consists of cells, too
  */
 template <class Policy>
 class Mesh
@@ -25,7 +25,7 @@ public:
   using Content = typename Policy::Content;
   using CellType = MeshCell<Content>;
 
-  /** A face of a cell that stays, and what Replace gives it. */
+  /** A face of a remaining cell, and its new values from Replace. */
   struct OuterFace
   {
     MeshFace Face;
@@ -33,7 +33,7 @@ public:
     Id Facet;
   };
 
-  /** The state of the mesh when the journal began, as far as it has changed since. */
+  /** The state of the mesh when the journal began, for everything that has changed since. */
   struct Journal
   {
     struct OldVertex
@@ -45,7 +45,7 @@ public:
     bool IsKept = false;
     std::vector<std::pair<Id, CellType>> Cells;
     std::vector<OldVertex> Vertices;
-    CellMarks HasCell; ///< each is written down once
+    CellMarks HasCell; ///< each is recorded once
     CellMarks HasVertex;
     Id NumberOfCells = 0;
     Id NumberOfVertices = 0;
@@ -53,28 +53,28 @@ public:
     std::int64_t Changes = 0;
   };
 
-  /** Scratch and counts of whoever searches in a mesh and changes it: threads have one each. */
+  /** Scratch memory and counts for searching and changing a mesh: one per thread. */
   struct Workspace
   {
     CellMarks Marks;
     std::int64_t Changes = 0;   ///< number of changes made
-    std::vector<Id> FreeCells;  ///< dead ones, whose ids are given again, the last first
-    std::vector<Id> FreshCells; ///< those that the last Replace made
+    std::vector<Id> FreeCells;  ///< dead cells, whose ids are reused, last first
+    std::vector<Id> FreshCells; ///< cells made by the last Replace
     Journal Past;
 
-    // Scratch of Replace, kept for its memory.
+    // Scratch memory of Replace.
     PendingFaces Faces;
     std::vector<CellType> Fresh;
     std::vector<OuterFace> Outer;
   };
 
-  /** The number of all cells, dead ones too: their ids are below this. */
+  /** The number of all cells, including dead ones: a bound of their ids. */
   Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
 
   /** Valid until the next Replace. */
   const CellType& Cell(Id cell) const { return this->Cells[cell]; }
 
-  /** Whether the cell was replaced; its id may be given to another. */
+  /** Whether the cell was replaced; its id may be reused. */
   bool IsDead(Id cell) const { return this->Cells[cell].Corners[0] == None; }
   int CornerIndex(Id cell, Id vertex) const
   {
@@ -82,37 +82,37 @@ public:
   }
   bool Has(Id cell, Id vertex) const { return this->CornerIndex(cell, vertex) >= 0; }
 
-  /** One of the cells around a vertex, None where it is in no cell. */
+  /** One of the cells around a vertex, None if it is in no cell. */
   Id CellAt(Id vertex) const { return this->CellOf[vertex]; }
   bool HasVertex(Id vertex) const { return this->CellOf[vertex] != None; }
 
-  /** The index that `cell` has among the neighbors of the cell across its face k. */
+  /** The index of `cell` among the neighbors of the cell across its face k. */
   int MirrorIndex(Id cell, int k) const;
 
-  /** The corner of the cell across face k that is not on it. */
+  /** The corner of the cell across face k that is not on that face. */
   Id Opposite(Id cell, int k) const
   {
     return this->Cells[this->Cells[cell].Neighbors[k]].Corners[this->MirrorIndex(cell, k)];
   }
 
-  /** The corners of a face, counter-clockwise seen from the corner across. */
+  /** The corners of a face, counter-clockwise seen from the opposite corner. */
   Triangle FaceCorners(Id cell, int face) const
   {
     return FaceAcross(this->Cells[cell].Corners, face);
   }
 
-  /** Append the cells around a vertex that can be reached from CellAt through faces at it; none for
-   * a vertex that is in no cell. */
+  /** Append the cells around a vertex that are reachable from CellAt through faces at the vertex;
+   * none if it is in no cell. */
   void Star(Id vertex, std::vector<Id>& cells, CellMarks& marks) const;
 
   /** The cells around an edge of `cell`. */
   void Ring(Id u, Id v, Id cell, EdgeRing& ring) const;
 
-  /** Workspace::Changes after the last change of the cells around a vertex. */
+  /** The value of Workspace::Changes after the last change of the cells around a vertex. */
   std::int64_t LastChangeAround(Id vertex) const { return this->ChangeAround[vertex]; }
 
 protected:
-  /** A vertex in no cell yet. */
+  /** Add a vertex in no cell yet. */
   void AppendVertex(std::int64_t changes)
   {
     this->CellOf.push_back(None);
@@ -127,27 +127,28 @@ protected:
   {
     const std::vector<Id>& Old;
     const std::vector<Tetrahedron>& Fresh;
-    const std::vector<Triangle>& Gone;     ///< pieces of the boundary that go, sorted
-    const std::vector<FreshFacet>& Facets; ///< of fresh cells, or of those behind the old ones
+    const std::vector<Triangle>& Gone; ///< removed pieces of the boundary, sorted
+    /// faces of fresh cells, or of those behind the old ones
+    const std::vector<FreshFacet>& Facets;
   };
 
   /**
-   * Put fresh cells in place of old ones, which fill the same space. Faces between the two sets and
-   * the rest keep their facets, and inner ones have none, but for those that are given.
+   * Replace old cells by fresh ones that fill the same space. Faces between these and the rest keep
+   * their facets; inner faces have none, unless given.
    * @param[in] contentOf called with the number of a fresh cell and its id
-   * @throws Error Inconsistent, with the mesh as it was, where old cells are not there or the fresh
-   *   ones have another boundary
+   * @throws Error Inconsistent, leaving the mesh unchanged, if old cells do not exist or the fresh
+   * ones have another boundary
    */
   template <class ContentOf>
   void Replace(const Replacement& exchange, const ContentOf& contentOf, Workspace& work);
 
-  /** Keep a journal from now on, to go back to what the mesh is; one that is kept begins anew. */
+  /** Start a journal for restoring the present state; an existing journal is discarded. */
   void StartJournal(Workspace& work) const;
 
-  /** Make the mesh what it was when the journal began, and keep none any more. */
+  /** Restore the state at the start of the journal, and end the journal. */
   void GoBack(Workspace& work);
 
-  /** Write down a cell that is to change. */
+  /** Record a cell before it changes. */
   void Record(Id cell, Workspace& work) const
   {
     Journal& past = work.Past;
@@ -158,7 +159,7 @@ protected:
     }
   }
 
-  /** Write down a vertex that is to change. */
+  /** Record a vertex before it changes. */
   void RecordVertex(Id vertex, Workspace& work) const
   {
     Journal& past = work.Past;
@@ -183,12 +184,12 @@ private:
   void Commit(const Replacement& exchange, Workspace& work);
 };
 
-// --- Looking around ------------------------------------------------------------------------------
+// --- Queries -------------------------------------------------------------------------------------
 
 template <class Policy>
 int Mesh<Policy>::MirrorIndex(Id cell, int k) const
 {
-  // Two cells may share more than one face; the shared one is across from a corner of its own.
+  // Two cells may share several faces; each is opposite to a corner of its own.
   const CellType& other = this->Cells[this->Cells[cell].Neighbors[k]];
   const Tetrahedron& t = this->Cells[cell].Corners;
   for (int j = 0; j < 4; ++j)
@@ -300,7 +301,7 @@ void Mesh<Policy>::MarkOld(const std::vector<Id>& old, Workspace& work) const
   }
 }
 
-/** Enter the faces between the marked cells and the rest. @return how many */
+/** Enter the faces between the marked cells and the rest. @return their number */
 template <class Policy>
 std::size_t Mesh<Policy>::EnterWalls(const Replacement& exchange, Workspace& work) const
 {
@@ -329,7 +330,7 @@ std::size_t Mesh<Policy>::EnterWalls(const Replacement& exchange, Workspace& wor
   return walls;
 }
 
-/** The ids that fresh cells get when the old ones are dead. */
+/** The ids of fresh cells once the old ones are dead. */
 template <class Policy>
 void Mesh<Policy>::NumberFresh(const Replacement& exchange, Workspace& work) const
 {
@@ -349,8 +350,7 @@ void Mesh<Policy>::NumberFresh(const Replacement& exchange, Workspace& work) con
   }
 }
 
-/** Connect face k of a fresh cell with the one that is entered. @return false where it is the first
- */
+/** Connect face k of a fresh cell with its entry. @return false if it is the first */
 template <class Policy>
 bool Mesh<Policy>::Match(Id number, int k, Workspace& work) const
 {
@@ -384,8 +384,8 @@ bool Mesh<Policy>::Match(Id number, int k, Workspace& work) const
 }
 
 /**
- * Make a face of the fresh cells a piece of a facet, or a wall, if the cell at it is gone and no
- * other takes its place.
+ * Make a face of the fresh cells a piece of a facet, or a wall if the cell at it is removed without
+ * replacement.
  *
  * @return whether it is on the boundary
  */
@@ -450,7 +450,7 @@ void Mesh<Policy>::GoBack(Workspace& work)
   past.IsKept = false;
 }
 
-/** Write down the cells and vertices that Commit changes. */
+/** Record the cells and vertices that Commit changes. */
 template <class Policy>
 void Mesh<Policy>::RecordAll(const Replacement& exchange, Workspace& work) const
 {
@@ -480,7 +480,7 @@ void Mesh<Policy>::RecordAll(const Replacement& exchange, Workspace& work) const
   std::for_each(exchange.Fresh.begin(), exchange.Fresh.end(), recordCorners);
 }
 
-/** Make the prepared change. Nothing but a lack of memory stops it. */
+/** Make the prepared change. Only a lack of memory stops it. */
 template <class Policy>
 void Mesh<Policy>::Commit(const Replacement& exchange, Workspace& work)
 {
@@ -491,7 +491,7 @@ void Mesh<Policy>::Commit(const Replacement& exchange, Workspace& work)
   ++work.Changes;
   for (const Id cell : exchange.Old)
   {
-    // A vertex that is left without a cell gets one back below, or is no longer in the mesh.
+    // A vertex left without a cell gets one below, or is no longer in the mesh.
     for (const Id corner : this->Cells[cell].Corners)
     {
       this->CellOf[corner] = None;

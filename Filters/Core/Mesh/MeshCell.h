@@ -8,23 +8,23 @@
 
 namespace insideout
 {
-/** A tetrahedron of a Mesh. Neighbor k and facet k are across from corner k. */
+/** A tetrahedron of a Mesh. Neighbor k and facet k are opposite to corner k. */
 template <class Content>
 struct MeshCell : Content
 {
-  Tetrahedron Corners;         ///< the first is None where the cell is dead
-  std::array<Id, 4> Neighbors; ///< None beyond the boundary
-  std::array<Id, 4> Facets;    ///< that the face is a piece of, None for none
+  Tetrahedron Corners;         ///< the first is None if the cell is dead
+  std::array<Id, 4> Neighbors; ///< None outside the boundary
+  std::array<Id, 4> Facets;    ///< facets of the faces, None for none
 };
 
-/** The face of a cell across from its corner Face. */
+/** The face of a cell opposite to its corner Face. */
 struct MeshFace
 {
   Id Cell;
   int Face;
 };
 
-/** A face that is to be a piece of a facet. */
+/** A face, and the facet that it becomes a piece of. */
 struct FreshFacet
 {
   Triangle Corners;
@@ -33,18 +33,18 @@ struct FreshFacet
 
 /**
  * The cells around an edge (U, V): cell k has the corners U, V, Points[k], Points[k + 1]. Around an
- * edge of the boundary the points are one more than the cells, else the last cell ends at the first
- * point. An edge with several such fans, where the boundary is not manifold, has a ring for each.
+ * edge of the boundary there is one point more than cells; otherwise the last cell ends at the
+ * first point. A non-manifold edge of the boundary has one ring per fan.
  */
 struct EdgeRing
 {
   Id U;
   Id V;
   bool IsClosed;
-  bool IsLocked; ///< whether a face at the edge, between two cells, is a piece of a facet
+  bool IsLocked; ///< whether a face between two cells at the edge is a piece of a facet
   std::vector<Id> Points;
   std::vector<Id> Cells;
-  std::array<Id, 2> EndFacets; ///< at the first and the last point, where it is not closed
+  std::array<Id, 2> EndFacets; ///< at the first and the last point, if open
 
   bool IsOnFacet() const { return !this->IsClosed || this->IsLocked; }
 };
@@ -57,18 +57,18 @@ constexpr std::array<std::array<std::array<std::int8_t, 2>, 4>, 4> OtherCorners 
   { { { { 2, 1 } }, { { 0, 2 } }, { { 1, 0 } }, { { 0, 0 } } } },
 } };
 
-/** Corners of the face across from corner k, counter-clockwise seen from corner k. */
+/** Corners of the face opposite to corner k, counter-clockwise seen from corner k. */
 constexpr std::array<std::array<std::int8_t, 3>, 4> FaceSeenFrom = { { { { 1, 3, 2 } },
   { { 0, 2, 3 } }, { { 0, 3, 1 } }, { { 0, 1, 2 } } } };
 
-/** The face across from corner k, counter-clockwise seen from it. */
+/** The face opposite to corner k, counter-clockwise seen from it. */
 constexpr Triangle FaceAcross(const Tetrahedron& cell, int k)
 {
   const auto& f = FaceSeenFrom[k];
   return { { cell[f[0]], cell[f[1]], cell[f[2]] } };
 }
 
-/** The place of a vertex among the corners, -1 where it is none of them. */
+/** The index of a vertex among the corners, -1 if it is none of them. */
 constexpr int CornerIndexIn(const Tetrahedron& cell, Id vertex)
 {
   return cell[0] == vertex ? 0

@@ -7,25 +7,25 @@
 
 namespace insideout
 {
-/** A face of which one cell is known, and the other is looked for. */
+/** A face with one known cell, while the other is searched for. */
 struct PendingFace
 {
   Triangle Corners; ///< ascending
   std::uint32_t Epoch;
-  Id Cell;        ///< None beyond the boundary
-  Id Fresh;       ///< the number of that cell among the fresh ones, None for an old one
-  Id Facet;       ///< that fresh cells take over
-  Id Other;       ///< the number of the fresh cell that was found, None as long as there is none
-  std::int8_t At; ///< the faces of the two cells
+  Id Cell;        ///< None outside the boundary
+  Id Fresh;       ///< index of that cell among the fresh ones, None for an old one
+  Id Facet;       ///< facets inherited by fresh cells
+  Id Other;       ///< index of the matching fresh cell, None until it is found
+  std::int8_t At; ///< indices of the face in the two cells
   std::int8_t AtOther;
-  bool IsOnBoundary; ///< no other cell is to come
+  bool IsOnBoundary; ///< no second cell is expected
 };
 
-/** A table of faces by their corners, which is emptied at once. */
+/** A hash table of faces by their corners, cleared in constant time. */
 class PendingFaces
 {
 public:
-  /** Make room for the faces of a number of cells, and forget those that were entered. */
+  /** Make room for the faces of a number of cells, and clear the table. */
   void Start(std::size_t cells)
   {
     std::size_t size = 32;
@@ -42,7 +42,7 @@ public:
     ++this->Epoch;
   }
 
-  /** The slot that a face has or gets. */
+  /** The existing or new slot of a face. */
   PendingFace& At(const Triangle& sorted)
   {
     std::size_t slot = static_cast<std::size_t>(sorted[0]) * 0x9E3779B1u ^

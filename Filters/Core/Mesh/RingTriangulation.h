@@ -7,8 +7,8 @@ namespace insideout
 {
 /**
  * The best triangulation of the points around an edge, by dynamic programming (Klincsek 1980,
- * Minimal triangulations of polygonal domains). Each of its triangles becomes two cells, with an
- * end of the edge each, and the edge is gone.
+ * Minimal triangulations of polygonal domains). Each of its triangles becomes two cells, one at
+ * each end of the edge; the edge is removed.
  *
  * @tparam Value of a triangulation or a part of it
  */
@@ -17,10 +17,10 @@ class RingTriangulation
 {
 public:
   /**
-   * @param[in] measure has the values Edge, of an edge of the ring, and Impossible; IsBetter(a, b);
-   *   IsEnough(a), without which a part is given up; Join(a, b), the value of two parts;
-   *   OfTriangle(i, j, k) and OfDiagonal(i, j), of points of the ring
-   * @param[in] first point that takes part, with all after it
+   * @param[in] measure has the values Edge (of an edge of the ring) and Impossible; IsBetter(a, b);
+   * IsEnough(a), required of every part; Join(a, b), the value of two parts; OfTriangle(i, j, k)
+   * and OfDiagonal(i, j), for points of the ring
+   * @param[in] first the triangulation is of this and all later points
    * @return whether there is a triangulation that is good enough
    */
   template <class Measure>
@@ -43,7 +43,7 @@ public:
     return measure.IsEnough(this->Best[first * size + size - 1]);
   }
 
-  /** Append the cells of the part from point i to point j of what was found. */
+  /** Append the cells of the part from point i to point j of the result. */
   void AppendCells(const EdgeRing& ring, int i, int j, std::vector<Tetrahedron>& fresh) const
   {
     if (j > i + 1)
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  /** The best way from point i to point j, with the diagonal between them. */
+  /** The best triangulation from point i to point j, with the diagonal between them. */
   template <class Measure>
   void FindPart(const Measure& measure, int i, int j)
   {
@@ -91,7 +91,7 @@ private:
   }
 
   int Size = 0;
-  std::vector<Value> Best; ///< from point i to point j, at i * Size + j
-  std::vector<int> Middle; ///< and the third corner of the triangle at their diagonal
+  std::vector<Value> Best; ///< best value from point i to point j, at i * Size + j
+  std::vector<int> Middle; ///< its third corner of the triangle at the diagonal
 };
 } // namespace insideout

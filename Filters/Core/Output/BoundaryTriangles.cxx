@@ -29,7 +29,7 @@ double VolumeWithin(
   long double sixfold = 0;
   for (const auto& [corners, source] : triangles)
   {
-    // From a corner of the surface, so that a solid far from the origin loses no digits.
+    // Relative to a corner of the surface, so that a solid far from the origin loses no digits.
     std::array<std::array<long double, 3>, 3> v;
     for (int k = 0; k < 3; ++k)
     {
@@ -52,7 +52,7 @@ std::vector<Triangle> TrianglesInMesh(const TriangleSoup& soup, const std::vecto
   std::vector<Id> place(soup.Points.size(), None);
   for (Id p = 0; p < static_cast<Id>(origins.size()); ++p)
   {
-    // Rounding may put a new point, which comes later, in the same place.
+    // Rounding may put a new point, which comes later, at the same place.
     if (origins[p].IsInput() && place[origins[p].Points[0]] == None)
     {
       place[origins[p].Points[0]] = p;

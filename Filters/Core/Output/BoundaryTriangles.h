@@ -5,11 +5,11 @@
 
 namespace insideout
 {
-/** A triangle of the solid's boundary, on its way to a surface of its own. */
+/** A triangle of the solid's boundary, before points are renumbered. */
 struct BoundaryTriangle
 {
   Triangle Corners; ///< points of the mesh, counter-clockwise seen from outside the solid
-  Id Source;        ///< the input triangle that it lies on, None where a hole was closed
+  Id Source;        ///< the input triangle that it lies on, None if it closes a hole
 };
 
 /**
@@ -25,7 +25,7 @@ std::vector<BoundaryTriangle> BoundaryTriangles(const FacetComplex& surface,
 /**
  * The volume that a watertight surface encloses, to some units in the last place.
  *
- * @param[in] points that its corners are
+ * @param[in] points referred to by its corners
  */
 double VolumeWithin(
   const std::vector<Point>& points, const std::vector<BoundaryTriangle>& triangles);

@@ -26,7 +26,7 @@ struct FaceEdge
   }
 };
 
-/** A side of a cell that is looked through from within. */
+/** A side of a cell, seen from within the cell. */
 struct Side
 {
   Id Cell;
@@ -63,7 +63,7 @@ private:
   DisjointSets Corners; ///< 3 for each face
 };
 
-/** Whether a face of a cell has an edge, by places. */
+/** Whether a face of a cell has an edge, comparing places. */
 bool Joiner::Has(Id cell, int face, const Edge& places) const
 {
   int found = 0;
@@ -84,7 +84,7 @@ bool Joiner::IsOf(Id cell, const Edge& ends) const
     std::find(corners.begin(), corners.end(), ends[1]) != corners.end();
 }
 
-/** The other side of a cell that has the edge. */
+/** The other side of a cell at the edge. */
 Side Joiner::TurnAround(Side side, const Edge& places) const
 {
   int other = 0;
@@ -105,8 +105,7 @@ const FaceEdge* Joiner::Find(const Group& group, const Side& side) const
     });
 }
 
-/** The face of the same edge that one comes to by going around the edge outside; none where the
- * mesh ends before. */
+/** The next face at the same edge, going around the edge outside; None if the mesh ends before. */
 const FaceEdge* Joiner::AcrossOutside(const Group& group, const FaceEdge& edge) const
 {
   const Edge places = { this->Solid.Places[edge.Ends[0]], this->Solid.Places[edge.Ends[1]] };
@@ -126,7 +125,7 @@ const FaceEdge* Joiner::AcrossOutside(const Group& group, const FaceEdge& edge) 
   return group.second;
 }
 
-/** The face of the same edge that bounds the same fan of cells. */
+/** The other face at the same edge that bounds the same fan of cells. */
 const FaceEdge* Joiner::AcrossInside(const Group& group, const FaceEdge& edge) const
 {
   const Edge places = { this->Solid.Places[edge.Ends[0]], this->Solid.Places[edge.Ends[1]] };
@@ -142,10 +141,10 @@ const FaceEdge* Joiner::AcrossInside(const Group& group, const FaceEdge& edge) c
   return this->Find(group, side);
 }
 
-/** Two faces share the edge: its ends are theirs. */
+/** Join the ends of an edge in two faces. */
 void Joiner::JoinPair(const FaceEdge& a, const FaceEdge& b)
 {
-  // They run through it in opposite directions.
+  // The faces run along it in opposite directions.
   this->Corners.Join(3 * a.Face + a.Corner, 3 * b.Face + (b.Corner + 1) % 3);
   this->Corners.Join(3 * a.Face + (a.Corner + 1) % 3, 3 * b.Face + b.Corner);
 }
@@ -159,7 +158,7 @@ void Joiner::JoinGroup(const Group& group)
     return;
   }
   std::vector<std::pair<const FaceEdge*, const FaceEdge*>> pairs;
-  std::vector<const FaceEdge*> ending; // those from which one comes to the end of the mesh
+  std::vector<const FaceEdge*> ending; // faces from which the end of the mesh is reached
   for (const FaceEdge* edge = group.first; edge != group.second; ++edge)
   {
     const FaceEdge* const other = this->AcrossOutside(group, *edge);
@@ -172,7 +171,7 @@ void Joiner::JoinGroup(const Group& group)
       pairs.emplace_back(edge, other);
     }
   }
-  if (ending.size() == 2) // beyond the hull is one space
+  if (ending.size() == 2) // the space beyond the hull is one
   {
     pairs.emplace_back(ending[0], ending[1]);
   }
@@ -216,10 +215,10 @@ void Joiner::Join(Monitor& monitor, const ProgressRange& progress)
   }
 }
 
-/** Points in the order of the solid's, and those in one place by their first face. */
+/** Number points in the solid's order, and points at one place by their first face. */
 ManifoldSurface Joiner::Number()
 {
-  std::vector<std::pair<Id, Id>> points; // place, and the corner that stands for it
+  std::vector<std::pair<Id, Id>> points; // place, and a representative corner
   for (Id corner = 0; corner < static_cast<Id>(3 * this->Faces.size()); ++corner)
   {
     if (this->Corners.Find(corner) == corner)

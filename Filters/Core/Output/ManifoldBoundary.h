@@ -6,38 +6,39 @@
 
 namespace insideout
 {
-/** The boundary as a manifold: a surface whose points may stand in one place several times. */
+/** The boundary as a manifold: a surface with possibly several points at one place. */
 struct ManifoldSurface
 {
   std::vector<Triangle> Triangles; ///< the faces, in their order, by the points below
-  std::vector<Id> Places;          ///< the solid's point where each point stands
+  std::vector<Id> Places;          ///< the solid's point at each point's place
   Id SharedPoints =
-    0;              ///< copies that cells share: the number of points beyond the number of places
+    /// copies within shared cells: the number of points beyond the number of places
+    0;
   Id LeftEdges = 0; ///< edges with more than two triangles
 };
 
 /**
- * The boundary of a solid whose points are parted (PartPoints), as a 2-manifold: every edge has two
- * triangles, those at every point are one fan. Only points are duplicated, in their place.
+ * The boundary of a solid with separated points (PartPoints), as a 2-manifold: every edge has two
+ * triangles, and those at every point are one fan. Only points are duplicated, in place.
  *
- * Parting the cells' points leaves what no copy of a cell's point can part: cells around a point
- * are connected through faces, and go around something that they do not fill. Two cavities that
- * touch in a point are an example, and an edge whose cells are two fans at both of whose ends these
- * are connected. There the surface alone gets copies, which the cells share; to part the cells,
- * too, would take a crack through the solid, or a new point, which is rounded (Attene et al. 2009
- * put one amid such an edge).
+ * Separating the cells' points leaves some non-manifold points: cells around such a point are
+ * connected through faces, and surround a space that they do not fill. Two cavities that touch in a
+ * point are an example, and an edge whose cells are two fans at both of whose ends these are
+ * connected. There only the surface gets copies, which the cells share; separating the cells, too,
+ * would require a crack through the solid, or a new, rounded point (Attene et al. 2009 split such
+ * an edge).
  *
- * At an edge with more than two faces those are joined that bound the same space outside the solid.
- * That parts the edge's ends: let the cells at one of them be connected, and draw them on a small
- * sphere around it. Two fans at the edge are then regions that touch in a point of the sphere, and
- * are connected elsewhere; a closed curve through both, within the cells but for that point, parts
- * the spaces between them (Jordan), so that each space is walked round by another fan of faces. So
- * each copy of the edge has other ends than the others, and two faces.
+ * At an edge with more than two faces, faces that bound the same space outside the solid are
+ * joined. This separates the edge's ends, as follows. Let the cells at one of them be connected,
+ * and draw them on a small sphere around it. Two fans at the edge are then regions that touch in a
+ * point of the sphere, and are connected elsewhere; a closed curve through both, within the cells
+ * but for that point, separates the spaces between them (Jordan). So each space is surrounded by a
+ * fan of faces of its own, and each copy of the edge has its own ends and two faces.
  *
- * Where overlaps were separated there may be nothing that tells which space a face bounds. Then
- * faces of the same cells are joined, and the edge may keep more than two triangles.
+ * Where overlaps were separated, the space that a face bounds may be undefined. Then faces of the
+ * same cells are joined, and the edge may keep more than two triangles.
  *
- * @param[in] solid all of whose points are parted
+ * @param[in] solid with all points separated
  * @param[in] faces of its boundary (BoundaryFaces)
  * @throws Error Stopped
  */

@@ -17,10 +17,10 @@ namespace insideout
 {
 namespace
 {
-/** Cells are added up in blocks of so many, and then the blocks: for few rounding errors. */
+/** Cells per block of the pairwise sums, which reduce rounding errors. */
 constexpr std::size_t CellsPerBlock = 64;
 
-/** What a cell takes. */
+/** Nanoseconds per cell. */
 constexpr double NanosecondsPerCell = 30;
 
 /** The integrals of 1, x, y, z, x x, y y, z z, x y, y z and x z. */
@@ -52,7 +52,7 @@ void AddCell(const std::array<Point, 4>& corners, Moments& moments)
   }
 }
 
-/** Some cells of a mesh, scaled so that no product of their coordinates over- or underflows. */
+/** Some cells of a mesh, scaled to prevent over- and underflow of products of their coordinates. */
 class Part
 {
 public:
@@ -66,7 +66,7 @@ private:
 
   const TetrahedralMesh& Mesh;
   const Buckets<Id>::Range Cells;
-  int Exponent = 0; ///< of what all coordinates are below
+  int Exponent = 0; ///< exponent of a bound of all coordinates
   PowerOfTwo Scale{ 0 };
   Point Middle = { { 0, 0, 0 } };
 };
@@ -150,8 +150,8 @@ MassProperties Part::Measure() const
   {
     return mass;
   }
-  // Once more about the center: of what is far from the middle, differences of large numbers would
-  // be taken.
+  // Repeat about the center: for cells far from the first origin, moments would be differences of
+  // large numbers.
   Point center;
   for (int k = 0; k < 3; ++k)
   {

@@ -9,8 +9,7 @@
 
 namespace insideout
 {
-/** Mass properties of a solid of density 1, in the units of its points. All 0 where there is no
- * solid. */
+/** Mass properties of a solid of density 1, in the units of its points. All 0 without a solid. */
 struct MassProperties
 {
   double Volume = 0;
@@ -24,17 +23,17 @@ struct MassProperties
 /**
  * The mass properties of the cells inside, to some units in the last place: each is a sum of the
  * cells' own moments (Tonon 2004, Explicit exact formulas for the 3-D tetrahedron inertia tensor)
- * about their common center. Rounding errors are added up beside it. The same for any
- * number of threads. Infinite where a double cannot hold it.
+ * about their common center, by compensated summation. The same for any number of threads. Infinite
+ * on overflow.
  *
  * @param[in] inside one label per cell, not 0 for those inside
  */
 MassProperties MeasureMass(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
 
-/** The same for each region, about its own center: as if the others were not there. */
+/** The same for each region, about its own center, without the others. */
 std::vector<MassProperties> MeasureRegions(
   const TetrahedralMesh& mesh, const SolidRegions& regions);
 
-/** Mass properties as figures: Volume, CenterOfMassX to Z, InertiaXX to XZ. */
+/** Mass properties as statistics: Volume, CenterOfMassX to Z, InertiaXX to XZ. */
 void AppendMass(const MassProperties& mass, Statistics& statistics);
 } // namespace insideout

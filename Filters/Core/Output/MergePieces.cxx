@@ -15,13 +15,14 @@ namespace insideout
 {
 namespace
 {
-/** An input triangle whose pieces on the boundary make it up. */
+/** An input triangle that its pieces on the boundary cover. */
 struct Candidate
 {
   Triangle Whole; ///< turned outward
   std::vector<Id> Pieces;
-  std::array<std::vector<Id>, 3> Edges; ///< points along each edge, the ends too, from the lower
-  std::vector<Id> Inner;                ///< points in its interior
+  /// points along each edge, including ends, from the lower end
+  std::array<std::vector<Id>, 3> Edges;
+  std::vector<Id> Inner; ///< points in its interior
   bool IsOut = false;
 
   bool HasEdge(const std::vector<Id>& edge) const
@@ -30,7 +31,7 @@ struct Candidate
   }
 };
 
-/** Whether the pieces make up the triangle, all facing the same way; the candidate then. */
+/** Whether the pieces cover the triangle, all with one orientation; sets the candidate. */
 bool MatchCandidate(
   const Triangle& given, const std::vector<Triangle>& pieces, Candidate& candidate)
 {
@@ -114,7 +115,7 @@ Merger::Merger(const std::vector<BoundaryTriangle>& triangles, const std::vector
 {
 }
 
-/** A loop from `begin` to `end` of the work, which is 1. */
+/** Process a range of the work; the whole work is 1. */
 LoopProgress Merger::Loop(double begin, double end, std::size_t turns) const
 {
   const double all = this->Progress.End - this->Progress.Begin;
@@ -158,8 +159,8 @@ void Merger::FindCandidates()
   }
 }
 
-/** Where rounding left a thin cell on a facet, the whole may be a face of the boundary as well: the
- * same triangle twice would bound no solid. */
+/** Where rounding left a thin cell on a facet, the whole facet may be a face of the boundary as
+ * well: the same triangle twice would bound no solid. */
 void Merger::LeaveOutTwins()
 {
   std::unordered_map<Triangle, int, HashOfTriangle> count;
@@ -179,7 +180,7 @@ void Merger::LeaveOutTwins()
   }
 }
 
-/** Call visit(point, edge) for each point to be dropped; edge is nullptr in the interior. */
+/** Call visit(point, edge) for each dropped point; edge is nullptr in the interior. */
 template <typename Visitor>
 void Merger::ForEachDropped(const Candidate& candidate, Visitor visit) const
 {
@@ -196,7 +197,7 @@ void Merger::ForEachDropped(const Candidate& candidate, Visitor visit) const
   }
 }
 
-/** Whether a triangle at a point that the candidate drops goes along. */
+/** Whether a triangle at a point that the candidate drops is merged as well. */
 bool Merger::Drops(Id candidate, Id triangle, const std::vector<Id>* edge) const
 {
   const Id other = this->CandidateOf[triangle];
@@ -253,7 +254,7 @@ void Merger::LeaveOutWhatOthersNeed()
     {
       continue;
     }
-    // No more to be merged, nor to be looked at again; but those around it are.
+    // Reject the candidate for good, and queue those around it.
     this->Candidates[c].IsOut = true;
     this->Candidates[c].Pieces.clear();
     this->ForEachDropped(this->Candidates[c],

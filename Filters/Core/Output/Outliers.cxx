@@ -10,7 +10,7 @@ namespace insideout
 {
 namespace
 {
-/** Facet by facet whether the mesh has it as faces. */
+/** Per facet, whether the mesh has it as faces. */
 std::vector<char> FacetsInMesh(const FacetComplex& surface, const TetrahedralMesh& mesh)
 {
   std::vector<char> isThere(surface.Facets.size(), 0);

@@ -11,12 +11,12 @@
 
 namespace insideout
 {
-/** Why a facet is no part of the solid. */
+/** The reason why a facet is not part of the solid. */
 enum class OutlierReason : unsigned char
 {
   Energy,    ///< the segmentation put the cells on both sides outside
   Lost,      ///< the tetrahedra do not follow the facet
-  LeftOut,   ///< it still crossed others when the resolver gave up
+  LeftOut,   ///< it still crossed others when the resolver stopped
   Degenerate ///< the input triangle has no area
 };
 
@@ -24,7 +24,7 @@ enum class OutlierReason : unsigned char
 constexpr std::array<const char*, 4> OutlierReasonNames = { { "segmented as outside",
   "lost in the tetrahedralization", "left out by the resolver", "degenerate" } };
 
-/** A piece of a facet that is no face of an inside cell. */
+/** A piece of a facet that is not a face of an inside cell. */
 struct OutlierPiece
 {
   Triangle Corners; ///< points of the mesh, in the facet's orientation
@@ -33,23 +33,23 @@ struct OutlierPiece
 };
 
 /**
- * What the solid leaves out of the surface (thesis, section 8.5): pieces of facets, the faces of
- * the mesh that lie on them, without an inside cell on either side; and whole facets that have no
- * pieces: those that the mesh lost and those behind NumberOfConstraints. Facets of multiplicity 0
- * are treated like the others. The thesis's figure 8.13 shows such facets.
+ * Parts of the surface that the solid leaves out (thesis, section 8.5): pieces of facets (faces of
+ * the mesh on them) without an inside cell on either side, and whole facets without pieces: those
+ * that the mesh lost and those behind NumberOfConstraints. Facets of multiplicity 0 are treated
+ * like the others. The thesis's figure 8.13 shows such facets.
  *
  * @param[in] surface the complex that `mesh` was made of
  * @param[in] inside one value per cell, 0 for outside
- * @return by facet, pieces of one in the order of their cells
- * @throws Error InvalidParameter when there is not one label per cell; Stopped
+ * @return sorted by facet, pieces of one facet in the order of their cells
+ * @throws Error InvalidParameter if there is not one label per cell; Stopped
  */
 std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
   const std::vector<unsigned char>& inside, Monitor& monitor, const ProgressRange& progress);
 
 /**
- * The same where it depends on the facet which cells are inside, as with several bodies.
+ * The same with inside depending on the facet, as for several bodies.
  *
- * @param[in] isInside asked for (facet, cell)
+ * @param[in] isInside called with (facet, cell)
  */
 std::vector<OutlierPiece> OutlierPieces(const FacetComplex& surface, const TetrahedralMesh& mesh,
   const std::function<bool(Id, Id)>& isInside, Monitor& monitor, const ProgressRange& progress);

@@ -12,27 +12,26 @@
 
 namespace insideout
 {
-/** Cells that share a point only where sides lead from one to the other around it. */
+/** Cells that share a point only if sides connect them around it. */
 template <std::size_t Corners>
 struct PartedCells
 {
-  std::vector<std::array<Id, Corners>> Cells; ///< those outside as they were
-  std::vector<Id> Places; ///< per point the one that it is a copy of; those that were there first
+  std::vector<std::array<Id, Corners>> Cells; ///< outside cells are unchanged
+  std::vector<Id> Places; ///< per point the one that it is a copy of; the original points first
 };
 
 /**
- * The cells inside at a point fall into parts: sides that have the point lead from one cell of a
- * part to any other of it. The first part keeps the point, each other one gets a copy (vertex and
- * edge duplication of Attene, Giorgi, Ferri and Falcidieno 2009). Copies are numbered by the first
- * cell that has them. So cells inside have the points that they had, but for the number of copies,
- * and share the same sides.
+ * Separate the inside cells at each point into groups connected through sides at the point. The
+ * first group keeps the point, each other one gets a copy (vertex and edge duplication of Attene,
+ * Giorgi, Ferri and Falcidieno 2009). Copies are numbered by their first cell. Cells inside keep
+ * the places of their points, and share the same sides.
  *
- * In the plane the parts are fans, and at each point of the boundary two of its edges end. In space
- * a part may go around what it does not fill, and touch itself: see ManifoldBoundary.
+ * In the plane the groups are fans, and at each point of the boundary two of its edges end. In
+ * space a group may surround a space that it does not fill, and touch itself: see ManifoldBoundary.
  *
  * @param[in] neighbors of each cell, None where there is none
  * @param[in] inside one value per cell, 0 for outside
- * @param[in] parted one value per point, 0 for those that are to stay one
+ * @param[in] parted one value per point, 0 for points to leave alone
  * @throws Error Stopped
  */
 template <std::size_t Corners>
@@ -71,7 +70,8 @@ PartedCells<Corners> PartCells(const std::vector<std::array<Id, Corners>>& cells
   result.Places.resize(parted.size());
   std::iota(result.Places.begin(), result.Places.end(), 0);
   std::vector<unsigned char> isTaken(parted.size(), 0);
-  std::vector<Id> pointOf(Corners * cells.size(), None); // of the first corner of each part
+  // indices of the first corner of each group
+  std::vector<Id> pointOf(Corners * cells.size(), None);
   for (Id cell = 0; cell < count; ++cell)
   {
     turns.Check(static_cast<std::size_t>(count + cell));

@@ -9,8 +9,8 @@
 
 namespace insideout
 {
-/** The hull with a solid in it, some of whose points may stand in one place several times, and some
- * of whose cells twice. Cells outside are as they were. */
+/** The hull with a solid in it, with possibly several points at one place and some cells
+ * duplicated. Outside cells are unchanged. */
 struct PartedSolid
 {
   TetrahedralMesh Mesh;
@@ -20,17 +20,17 @@ struct PartedSolid
 };
 
 /**
- * The solid as it is, nothing of it parted.
+ * The solid without any separation.
  *
- * @throws Error InvalidParameter when there is not one label per cell
+ * @throws Error InvalidParameter if there is not one label per cell
  */
 PartedSolid UnpartedSolid(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside);
 
 /**
- * Copy points where the solid's cells meet in them, or in edges of theirs, and no faces lead from
- * one to the other around them (PartCells).
+ * Copy points at which the solid's cells meet in the point or an edge only, without being connected
+ * through faces around it (PartCells).
  *
- * @param[in] parted one value per point, 0 for those that are to stay one
+ * @param[in] parted one value per point, 0 for points to leave alone
  * @throws Error Stopped
  */
 void PartPoints(PartedSolid& solid, const std::vector<unsigned char>& parted, Monitor& monitor,

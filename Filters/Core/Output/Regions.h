@@ -7,12 +7,11 @@
 namespace insideout
 {
 /**
- * The parts of the solid, numbered by their first cell. Faces connect: cells that share no more
- * than an edge or a point belong to one region only if faces of cells inside connect them. Facets
- * between cells inside part nothing.
+ * The parts of the solid, numbered by their first cell. Cells are connected through faces, not
+ * through edges or points. Facets between inside cells separate nothing.
  *
  * @param[in] inside one value per cell, 0 for outside
- * @throws Error InvalidParameter when there is not one label per cell; Stopped
+ * @throws Error InvalidParameter if there is not one label per cell; Stopped
  */
 SolidRegions FindRegions(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress);

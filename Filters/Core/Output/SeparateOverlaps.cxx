@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** Where w is nearer to this number than to others two layers overlap. */
+/** The value of w, rounded, at which two layers overlap. */
 constexpr int TwoLayers = 2;
 
 /** A face of an overlap's boundary, where a layer ends. */
@@ -40,7 +40,7 @@ public:
   {
     for (const double value : w)
     {
-      // Larger numbers say no more, and might be no integers.
+      // Larger numbers make no difference, and might not fit an int.
       this->Layers.push_back(static_cast<int>(std::lround(std::clamp(value, -9.0, 9.0))));
     }
   }
@@ -62,11 +62,11 @@ private:
   const FacetComplex& Surface;
   PartedSolid& Solid;
   TetrahedralMesh& Mesh;
-  std::vector<int> Layers; ///< how many overlap in each cell of the hull
-  std::vector<Wall> Walls; ///< those of one overlap behind those of another
+  std::vector<int> Layers; ///< number of layers in each cell of the hull
+  std::vector<Wall> Walls; ///< walls, grouped by overlap
   std::vector<std::array<Id, 4>> WallOfFace;
   std::vector<std::vector<Relation>> Relations; ///< of each wall
-  std::vector<signed char> LayerOfWall;         ///< which ends there, 0 or 1
+  std::vector<signed char> LayerOfWall;         ///< the layer that ends there, 0 or 1
 };
 
 bool HasEdge(const Tetrahedron& cell, int face, const Edge& edge)
@@ -87,7 +87,7 @@ Wall Separator::Turn(Wall side, const Edge& edge) const
   return { side.Cell, other };
 }
 
-/** Go through a side: to the same side of the cell beyond. @return false at the mesh's end */
+/** Go through a side, to the same side in the cell beyond. @return false at the mesh's end */
 bool Separator::Step(Wall& side) const
 {
   const Id next = this->Mesh.Neighbors[side.Cell][side.Face];
@@ -100,7 +100,7 @@ bool Separator::Step(Wall& side) const
   return true;
 }
 
-/** @return false where a face of the boundary tells nothing of layers */
+/** @return false if a face of the boundary does not define layers */
 bool Separator::FindWalls(const std::vector<Id>& cells)
 {
   for (const Id cell : cells)
@@ -114,14 +114,14 @@ bool Separator::FindWalls(const std::vector<Id>& cells)
       const Id next = this->Mesh.Neighbors[cell][face];
       if (this->LayersIn(next) >= TwoLayers && this->Solid.Inside[next] == 0)
       {
-        return false; // the layers end where no facet says so
+        return false; // the layers end where no facet is
       }
       const int step = TwoLayers - this->LayersIn(next);
       if (step != 0 && MultiplicityOnEntering(this->Surface, this->Mesh, cell, face) != step)
       {
         return false;
       }
-      if (step == 1) // where both layers end nothing is to be chosen
+      if (step == 1) // both layers end, so there is no choice
       {
         this->WallOfFace[cell][face] = static_cast<Id>(this->Walls.size());
         this->Walls.push_back({ cell, face });
@@ -131,8 +131,9 @@ bool Separator::FindWalls(const std::vector<Id>& cells)
   return true;
 }
 
-/** Which wall comes next around an edge, and whether it bounds the same layer. @return false where
- * the edge is none that is understood */
+/** The next wall around an edge, and whether it bounds the same layer. @return false if the
+ * configuration at the edge is not one of the known ones
+ */
 bool Separator::RelateAt(Id wall, const Edge& edge)
 {
   const Wall from = this->Walls[wall];
@@ -144,7 +145,7 @@ bool Separator::RelateAt(Id wall, const Edge& edge)
   }
   const Id other = this->WallAt(inner.Cell, inner.Face);
 
-  std::vector<int> around; // layers on the way outside, without repetition
+  std::vector<int> around; // numbers of layers on the way outside, without repetition
   const auto see = [&](int layers)
   {
     if (around.empty() || around.back() != layers)
@@ -152,7 +153,7 @@ bool Separator::RelateAt(Id wall, const Edge& edge)
       around.push_back(layers);
     }
   };
-  // Up to the end of the mesh from both sides, if it has one there: beyond is nothing.
+  // Up to the end of the mesh from both sides, if it is reached: outside there are no layers.
   bool isClosed = false;
   Wall outer = from;
   while (!isClosed && this->Step(outer))
@@ -206,8 +207,9 @@ bool Separator::RelateWalls(Id first)
   return true;
 }
 
-/** Of the walls from the first on. @return false where the relations contradict each other, or
- * leave walls alone */
+/** Assign layers to the walls from the first on. @return false if the relations contradict each
+ * other, or leave walls unassigned
+ */
 bool Separator::ChooseLayers(Id first)
 {
   this->LayerOfWall.resize(this->Walls.size(), -1);
@@ -248,8 +250,8 @@ bool Separator::CanBeSeparated(const std::vector<Id>& cells)
 }
 
 /**
- * The cells stay with the layer that ends at walls of layer 0, and goes on beyond the others; their
- * copies become the other layer's.
+ * The cells stay with the layer that ends at walls of layer 0 and continues beyond the others;
+ * their copies become the other layer's.
  */
 void Separator::CopyCells(const std::vector<Id>& cells)
 {
@@ -311,7 +313,7 @@ OverlapCounts Separator::Separate(Monitor& monitor, const ProgressRange& progres
   OverlapCounts counts;
   counts.Overlaps = overlaps.Count;
   this->WallOfFace.assign(this->Layers.size(), { None, None, None, None });
-  std::vector<Id> separated; // before any is: they are looked at in the hull as it is
+  std::vector<Id> separated; // all before any is separated: they are examined in the original hull
   const LoopProgress turns(
     monitor, { progress.Stage, progress.At(0.3), progress.At(0.7) }, cellsOf.size());
   for (Id overlap = 0; overlap < overlaps.Count; ++overlap)
@@ -321,7 +323,7 @@ OverlapCounts Separator::Separate(Monitor& monitor, const ProgressRange& progres
     {
       separated.push_back(overlap);
     }
-    else if (overlap == static_cast<Id>(separated.size())) // the first that cannot
+    else if (overlap == static_cast<Id>(separated.size())) // the first that cannot be separated
     {
       counts.Left = this->Mesh.Points[this->Mesh.Cells[cellsOf[overlap].front()][0]];
     }

@@ -10,34 +10,33 @@ namespace insideout
 struct OverlapCounts
 {
   Id Overlaps = 0;    ///< regions where w is near 2 or more
-  Id Separated = 0;   ///< of these
-  Id CopiedCells = 0; ///< one for each cell of those
-  /** A corner of the first overlap that stays glued, where there is one. */
+  Id Separated = 0;   ///< number of separated ones
+  Id CopiedCells = 0; ///< one copy for each cell of those
+  /** A corner of the first overlap that stays glued, if there is one. */
   Point Left = { { 0, 0, 0 } };
 };
 
 /**
- * Where two layers of the solid overlap, and w is near 2, give each layer cells of its own (thesis,
- * 8.7 and figure 8.17): the overlap's cells are copied, and the copy of each layer is glued to what
- * goes on as that layer beyond.
+ * Where two layers of the solid overlap (w is near 2), give each layer its own cells (thesis, 8.7
+ * and figure 8.17): the overlap's cells are copied, and each copy is glued to the continuation of
+ * its layer.
  *
- * A face of the overlap's boundary is where one of both layers ends, and the other goes on into a
- * cell where w is near 1. Which faces bound the same layer is told by their edges. Around an edge
- * of two such faces lies either one stretch of cells where w is near 1: then one sheet bends there,
- * and both bound the same layer. Or w is near 1, 0 and 1 again: there two sheets cross, and each
- * bounds another layer. An overlap is separated where this says of all its faces which of at most
- * two layers they bound, and no face contradicts. It stays as it is, glued, where w is near 3 or
- * more in it, or where part of it is outside the solid; where a face of its boundary is no facet or
- * steps by more than 1; where sheets meet in an edge in other ways than these; and where faces are
- * not connected through edges, so that nothing tells which of two layers they bound.
+ * At each face of the overlap's boundary one layer ends, and the other continues into a cell with w
+ * near 1. The faces' edges determine which faces bound the same layer. Around an edge of two such
+ * faces w is either near 1 throughout: one sheet bends there, and both faces bound the same layer.
+ * Or w is near 1, 0 and 1 again: two sheets cross, and the faces bound different layers. An overlap
+ * is separated if this assigns all its faces to at most two layers without contradiction. It stays
+ * glued in these cases: w is near 3 or more in it; a part of it is outside the solid; a face of its
+ * boundary is not a facet, or w steps by more than 1 there; sheets meet at an edge in other ways;
+ * faces are not connected through edges, so that their layers are undefined.
  *
- * Points of overlaps that are separated are parted (PartPoints), so that the layers have no more in
- * common than what connects them elsewhere. The cells' copies come after all cells, in their order.
+ * Points of separated overlaps are separated, too (PartPoints), so that layers share only points
+ * that connect them elsewhere. Copies of cells come after all cells, in their order.
  *
- * @param[in] surface that the hull was made of
+ * @param[in] surface from which the hull was made
  * @param[in] w one per cell of the hull
  * @param[in,out] solid UnpartedSolid of the hull
- * @throws Error InvalidParameter when there is not one w per cell; Stopped
+ * @throws Error InvalidParameter if there is not one w per cell; Stopped
  */
 OverlapCounts SeparateOverlaps(const FacetComplex& surface, const std::vector<double>& w,
   PartedSolid& solid, Monitor& monitor, const ProgressRange& progress);

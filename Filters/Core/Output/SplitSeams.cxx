@@ -71,7 +71,7 @@ private:
   const TetrahedralMesh& Mesh;
 };
 
-/** Whether two input triangles have two corners in common whose data are alike. */
+/** Whether two input triangles share two corners with the same data. */
 bool Splitter::ShareEdge(Id first, Id second) const
 {
   int common = 0;
@@ -85,14 +85,14 @@ bool Splitter::ShareEdge(Id first, Id second) const
   return common >= 2;
 }
 
-/** For each of the input triangles around a place the lowest (by its index in `sources`) that it
- * shares a point with. */
+/** For each input triangle around a place, the lowest one (by its index in `sources`) with which it
+ * shares a point. */
 std::vector<Id> Splitter::Groups(Id place, const std::vector<Id>& sources) const
 {
   const Id count = static_cast<Id>(sources.size());
   DisjointSets sets(count);
   std::map<Id, Id> firstWithCorner;
-  std::vector<Id> between; // those that have the place on an edge or in the interior
+  std::vector<Id> between; // triangles with the place on an edge or in the interior
   for (Id i = 0; i < count; ++i)
   {
     const int corner = IndexIn(this->Given[sources[i]], place);
@@ -119,7 +119,7 @@ std::vector<Id> Splitter::Groups(Id place, const std::vector<Id>& sources) const
   return groups;
 }
 
-/** Where the data of a place come from, seen from an input triangle that it lies on. */
+/** The source of a place's data, seen from an input triangle that it lies on. */
 PointOrigin Splitter::OriginIn(Id source, Id place) const
 {
   const Triangle& own = this->Soup.Triangles[source];

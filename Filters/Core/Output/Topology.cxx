@@ -17,7 +17,7 @@ namespace
 {
 constexpr double NanosecondsPerPoint = 400;
 
-/** How many different edges triangles or tetrahedra have. */
+/** The number of distinct edges of triangles or tetrahedra. */
 template <std::size_t Size>
 Id CountEdges(std::size_t points, const std::vector<std::array<Id, Size>>& cells)
 {
@@ -55,7 +55,7 @@ Id CountEdges(std::size_t points, const std::vector<std::array<Id, Size>>& cells
 struct PointCounts
 {
   Id Used = 0;
-  Id Components = 0; ///< of the points that cells use, joined by these
+  Id Components = 0; ///< components of the points that cells use
 };
 
 template <std::size_t Size>
@@ -81,7 +81,7 @@ PointCounts CountPoints(std::size_t points, const std::vector<std::array<Id, Siz
   return counts;
 }
 
-/** The parts of the outside, joined through faces, that do not reach beyond the hull. */
+/** The components of the outside, connected through faces, that do not reach beyond the hull. */
 Id CountCavities(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress)
 {
@@ -113,7 +113,7 @@ SolidTopology FromCounts(std::size_t points, const std::vector<Tetrahedron>& cel
   return topology;
 }
 
-/** The triangles at each edge that has more than two, and all that edges of two join as sets. */
+/** The triangles at each edge with more than two; edges of two join their triangles into sets. */
 std::vector<std::vector<Id>> JoinAtEdges(const std::vector<Triangle>& triangles, DisjointSets& sets)
 {
   using EdgeOfTriangle = std::array<Id, 3>; // its points, and the triangle
@@ -147,9 +147,10 @@ std::vector<std::vector<Id>> JoinAtEdges(const std::vector<Triangle>& triangles,
 }
 
 /**
- * How many independent sets of triangles have an even number at every edge: the second Betti number
- * modulo 2. What edges of two triangles join is in such a set as a whole or not at all; edges of
- * more are equations between these wholes, and each that others do not imply makes one less.
+ * The dimension of the space of 2-cycles modulo 2 (sets of triangles with an even number at every
+ * edge): the second Betti number. Triangles joined by edges of two are all in a cycle or none is;
+ * each edge of more triangles is an equation between these groups, and each independent equation
+ * reduces the dimension by one.
  */
 Id CountClosedSurfaces(const std::vector<Triangle>& triangles)
 {
@@ -160,7 +161,7 @@ Id CountClosedSurfaces(const std::vector<Triangle>& triangles)
   {
     closed += sets.Find(t) == t;
   }
-  std::map<Id, std::set<Id>> equations; // by their last whole
+  std::map<Id, std::set<Id>> equations; // by their last group
   for (const std::vector<Id>& edge : crowded)
   {
     std::set<Id> equation;

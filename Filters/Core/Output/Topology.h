@@ -6,12 +6,13 @@
 
 namespace insideout
 {
-/** How a closed set hangs together. */
+/** The Betti numbers of a closed set. */
 struct BettiNumbers
 {
-  Id Components = 0; ///< that no point connects
-  Id Tunnels = 0; ///< ways around that do not shrink to a point: of a ring one, of its boundary two
-  Id Cavities = 0; ///< parts of space that it cuts off from beyond
+  Id Components = 0; ///< number of connected components
+  /// independent loops that do not shrink to a point: one for a ring, two for its boundary
+  Id Tunnels = 0;
+  Id Cavities = 0; ///< bounded components of the complement
 
   Id EulerCharacteristic() const { return this->Components - this->Tunnels + this->Cavities; }
 };
@@ -24,33 +25,33 @@ struct SolidTopology
 };
 
 /**
- * The Betti numbers of the union of the inside cells and of that of its boundary faces, each with
- * its edges and points: so cells that touch in one point are one component. The number of tunnels
- * follows from Euler's formula, the number of cavities from the parts of the outside (Alexander's
- * duality).
+ * The Betti numbers of the union of the inside cells and of the union of its boundary faces, each
+ * with its edges and points; so cells that touch in one point are one component. The number of
+ * tunnels follows from Euler's formula, the number of cavities from the parts of the outside
+ * (Alexander's duality).
  *
  * @param[in] mesh of a convex hull, so that all of the outside is known
  * @param[in] inside one label per cell, not 0 for those inside
  * @param[in] boundary of it
- * @throws Error InvalidParameter when there is not one label per cell; Stopped
+ * @throws Error InvalidParameter if there is not one label per cell; Stopped
  */
 SolidTopology FindTopology(const TetrahedralMesh& mesh, const std::vector<unsigned char>& inside,
   const std::vector<BoundaryFace>& boundary, Monitor& monitor, const ProgressRange& progress);
 
 /**
- * The same of tetrahedra that fit together, from their boundary alone: it bounds the regions and,
- * but for one, the parts of the outside, so that it has as many closed surfaces, counted modulo 2,
- * as there are regions and cavities.
+ * The same for conforming tetrahedra, from their boundary alone. It bounds the regions and all but
+ * one of the components of the outside, so the number of independent closed surfaces, modulo 2, is
+ * that of regions and cavities.
  *
- * @param[in] points how many there are
- * @param[in] boundary the faces that one cell alone has
- * @param[in] regions how many parts of the cells faces connect
+ * @param[in] points their number
+ * @param[in] boundary the faces of one cell only
+ * @param[in] regions the number of components of cells connected through faces
  */
 SolidTopology FindTopology(std::size_t points, const std::vector<Tetrahedron>& cells,
   const std::vector<Triangle>& boundary, Id regions);
 
-/** As figures: Components, Tunnels, Cavities, EulerCharacteristic, and the same of the boundary
- * with Boundary before it. Genus is half of the boundary's tunnels, its handles where it is a
+/** As statistics: Components, Tunnels, Cavities, EulerCharacteristic, and the same of the boundary
+ * prefixed with Boundary. Genus is half of the boundary's tunnels: its handles, if it is a
  * manifold. */
 void AppendTopology(const SolidTopology& topology, Statistics& statistics);
 } // namespace insideout

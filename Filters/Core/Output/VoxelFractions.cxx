@@ -15,7 +15,7 @@ namespace
 {
 using Polygon = std::vector<Point>;
 
-/** A convex body by its faces, which run counter-clockwise seen from outside. */
+/** A convex body given by its faces, which run counter-clockwise seen from outside. */
 using Body = std::vector<Polygon>;
 
 Body BodyOf(std::array<Point, 4> corners)
@@ -33,7 +33,7 @@ Body BodyOf(std::array<Point, 4> corners)
   return body;
 }
 
-/** About a corner of its own, so that little rounding is left of a small body far from 0. */
+/** Relative to a corner of its own, so that a small body far from 0 loses few digits. */
 double VolumeOf(const Body& body)
 {
   double volume = 0;
@@ -67,7 +67,7 @@ Polygon Around(Polygon points, int axis, int side)
   return points;
 }
 
-/** What of the body is below a coordinate (side +1), or above it (-1). */
+/** The part of the body below a coordinate (side +1), or above it (-1). */
 Body Cut(const Body& body, int axis, double x, int side)
 {
   Body rest;
@@ -87,7 +87,7 @@ Body Cut(const Body& body, int axis, double x, int side)
       }
       if ((toA > 0 && toB < 0) || (toA < 0 && toB > 0))
       {
-        // From the lower end on, so that both faces at an edge get the same point.
+        // From the lower end, so that both faces at an edge get the same point.
         const bool fromA = a < b;
         const Point& from = fromA ? a : b;
         const Point& to = fromA ? b : a;
@@ -141,7 +141,7 @@ struct Range
   std::size_t Last; ///< not included
 };
 
-/** The layers of an axis that lie between two coordinates, at least in part. */
+/** The layers along an axis that meet an interval. */
 Range LayersOf(const std::vector<double>& sides, double low, double high)
 {
   const auto first = std::upper_bound(sides.begin(), sides.end(), low);
@@ -151,7 +151,7 @@ Range LayersOf(const std::vector<double>& sides, double low, double high)
     static_cast<std::size_t>(std::min<std::ptrdiff_t>(last - sides.begin(), layers)) };
 }
 
-/** Call visit(i, part) for each layer of the axis with what of the body is in it. */
+/** Call visit(i, part) for each layer of the axis with the body's part in it. */
 template <typename Visitor>
 void ForLayers(const Body& body, int axis, const std::vector<double>& sides, const Visitor& visit)
 {

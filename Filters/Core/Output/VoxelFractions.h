@@ -10,13 +10,12 @@
 namespace insideout
 {
 /**
- * Which part of each voxel is within some tetrahedra that do not overlap, from 0 to 1 but for
- * rounding: the volume of what each tetrahedron and voxel have in common, over the voxel's. The
- * same for any number of threads.
+ * The fraction of each voxel covered by non-overlapping tetrahedra, from 0 to 1 up to rounding: the
+ * volume of their intersections over the voxel's. The same for any number of threads.
  *
  * @param[in] cells of either orientation
- * @param[in] sides where the voxels of a grid begin and end along x, y and z: ascending strictly,
- *   at least two each; the volumes of the voxels do not underflow or overflow
+ * @param[in] sides bounds of a grid's voxels along x, y and z: strictly ascending, at least two
+ * each; the volumes of the voxels do not underflow or overflow
  * @return one value per voxel, x fastest, then y
  * @throws Error (Stopped)
  */

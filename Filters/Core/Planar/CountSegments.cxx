@@ -19,7 +19,7 @@ namespace insideout
 {
 namespace
 {
-/** Points that become one in space or, but for rounding, in the plane. */
+/** Merge points that coincide in space or, up to rounding, in the plane. */
 std::vector<Id> MergeInPlane(const std::vector<Point>& points, const Plane& plane, double tolerance)
 {
   std::vector<Id> merged = MergePoints(points, tolerance);
@@ -38,14 +38,14 @@ struct GivenSegment
 {
   Edge Ends; ///< the lower first
   Id Index;
-  bool IsTurned; ///< runs to the lower one
+  bool IsTurned; ///< whether it runs to the lower one
 };
 
-/** How often the segments of a group count along the direction of their first. */
+/** The signed count of a group of segments along the direction of the first. */
 long CountGroup(const SegmentSoup& soup, const std::vector<GivenSegment>& segments,
   std::size_t first, std::size_t last, bool countDuplicates)
 {
-  std::array<long, 2> count{ { 0, 0 } }; // along and against
+  std::array<long, 2> count{ { 0, 0 } }; // numbers along and against
   for (std::size_t i = first; i < last; ++i)
   {
     const Id s = segments[i].Index;
@@ -67,7 +67,7 @@ long CountGroup(const SegmentSoup& soup, const std::vector<GivenSegment>& segmen
   return multiplicity;
 }
 
-/** One segment per pair of ends, in the order of their first ones. */
+/** Merge segments with the same ends, in the order of the first ones. */
 void CollectSegments(const SegmentSoup& soup, bool countDuplicates, CountedCurve& counted)
 {
   std::vector<GivenSegment> segments;
@@ -114,7 +114,7 @@ void CollectSegments(const SegmentSoup& soup, bool countDuplicates, CountedCurve
     curve.SourceOffsets.push_back(static_cast<Id>(curve.Sources.size()));
     const long multiplicity = CountGroup(soup, segments, first, last, countDuplicates);
     curve.Multiplicity.push_back(static_cast<std::int16_t>(multiplicity));
-    if (soup.Multiplicity.empty()) // polygons side by side have edges in common
+    if (soup.Multiplicity.empty()) // adjacent polygons share edges
     {
       counted.Counts.DuplicateSegments += static_cast<Id>(last - first - 1);
       counted.Counts.CancelledSegments += last - first > 1 && multiplicity == 0;

@@ -11,18 +11,18 @@
 
 namespace insideout
 {
-/** What counting found. */
+/** The result of counting. */
 struct CurveCounts
 {
   Id InputPoints = 0;
   Id InputSegments = 0;
-  Id Points = 0;             ///< that segments use, after merging
-  Id Segments = 0;           ///< that have a length, each counted once
-  Id MergedPoints = 0;       ///< input points that became one with a point of lower id
+  Id Points = 0;             ///< points used by segments, after merging
+  Id Segments = 0;           ///< segments with a length, each counted once
+  Id MergedPoints = 0;       ///< input points merged with a point of lower id
   Id DegenerateSegments = 0; ///< left out: two equal points
-  Id DuplicateSegments = 0;  ///< input segments whose two points an earlier one has
-  Id CancelledSegments = 0;  ///< given both ways, so that they cancel
-  Id TwoSidedCurves = 0;     ///< of these: closed curves that are kept once (KeepTwoSidedCurves)
+  Id DuplicateSegments = 0;  ///< input segments with the same points as an earlier one
+  Id CancelledSegments = 0;  ///< given in both directions, so that they cancel
+  Id TwoSidedCurves = 0;     ///< closed curves among these that are kept once (KeepTwoSidedCurves)
   Id OpenEnds = 0;           ///< points at which the signed count of segments is not 0
   Id Components = 0;         ///< of segments joined through points
 };
@@ -31,16 +31,17 @@ struct CountedCurve
 {
   SegmentComplex Curve; ///< only points that a segment uses, in the input's order
   CurveCounts Counts;
-  std::vector<Id> MergedInto;         ///< per point of the soup the one that it became, or itself
+  /// per point of the soup the point that it was merged with, or itself
+  std::vector<Id> MergedInto;
   std::vector<Id> DegenerateSegments; ///< of the soup: left out; ascending
 };
 
 /**
- * Stage validate in a plane, by the rules of CountFacets: points with equal coordinates become one;
- * segments without length are left out; those with the same two points become one, whose
- * multiplicity counts them once per direction, opposite ones cancelling; it stays a constraint at
- * 0, unless a closed curve is given both ways as a whole (KeepTwoSidedCurves). Where the soup comes
- * with multiplicities, or duplicates are to be counted, these add instead.
+ * Stage validate in a plane, by the rules of CountFacets. Points with equal coordinates are merged;
+ * segments without length are left out. Segments with the same two points become one, whose
+ * multiplicity counts them once per direction; opposite ones cancel. With multiplicity 0 it stays a
+ * constraint, unless a closed curve as a whole is given in both directions (KeepTwoSidedCurves). If
+ * the soup has multiplicities, or duplicates are to be counted, these add instead.
  *
  * @param[in] plane through the soup's points
  * @throws Error EmptySurface, PointNotFinite, PointOutOfRange, AllDegenerate, InvalidParameter,
@@ -49,13 +50,13 @@ struct CountedCurve
 CountedCurve CountSegments(const SegmentSoup& soup, const Plane& plane,
   const CountedChainParameters& parameters, Monitor& monitor);
 
-/** @throws Error what CountSegments throws of segments and points that are no good */
+/** @throws Error as CountSegments does for invalid segments and points */
 void CheckSegments(const SegmentSoup& soup);
 
-/** The number of points at which unequally many segments begin and end, all counted: the curve's
- * open ends. */
+/** The number of points at which the numbers of beginning and ending segments, all counted, differ:
+ * the curve's open ends. */
 Id NumberOfOpenEnds(const SegmentComplex& curve);
 
-/** The counts under their names, for `statistics`. */
+/** The counts by name, for `statistics`. */
 void AddCounts(const CurveCounts& counts, Statistics& statistics);
 } // namespace insideout

@@ -31,7 +31,7 @@ std::vector<Id> ComponentsOf(const SegmentComplex& curve)
   return components;
 }
 
-/** How many others each segment meets. */
+/** The number of other segments that each segment meets. */
 std::vector<Id> CountMeetings(const SegmentComplex& curve, const SegmentMeetings& meetings)
 {
   std::vector<Id> count(curve.Segments.size(), 0);

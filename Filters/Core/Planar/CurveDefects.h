@@ -8,12 +8,12 @@ namespace insideout
 /** The defects at a point of a curve. */
 enum class CurveDefect : unsigned char
 {
-  OpenEnd,  ///< more segments begin than end there, or the other way round
-  Crossing, ///< segments cross within both
-  TJunction ///< a point lies within a segment, or segments overlap from there on
+  OpenEnd,  ///< unequal numbers of segments begin and end there
+  Crossing, ///< segments cross in the interior of both
+  TJunction ///< a point lies within a segment, or an overlap of segments begins there
 };
 
-/** A place where something is wrong. */
+/** The position of a defect. */
 struct CurveDefectPoint
 {
   PlanarPoint Place;
@@ -24,8 +24,9 @@ struct CurveDefectPoint
 /** The defects of an input segment. */
 struct SegmentDefects
 {
-  Id Component = None; ///< of segments joined through points, by first segment; None: degenerate
-  Id SelfIntersections = 0; ///< segments that it meets beyond shared ends
+  /// component of segments joined through points, by first segment; None: degenerate
+  Id Component = None;
+  Id SelfIntersections = 0; ///< number of segments that it meets beyond shared ends
   bool Degenerate = false;
   bool Duplicate = false; ///< an earlier segment has the same two points
 };
@@ -33,18 +34,18 @@ struct SegmentDefects
 struct CurveDefects
 {
   std::vector<SegmentDefects> Segments; ///< one per segment of the soup
-  std::vector<CurveDefectPoint> Points; ///< by type
+  std::vector<CurveDefectPoint> Points; ///< number by type
   CurveCounts Counts;
   std::size_t IntersectingPairs = 0;
-  std::vector<Id> TurnedSegments; ///< ids of segments that the orientation turns over, ascending
-  AreaReadings Areas;             ///< enclosed then
+  std::vector<Id> TurnedSegments; ///< ids of segments turned over by the orientation, ascending
+  AreaReadings Areas;             ///< area then enclosed
   std::vector<std::string> Warnings;
 };
 
 /**
- * The defects of a curve in a plane, of which nothing is changed.
+ * Find the defects of a curve in a plane, without changing it.
  *
- * @throws Error what MeshPlanarHull throws
+ * @throws Error as MeshPlanarHull
  */
 CurveDefects FindCurveDefects(const SegmentSoup& soup, const Plane& plane,
   const PlanarHullParameters& parameters, Monitor& monitor);

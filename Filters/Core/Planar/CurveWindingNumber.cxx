@@ -60,12 +60,15 @@ std::vector<double> CurveWindingNumber::At(
   return w;
 }
 
-/** Of each end's argument: across the direction to it, and the inverse of its distance. */
+/**
+ * The derivative of each end's argument: perpendicular to its direction, with the inverse of its
+ * distance.
+ */
 Point CurveWindingNumber::Gradient(const Point& p) const
 {
   const PlanarMetric& metric = this->Plane.Metric;
   const PlanarPoint foot = this->Plane.Project(this->Plane.Foot(p));
-  PlanarPoint along = { 0, 0 }; // by perpendicular coordinates
+  PlanarPoint along = { 0, 0 }; // in orthonormal coordinates
   for (const CountedPlace& end : this->OpenEnds)
   {
     const PlanarPoint u = metric.Map({ end.Place[0] - foot[0], end.Place[1] - foot[1] });
@@ -81,7 +84,7 @@ Point CurveWindingNumber::Gradient(const Point& p) const
   Point gradient = Difference(this->Plane.Lift(step), this->Plane.Lift({ 0, 0 }));
   for (double& component : gradient)
   {
-    // Coordinates in the plane are times a power of two, and so is what lifting gives.
+    // Coordinates in the plane are scaled by a power of two, and so is the lifted gradient.
     component = std::ldexp(component, -2 * this->Plane.Exponent) / (2 * Pi);
   }
   return gradient;

@@ -7,25 +7,25 @@
 
 namespace insideout
 {
-/** The winding number of a curve in a plane, at places in space: that of their feet in the plane.
- */
+/** The winding number of a curve in a plane, at points in space: at their projections onto the
+ * plane. */
 class CurveWindingNumber
 {
 public:
-  /** @param[in] hull of the curve, of which only the curve and the plane are kept */
+  /** @param[in] hull of the curve; only the curve and the plane are kept */
   explicit CurveWindingNumber(const PlanarHull& hull);
 
-  /** At one finite place. Safe to call from several threads. */
+  /** At one finite point. Safe to call from several threads. */
   double At(const Point& p) const;
 
   /**
-   * One value per place, NaN where it is not finite.
+   * One value per point, NaN if it is not finite.
    * @throws Error (Stopped)
    */
   std::vector<double> At(
     const std::vector<Point>& points, Monitor& monitor, const ProgressRange& progress) const;
 
-  /** By how much w rises per unit of length, away from the curve: in the plane. */
+  /** The gradient of w in the plane, away from the curve. */
   Point Gradient(const Point& p) const;
 
 private:

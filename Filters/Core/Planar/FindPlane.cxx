@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** The first of the points for which `size` is largest. */
+/** The first point with the largest `size`. */
 template <typename Size>
 const Point& Farthest(const std::vector<Point>& points, const Size& size)
 {
@@ -21,7 +21,7 @@ const Point& Farthest(const std::vector<Point>& points, const Size& size)
     [&](const Point& a, const Point& b) { return size(a) < size(b); });
 }
 
-/** That of coordinates along two axes of a plane that rises by a and b along them. */
+/** The metric of coordinates along two axes, in a plane with slopes a and b along them. */
 PlanarMetric MetricOf(double a, double b)
 {
   PlanarMetric metric;
@@ -36,7 +36,7 @@ double RiseAlong(const Plane& plane, int k)
   return -plane.Normal[plane.Axes[k]] / plane.Normal[plane.Dropped] + 0.0; // no -0
 }
 
-/** Of the scaled points from the plane through three of them. */
+/** The distance of the scaled points from the plane through three of them. */
 double LargestDistance(
   const std::vector<Point>& points, const std::array<Point, 3>& corners, const Point& normal)
 {

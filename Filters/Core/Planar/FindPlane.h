@@ -9,47 +9,46 @@
 namespace insideout
 {
 /**
- * How far points may be from a plane, as a part of the largest coordinate, for that to be rounding:
- * of coordinates that were ever turned or moved, in double or in single precision.
+ * The largest distance from a plane, relative to the largest coordinate, that counts as rounding:
+ * coordinates may have been rotated or moved in double or in single precision.
  */
 constexpr double RoundingOfDoubles = 0x1p-50;
 constexpr double RoundingOfSingles = 0x1p-22;
 
 /**
- * A plane, and two coordinates for what is in it: two of the three that points have, those along
- * which the plane is least steep, times a power of two. So every bit of a point is kept, what is
- * straight stays straight, and exact answers about the coordinates hold in the plane. What they
- * change, lengths and angles, the metric gives back.
+ * A plane with two coordinates: two of the points' three, along which the plane is least steep,
+ * times a power of two. This keeps every bit of a point and straight lines straight, so exact
+ * predicates of the coordinates hold in the plane. The metric restores lengths and angles.
  */
 struct Plane
 {
-  int Dropped;             ///< the axis whose coordinate is left out
-  std::array<int, 2> Axes; ///< of the two coordinates
-  int Exponent;            ///< they are times two to the power of minus this, and below 1
+  int Dropped;             ///< the omitted axis
+  std::array<int, 2> Axes; ///< metric of the two coordinates
+  int Exponent;            ///< coordinates are scaled by 2 to the power of minus this, and below 1
   Point Normal;            ///< of length 1; seen from its side the axes run counter-clockwise
-  Point Origin;            ///< a point of the plane, times that power, too
+  Point Origin;            ///< a point of the plane, scaled likewise
   PlanarMetric Metric;
-  double Distance; ///< of the farthest point from the plane, over the largest coordinate; 0: exact
+  /// largest distance of a point from the plane, relative to the largest coordinate; 0: exact
+  double Distance;
 
   /** The coordinates of a point in the plane. */
   PlanarPoint Project(const Point& p) const;
 
-  /** The point of the plane that has these coordinates. */
+  /** The point of the plane with these coordinates. */
   Point Lift(const PlanarPoint& p) const;
 
-  /** The point of the plane nearest to another, but for rounding. */
+  /** The projection of a point onto the plane, up to rounding. */
   Point Foot(const Point& p) const;
 
-  /** The same plane seen from the other side. */
+  /** The same plane with the opposite normal. */
   Plane Turned() const;
 };
 
 /**
- * The plane of three of the points that are far from each other, seen from where its normal's
- * largest component is positive. Whether all points lie in it is for Distance to tell: it is 0
- * where they do exactly.
+ * The plane of three points that are far from each other; its normal's largest component is
+ * positive. Distance tells whether all points lie in it: it is 0 if they do exactly.
  *
- * @throws Error EmptySurface, AllDegenerate where all points lie on one line
+ * @throws Error EmptySurface, AllDegenerate if all points lie on one line
  */
 Plane FindPlane(const std::vector<Point>& points);
 } // namespace insideout

@@ -17,19 +17,19 @@ namespace insideout
 {
 namespace
 {
-/** A chain whose gap is a larger part of its length than this is a sheet. Half a circle has
- * 0.64, and encloses nothing in particular. */
+/** A chain with a gap of more than this fraction of its length is a sheet. Half a circle has 0.64,
+ * and no well-defined area. */
 constexpr double LargestGap = 0.5;
 
-/** Segments joined through points where exactly two meet, and which of them run against the first.
- */
+/** Chains of segments, joined through points of exactly two segments, with each segment's direction
+ * relative to the first. */
 struct Chain
 {
   std::vector<Id> Segments;
-  std::vector<char> IsAgainst; ///< per segment of the chain
+  std::vector<char> IsAgainst; ///< per segment, its chain
 };
 
-/** Follows segments that count. */
+/** Traces segments that count. */
 class ChainFinder
 {
 public:
@@ -75,7 +75,7 @@ private:
     chain.IsAgainst.push_back(isAgainst);
   }
 
-  /** From one end of a segment on. */
+  /** Trace from one end of a segment. */
   void Follow(Id segment, int end, Chain& chain)
   {
     const int firstEnd = end;
@@ -104,7 +104,7 @@ private:
   std::vector<char> IsTaken;
 };
 
-/** Turn those that run against the others, which are to be less in length. */
+/** Turn the minority by length of each chain's segments against the others. */
 void TurnTheLesser(const SegmentComplex& curve, const PlanarMetric& metric, const Chain& chain,
   std::vector<char>& turned)
 {
@@ -122,12 +122,12 @@ void TurnTheLesser(const SegmentComplex& curve, const PlanarMetric& metric, cons
   }
 }
 
-/** A chain that encloses something. */
+/** A chain that encloses an area. */
 struct CurveShell
 {
-  std::vector<CountedSegment> Segments; ///< with one across the gap
+  std::vector<CountedSegment> Segments; ///< including a segment across the gap
   std::vector<Id> Members;              ///< segments of the curve
-  double Area = 0;                      ///< with sign
+  double Area = 0;                      ///< signed area
   bool IsOpen = false;                  ///< has a gap
   Box Bounds = Box::Empty();
 };
@@ -137,7 +137,7 @@ Point Flat(const PlanarPoint& p)
   return { { p[0], p[1], 0 } };
 }
 
-/** The chain with its gap closed; without segments where it is a sheet. */
+/** The chain with its gap closed; without segments if it is a sheet. */
 CurveShell ShellOf(const SegmentComplex& curve, const PlanarMetric& metric, const Chain& chain,
   const std::vector<char>& turned)
 {
@@ -184,7 +184,7 @@ CurveShell ShellOf(const SegmentComplex& curve, const PlanarMetric& metric, cons
   return shell;
 }
 
-/** What is between segments, or a triangle: its area, and a place within its largest triangle. */
+/** A region between segments, or a triangle: its area, and a place within its largest triangle. */
 struct CurveRegion
 {
   double Area = 0;
@@ -192,7 +192,9 @@ struct CurveRegion
   PlanarPoint Place{ { 0, 0 } };
 };
 
-/** @param[in] areOpen shells have gaps, through which regions would join: each triangle is one */
+/**
+ * @param[in] areOpen shells have gaps, which would connect regions: each triangle then is a region
+ */
 std::vector<CurveRegion> FindCurveRegions(const SegmentComplex& curve, const PlanarMesh& mesh,
   const PlanarMetric& metric, bool areOpen, Monitor& monitor)
 {
@@ -224,7 +226,7 @@ std::vector<CurveRegion> FindCurveRegions(const SegmentComplex& curve, const Pla
   return found;
 }
 
-/** By how much each shell winds around each region, as ChooseTurns takes it. */
+/** The winding number of each shell around each region, in ChooseTurns' format. */
 std::vector<ShellRegion> WindAround(const std::vector<CurveShell>& shells,
   const std::vector<CurveRegion>& regions, const SegmentComplex& curve, Monitor& monitor)
 {
@@ -240,7 +242,7 @@ std::vector<ShellRegion> WindAround(const std::vector<CurveShell>& shells,
   for (std::size_t s = 0; s < shells.size(); ++s)
   {
     progress.CheckNow(s);
-    std::vector<PlanarPoint> points; // of its own: the number's cost is that of its points
+    std::vector<PlanarPoint> points; // an evaluator of its own: its cost depends on its points
     std::vector<CountedSegment> segments;
     for (const CountedSegment& segment : shells[s].Segments)
     {
@@ -348,7 +350,7 @@ CurveTurns OrientCurves(const SegmentComplex& given, Orientation orientation, co
   CurveTurns turns;
   const std::vector<char> turned =
     ChooseSegments(given, orientation, plane, mesh, curve, turns.Warnings, monitor);
-  // Of each given segment the first source stands for it: it runs as the segment does.
+  // Turn each given segment with its first piece: both run the same way.
   Id numberOfSources = 0;
   for (const SegmentSource& source : given.Sources)
   {

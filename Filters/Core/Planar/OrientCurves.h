@@ -18,15 +18,15 @@ struct CurveTurns
 };
 
 /**
- * Which segments to turn over, and turn them: as OrientFacets does it with facets.
+ * Decide which segments to turn over, and turn them, as OrientFacets does with facets.
  *
- * Automatic first makes segments agree that meet at a point where no other does. Segments that then
- * form a closed curve, or one that a gap of less than half its length leaves open, are a shell; of
- * these it turns what the law of ChooseTurns says, by areas: those of the regions between segments.
- * All others are sheets, and stay. Outward turns shells that run clockwise.
+ * Automatic first makes segments agree that meet at a point of exactly two. Segments that then form
+ * a closed curve, or a curve with a gap of less than half its length, are a shell. Shells are
+ * turned by the law of ChooseTurns, by the areas of the regions between segments. All other
+ * segments are sheets, and stay. Outward turns clockwise shells.
  *
  * @param[in] given the curve before it was resolved
- * @param[in,out] curve resolved, which the mesh was made of: Multiplicity and Sources change
+ * @param[in,out] curve resolved, from which the mesh was made: Multiplicity and Sources change
  * @throws Error Stopped
  */
 CurveTurns OrientCurves(const SegmentComplex& given, Orientation orientation, const Plane& plane,

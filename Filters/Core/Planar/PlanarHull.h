@@ -17,13 +17,13 @@ struct PlanarHullParameters
 /** The area that a curve encloses by each of three rules, in the units of the input. */
 struct AreaReadings
 {
-  double EvenOdd = 0; ///< where the winding number is odd
-  double Winding = 0; ///< where it is above 1/2
-  double AsGiven = 0; ///< where it is above 1/2 if no segment is turned over; only if Differ
+  double EvenOdd = 0; ///< region with odd winding number
+  double Winding = 0; ///< region with w > 1/2
+  double AsGiven = 0; ///< region with w > 1/2 if no segment is turned over; only if Differ
 
-  /** The rules differ, and the curve may mean a hole: where segments cross, part of it runs
-   * clockwise around what no other part encloses; else part of it encloses another that runs the
-   * same way, as contours of DICOM do. */
+  /** The rules differ, and the curve may mean a hole: either segments cross, and a part of it runs
+   * clockwise around space that no other part encloses; or a part of it encloses another with the
+   * same direction, as contours of DICOM do. */
   bool Differ = false;
 };
 
@@ -31,13 +31,13 @@ struct AreaReadings
 struct PlanarHull
 {
   insideout::Plane Plane;
-  SegmentComplex Curve; ///< resolved; segments turned over as the orientation asked for
+  SegmentComplex Curve; ///< resolved; segments oriented as requested
   PlanarMesh Mesh;
   std::vector<double> W; ///< one per cell
   CurveCounts Counts;
   std::vector<Id> MergedInto;         ///< as CountedCurve's
   std::vector<Id> DegenerateSegments; ///< as CountedCurve's
-  std::vector<Id> TurnedSegments;     ///< of the soup: turned over; ascending
+  std::vector<Id> TurnedSegments;     ///< segments of the soup that were turned over; ascending
   AreaReadings Areas;
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
@@ -45,13 +45,13 @@ struct PlanarHull
 
 /**
  * Stages validate to w in a row, in a plane: count the segments, cut them where they meet,
- * triangulate the convex hull, turn segments the way that is meant, and find the winding numbers.
+ * triangulate the convex hull, orient segments, and find the winding numbers.
  *
- * @throws Error whatever the stages throw
+ * @throws Error of any stage
  */
 PlanarHull MeshPlanarHull(const SegmentSoup& soup, const Plane& plane,
   const PlanarHullParameters& parameters, Monitor& monitor);
 
-/** Append the three areas to `statistics`, under their names, if they differ. */
+/** Append the three areas by name to `statistics`, if they differ. */
 void AddAreas(const AreaReadings& areas, Statistics& statistics);
 } // namespace insideout

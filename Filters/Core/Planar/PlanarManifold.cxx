@@ -26,7 +26,7 @@ PlanarManifold::PlanarManifold(std::size_t points, const PlanarMesh& mesh)
 {
 }
 
-/** At a point, when the cell `flipped` has its other label. */
+/** Whether the point is manifold if the label of cell `flipped` is flipped. */
 int PlanarManifold::BoundaryEdges(const GreedyLabels& labels, Id point, Id flipped) const
 {
   const auto isInside = [&](Id cell)
@@ -63,7 +63,7 @@ void PlanarManifold::Changed(Id cell)
   }
 }
 
-/** Take back the last forced cells first where the point can do without. */
+/** Release forced cells, the last first, that the point does not need. */
 void PlanarManifold::TakeBack(GreedyLabels& labels, std::vector<Id>& forced, Id point) const
 {
   for (std::size_t k = forced.size(); k-- > 0;)
@@ -80,7 +80,7 @@ void PlanarManifold::TakeBack(GreedyLabels& labels, std::vector<Id>& forced, Id 
   }
 }
 
-/** Around a point. @return whether it is manifold now */
+/** Repair a point. @return whether it is manifold now */
 bool PlanarManifold::Fill(GreedyLabels& labels, Id point) const
 {
   std::vector<Id> outside;

@@ -9,8 +9,8 @@ namespace insideout
 {
 /**
  * The boundary of the inside triangles has to be a 1-manifold (thesis, section 8.5.2, for d = 2):
- * at each of its points two of its edges end. Where all triangles at a point are inside none do, or
- * on the hull two, so that filling always helps in the end.
+ * at each of its points two of its edges end. If all triangles at a point are inside, no edge ends
+ * there, or on the hull two, so filling always succeeds in the end.
  */
 class PlanarManifold : public LabelConstraint
 {
@@ -19,10 +19,9 @@ public:
   PlanarManifold(std::size_t points, const PlanarMesh& mesh);
 
   /**
-   * March over the points; around one that is not manifold label triangles inside in descending
-   * order of w, the lowest of equal ones first, until it is; take back those, the last first, that
-   * it can do without; and improve greedily. All as ManifoldConstraint does it, which also says why
-   * it ends.
+   * March over the points. Around one that is not manifold, label triangles inside in descending
+   * order of w (ties: lowest first) until it is; release those, the last first, that it does not
+   * need; and improve greedily. ManifoldConstraint does the same, and explains why it ends.
    *
    * @throws Error Stopped; progress is reported from `begin` to `end`
    */
@@ -43,7 +42,7 @@ private:
 
   const PlanarMesh& Mesh;
   const Buckets<Id> CellsOfPoints;
-  std::vector<Id> Waiting; ///< points to be looked at, the first at its end
+  std::vector<Id> Waiting; ///< queue of points, first at its end
   std::vector<char> IsWaiting;
 };
 } // namespace insideout

@@ -79,7 +79,7 @@ std::vector<std::vector<Id>> JoinAlong(
     begin = begin == None ? s : Several;
     end = end == None ? s : Several;
   }
-  const auto follows = [&](Id point) // the segment that goes on behind the one that ends there
+  const auto follows = [&](Id point) // the segment that continues the one that ends there
   {
     const Id from = ends[point];
     const Id to = begins[point];
@@ -99,7 +99,7 @@ std::vector<std::vector<Id>> JoinAlong(
   };
   for (Id s = 0; s < count; ++s)
   {
-    if (follows(segments[s][0]) == None) // nothing goes on here
+    if (follows(segments[s][0]) == None) // nothing continues here
     {
       addFrom(s);
     }

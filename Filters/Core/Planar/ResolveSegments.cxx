@@ -20,12 +20,12 @@ namespace insideout
 {
 namespace
 {
-/** Rounds of cutting before what still crosses is left out. */
+/** Limit of rounds of cutting; segments that still cross are then left out. */
 constexpr int MostRounds = 24;
 
 /**
- * A crossing this near to an end of one of its segments is that end. Coordinates are below 1: in
- * the first rounds this is their rounding, in the last 2^-41, less than 1e-12.
+ * A crossing this near to an end of one of its segments is moved to that end. Coordinates are below
+ * 1: in the first rounds this is their rounding, in the last 2^-41, less than 1e-12.
  */
 double Nearness(int round)
 {
@@ -44,7 +44,7 @@ DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b)
   return QuickTwoSum(first, rest.High / b.High);
 }
 
-/** (b - a) x (d - c), but for rounding in 106 digits. */
+/** (b - a) x (d - c), up to rounding in 106 digits. */
 DoubleDouble CrossProduct(
   const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, const PlanarPoint& d)
 {
@@ -52,7 +52,7 @@ DoubleDouble CrossProduct(
     Difference(b[1], a[1]) * Difference(d[0], c[0]);
 }
 
-/** Where two segments cross, rounded, and within both their boxes as the true place is. */
+/** The rounded crossing of two segments, within both their boxes as the exact one is. */
 PlanarPoint CrossingOf(
   const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, const PlanarPoint& d)
 {
@@ -78,7 +78,7 @@ struct HashOfPlace
   }
 };
 
-/** The segments as they are cut. */
+/** The segments during cutting. */
 class Cutter
 {
 public:
@@ -126,19 +126,20 @@ private:
   std::vector<char> IsNew;        ///< per piece; empty before the first round
   std::vector<char> IsLeftOut;    ///< per given segment
   std::vector<Cut> Cuts;
-  std::vector<Id> Stuck; ///< pieces that cross and could not be cut yet: looked at again
-  std::unordered_map<PlanarPoint, Id, HashOfPlace> PointsByPlace; ///< all, once one is made
+  std::vector<Id> Stuck; ///< pieces that cross and could not be cut yet: retried
+  /// pieces of all segments, once any exist
+  std::unordered_map<PlanarPoint, Id, HashOfPlace> PointsByPlace;
 };
 
 SegmentMeetings Cutter::FindMeetings(int round)
 {
-  // Each round has half of what is left of the progress.
+  // Each round takes half of the remaining progress.
   const double begin = 1 - std::ldexp(1.0, -round);
   return FindSegmentMeetings(this->Points, this->Pieces, this->IsNew, this->Watch,
     { Stages::Resolving, begin, begin + (1 - begin) / 2 });
 }
 
-/** Where a point projects to on a piece: between 0 and PlaceAlong of its end for one within. */
+/** The projection of a point onto a piece: between 0 and PlaceAlong of its end if within. */
 DoubleDouble Cutter::PlaceAlong(Id piece, Id point) const
 {
   const PlanarPoint& a = this->Points[this->Pieces[piece][0]];
@@ -165,7 +166,7 @@ bool Cutter::AddCut(Id piece, Id point)
   return isWithin;
 }
 
-/** A point on a given segment, of its ends. */
+/** A point on a given segment, interpolated between its ends. */
 PointOrigin Cutter::OriginOf(const PlanarPoint& place, Id piece) const
 {
   const Segment& given = this->Given.Segments[this->SegmentOfPiece[piece]];
@@ -177,12 +178,12 @@ PointOrigin Cutter::OriginOf(const PlanarPoint& place, Id piece) const
   const Id to = this->Given.Origins[given[1]].Points[0];
   PointOrigin origin;
   origin.Points = { { from, to, to } };
-  // No more than nearly 1: weight 1 says that the point is the input's.
+  // At most nearly 1: weight 1 marks an input point.
   origin.Weights = { { std::min(1 - t, 1 - 0x1p-53), std::max(t, 0x1p-53), 0 } };
   return origin;
 }
 
-/** The point in a place, a new one if there is none. */
+/** The point at a place, a new one if there is none. */
 Id Cutter::PointAt(const PlanarPoint& place, Id piece)
 {
   if (this->PointsByPlace.empty())
@@ -236,7 +237,7 @@ void Cutter::CutAtCrossing(const Segment& pair, const PlanarPoint& place, double
   }
 }
 
-/** Replaces each piece that is cut by its parts. */
+/** Replace each cut piece by its parts. */
 void Cutter::ApplyCuts()
 {
   std::vector<std::pair<DoubleDouble, Cut>> cuts;
@@ -315,7 +316,7 @@ void Cutter::Round(const SegmentMeetings& meetings, int round)
   this->ApplyCuts();
 }
 
-/** Give up one of each two given segments whose pieces still meet: the later one. */
+/** Leave out one of each two given segments whose pieces still meet: the later one. */
 void Cutter::LeaveOut(const SegmentMeetings& meetings)
 {
   for (const Segment& pair : meetings.Crossings)
@@ -329,7 +330,7 @@ void Cutter::LeaveOut(const SegmentMeetings& meetings)
   }
 }
 
-/** Pieces by their ends, those that coincide as one; then the given segments that are left out. */
+/** Pieces by their ends, coincident ones merged; then the given segments that are left out. */
 SegmentComplex Cutter::Joined() const
 {
   struct Part

@@ -9,23 +9,23 @@ namespace insideout
 struct ResolvedCurve
 {
   SegmentComplex Curve;
-  std::size_t IntersectingPairs = 0; ///< of the segments that were given
-  int Rounds = 0;                    ///< of cutting and rounding
+  std::size_t IntersectingPairs = 0; ///< given segments that were left out
+  int Rounds = 0;                    ///< rounds of cutting and rounding
 };
 
 /**
- * Stage pre in a plane: segments cut where they cross, touch or overlap, which exact predicates
- * decide; crossings are rounded to doubles, and what that makes cross is cut again, until nothing
- * does. Points of the input never move. Where a crossing is nearer to an end of a segment than
- * rounding can tell, both pass through that end. That distance grows from round to round, to less
- * than 1e-12 of the size, so that this ends; segments that still cross in the last round are left
- * out (NumberOfConstraints).
+ * Stage pre in a plane: cut segments where they cross, touch or overlap, decided by exact
+ * predicates. Crossings are rounded to doubles; segments that then cross are cut again, until none
+ * do. Input points never move. If a crossing is nearer to an end of a segment than rounding can
+ * resolve, both segments pass through that end. This tolerance grows from round to round, to less
+ * than 1e-12 of the size, so that the process ends; segments that still cross in the last round are
+ * left out (NumberOfConstraints).
  *
- * The pieces of a segment are one behind the other along it. Pieces of several segments that
- * coincide become one, whose multiplicities add. Points come in the order of the given ones, then
- * new ones.
+ * The pieces of a segment are in sequence along it. Coincident pieces of several segments are
+ * merged, and their multiplicities add. The given points come first, in their order, then the new
+ * ones.
  *
- * @param[in] curve as CountSegments gives it
+ * @param[in] curve from CountSegments
  * @throws Error TooLarge, Stopped
  */
 ResolvedCurve ResolveSegments(const SegmentComplex& curve, Monitor& monitor);

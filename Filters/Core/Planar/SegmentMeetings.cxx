@@ -11,7 +11,7 @@ namespace insideout
 {
 namespace
 {
-constexpr Id BlockSize = 256; ///< of the tree's parts, or of segments: one thread's turn
+constexpr Id BlockSize = 256; ///< number of the tree's nodes, or of segments, per task of a thread
 
 Box BoxOf(const std::vector<PlanarPoint>& points, const Segment& segment)
 {
@@ -21,7 +21,7 @@ Box BoxOf(const std::vector<PlanarPoint>& points, const Segment& segment)
     { { std::max(a[0], b[0]), std::max(a[1], b[1]), 0 } } };
 }
 
-/** Tests pairs of segments, and notes where they meet. */
+/** Tests pairs of segments, and records where they meet. */
 class MeetingFinder
 {
 public:
@@ -54,14 +54,14 @@ private:
     return Orient2D(this->Points[segment[0]], this->Points[segment[1]], this->Points[p]);
   }
 
-  /** Whether a point on a segment's line, and none of its ends, lies within it. */
+  /** Whether a point on a segment's line, not an end, lies within the segment. */
   bool IsWithin(const Segment& segment, Id p) const
   {
     const Box box = BoxOf(this->Points, segment);
     return box.Holds({ { this->Points[p][0], this->Points[p][1], 0 } });
   }
 
-  /** Segments with one end in common meet in more only where they overlap. */
+  /** Segments with one common end meet elsewhere only if they overlap. */
   void TestNeighbors(Id i, Id j, SegmentMeetings& found) const
   {
     const Segment& s = this->Segments[i];
@@ -114,7 +114,9 @@ private:
   const std::vector<Segment>& Segments;
 };
 
-/** Call search(first, last, found) for blocks of [0, count), and join what they find in order. */
+/**
+ * Call search(first, last, found) for blocks of [0, count), and concatenate the results in order.
+ */
 template <typename Search>
 SegmentMeetings SearchInBlocks(
   Id count, Monitor& monitor, const ProgressRange& progress, const Search& search)
@@ -172,7 +174,7 @@ SegmentMeetings FindSegmentMeetings(const std::vector<PlanarPoint>& points,
         tree.Visit(BoxOf(points, segments[i]),
           [&](Id k)
           {
-            // Of two new ones each finds the other.
+            // A pair of new segments is found twice.
             if (ids[k] != i && (!isNewOne(i) || i < ids[k]))
             {
               finder.Test(i, ids[k], found);

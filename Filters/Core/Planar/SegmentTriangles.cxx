@@ -36,14 +36,14 @@ std::vector<double> CellAreas(
   return areas;
 }
 
-/** In the units of the points in space. */
+/** In the units of space. */
 ScaledSizes AreasInSpace(
   const std::vector<PlanarPoint>& points, const PlanarMesh& mesh, const Plane& plane)
 {
   return { CellAreas(points, mesh, plane.Metric), 2 * plane.Exponent };
 }
 
-/** By edge of a triangle the corner that is not on it (EdgeOf). */
+/** For each edge of a triangle the opposite corner (EdgeOf). */
 constexpr std::array<int, 3> CornersOppositeEdges = { { 2, 0, 1 } };
 } // namespace
 

@@ -21,11 +21,11 @@ std::vector<FacetPiece> PiecesOfSegments(
   const PlanarMesh& mesh, const std::vector<unsigned char>& chosen = {});
 
 /**
- * Stage cut on triangles, as SegmentMesh does it on tetrahedra, which says what the statistics are.
+ * Stage cut on triangles; for statistics see SegmentMesh, its counterpart for tetrahedra.
  *
- * @param[in] curve which the mesh was made of
+ * @param[in] curve from which the mesh was made
  * @param[in] w one finite value per cell
- * @param[in] seeds in space: they count where they are above or below the plane
+ * @param[in] seeds in space: they are projected onto the plane
  * @throws Error InvalidParameter, PointNotFinite, TooLarge, Stopped
  */
 MeshSegmentation SegmentTriangles(const SegmentComplex& curve, const PlanarMesh& mesh,

@@ -11,7 +11,10 @@ class SideOfCircle
 public:
   explicit SideOfCircle(const PlanarMetric& metric = PlanarMetric());
 
-  /** Where d is, of the circle through a, b, c, which run counter-clockwise: 1 within, 0 on it. */
+  /**
+   * The position of d relative to the circle through a, b, c, which run counter-clockwise: 1
+   * inside, 0 on it.
+   */
   int operator()(
     const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, const PlanarPoint& d) const;
 
@@ -19,7 +22,7 @@ private:
   template <typename Number>
   int Sign(const std::array<const PlanarPoint*, 4>& points) const;
 
-  bool IsRound; ///< circles are those of the coordinates
+  bool IsRound; ///< with this metric circles are those of the coordinates
   double XX;
   double XY;
   double YY;

@@ -7,15 +7,15 @@
 
 namespace insideout
 {
-/** Finds the triangles that places are in. */
+/** Locates points in triangles. */
 class TriangleLocator
 {
 public:
-  /** @param[in] points, mesh have to live as long */
+  /** @param[in] points, mesh have to outlive this object */
   TriangleLocator(const std::vector<PlanarPoint>& points, const PlanarMesh& mesh);
 
-  /** The lowest cell that a place is in, boundary included, and that is good, by isGood(cell); None
-   * where there is none. */
+  /** The lowest cell with isGood(cell) that contains a place, boundary included; None if there is
+   * none. */
   template <typename IsGood>
   Id Find(const PlanarPoint& place, const IsGood& isGood) const
   {

@@ -19,7 +19,7 @@ namespace insideout
 {
 namespace
 {
-/** The plane with another measure of circles; all else is the kernel's. */
+/** The kernel, with another metric for circles. */
 struct MetricTraits : Kernel
 {
   struct Side_of_oriented_circle_2

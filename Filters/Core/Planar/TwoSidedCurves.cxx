@@ -8,7 +8,7 @@ namespace insideout
 {
 namespace
 {
-/** How the sources of a segment that participate run. */
+/** Directions of a segment's participating sources. */
 enum class Directions
 {
   None,
@@ -27,13 +27,13 @@ Directions DirectionsOf(const SegmentSoup& soup, const SegmentComplex& curve, Id
       isGiven[isReversed ? 1 : 0] = true;
     }
   }
-  // Where duplicates count, one way may be given more often than the other.
+  // With duplicates counted, one direction may occur more often than the other.
   return isGiven[0] && isGiven[1] && curve.Multiplicity[segment] == 0 ? Directions::Both
     : isGiven[0] || isGiven[1]                                        ? Directions::One
                                                                       : Directions::None;
 }
 
-/** The segments of components in which all that participate were given both ways. */
+/** The segments of components whose participating segments were all given in both directions. */
 std::vector<Id> TwoSidedSegments(const SegmentSoup& soup, const SegmentComplex& curve)
 {
   std::vector<Directions> directions;
@@ -65,14 +65,14 @@ std::vector<Id> TwoSidedSegments(const SegmentSoup& soup, const SegmentComplex& 
   return found;
 }
 
-/** A segment in a chain, and whether it runs as the chain does. */
+/** A segment in a chain, and its direction relative to the chain. */
 struct Link
 {
   Id Segment;
   bool IsAlong;
 };
 
-/** Twice the area of a closed chain, with sign; in the coordinates' own measure. */
+/** Twice the signed area of a closed chain, in the coordinates' own measure. */
 double TwiceAreaOf(const SegmentComplex& curve, const std::vector<Link>& chain)
 {
   const PlanarPoint& origin = curve.Points[curve.Segments[chain.front().Segment][0]];
@@ -100,7 +100,7 @@ TwoSidedCurves KeepTwoSidedCurves(const SegmentSoup& soup, SegmentComplex& curve
       }
     });
   std::vector<char> isTaken(curve.Segments.size(), 0);
-  // From a point along a segment, to the point where the chain ends.
+  // Trace from a point along a segment to the end of the chain.
   const auto follow = [&](Id point, Id segment, std::vector<Link>& chain)
   {
     while (!isTaken[segment])
@@ -131,7 +131,7 @@ TwoSidedCurves KeepTwoSidedCurves(const SegmentSoup& soup, SegmentComplex& curve
     result.Closed += area != 0;
     result.Sheets += area == 0;
   };
-  for (const Id s : segments) // chains that begin where more or fewer than two meet
+  for (const Id s : segments) // chains that begin at points of more or fewer than two segments
   {
     for (const Id point : curve.Segments[s])
     {

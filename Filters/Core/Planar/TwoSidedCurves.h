@@ -12,11 +12,10 @@ struct TwoSidedCurves
 };
 
 /**
- * Find the components in which every segment that participates was given both ways, as often one as
- * the other. A chain of these consists of segments joined through points of exactly two. If it
- * encloses an area when each segment is kept once, it gets multiplicities of +1 and -1 that turn it
- * counter-clockwise, as KeepTwoSidedSolids does with facets. The others are sheets, and stay at
- * 0.
+ * Find the components in which every participating segment was given equally often in both
+ * directions. Their chains consist of segments joined through points of exactly two. If a chain
+ * encloses an area when each segment is kept once, it gets multiplicities of +1 and -1 that make it
+ * counter-clockwise, as KeepTwoSidedSolids does with facets. The others are sheets, and stay at 0.
  *
  * @param[in,out] curve counted and not yet resolved; Multiplicity changes
  */

@@ -12,7 +12,7 @@ namespace insideout
 {
 namespace
 {
-/** From cell to cell, breadth first from the hull. */
+/** Carry it from cell to cell, breadth first from the hull. */
 std::vector<double> Walk(const SegmentComplex& curve, const PlanarMesh& mesh, Monitor& monitor)
 {
   std::vector<double> w(mesh.Cells.size(), 0);
@@ -61,7 +61,7 @@ std::vector<double> Evaluate(
   }
   const PolylineWindingNumber number(curve.Points, segments, metric);
   std::vector<double> w(mesh.Cells.size());
-  // Neighbors one after the other ask for what the cache still has.
+  // Consecutive neighbors access data still in the cache.
   std::vector<Point> places;
   places.reserve(mesh.Cells.size());
   for (const Triangle& cell : mesh.Cells)

@@ -12,11 +12,11 @@ namespace insideout
  * Stage w in a plane: the winding number of a curve in each triangle, positive where the curve runs
  * counter-clockwise around it.
  *
- * For a closed curve it is carried from triangle to triangle, from 0 beyond the hull, rising by
- * what each segment counts: whole numbers, exactly. Otherwise it is that of PolylineWindingNumber
- * at the barycenter: the exact one, where rounding would put it out of its triangle.
+ * For a closed curve it is carried from triangle to triangle, from 0 outside the hull, adding each
+ * segment's count: exact whole numbers. Otherwise PolylineWindingNumber is evaluated at the
+ * barycenter, unrounded if rounding would put it outside its triangle.
  *
- * @param[in] curve which the mesh was made of
+ * @param[in] curve from which the mesh was made
  * @throws Error Stopped
  */
 std::vector<double> WindingNumberOfTriangles(const SegmentComplex& curve, const PlanarMesh& mesh,

@@ -30,8 +30,8 @@ public:
   bool Has(Id cell) const { return this->Mesh.Marks().Has(cell); }
 
   /**
-   * Add the cells whose circumsphere contains the place, breadth-first up to facets. @param[in]
-   * most limit of cells
+   * Add the cells whose circumsphere contains the place, breadth-first up to facets.
+   * @param[in] most limit of cells
    */
   void Grow(std::size_t most);
 

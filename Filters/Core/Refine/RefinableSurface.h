@@ -80,7 +80,7 @@ public:
    */
   bool MayLeave(Id point) const;
 
-  /** Update: a point is contracted into the next one, which its ridges then end at. */
+  /** Update: a point is contracted into the next one; its ridges continue from there. */
   void Contract(Id point, Id target);
 
 private:

@@ -29,7 +29,9 @@ void FindNearestFacets(const std::vector<FacetOfInput>& facets, RefinableMesh& m
 
 /**
  * The distance of the first surface's points from the second, as far as samples tell
- * (TriangleTree::LargestDistanceOf). // @throws Error Stopped
+ * (TriangleTree::LargestDistanceOf).
+ *
+ * @throws Error Stopped
  */
 double LargestDistance(const std::vector<LabelledTriangle>& from,
   const std::vector<LabelledTriangle>& to, double enough, Monitor& monitor,

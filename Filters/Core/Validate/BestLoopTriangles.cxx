@@ -13,16 +13,15 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// An orientation by doubles is sure above this part of its terms (Shewchuk 1997, Adaptive precision
-// floating-point arithmetic, has 3.33e-16), and above what underflow may take from them.
+// An orientation in doubles is certain above this fraction of its terms (Shewchuk 1997, Adaptive
+// precision floating-point arithmetic, has 3.33e-16), and above the possible underflow.
 constexpr double SureOrientation = 4e-16;
 constexpr double SafelyNormal = 1e-300;
 
-// Sums whose terms came in another order differ by less than this part: such are one.
+// Sums of the same terms in another order differ by less than this fraction: they count as equal.
 constexpr double SameSum = 1e-12;
 
-// What stands for infinity as the badness of a triangle without area, so that one is better than
-// two.
+// A finite badness for triangles without area, so that one is better than two.
 constexpr double Degenerate = 1e30;
 
 struct Cost
@@ -52,12 +51,13 @@ private:
   void FillIn(int i, int j);
 
   const SmallLoop& Loop;
-  const int First; ///< the coordinates that are seen
+  const int First; ///< the projected coordinates
   const int Second;
   const int Sign;
   const double Margin;
 
-  // Of the part of the loop from i to j and back: the cost, and the third corner at that edge.
+  // The best triangulation of the loop from i to j and back: its cost, and the third corner at that
+  // edge.
   Cost Best[MostCornersToSearch][MostCornersToSearch];
   int Middle[MostCornersToSearch][MostCornersToSearch];
 };
@@ -103,7 +103,7 @@ bool LoopSearch::IsBetter(const Cost& a, const Cost& b) const
 void LoopSearch::FillIn(int i, int j)
 {
   Cost best = { Infinity, Infinity };
-  for (int k = j - 1; k > i; --k) // downwards: of equal ones a fan from the first corner remains
+  for (int k = j - 1; k > i; --k) // downwards: on ties a fan from the first corner remains
   {
     const Cost& left = this->Best[i][k];
     const Cost& right = this->Best[k][j];

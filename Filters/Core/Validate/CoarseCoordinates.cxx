@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** From a float to the next one away from zero. */
+/** The difference of a float to the next one away from zero. */
 double StepAt(double x)
 {
   const auto single = static_cast<float>(std::abs(x));
@@ -21,14 +21,17 @@ double StepAt(double x)
     static_cast<double>(single);
 }
 
-/** The step at the largest coordinate along an axis, where one is an odd multiple of it; else 0. */
+/**
+ * The step at the largest coordinate along an axis, if some coordinate is an odd multiple of it;
+ * else 0.
+ */
 double StepAlong(int axis, const std::vector<Point>& points)
 {
   const auto [least, most] = std::minmax_element(points.begin(), points.end(),
     [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; });
   if ((*least)[axis] == (*most)[axis])
   {
-    return 0; // nothing of the shape is along this axis
+    return 0; // the shape has no extent along this axis
   }
   const double step = StepAt(std::max(std::abs((*least)[axis]), std::abs((*most)[axis])));
   const bool isOdd = std::any_of(points.begin(), points.end(),

@@ -9,21 +9,23 @@
 
 namespace insideout
 {
-/** Coordinates that single precision has rounded. */
+/** The effect of coordinates rounded to single precision. */
 struct CoarseCoordinates
 {
-  double Step = 0; ///< between neighboring floats, of the largest coordinates; 0: not rounded
+  /// the step between neighboring floats at the largest coordinates; 0: not rounded
+  double Step = 0;
   double Edge = 0; ///< the median length of edges
 
-  static constexpr double TooCoarse = 0.25; ///< such a part of an edge decides about shapes
+  /// fraction of an edge from which a step matters for shapes
+  static constexpr double TooCoarse = 0.25;
 
   bool AreTooCoarse() const { return this->Step > 0 && this->Step >= TooCoarse * this->Edge; }
 };
 
 /**
- * The step of single precision, where all points are floats. That of an axis along which no point
- * has an odd multiple of it does not count: such coordinates, as whole numbers, are coarse by
- * themselves.
+ * The step of single precision, if all coordinates are floats. An axis along which no coordinate is
+ * an odd multiple of its step is left out: such coordinates, for example whole numbers, are coarse
+ * by nature.
  *
  * @param[in] points finite
  * @param[in] edges of facets with these points
@@ -31,6 +33,6 @@ struct CoarseCoordinates
 CoarseCoordinates FindCoarseCoordinates(
   const std::vector<Point>& points, const std::vector<FacetEdge>& edges);
 
-/** The step, the edge, and what to do about it. */
+/** A message with the step, the edge, and a remedy. */
 std::string WarningAbout(const CoarseCoordinates& coordinates);
 } // namespace insideout

@@ -14,7 +14,9 @@ namespace insideout
 {
 namespace
 {
-/** A gain has to be more than this part of a set's boundary: less is the rounding of its length. */
+/**
+ * A gain has to exceed this fraction of a set's boundary; less may be the rounding of its length.
+ */
 constexpr double LeastGain = 1e-9;
 
 bool IsGivenAgain(const FacetCopies& given)
@@ -27,14 +29,17 @@ FacetCopies OncePerOrientation(const FacetCopies& given)
   return { given.Along > 0, given.Against > 0 };
 }
 
-/** How often one more copy of a set's facets runs along an edge. */
+/** The count along an edge added by one more copy of a set's facets. */
 struct SetAtEdge
 {
   Id Edge;
   int Direction;
 };
 
-/** Adjacent facets that are given alike count alike; counts are chosen for a whole set of them. */
+/**
+ * Adjacent facets with the same numbers of copies get the same count: counts are chosen per set of
+ * them.
+ */
 class CopyChoice
 {
 public:
@@ -52,7 +57,7 @@ public:
     double OpenLength;
   };
 
-  /** Add copies (step 1) to those of the start, or take them away (step -1) until one is left. */
+  /** Add copies (step 1) to those of the start, or remove them (step -1) until one is left. */
   Choice Choose(const std::vector<FacetCopies>& start, int step) const
   {
     Choice choice = { start, 0 };
@@ -99,7 +104,7 @@ public:
     return choice;
   }
 
-  std::vector<Id> Set;            ///< one per facet, None where none is given again
+  std::vector<Id> Set;            ///< one per facet, None if it is given once
   std::vector<FacetCopies> Given; ///< one per set
 
 private:
@@ -136,7 +141,7 @@ private:
     }
   }
 
-  /** The edges of sets, and how often all facets together run along them when each counts once. */
+  /** The edges of sets, and the signed count along them of all facets, each counted once. */
   void FindEdges(const FacetComplex& surface, const std::vector<FacetEdge>& edges,
     const std::vector<FacetCopies>& given)
   {
@@ -193,7 +198,7 @@ private:
     }
   }
 
-  /** By how much the open boundary shrinks when a set counts that much more. */
+  /** The decrease of the open boundary when a set's count is increased. */
   double Gain(std::size_t set, std::int64_t more, const std::vector<std::int64_t>& sums) const
   {
     double gain = 0;
@@ -206,7 +211,7 @@ private:
     return gain;
   }
 
-  /** Whether the open boundary beside a set vanishes when the set counts that much more. */
+  /** Whether the open boundary at a set vanishes when the set's count is increased. */
   bool Closes(std::size_t set, std::int64_t more, const std::vector<std::int64_t>& sums) const
   {
     const auto boundary = this->Boundary[set];
@@ -223,9 +228,9 @@ private:
     }
   }
 
-  std::vector<double> Lengths;    // of the sets' boundaries
+  std::vector<double> Lengths;    // lengths of the sets' boundaries
   Buckets<SetAtEdge> Boundary;    // of the sets
-  std::vector<std::int64_t> Sums; // of the edges of these, each facet counted once
+  std::vector<std::int64_t> Sums; // signed counts along these, each facet counted once
   std::vector<double> EdgeLengths;
 };
 } // namespace

@@ -9,7 +9,10 @@ namespace insideout
 {
 struct FacetComplex;
 
-/** How often a facet is given, or counts, along its own orientation and against it. */
+/**
+ * The numbers of a facet's copies that are given, or count, along its own orientation and against
+ * it.
+ */
 struct FacetCopies
 {
   std::int64_t Along = 0;
@@ -22,19 +25,18 @@ struct FacetCopies
 };
 
 /**
- * Which copies of facets count: as many as close the surface.
+ * Decide how many copies of facets count: as many as close the surface.
  *
- * A facet that is given several times may be a slip, or belong to several closed shells. At first
- * each facet counts once per orientation. Sets of adjacent facets that are given alike then count
- * once more as long as that shortens the open boundary, the length of edges times their signed
- * sums; and one of two opposite copies does not count if the other alone leaves no open boundary
- * there. As sets may need each other, the same is tried from the other end: all copies count, and
- * are taken away as long as that shortens the boundary. The shorter of the two boundaries wins, of
- * equal ones the first.
+ * A repeated facet may be an error, or belong to several closed shells. At first each facet counts
+ * once per orientation. Sets of adjacent facets with the same copies then count once more while
+ * this shortens the open boundary, the sum of edge lengths times their signed sums. One of two
+ * opposite copies does not count if the other alone leaves no open boundary there. Sets may depend
+ * on each other, so the reverse is tried, too: all copies count, and are removed while this
+ * shortens the boundary. The shorter of the two boundaries wins; on ties the first.
  *
  * @param[in] edges those of surface.Facets
  * @param[in] given one per facet
- * @return one per facet, at most what is given; at least once
+ * @return one per facet, at most the given copies; at least one
  */
 std::vector<FacetCopies> CountCopies(const FacetComplex& surface,
   const std::vector<FacetEdge>& edges, const std::vector<FacetCopies>& given);

@@ -118,7 +118,9 @@ void CollectFacets(const TriangleSoup& soup, const std::vector<Id>& merged, Coun
   surface.NumberOfConstraints = surface.NumberOfFacets();
 }
 
-/** How often each facet is given by triangles that participate, and how many of them there are. */
+/**
+ * The number of copies of each facet from participating triangles, and the number of these facets.
+ */
 struct GivenFacets
 {
   std::vector<FacetCopies> Copies;
@@ -147,7 +149,7 @@ GivenFacets FacetsAsGiven(const TriangleSoup& soup, const FacetComplex& surface)
   return given;
 }
 
-/** How often each facet counts, by its sources. */
+/** The count of each facet, by its sources. */
 void CountSources(const TriangleSoup& soup, bool countDuplicates, CountedChain& chain)
 {
   FacetComplex& surface = chain.Surface;
@@ -218,7 +220,7 @@ void CompactPoints(const std::vector<Point>& points, const std::vector<Id>& merg
   }
 }
 
-/** The facets that an input triangle which participates is a part of. */
+/** The facets that contain a participating input triangle. */
 std::vector<Id> ParticipatingFacets(const TriangleSoup& soup, const FacetComplex& surface)
 {
   std::vector<Id> facets;
@@ -234,7 +236,7 @@ std::vector<Id> ParticipatingFacets(const TriangleSoup& soup, const FacetComplex
   return facets;
 }
 
-/** Apply the rule of two-sided components to some facets, as if there were no others. */
+/** Apply the rule of two-sided components to some facets, independently of the others. */
 TwoSidedComponents KeepTwoSidedSolidsAmong(const std::vector<Id>& facets, FacetComplex& surface)
 {
   FacetComplex part;

@@ -13,33 +13,36 @@ namespace insideout
 {
 struct CountedChainParameters
 {
-  /** Points at most this far apart become one, in units of the surface. 0: only equal points do. */
+  /** Points at most this far apart are merged, in units of the surface. 0: only equal points. */
   double MergeTolerance = 0;
   /** Count a triangle as often as it is given, instead of as often as closed shells need it. */
   bool CountDuplicates = false;
 };
 
-/** What validation found; the columns |V|, |F|, |dF|, #CC and #nme. of the thesis's table 8.1 too.
- */
+/** The result of validation, including the columns |V|, |F|, |dF|, #CC and #nme. of the thesis's
+ * table 8.1. */
 struct SurfaceCounts
 {
   Id InputPoints = 0;
   Id InputTriangles = 0;
-  Id Points = 0;                 ///< that valid facets use, after merging
-  Id Facets = 0;                 ///< that are not degenerate, each counted once
-  Id MergedPoints = 0;           ///< input points that became one with a point of lower id
-  Id DegenerateFacets = 0;       ///< left out: two equal corners, or all three on a line
-  Id DuplicateFacets = 0;        ///< input triangles whose three points an earlier one has
-  Id SharedFacets = 0;           ///< of these: count again, for several closed shells have them
-  Id CancelledFacets = 0;        ///< facets given in both orientations, which count 0
-  Id OpenEdges = 0;              ///< edges of exactly one facet
-  double OpenLength = 0;         ///< of these edges, all together
-  double Diagonal = 0;           ///< of the box around all points in use
-  Id NonManifoldEdges = 0;       ///< edges of more than two facets
-  Id Components = 0;             ///< of facets joined through edges
-  Id TwoSidedSolids = 0;         ///< two-sided components that close a volume: kept once
-  Id TwoSidedSheets = 0;         ///< two-sided components that close none: constraints that count 0
-  Id NonParticipatingFacets = 0; ///< no triangle of which participates: constraints that count 0
+  Id Points = 0;           ///< points used by valid facets, after merging
+  Id Facets = 0;           ///< facets that are not degenerate, each counted once
+  Id MergedPoints = 0;     ///< input points merged with a point of lower id
+  Id DegenerateFacets = 0; ///< left out: two equal corners, or all three on a line
+  Id DuplicateFacets = 0;  ///< input triangles with the same three points as an earlier one
+  /// of these, counted again, because several closed shells contain them
+  Id SharedFacets = 0;
+  Id CancelledFacets = 0;  ///< facets given in both orientations, which count 0
+  Id OpenEdges = 0;        ///< edges of exactly one facet
+  double OpenLength = 0;   ///< total length of these edges
+  double Diagonal = 0;     ///< diagonal of the box around all points in use
+  Id NonManifoldEdges = 0; ///< edges of more than two facets
+  Id Components = 0;       ///< of facets joined through edges
+  Id TwoSidedSolids = 0;   ///< two-sided components that close a volume: kept once
+  /// two-sided components that close no volume: constraints that count 0
+  Id TwoSidedSheets = 0;
+  /// components without a participating triangle: constraints that count 0
+  Id NonParticipatingFacets = 0;
 };
 
 struct CountedChain
@@ -49,22 +52,24 @@ struct CountedChain
   SurfaceCounts Counts;
   CoarseCoordinates Coordinates;
   std::vector<std::string> Warnings;
-  std::vector<Id> MergedInto;          ///< per point of the soup the one that it became, or itself
+  /// per point of the soup the point that it was merged with, or itself
+  std::vector<Id> MergedInto;
   std::vector<Id> DegenerateTriangles; ///< of the soup: left out; ascending
 };
 
 /**
- * Stage validate: the facets that count, and how often, out of whatever was given.
+ * Stage validate: the facets of any input, with their counts.
  *
- * Points with equal coordinates become one (-0 equals +0; the lowest id's bits stay). Degenerate
- * triangles are left out. Triangles with the same three points become one facet, whose multiplicity
- * counts them as often as closed shells need them (CountCopies.h), else once per orientation,
- * opposite ones cancelling; it stays a constraint at 0. Where a whole component cancels, it is
- * two-sided: if it closes a volume when kept once, it is, turned outward. None of this is for a
- * soup that comes with multiplicities: those of equal triangles add.
+ * Points with equal coordinates are merged (-0 equals +0; the lowest id's bits stay). Degenerate
+ * triangles are left out. Triangles with the same three points become one facet. Its multiplicity
+ * counts them as often as closed shells need them (CountCopies.h), else once per orientation;
+ * opposite ones cancel. With multiplicity 0 it stays a constraint. If a whole component cancels, it
+ * is two-sided: if it closes a volume when kept once, it is kept so, turned outward. None of this
+ * applies to a soup with multiplicities: those of equal triangles add.
  *
  * Triangles that do not participate (thesis, section 8.7) become constraints like the others, but
- * add nothing: they neither cancel one that does, nor join components, nor make one two-sided.
+ * do not count: they neither cancel participating ones, nor join components, nor make one
+ * two-sided.
  *
  * @throws Error EmptySurface, PointNotFinite, PointOutOfRange, AllDegenerate, InvalidParameter,
  *         TooLarge, Stopped; triangles and points are named by their index in `soup`
@@ -72,6 +77,6 @@ struct CountedChain
 CountedChain CountFacets(
   const TriangleSoup& soup, const CountedChainParameters& parameters, Monitor& monitor);
 
-/** The counts under their names, for `statistics`. */
+/** The counts by name, for `statistics`. */
 void AddCounts(const SurfaceCounts& counts, Statistics& statistics);
 } // namespace insideout

@@ -18,13 +18,13 @@ namespace insideout
 {
 namespace
 {
-// Pieces of edges and triangles, together. An outline that only touches itself has about 4 per
-// edge; these take a second for 50,000 edges.
+// Limit of pieces of edges and triangles together. An outline that only touches itself has about 4
+// per edge; this number takes a second for 50,000 edges.
 constexpr std::size_t MostParts = 100000;
 constexpr std::size_t MostPartsPerEdge = 20;
 
-// A slip of the pen or of rounding crosses a few edges. Where more cross, what is enclosed is no
-// surface that anyone meant, and going around takes long.
+// Limit of crossings. An error of drawing or rounding crosses a few edges. With more, the enclosed
+// region is not an intended surface, and detours take long.
 constexpr int MostDetours = 100;
 
 struct Winding
@@ -42,7 +42,7 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel,
 using VertexHandle = Delaunay::Vertex_handle;
 using FaceHandle = Delaunay::Face_handle;
 
-/** The square of the distance of r from the line through p and q. */
+/** The squared distance of r from the line through p and q. */
 double SquaredDistance(VertexHandle r, VertexHandle p, VertexHandle q)
 {
   const double area = CGAL::area(p->point(), q->point(), r->point());
@@ -50,8 +50,8 @@ double SquaredDistance(VertexHandle r, VertexHandle p, VertexHandle q)
 }
 
 /**
- * CGAL's triangulation, with edges put in piece by piece. Points on a circle are told apart by
- * their coordinates there, so that there is only one triangulation.
+ * CGAL's triangulation, with edges inserted piece by piece. Cocircular points are distinguished by
+ * their coordinates, so that the triangulation is unique.
  */
 class OutlineTriangulation : public Delaunay
 {
@@ -60,8 +60,8 @@ public:
   struct Piece
   {
     VertexHandle End;
-    bool IsEdge;             ///< from a, on the way; else another edge is in the way,
-    insideout::Edge Crossed; ///< this, which is no edge any more if End is a or b
+    bool IsEdge;             ///< next point on the way from a; or else another edge is in the way,
+    insideout::Edge Crossed; ///< this one, which is not an edge any more if End is a or b
   };
   Piece Advance(VertexHandle a, VertexHandle b)
   {
@@ -86,8 +86,8 @@ public:
 
 protected:
   /**
-   * Called where an edge from a to b would cross another one. Of the four ends the one that is
-   * nearest to the line of the other edge, as far as doubles tell, for any will do.
+   * Called if an edge from a to b would cross another one. @return the end, of the four, that is
+   * nearest to the line of the other edge, as far as doubles tell; any of them would do
    */
   VertexHandle intersect(FaceHandle face, int index, VertexHandle a, VertexHandle b) override
   {
@@ -116,10 +116,10 @@ private:
 struct CountedTriangle
 {
   Triangle Corners; ///< ascending
-  int Count;        ///< negative where they run the other way
+  int Count;        ///< negative if they run the other way
 };
 
-/** A line that counts so often. */
+/** A line with its count. */
 struct Way
 {
   Id From;
@@ -156,10 +156,10 @@ private:
   std::size_t PartsLeft;
   int DetoursLeft = MostDetours;
   OutlineTriangulation Cells;
-  std::vector<Id> SeenAt; ///< of the points that are seen in one place the lowest
+  std::vector<Id> SeenAt; ///< the lowest of the points that project to one place
   std::vector<VertexHandle> Vertices;
-  std::map<Edge, int> Pieces; ///< of the outline's edges, as edges of the triangulation
-  std::vector<Way> Ways;      ///< that are still to be put in
+  std::map<Edge, int> Pieces; ///< the outline's edges, as edges of the triangulation
+  std::vector<Way> Ways;      ///< edges still to be inserted
   std::vector<CountedTriangle> Triangles;
   bool IsCrossed = false;
 };
@@ -170,7 +170,7 @@ bool EnclosedArea::SpendPart()
   return this->PartsLeft > 0;
 }
 
-/** Points that the outline only passes, as it does along a bridge, are not needed. */
+/** Points that the outline only passes, as along a bridge, are not needed. */
 void EnclosedArea::AddPoints()
 {
   std::vector<Id> used;
@@ -214,8 +214,7 @@ void EnclosedArea::AddTriangle(Id a, Id b, Id c, int count)
   }
 }
 
-/** Put an edge where it is seen. What stands upright beside those of all edges adds up to nothing.
- */
+/** Insert an edge where it is visible. The upright parts beside all edges cancel. */
 void EnclosedArea::AddEdge(const OutlineEdge& edge)
 {
   const auto [from, to] = edge.Ends;
@@ -229,7 +228,10 @@ void EnclosedArea::AddEdge(const OutlineEdge& edge)
   }
 }
 
-/** Put in a line in pieces, or a way around what it would cross; between both stand triangles. */
+/**
+ * Insert a line in pieces, or a detour around edges that it would cross; triangles fill the space
+ * between the two.
+ */
 void EnclosedArea::AddWay(const Way& whole)
 {
   this->Ways.push_back(whole);
@@ -253,7 +255,7 @@ void EnclosedArea::AddWay(const Way& whole)
   }
 }
 
-/** Of two lines that cross one goes by way of an end of the other. */
+/** One of two lines that cross takes a detour via an end of the other. */
 void EnclosedArea::GoAround(const Way& way, const OutlineTriangulation::Piece& piece)
 {
   this->IsCrossed = true;
@@ -277,7 +279,7 @@ void EnclosedArea::GoAround(const Way& way, const OutlineTriangulation::Piece& p
   this->Ways.push_back({ turned.From, end, turned.Count });
 }
 
-/** How often the outline runs along an edge of the triangulation. */
+/** The signed count of the outline along an edge of the triangulation. */
 int EnclosedArea::CountAlong(VertexHandle from, VertexHandle to) const
 {
   const Edge ends = EdgeBetween(from->info(), to->info());
@@ -285,8 +287,8 @@ int EnclosedArea::CountAlong(VertexHandle from, VertexHandle to) const
   return piece == this->Pieces.end() ? 0 : from->info() == ends[0] ? piece->second : -piece->second;
 }
 
-/** From outside inward: on the left of an edge the number is by so much higher than on its right.
- */
+/** From outside inward: the winding number on the left of an edge exceeds that on its right by this
+ * count. */
 void EnclosedArea::FindWindingNumbers()
 {
   std::vector<FaceHandle> front = { this->Cells.infinite_face() };

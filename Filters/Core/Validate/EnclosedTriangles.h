@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** An edge of an outline, and how often more it runs from the lower end than from the higher. */
+/** An edge of an outline, and its signed count from the lower to the higher end. */
 struct OutlineEdge
 {
   Edge Ends;
@@ -19,22 +19,22 @@ struct OutlineEdge
 /** Triangles whose boundary is an outline. */
 struct EnclosedTriangles
 {
-  std::vector<Triangle> Triangles; ///< none where crossings take too many
-  bool IsCrossed = false; ///< two edges cross, so that triangles overlap or cover what is outside
+  std::vector<Triangle> Triangles; ///< no triangles, because there are too many crossings
+  bool IsCrossed = false; ///< two edges cross, so that triangles overlap or cover outside space
 };
 
 /**
  * The triangles that an outline encloses, seen along an axis: those of a constrained Delaunay
- * triangulation, each as often as the winding number there says. It does not depend on the order of
- * points and edges but by the ids that it gives.
+ * triangulation, each repeated by its winding number. Up to ids, the result does not depend on the
+ * order of points and edges.
  *
- * Where a point lies on an edge the triangle of all three, which is degenerate, stands between the
- * edge and its parts. Where edges cross, one goes around through an end of the other, and triangles
- * overlap. Where points differ only along the axis, triangles stand upright between them.
+ * If a point lies on an edge, the degenerate triangle of all three is inserted between the edge and
+ * its parts. If edges cross, one takes a detour via an end of the other, and triangles overlap.
+ * Between points that differ only along the axis there are upright triangles.
  *
  * @param[in] points no two of them equal
- * @param[in] outline not empty; as many edges begin as end at each point
- * @return nothing where all points are seen on a line
+ * @param[in] outline not empty; equally many edges begin and end at each point
+ * @return nothing if all points project to a line
  */
 std::optional<EnclosedTriangles> TriangulateEnclosed(
   const std::vector<Point>& points, const std::vector<OutlineEdge>& outline, int axis);

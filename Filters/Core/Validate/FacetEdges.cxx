@@ -15,7 +15,7 @@ std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets)
   {
     points = std::max({ points, facet[0] + 1, facet[1] + 1, facet[2] + 1 });
   }
-  // Counted into the buckets of their lower points, which are small.
+  // Bucket sort by lower points; buckets are small.
   Buckets<FacetEdge> byLow(static_cast<std::size_t>(points),
     [&](auto visit)
     {

@@ -7,7 +7,9 @@
 
 namespace insideout
 {
-/** An edge as one facet runs along it: Direction is +1 from Low to High, -1 from High to Low. */
+/**
+ * An edge of one facet: Direction is +1 if the facet runs from Low to High, -1 from High to Low.
+ */
 struct FacetEdge
 {
   Id Low;
@@ -16,10 +18,10 @@ struct FacetEdge
   int Direction;
 };
 
-/** The three edges of every facet, sorted so that those of one edge stand together, by facet. */
+/** The three edges of every facet, sorted by edge, then by facet. */
 std::vector<FacetEdge> SortedFacetEdges(const std::vector<Triangle>& facets);
 
-/** Call visit(first, last) with the range of FacetEdge of every edge, in order. */
+/** Call visit(first, last) with the range of FacetEdges of each edge, in order. */
 template <typename Visitor>
 void ForEachEdge(const std::vector<FacetEdge>& edges, Visitor visit)
 {

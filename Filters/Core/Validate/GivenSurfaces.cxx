@@ -34,7 +34,7 @@ std::vector<std::array<RunAlong, 3>> EdgesOfFacets(
   return found;
 }
 
-/** Numbers the closed runs of triangles in the order given. */
+/** Numbers the closed runs of triangles in the given order. */
 class ClosedRuns
 {
 public:
@@ -80,21 +80,21 @@ private:
 
   Id NumberOfEdges = 0;
   std::vector<std::array<RunAlong, 3>> Edges; // per facet
-  std::vector<Id> SumOfEdge;                  // of all triangles up to here
+  std::vector<Id> SumOfEdge;                  // of all triangles so far
   std::vector<InRun> OfFacet;
   Id OpenEdges = 0;
   Id Uncancelled = 0; // facets of this run
   Id Ended = 0;
 };
 
-/** Replace surfaces that are not closed by themselves by None. */
+/** Replace surfaces that are not closed by None. */
 void KeepClosed(
   const FacetComplex& surface, const std::vector<FacetEdge>& edges, std::vector<Id>& given)
 {
   std::vector<char> isOpen(
     given.empty() ? 0 : static_cast<std::size_t>(*std::max_element(given.begin(), given.end())) + 1,
     0);
-  std::vector<std::array<Id, 2>> runs; // surfaces at an edge, and which way their triangles run
+  std::vector<std::array<Id, 2>> runs; // surfaces at an edge, with the direction of their triangles
   ForEachEdge(edges,
     [&](const FacetEdge* first, const FacetEdge* last)
     {
@@ -143,7 +143,7 @@ std::vector<Id> SurfacesByPoints(const TriangleSoup& soup, const FacetComplex& s
   return found;
 }
 
-/** Find the closed runs of triangles; triangles behind the last one have None. */
+/** Find the closed runs of triangles; triangles after the last one have None. */
 std::vector<Id> SurfacesInOrder(
   const TriangleSoup& soup, const FacetComplex& surface, const std::vector<FacetEdge>& edges)
 {

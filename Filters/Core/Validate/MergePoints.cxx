@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** The same for equal coordinates, so that 0 and -0 have one. */
+/** A hash that is equal for equal coordinates, including 0 and -0. */
 std::size_t HashOf(const Point& point)
 {
   std::uint64_t hash = 0;
@@ -36,7 +36,7 @@ std::vector<Id> MergeEqualPoints(const std::vector<Point>& points)
   merged.reserve(points.size());
   for (Id p = 0; p < static_cast<Id>(points.size()); ++p)
   {
-    // Points that are not finite, which no facet uses, would fill the table where they are many.
+    // Points that are not finite and unused by facets could be many and fill the table.
     const bool isFinite = IsFinite(points[p]);
     merged.push_back(isFinite
         ? equal.Find(p, HashOf(points[p]), [&](Id other) { return points[other] == points[p]; })
@@ -45,8 +45,7 @@ std::vector<Id> MergeEqualPoints(const std::vector<Point>& points)
   return merged;
 }
 
-/** Merge further: each point joins the lowest point not yet joined to another within `tolerance`.
- */
+/** Merge further: each point joins the lowest unjoined point within `tolerance`. */
 void MergeNearPoints(const std::vector<Point>& points, double tolerance, std::vector<Id>& merged)
 {
   using GridCell = std::array<double, 3>;

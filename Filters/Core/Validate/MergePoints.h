@@ -8,11 +8,11 @@
 namespace insideout
 {
 /**
- * For each point the one that it becomes, or itself: of points with equal coordinates the lowest.
- * With a tolerance above 0 each of these joins the lowest point at most that far away that has not
- * joined another one.
+ * For each point the point that it is merged with, or itself: the lowest point with equal
+ * coordinates. With a tolerance above 0 each of these then joins the lowest point within it that
+ * has not joined another.
  *
- * @param[in] points those that are not finite are never near to others
+ * @param[in] points if not finite, never near to others
  */
 std::vector<Id> MergePoints(const std::vector<Point>& points, double tolerance);
 } // namespace insideout

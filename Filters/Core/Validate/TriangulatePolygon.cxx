@@ -14,24 +14,24 @@ namespace insideout
 {
 namespace
 {
-// Areas that differ by less than this part are the same: far above what rounding does to them, and
-// what a polygon has whose corners are as far out of a plane as 1/30,000 of its size.
+// Areas that differ by less than this fraction count as equal: far above rounding, and the
+// difference for a polygon with corners 1/30,000 of its size off a plane.
 constexpr double SameArea = 1e-9;
 
 // Products of four coordinates between these stay in range.
 constexpr double SmallestCoordinate = 1e-60;
 constexpr double LargestCoordinateToSearch = 1e60;
 
-// A polygon is not looked at along an axis from which it seems smaller than this part of what it
-// does from another one: what is seen from its edge is noise.
+// A polygon is not projected along an axis from which it appears smaller than this fraction of its
+// largest projection: seen edge-on it is noise.
 constexpr double LeastWidth = 1e-3;
 
-// Of longer outlines only so many fans are tried, evenly spread.
+// Fans that are tried for long outlines, evenly spread.
 constexpr std::size_t MostApexes = 16;
 
 /**
- * A polygon's corners in an order that does not depend on where it begins and which way it runs: of
- * all such orders the one that comes first by coordinates.
+ * A canonical order of a polygon's corners, independent of the start and the direction: of all such
+ * orders the lexicographically least by coordinates.
  */
 class Outline
 {
@@ -60,7 +60,7 @@ public:
   Id operator[](std::size_t k) const { return this->Corner(this->Start, this->Reversed, k); }
   std::size_t size() const { return this->Size; }
 
-  /** Add a triangle by its corners' places in the order, turned as the polygon is. */
+  /** Add a triangle by its corners' positions in the order, with the polygon's orientation. */
   void Add(std::size_t a, std::size_t b, std::size_t c, std::vector<Triangle>& triangles) const
   {
     const Id second = (*this)[b];
@@ -81,7 +81,7 @@ private:
     return this->Points[this->Corner(start, reversed, k)];
   }
 
-  /** Where the least rotation begins; of those that are alike any does. */
+  /** The start of the least rotation; ties do not matter. */
   std::size_t FirstStart(bool reversed) const
   {
     const auto place = [&](std::size_t k) { return k < this->Size ? k : k - this->Size; };
@@ -97,7 +97,7 @@ private:
         ++same;
         continue;
       }
-      // No start from the one that is higher to where this shows can be the least.
+      // No start from the higher one up to this position can be the least.
       (a < b ? j : i) += same + 1;
       j += i == j;
       same = 0;
@@ -112,12 +112,12 @@ private:
   bool Reversed;
 };
 
-/** How large an outline is seen along each axis. */
+/** The size of an outline's projections along each axis. */
 struct Extent
 {
   Point Vector;      ///< twice the area, by axes
-  Point Terms;       ///< what it is the sum of, without signs
-  double Length = 0; ///< of the vector: no triangles have less area
+  Point Terms;       ///< sum of the terms' absolute values
+  double Length = 0; ///< length of the vector: no triangulation has less area
   double Sum = 0;    ///< of the terms
 
   Extent(const Point* corners, std::size_t size)
@@ -137,10 +137,10 @@ struct Extent
     this->Sum = this->Terms[0] + this->Terms[1] + this->Terms[2];
   }
 
-  /** Whether the two halves of an eight, say, leave only noise of the area. */
+  /** Whether the area is only noise, because two halves cancel, as in a figure eight. */
   bool Vanishes() const { return !(this->Length > SameArea * this->Sum); }
 
-  /** The axis along which it is seen largest, of equal ones the first. */
+  /** The axis with the largest projection; on ties the first. */
   int Axis() const
   {
     const Point& v = this->Vector;
@@ -148,7 +148,7 @@ struct Extent
     return static_cast<int>(std::max_element(sizes, sizes + 3) - sizes);
   }
 
-  /** The axes along which it is worth a look, the best first. */
+  /** The axes worth trying, best first. */
   std::vector<int> Axes() const
   {
     const Point& by = this->Vanishes() ? this->Terms : this->Vector;
@@ -162,7 +162,7 @@ struct Extent
     return axes;
   }
 
-  /** Whether triangles of this area have the least that there can be. */
+  /** Whether triangles of this area have the least possible area. */
   bool IsLeast(double area) const { return area <= this->Length * (1 + SameArea); }
 };
 
@@ -171,7 +171,7 @@ bool IsInRange(double largest)
   return largest == 0 || (largest > SmallestCoordinate && largest < LargestCoordinateToSearch);
 }
 
-/** Add what was found but for triangles of which two corners are in one place. */
+/** Append the found triangles, without those that have two corners at one place. */
 bool AddLoop(const Outline& outline, const SmallLoop& loop, const LoopTriangles& found,
   std::vector<Triangle>& triangles)
 {
@@ -188,8 +188,8 @@ bool AddLoop(const Outline& outline, const SmallLoop& loop, const LoopTriangles&
 }
 
 /**
- * Few corners, if there are triangles that, seen along the best axis, are all turned as the polygon
- * is: these cover what the outline encloses, as often as it winds around it.
+ * For few corners: triangles that all have the polygon's orientation, seen along the best axis. If
+ * they exist, they cover the enclosed region as often as the outline winds around it.
  */
 bool AddWithoutOverlap(
   const Outline& outline, const SmallLoop& loop, std::vector<Triangle>& triangles)
@@ -218,7 +218,7 @@ bool AddWithoutOverlap(
   return AddLoop(outline, loop, *found, triangles);
 }
 
-/** The same without a list in memory; false also where coordinates have to be scaled. */
+/** The same without dynamic memory; returns false also if coordinates have to be scaled. */
 bool AddSmall(
   const std::vector<Point>& points, const Outline& outline, std::vector<Triangle>& triangles)
 {
@@ -234,7 +234,7 @@ bool AddSmall(
   return IsInRange(largest) && AddWithoutOverlap(outline, loop, triangles);
 }
 
-/** Triangles that were found, by ids of the input, and twice their area. */
+/** Triangles by ids of the input, and twice their area. */
 struct Candidate
 {
   std::vector<Triangle> Triangles;
@@ -262,13 +262,13 @@ private:
   std::vector<Point> Scaled;
   const Extent Size;
 
-  std::vector<Point> Places;     ///< of the corners, each once, ascending
+  std::vector<Point> Places;     ///< the corners, each once, ascending
   std::vector<Id> PlaceOfCorner; ///< in the order
-  std::vector<Id> CornerAt;      ///< one corner at each place, in the order
+  std::vector<Id> CornerAt;      ///< one corner per place, in the order
   std::vector<OutlineEdge> Edges;
   Candidate Best;
-  bool IsCrossed = false;  ///< along some axis two edges cross
-  bool IsEnclosed = false; ///< along some axis no two do
+  bool IsCrossed = false;  ///< two edges cross in some projection
+  bool IsEnclosed = false; ///< no two edges cross in some projection
 };
 
 std::vector<Point> CornersInOrder(const std::vector<Point>& points, const Outline& outline)
@@ -281,7 +281,7 @@ std::vector<Point> CornersInOrder(const std::vector<Point>& points, const Outlin
   return corners;
 }
 
-/** Around the first corner, and of a size that no product is too large or too small for. */
+/** Relative to the first corner, and scaled so that products neither overflow nor underflow. */
 std::vector<Point> InRange(const std::vector<Point>& corners)
 {
   std::vector<Point> moved = ScaledPoints(corners, -LargestExponent(corners));
@@ -317,7 +317,7 @@ void GeneralPolygon::FindPlaces()
   }
 }
 
-/** Edges along which the outline runs as often in one direction as in the other are none. */
+/** Edges along which the outline runs equally often in both directions cancel. */
 void GeneralPolygon::FindEdges()
 {
   std::vector<OutlineEdge> all;
@@ -346,7 +346,7 @@ void GeneralPolygon::FindEdges()
   }
 }
 
-/** Add a triangle by its corners in the order, unless two are in one place. */
+/** Add a triangle by its corners in the order, unless two are at one place. */
 void GeneralPolygon::AddScaled(Id a, Id b, Id c, Candidate& candidate) const
 {
   const std::vector<Id>& place = this->PlaceOfCorner;
@@ -365,7 +365,7 @@ void GeneralPolygon::Consider(Candidate&& candidate)
   }
 }
 
-/** @return whether there can be nothing better */
+/** @return whether the result cannot be improved */
 bool GeneralPolygon::LookAlong(int axis)
 {
   const auto found = TriangulateEnclosed(this->Places, this->Edges, axis);
@@ -436,7 +436,7 @@ bool GeneralPolygon::Triangulate(std::vector<Triangle>& triangles)
 {
   if (this->Edges.empty())
   {
-    this->Order.Add(0, 1, 0, triangles); // encloses nothing, but is to be counted
+    this->Order.Add(0, 1, 0, triangles); // encloses nothing, but has to be counted
     return true;
   }
   const bool isSmall = this->Corners.size() <= MostCornersToSearch;

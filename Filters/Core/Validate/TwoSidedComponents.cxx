@@ -11,10 +11,10 @@ namespace insideout
 {
 namespace
 {
-/** Facets joined through edges of exactly two facets, oriented alike. */
+/** Sets of consistently oriented facets joined through edges of exactly two facets. */
 struct OrientedPatches
 {
-  std::vector<char> Turned; ///< per facet, 1 where it has to be turned over to run along
+  std::vector<char> Turned; ///< per facet, 1 if it has to be turned over to agree
   std::vector<Id> Patch;    ///< per facet
   Id Count = 0;
 };
@@ -71,7 +71,7 @@ OrientedPatches OrientAlongEdges(Id numberOfFacets, const std::vector<FacetEdge>
   return patches;
 }
 
-/** For each patch whether every edge of it is run along as often one way as the other. */
+/** For each patch whether it runs along every one of its edges equally often in both directions. */
 std::vector<char> ClosedPatches(const OrientedPatches& patches, const std::vector<FacetEdge>& edges)
 {
   std::vector<char> closed(patches.Count, 1);
@@ -94,7 +94,7 @@ std::vector<char> ClosedPatches(const OrientedPatches& patches, const std::vecto
   return closed;
 }
 
-/** Six times the volume that the facets enclose, and the sum of the absolute terms. */
+/** Six times the enclosed volume, and the sum of the absolute terms. */
 template <typename Number>
 std::array<Number, 2> SixfoldVolume(
   const std::vector<Point>& points, const std::vector<Triangle>& facets)

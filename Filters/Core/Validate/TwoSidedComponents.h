@@ -13,10 +13,10 @@ struct TwoSidedComponents
 };
 
 /**
- * Find the components in which every facet has multiplicity 0, for it was given in both
- * orientations. A patch of these consists of facets joined through edges of exactly two. If it
+ * Find the components in which every facet has multiplicity 0, because it was given in both
+ * orientations. Their patches consist of facets joined through edges of exactly two. If a patch
  * closes a volume when each facet is kept once, it gets multiplicities of +1 and -1 that turn it
- * outward: modellers mean the solid. The others are sheets, and stay at 0.
+ * outward: modelers mean the solid. The others are sheets, and stay at 0.
  *
  * @param[in,out] surface Multiplicity changes
  * @param[in] edges,components of surface.Facets
