@@ -6,7 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-/** Numbers in the byte order that a file prescribes, whatever the machine's own is. */
+/** Numbers in the byte order of a file, regardless of the machine's. */
 namespace insideout
 {
 enum class ByteOrder
@@ -21,7 +21,7 @@ using BitsOf = std::conditional_t<sizeof(T) == 1, std::uint8_t,
   std::conditional_t<sizeof(T) == 2, std::uint16_t,
     std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
 
-/** The number whose sizeof(T) bytes begin at `bytes`, which needs no alignment. */
+/** The number in the sizeof(T) bytes at `bytes`, which may be unaligned. */
 template <typename T>
 T LoadNumber(const char* bytes, ByteOrder order)
 {

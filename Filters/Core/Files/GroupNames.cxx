@@ -23,7 +23,7 @@ bool IsContinuation(char c)
   return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
-/** How many bytes the character of UTF-8 at a place has, 0 where there is none. */
+/** The number of bytes of the UTF-8 character at a position, 0 if there is none. */
 std::size_t LengthOfCharacter(const std::string& text, std::size_t at)
 {
   const auto first = static_cast<unsigned char>(text[at]);
@@ -38,14 +38,14 @@ std::size_t LengthOfCharacter(const std::string& text, std::size_t at)
   {
     return 0;
   }
-  // What could be said in fewer bytes, halves of pairs, and what is beyond Unicode is not valid.
+  // Overlong encodings, surrogates, and code points beyond Unicode are invalid.
   const auto second = length > 1 ? static_cast<unsigned char>(text[at + 1]) : 0u;
   const bool none = (first == 0xE0u && second < 0xA0u) || (first == 0xEDu && second >= 0xA0u) ||
     (first == 0xF0u && second < 0x90u) || (first == 0xF4u && second >= 0x90u);
   return none ? 0 : length;
 }
 
-/** The beginning of a text that has at most so many bytes, without a part of a character. */
+/** The longest prefix of at most a number of bytes that ends between characters. */
 std::string Beginning(const std::string& text, std::size_t longest)
 {
   std::size_t length = std::min(text.size(), longest);
@@ -61,7 +61,7 @@ std::string ValidName(const std::string& name, const NameRules& rules)
   std::string valid = PrintableText(name);
   if (rules.WordsOnly)
   {
-    // Of a character that has several bytes one is left.
+    // Keep one replacement for a character of several bytes.
     valid.erase(std::remove_if(valid.begin(), valid.end(), IsContinuation), valid.end());
     std::replace_if(
       valid.begin(), valid.end(), [](char c) { return !IsOfWord(c); }, '_');
@@ -70,7 +70,7 @@ std::string ValidName(const std::string& name, const NameRules& rules)
   return Beginning(valid.empty() ? "group" : valid, rules.Longest);
 }
 
-/** What is the same of two names that a format takes for one. */
+/** The key by which a format compares two names. */
 std::string Essence(std::string name, const NameRules& rules)
 {
   for (char& c : name)

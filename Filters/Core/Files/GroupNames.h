@@ -8,15 +8,15 @@
 
 namespace insideout
 {
-/** What names a format takes. */
+/** The names that a format allows. */
 struct NameRules
 {
-  std::size_t Longest; ///< in bytes
+  std::size_t Longest; ///< limit of bytes
   bool WordsOnly;      ///< a letter, then letters, digits and underscores, all of ASCII
-  bool CaseCounts;     ///< whether `Wall` and `wall` are two names
+  bool CaseCounts;     ///< whether `Wall` and `wall` are different names
 };
 
-/** The names of all groups as a format takes them. */
+/** The names of all groups as valid in a format. */
 struct GroupNames
 {
   std::vector<std::string> Regions;
@@ -24,16 +24,16 @@ struct GroupNames
 };
 
 /**
- * Names for the groups of a solid, each another than all others, regions' and tags' alike, for some
- * formats and readers do not tell these apart. A character that is not valid becomes `_`, a name
- * that is too long is cut, and the later of equal names end in `_2`, `_3` and so on.
+ * Unique names for the groups of a solid. They are unique among regions and tags together, because
+ * some formats and readers do not distinguish these. An invalid character becomes `_`, a too long
+ * name is truncated, and the later of equal names get the suffixes `_2`, `_3` and so on.
  *
  * @param[in] taken names that no group may have
  */
 GroupNames ValidNames(
   const SolidMesh& solid, const NameRules& rules, const std::vector<std::string>& taken = {});
 
-/** The text as valid UTF-8 in one line: bytes that are none, quotes, backslashes and what does not
- * print become `_`. */
+/** The text as valid UTF-8 in one line: invalid bytes, quotes, backslashes and non-printing
+ * characters become `_`. */
 std::string PrintableText(const std::string& text);
 } // namespace insideout

@@ -41,7 +41,7 @@ public:
   Inflation& operator=(const Inflation&) = delete;
   ~Inflation() { inflateEnd(&this->Stream); }
 
-  /** Fill the room, with less only at the end. @return the number of bytes */
+  /** Fill the buffer; less only at the end. @return the number of bytes */
   std::size_t Fill(char* room, std::size_t length)
   {
     std::size_t filled = 0;
@@ -70,7 +70,7 @@ private:
     {
       throw std::bad_alloc();
     }
-    else if (result == Z_BUF_ERROR) // there was room, so that bytes are missing
+    else if (result == Z_BUF_ERROR) // the buffer was not filled, so bytes are missing
     {
       throw Malformed(this->File, "is compressed with gzip, and its end is missing");
     }
@@ -84,7 +84,7 @@ private:
     return static_cast<std::size_t>(reinterpret_cast<char*>(this->Stream.next_out) - room);
   }
 
-  /** A file may have several; zeros fill the blocks of tapes. */
+  /** A file may have several members; zeros pad the blocks of tapes. */
   void GoToNextMember()
   {
     const std::string_view rest = BytesBetween(this->At, this->File.End());
@@ -114,7 +114,7 @@ private:
   bool Ended = false;
 };
 
-/** How long the content is, once it is known to be whole and not too long. */
+/** The length of the content, after checking that it is complete and within the limit. */
 std::size_t LengthOfContent(const FileContent& file, double most, Monitor& monitor)
 {
   std::vector<char> room(std::size_t(1) << 20);

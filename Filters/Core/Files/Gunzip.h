@@ -5,13 +5,13 @@
 
 namespace insideout
 {
-/** Whether a file begins as those that gzip has compressed do. */
+/** Whether a file begins like one compressed by gzip. */
 bool IsGzip(const FileContent& file);
 
 /**
- * The content of such a file, of all of its members. It is decompressed twice: first to see
- * that it is whole and how long it is, and only then into memory.
- * @param most as many bytes may be in it
+ * The content of such a file, of all its members. It is decompressed twice: first to check it and
+ * find its length, then into memory.
+ * @param most limit of its bytes
  * @throws Error FileMalformed, TooLarge, Stopped
  */
 FileContent Gunzip(const FileContent& file, double most, Monitor& monitor);

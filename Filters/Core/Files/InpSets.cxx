@@ -14,10 +14,10 @@ namespace insideout
 {
 namespace
 {
-/** Which of TetrahedronFaces is S1, S2, S3 and S4. */
+/** Indices in TetrahedronFaces of S1, S2, S3 and S4. */
 constexpr std::array<int, 4> FacesOfNumbers = { 3, 0, 1, 2 };
 
-/** A text without blanks around it, nor quotes around these. */
+/** A text without surrounding blanks and quotes. */
 std::string Trimmed(std::string text)
 {
   for (const char* around : { " \t\r\n", "\"" })
@@ -29,7 +29,7 @@ std::string Trimmed(std::string text)
   return text;
 }
 
-/** What commas part, but not one at the end of a line. */
+/** The items between commas, without an empty one at the end of a line. */
 std::vector<std::string> Fields(const std::string& line)
 {
   std::vector<std::string> fields;
@@ -55,7 +55,7 @@ bool IsBefore(const FileElement& element, std::int64_t number)
   return element.Number < number;
 }
 
-/** A face of the cell in a place, and the number of the surface that it is in. */
+/** A face of a cell, and the number of its surface. */
 struct SideOfCell
 {
   std::size_t Cell;
@@ -63,7 +63,7 @@ struct SideOfCell
   std::int64_t Group;
 };
 
-/** A face is of the first surface that has it. */
+/** A face belongs to the first surface that contains it. */
 void KeepFirstOfEach(std::vector<SideOfCell>& sides)
 {
   const auto keyOf = [&sides](std::size_t s)
@@ -192,7 +192,7 @@ void InpSets::AddToSet(const std::string& line)
     std::int64_t number = 0;
     if (!IsInteger(field, number))
     {
-      continue; // the name of a set, whose elements are in it too
+      continue; // the name of a set, whose elements are included
     }
     if (!this->IsRow)
     {
@@ -244,7 +244,7 @@ void InpSets::VisitElements(
   auto element = std::lower_bound(elements.begin(), elements.end(), row[0], IsBefore);
   for (; element != elements.end() && element->Number <= row[1]; ++element)
   {
-    // Numbers may be as far apart as numbers get.
+    // Computed without overflow for any two numbers.
     const auto distance =
       static_cast<std::uint64_t>(element->Number) - static_cast<std::uint64_t>(row[0]);
     if (distance % static_cast<std::uint64_t>(row[2]) == 0)

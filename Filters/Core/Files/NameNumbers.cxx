@@ -8,7 +8,7 @@ namespace insideout
 {
 namespace
 {
-/** How many bytes the character that begins at `at` takes in UTF-8, 0 where none does. */
+/** The number of bytes of the UTF-8 character at `at`, 0 if it is invalid. */
 std::size_t LengthInUtf8(const std::string& text, std::size_t at)
 {
   const auto byte = [&](std::size_t i)
@@ -26,7 +26,7 @@ std::size_t LengthInUtf8(const std::string& text, std::size_t at)
       return 0;
     }
   }
-  // Of three and four bytes some are longer than need be, surrogates, or beyond the last character.
+  // Some sequences of three and four bytes are overlong, surrogates, or beyond Unicode.
   const unsigned second = byte(at + 1);
   const bool isNone = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);

@@ -13,16 +13,16 @@ namespace insideout
 class NameNumbers
 {
 public:
-  /** The name of the next polygons. */
+  /** Set the name of the next polygons. */
   void Choose(const std::string& name);
 
-  /** Whether any name was chosen, used or not. */
+  /** Whether any name was set, used or not. */
   bool Any() const { return this->AnyChosen; }
 
-  /** The number of the name that was chosen last, which is used from now on. */
+  /** The number of the last name set, marked as used. */
   std::int32_t Current();
 
-  /** The names that were used, by their numbers. */
+  /** The used names, by number. */
   const std::vector<std::string>& Used() const { return this->Names; }
 
 private:
@@ -34,15 +34,15 @@ private:
 };
 
 /**
- * OBJ's names of pairs of an object and a group in it, which a line end parts: the object's where
- * it tells all of them apart, else the group's where that does, else OBJECT/GROUP. Where one has no
- * name it is the other's, and default, as in OBJ, where neither has.
+ * OBJ's names of pairs of an object and a group in it, separated by a line end: the object's if it
+ * is unique, else the group's if that is unique, else OBJECT/GROUP. If one has no name the other's
+ * is taken; if neither has, it is `default`, as in OBJ.
  */
 std::vector<std::string> NamesOfGroups(const std::vector<std::string>& pairs);
 
-/** The same for names alone. */
+/** The same for single names. */
 std::vector<std::string> NamesOrDefault(std::vector<std::string> names);
 
-/** A text of unknown encoding in UTF-8: as it is where it is that already, else read as Latin-1. */
+/** A text of unknown encoding as UTF-8: unchanged if it is valid UTF-8, else read as Latin-1. */
 std::string ToUtf8(const std::string& text);
 } // namespace insideout

@@ -20,17 +20,17 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Whether a link is `/proc/self/fd/1` or the like, which stands for something that is open. */
+/** Whether a link is `/proc/self/fd/1` or the like, which stands for an open file. */
 bool IsDescriptor(const fs::path& link)
 {
   std::error_code ignored;
   return fs::equivalent(link.parent_path(), "/proc/self/fd", ignored);
 }
 
-/** What a path leads to behind all links, whether or not there is anything. */
+/** The target of a path after resolving all links; it need not exist. */
 fs::path FollowLinks(fs::path path)
 {
-  constexpr int longestChain = 40; // as in Linux
+  constexpr int longestChain = 40; // Linux's limit
   for (int links = 0; fs::is_symlink(fs::symlink_status(path)); ++links)
   {
     if (IsDescriptor(path))
@@ -41,14 +41,14 @@ fs::path FollowLinks(fs::path path)
     {
       throw std::system_error(ELOOP, std::generic_category());
     }
-    path = path.parent_path() / fs::read_symlink(path); // what is absolute takes the folder's place
+    path = path.parent_path() / fs::read_symlink(path); // an absolute path replaces the folder
   }
   return path;
 }
 
 /**
- * Holds back the signals by which the system ends a process that writes beyond its limit or to
- * nobody: for this thread, so that write() says instead what is the matter.
+ * Blocks the signals that would end the process on writing beyond a limit or to a closed pipe: for
+ * this thread, so that write() reports the error instead.
  */
 class HeldBackSignals
 {
@@ -97,7 +97,7 @@ OutputFile::OutputFile(const std::string& path, Monitor& monitor)
     this->Buffer.reserve(BufferLength + 4096);
     this->Open();
   }
-  catch (const std::system_error& error) // of the file system's too
+  catch (const std::system_error& error) // also errors of the file system
   {
     this->Fail(error.code().value());
   }
@@ -136,12 +136,12 @@ void OutputFile::OpenInPlace()
   const fs::path target = this->Target;
   if (IsDescriptor(target))
   {
-    // Opened anew, a file would be written from its beginning, over what is there.
+    // Reopened, a file would be written from its beginning, over its content.
     this->Descriptor = fcntl(std::stoi(target.filename().string()), F_DUPFD_CLOEXEC, 0);
   }
   else
   {
-    // To open a pipe waits for its reader.
+    // Opening a pipe waits for its reader.
     while ((this->Descriptor = open(target.c_str(), O_WRONLY | O_CLOEXEC)) < 0 && errno == EINTR)
     {
       this->CheckMonitor(0);
@@ -165,8 +165,8 @@ void OutputFile::OpenBeside()
   this->Descriptor = this->Beside->GetDescriptor();
   if (exists)
   {
-    // Only some may give files away; others keep the group if they can. Permissions come last, for
-    // a new owner takes some away.
+    // Only some users may change the owner; others keep the group if they can. Permissions are set
+    // last, because a change of the owner clears some.
     constexpr auto same = static_cast<uid_t>(-1);
     static_cast<void>(fchown(this->Descriptor, earlier.st_uid, earlier.st_gid) == 0 ||
       fchown(this->Descriptor, same, earlier.st_gid) == 0);
@@ -234,7 +234,7 @@ std::size_t OutputFile::WriteSome(std::string_view text)
 
 void OutputFile::WaitUntilWritable()
 {
-  constexpr int betweenChecks = 200; // milliseconds, as often as monitors are told
+  constexpr int betweenChecks = 200; // milliseconds between calls of the monitor
   pollfd pipe = { this->Descriptor, POLLOUT, 0 };
   poll(&pipe, 1, betweenChecks);
 }

@@ -15,16 +15,15 @@ namespace insideout
 {
 /**
  * @class OutputFile
- * @brief a file that is written whole or not at all
+ * @brief a file that is written atomically
  *
- * It is written beside its final name and put there when it is closed: until then, and whatever
- * fails, an earlier file of that name stays as it was. A symbolic link stays, and what it leads to
- * is replaced; permissions and, where the user may give it away, the owner of an earlier file are
- * kept. Devices, pipes and descriptors (`/dev/stdout`) cannot be replaced: they are written at
- * once.
+ * It is written next to its final name and renamed when it is closed: until then, and on any error,
+ * an earlier file of that name stays unchanged. A symbolic link stays, and its target is replaced.
+ * Permissions of an earlier file are kept, and its owner if the user may set it. Devices, pipes and
+ * descriptors (`/dev/stdout`) cannot be replaced: they are written directly.
  *
- * A failure is an Error FileUnwritable, with the file and the system's reason. The monitor is told
- * of Stages::Writing, and may stop the writing until the file is in its place.
+ * A failure is an Error FileUnwritable, with the file and the system's reason. The monitor gets
+ * Stages::Writing, and may stop the writing until the file is in place.
  */
 class OutputFile
 {
@@ -43,7 +42,7 @@ public:
     }
   }
 
-  /** The shortest text that is read back as the same number. */
+  /** The shortest text that reads back as the same number. */
   template <typename T>
   void Decimal(T value)
   {
@@ -61,7 +60,7 @@ public:
     this->Text({ bytes.data(), bytes.size() });
   }
 
-  /** Has to be called last: only then is the file there. */
+  /** Has to be called last: only then the file exists. */
   void Close();
 
 private:
@@ -76,11 +75,12 @@ private:
   void CheckMonitor(double fraction);
   [[noreturn]] void Fail(int error) const;
 
-  const std::string Path; ///< as the user gave it
+  const std::string Path; ///< as given by the user
   Monitor& Progress;
-  std::string Target;                   ///< what the path leads to
-  std::optional<UnfinishedFile> Beside; ///< what is to take the target's place
-  int Descriptor = -1;                  ///< of that, or of a target that cannot be replaced
+  std::string Target;                   ///< target of the path
+  std::optional<UnfinishedFile> Beside; ///< the file that replaces the target
+  /// descriptor of that, or of a target that cannot be replaced
+  int Descriptor = -1;
   std::string Buffer;
 };
 } // namespace insideout

@@ -19,7 +19,7 @@ bool HaveType(const Columns& columns, PlyType type)
     [type](const PlyProperty* column) { return column->Type == type; });
 }
 
-/** Whether the numbers are integers that 32 bits with a sign hold. */
+/** Whether the numbers are signed 32-bit integers. */
 bool AreIntegers(const Columns& columns)
 {
   return std::all_of(columns.begin(), columns.end(),
@@ -31,7 +31,7 @@ bool AreIntegers(const Columns& columns)
     });
 }
 
-/** The numbers, those of one point or polygon side by side. */
+/** The numbers, interleaved: those of one point or polygon together. */
 template <typename T>
 std::vector<T> SideBySide(const Columns& columns)
 {
@@ -48,7 +48,7 @@ std::vector<T> SideBySide(const Columns& columns)
   return values;
 }
 
-/** The same, in the smallest type that an attribute can have. */
+/** The same, in the smallest suitable type of an attribute. */
 AttributeValues ToAttributeValues(const Columns& columns)
 {
   if (HaveType(columns, PlyType::UInt8))
@@ -66,8 +66,8 @@ AttributeValues ToAttributeValues(const Columns& columns)
   return SideBySide<double>(columns);
 }
 
-/** Bytes as they are, all other numbers by ToColorBytes: a float's 1 may stand beside a byte's 255.
- */
+/** Bytes are kept, all other numbers are converted by ToColorBytes: a float's 1 may stand next to a
+ * byte's 255. */
 std::optional<std::vector<unsigned char>> ColorBytesOf(const Columns& columns)
 {
   Columns others;
@@ -136,7 +136,7 @@ private:
       properties.end());
   }
 
-  /** The properties of these names, or none if one is not there. */
+  /** The properties of these names, or none if one is missing. */
   Columns Find(const Names& names) const
   {
     Columns columns;
@@ -148,7 +148,7 @@ private:
     return complete ? columns : Columns();
   }
 
-  /** False where these are no numbers of a vector. */
+  /** False if these are not numbers of a vector. */
   bool MakeVector(const char* attribute, const Names& names)
   {
     const Columns columns = this->Find(names);
@@ -160,7 +160,7 @@ private:
     return true;
   }
 
-  /** False where one of the names is missing. Numbers that are no colors stay. */
+  /** False if one of the names is missing. Numbers that are not colors stay. */
   bool MakeColors(const Names& names)
   {
     const Columns columns = this->Find(names);

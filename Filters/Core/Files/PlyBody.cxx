@@ -17,7 +17,7 @@ double Load(const char* bytes, ByteOrder order)
   return double(LoadNumber<T>(bytes, order));
 }
 
-/** Takes numbers from the body of a binary file. */
+/** Reads numbers from the body of a binary file. */
 class BinaryBody
 {
 public:
@@ -29,12 +29,12 @@ public:
   {
   }
 
-  /** The fewest bytes that a number of the type takes. */
+  /** The least number of bytes of a number of the type. */
   static std::uint64_t ShortestLength(PlyType type) { return FactsOf(type).Length; }
 
   std::uint64_t Left() const { return static_cast<std::uint64_t>(this->File.End() - this->At); }
 
-  /** The next number; false when none is left. */
+  /** The next number; false at the end. */
   bool Take(PlyType type, double& value)
   {
     // In the order of PlyType.
@@ -72,7 +72,7 @@ private:
   Monitor& Watch;
 };
 
-/** Takes numbers from the body of an ascii file. */
+/** Reads numbers from the body of an ascii file. */
 class TextBody
 {
 public:
@@ -90,7 +90,7 @@ public:
   /** A digit and a blank. */
   static std::uint64_t ShortestLength(PlyType /*type*/) { return 2; }
 
-  /** The last number needs no blank: it is counted as if there were one. */
+  /** The last number needs no blank: it is counted as if it had one. */
   std::uint64_t Left() const { return this->Scanner.Left() + 1; }
 
   bool Take(PlyType type, double& value)
@@ -118,7 +118,7 @@ public:
     }
   }
 
-  /** Without a line for each element a wrong count shifts every number behind. */
+  /** Without a line for each element a wrong count shifts every number after it. */
   bool HasMore()
   {
     const bool hasContent = this->Scanner.SkipToContent();
@@ -133,16 +133,16 @@ public:
 
 private:
   TextScanner Scanner;
-  // Where there are enough lines, what stands behind an element's numbers is passed over.
+  // If there are enough lines, the rest of an element's line is skipped.
   bool ElementPerLine = true;
-  bool HasExtras = false; ///< whether that happened
+  bool HasExtras = false; ///< whether a rest was skipped
 };
 
 constexpr Id StripEnd = -1;
 
 /**
- * Append the triangles of strips. Each other one of a strip is turned over; one that has a point
- * twice is there to join others and is none.
+ * Append the triangles of strips. Every other triangle of a strip is reversed; one with a repeated
+ * point only joins others and is dropped.
  */
 void AppendTriangles(
   const FileContent& file, const std::vector<Id>& strips, PolygonSurface& surface)
@@ -232,7 +232,7 @@ private:
     }
   }
 
-  /** Before anything is allocated: are there bytes for as many elements? */
+  /** Check before allocating that there are enough bytes for the elements. */
   void CheckAnnounced() const
   {
     std::uint64_t shortest = 0;
@@ -277,7 +277,7 @@ private:
   std::uint64_t TakeLength(const PlyProperty& list)
   {
     const double count = this->Take(list.CountType);
-    // A double up to 2^53 is an exact integer; no count beyond has its bytes in the file.
+    // A double up to 2^53 is an exact integer; the file cannot have the bytes for a larger count.
     constexpr double largest = 9007199254740992.0;
     if (!(count >= 0.0 && count <= largest && count == std::floor(count)))
     {
@@ -311,7 +311,7 @@ private:
       this->Fail("refers to point " + std::string(text.data(), end) + " of " +
         std::to_string(this->PointCount));
     }
-    // Faces may come before the vertices, whose number nobody has checked then.
+    // Faces may come before the vertices, whose number is then unchecked.
     CheckCount(this->File, static_cast<std::uint64_t>(value) + 1, "points");
     return static_cast<Id>(value);
   }
@@ -358,7 +358,7 @@ private:
   PolygonSurface& Surface;
   Body Source;
   const std::uint64_t PointCount;
-  PlyElement* Element = nullptr; ///< the kind that is read
+  PlyElement* Element = nullptr; ///< the kind being read
   bool IsFace = false;           ///< whether these are the faces
   bool IsKept = false;           ///< whether these are faces or vertices
   std::uint64_t Index = 0;       ///< of the element that is read

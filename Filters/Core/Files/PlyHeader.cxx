@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  /** False behind end_header. */
+  /** False after end_header. */
   bool ReadStatement(std::string_view word)
   {
     if (word == "format")
@@ -68,7 +68,7 @@ private:
     return word != "end_header";
   }
 
-  /** Some programs sign their files without the word comment. */
+  /** Some programs insert their name without the word comment. */
   void PassOver(std::string_view word)
   {
     if (this->Header.UnknownStatements++ == 0)
@@ -168,7 +168,10 @@ private:
     }
   }
 
-  /** One line end after end_header, of the kind that the first line has: data may look like one. */
+  /**
+   * Skip one line end after end_header, of the same kind as the first line's: data may look like
+   * one.
+   */
   void FindBody()
   {
     const std::string_view text(this->File.Begin(), this->File.Size);

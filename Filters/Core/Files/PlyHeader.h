@@ -10,12 +10,12 @@
 #include <type_traits>
 
 /**
- * What the header of a PLY file says: Turk, The PLY Polygon File Format (1994), with the type names
- * that came later.
+ * The header of a PLY file: Turk, The PLY Polygon File Format (1994), with the type names that came
+ * later.
  */
 namespace insideout
 {
-/** The types of numbers that a file may have. */
+/** The number types of the format. */
 enum class PlyType
 {
   Int8,
@@ -39,7 +39,7 @@ struct PlyTypeFacts
   bool IsInteger;
 };
 
-/** The facts of type T, which the format calls by either name. */
+/** The properties of type T, which the format calls by either name. */
 template <typename T>
 constexpr PlyTypeFacts MakePlyTypeFacts(const char* name, const char* otherName)
 {
@@ -57,7 +57,7 @@ inline constexpr std::array<PlyTypeFacts, 8> PlyTypes = {
   MakePlyTypeFacts<float>("float", "float32"), MakePlyTypeFacts<double>("double", "float64")
 };
 
-/** The facts of a type. */
+/** The properties of a type. */
 constexpr const PlyTypeFacts& FactsOf(PlyType type)
 {
   return PlyTypes[static_cast<std::size_t>(type)];
@@ -67,9 +67,9 @@ constexpr const PlyTypeFacts& FactsOf(PlyType type)
 struct PlyProperty
 {
   std::string Name;
-  PlyType Type = PlyType::Float64; ///< of the number, or of each in the list
+  PlyType Type = PlyType::Float64; ///< type of the number, or of each in the list
   bool IsList = false;
-  PlyType CountType = PlyType::UInt8; ///< of the length of a list
+  PlyType CountType = PlyType::UInt8; ///< type of the length of a list
   std::vector<double> Values;         ///< see ReadPlyBody. Doubles hold every type.
 };
 
@@ -78,20 +78,19 @@ struct PlyElement
 {
   std::string Name;
   std::uint64_t Count = 0;
-  std::vector<PlyProperty> Properties; ///< in the order in which the body has them
+  std::vector<PlyProperty> Properties; ///< in the order of the body
 
-  /** Whether it has a place in a PolygonSurface. Strips of triangles have not: they become faces.
-   */
+  /** Whether a PolygonSurface can hold it. Strips of triangles become faces. */
   bool IsKept() const { return this->Name == "vertex" || this->Name == "face"; }
 
   /** The property of this name, null if there is none. */
   const PlyProperty* Find(std::string_view name) const;
 
-  /** Remove the property of this name, which has to be there. */
+  /** Remove the property of this name, which must exist. */
   void Remove(std::string_view name);
 };
 
-/** How the body is written. */
+/** The encoding of the body. */
 enum class PlyFormat
 {
   Unknown,
@@ -100,12 +99,12 @@ enum class PlyFormat
   BigEndian
 };
 
-/** The whole header: the elements in the body, and where that begins. */
+/** The whole header: the elements in the body, and the start of the body. */
 struct PlyHeader
 {
   PlyFormat Format = PlyFormat::Unknown;
-  std::vector<PlyElement> Elements; ///< in the order in which the body has them
-  const char* Body = nullptr;       ///< the first byte behind the header
+  std::vector<PlyElement> Elements; ///< in the order of the body
+  const char* Body = nullptr;       ///< the first byte after the header
   std::int64_t BodyLine = 0;        ///< the line of that byte, counted from 1
   std::int64_t UnknownStatements = 0;
   std::string FirstUnknown; ///< its line and first word, for messages
@@ -113,11 +112,11 @@ struct PlyHeader
   /** The element of this name, null if there is none. */
   PlyElement* Find(std::string_view name);
 
-  /** Whether it announces at least one face. */
+  /** Whether it declares at least one face. */
   bool HasFaces() const;
 
   /**
-   * The list of points of an element that polygons come from, `vertex_indices` or `vertex_index`:
+   * The list of points of the element that polygons come from, `vertex_indices` or `vertex_index`:
    * of the faces, or of strips of triangles (`tristrips`) if there are no faces. Else null.
    */
   const PlyProperty* PointIdsOf(const PlyElement& element) const;
@@ -126,9 +125,9 @@ struct PlyHeader
 /**
  * Read the header. The result has a format and an element vertex with the numbers x, y and z;
  * faces, if there are any, have their list of points; the names of elements, and of the properties
- * of each, differ and are not empty. Values are still empty. Statements of other words than those
- * of the format are counted and passed over.
- * @throws Error FileMalformed where that cannot be, Stopped
+ * of each, differ and are not empty. Values are still empty. Unknown statements are counted and
+ * skipped.
+ * @throws Error FileMalformed if this is violated, Stopped
  */
 PlyHeader ReadPlyHeader(const FileContent& file, Monitor& monitor);
 } // namespace insideout

@@ -11,14 +11,16 @@ namespace insideout
 {
 namespace
 {
-/** How many points an element of a type has that is a triangle or a tetrahedron; 0 for another. */
+/**
+ * The number of points of an element type that is a triangle or a tetrahedron; 0 for other types.
+ */
 struct InpType
 {
   std::size_t Corners;
   std::size_t Nodes;
 };
 
-/** The digits behind one of these beginnings of a type's name, 0 where there are none. */
+/** The digits after one of these prefixes of a type's name, 0 if there are none. */
 int DigitsBehind(const std::string& type, std::initializer_list<const char*> beginnings)
 {
   for (const std::string beginning : beginnings)
@@ -50,7 +52,7 @@ InpType TypeOf(const std::string& type)
   return { 0, 0 };
 }
 
-/** Whether elements of this type are lines, springs or masses, which are no part of a solid. */
+/** Whether elements of this type are lines, springs or masses, which are not part of a solid. */
 bool IsNoCell(const std::string& type)
 {
   for (const std::string beginning :
@@ -109,7 +111,7 @@ private:
     }
     this->ReadData = &InpReader::SkipData;
     this->FollowParts(keyword.Name);
-    // An assembly has points of its own, which its instances have not: they bear loads.
+    // An assembly has points of its own, outside its instances: they bear loads.
     const bool isMesh = !this->IsInAssembly || this->IsInInstance;
     if (keyword.Name == "NODE" && isMesh)
     {
@@ -193,7 +195,7 @@ private:
     Point point = { { 0, 0, 0 } };
     for (double& x : point)
     {
-      // What is left out is 0.
+      // Omitted coordinates are 0.
       if (this->NextField() && *this->Scanner.Position() != ',')
       {
         x = this->Scanner.LeadingNumber();
@@ -210,7 +212,7 @@ private:
     this->Nodes.resize(this->Type.Nodes);
     for (std::int64_t& node : this->Nodes)
     {
-      // A line that ends with a comma goes on.
+      // A line that ends with a comma continues.
       if (this->NextField() || (this->IsBehindComma && this->Scanner.SkipToContent()))
       {
         node = this->Scanner.LeadingInteger();
@@ -229,7 +231,7 @@ private:
       this->Nodes);
   }
 
-  /** Go behind the comma to what follows on the line; false where nothing does. */
+  /** Move after the comma to the next item on the line; false if there is none. */
   bool NextField()
   {
     this->IsBehindComma = false;
@@ -257,7 +259,7 @@ private:
   void ReadSurface() { this->Sets.AddToSurface(this->Line()); }
   void SkipData() { this->Scanner.SkipLine(); }
 
-  /** The rest of the line, without the blanks at its end. */
+  /** The rest of the line, without trailing blanks. */
   std::string Line()
   {
     this->GoesOn = false;
@@ -272,11 +274,11 @@ private:
   std::int64_t KeywordLine = 1;
   SolidBuilder Builder;
   InpSets Sets;
-  void (InpReader::*ReadData)() = &InpReader::SkipData; ///< of a line behind the last keyword
+  void (InpReader::*ReadData)() = &InpReader::SkipData; ///< of the line after the last keyword
   int Parts = 0;
   bool IsInAssembly = false;
   bool IsInInstance = false;
-  std::int64_t Set = 0; ///< that of the elements that are read
+  std::int64_t Set = 0; ///< type of the elements being read
   InpType Type = { 0, 0 };
   std::string OtherType;
   bool GoesOn = false; ///< the last element of another type

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
-// The format: Frey, MEDIT: An interactive mesh visualization software (2001); of quadratic cells,
-// and the sections that say how their points are ordered, Marechal, libMeshb.
+// The format: Frey, MEDIT: An interactive mesh visualization software (2001); for quadratic cells,
+// and the sections on the order of their points, Marechal, libMeshb.
 
 namespace insideout
 {
@@ -17,10 +17,10 @@ bool IsLetter(char c)
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/** Which points an element has: each is twice a corner, or the middle of two. */
+/** The points of an element: each is twice a corner, or the midpoint of two. */
 using Places = std::vector<std::array<int, 2>>;
 
-/** VTK's order, which files have that do not say another. */
+/** VTK's order, the default of files. */
 Places UsualPlaces(std::size_t corners)
 {
   Places places;
@@ -40,11 +40,11 @@ Places UsualPlaces(std::size_t corners)
   return places;
 }
 
-/** What is read of one shape. */
+/** The content of one shape. */
 struct Shape
 {
   FileElements& Elements;
-  Places Order; ///< of quadratic ones in this file
+  Places Order; ///< order of quadratic elements in this file
 };
 
 class MeditReader
@@ -80,10 +80,10 @@ private:
     this->Integer();
   }
 
-  /** The word that begins the next section, in lower case. */
+  /** The keyword of the next section, in lower case. */
   std::string Keyword()
   {
-    // What sections nobody reads hold is no word.
+    // The content of unknown sections is not a keyword.
     while (this->SkipToContent() && !IsLetter(*this->Scanner.Position()))
     {
       this->Scanner.Word();
@@ -172,7 +172,7 @@ private:
     }
   }
 
-  /** Where the points of quadratic elements are: of each twice its barycentric coordinates. */
+  /** The points of quadratic elements, by twice their barycentric coordinates. */
   void ReadOrder(Shape& shape)
   {
     const Places usual = shape.Order;
@@ -259,7 +259,7 @@ private:
     }
   }
 
-  /** Skip blanks, line ends and comments, of which those by vtkSolidWriter name groups. */
+  /** Skip blanks, line ends and comments; comments by vtkSolidWriter name groups. */
   bool SkipToContent()
   {
     while (this->Scanner.SkipToContent() && *this->Scanner.Position() == '#')

@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t SurfaceDimension = 2;
 constexpr std::size_t VolumeDimension = 3;
 
-/** What gmsh calls types of elements. */
+/** Gmsh's types of elements. */
 struct MshType
 {
   std::int64_t Type;
@@ -30,7 +30,7 @@ constexpr MshType Triangle6 = { 9, 3, 6 };
 constexpr MshType Tetrahedron4 = { 4, 4, 4 };
 constexpr MshType Tetrahedron10 = { 11, 4, 10 };
 
-/** What messages call elements that are not read; empty for points and lines. */
+/** Names, for messages, of elements that are not read; empty for points and lines. */
 std::string NameOfType(std::int64_t type)
 {
   const std::pair<const char*, std::vector<std::int64_t>> names[] = {
@@ -52,13 +52,13 @@ std::string NameOfType(std::int64_t type)
   return "elements of type " + std::to_string(type);
 }
 
-/** The number of a group: below 0 are those that are turned over. */
+/** The number of a group: negative ones are reversed. */
 std::int64_t WithoutSign(std::int64_t group)
 {
   return group < 0 ? std::max(group, -std::numeric_limits<std::int64_t>::max()) * -1 : group;
 }
 
-/** In version 2 an element of several groups is there once for each: keep the first. */
+/** In version 2 an element of several groups is repeated for each: keep the first. */
 void DropCopies(FileElements& elements)
 {
   const auto nodesOf = [&elements](const FileElement& element)
@@ -351,7 +351,7 @@ private:
     this->ExpectNoMore(elements, "elements");
   }
 
-  /** The points of an element, which stand on its line. */
+  /** The points of an element, from its line. */
   void ReadElement(std::int64_t type, const FileElement& element)
   {
     for (const MshType& known : { Triangle3, Triangle6, Tetrahedron4, Tetrahedron10 })
@@ -372,7 +372,7 @@ private:
       }
       if (type == Tetrahedron10.Type)
       {
-        std::swap(this->Nodes[8], this->Nodes[9]); // that of edge 2 3 comes before that of 1 3
+        std::swap(this->Nodes[8], this->Nodes[9]); // edge 2 3 comes before edge 1 3
       }
       const bool isTriangle = known.Corners == Triangle3.Corners;
       SolidBuilder::AddElement(
@@ -426,8 +426,8 @@ private:
   TextScanner Scanner;
   SolidBuilder Builder;
   bool IsVersion4 = false;
-  std::array<std::map<std::int64_t, std::int64_t>, 4> Groups; ///< the first of each entity
-  std::map<std::int64_t, std::int64_t> OtherTypes;            ///< how many are not read
+  std::array<std::map<std::int64_t, std::int64_t>, 4> Groups; ///< the first group of each entity
+  std::map<std::int64_t, std::int64_t> OtherTypes;            ///< number of those not read
   std::vector<std::int64_t> Nodes;
 };
 } // namespace

@@ -19,25 +19,25 @@ namespace
 {
 constexpr double NoColor = std::numeric_limits<double>::quiet_NaN();
 
-/** A reference, counted from 0, to something that the file had not defined yet. */
+/** A reference, counted from 0, to something not defined yet. */
 struct ForwardReference
 {
   std::int64_t Index;
   std::int64_t Line;
 };
 
-/** Texture coordinates or normals, N numbers each, and which of them each corner has. */
+/** Texture coordinates or normals, N numbers each, and each corner's index in them. */
 template <std::size_t N>
 struct CornerData
 {
   const char* Name;
   std::vector<std::array<double, N>> Values;
-  std::vector<Id> OfCorner; ///< parallel to the surface's corners, None where it has none
+  std::vector<Id> OfCorner; ///< parallel to the surface's corners, None for none
   std::vector<ForwardReference> Forward;
-  std::int64_t BadLine = 0; ///< the first line that refers to what does not exist, 0 for none
+  std::int64_t BadLine = 0; ///< the first line with an invalid reference, 0 for none
   bool Usable = false;      ///< whether every corner has one
 
-  /** Give the next corner the one that the file calls `given`, on line `line`. */
+  /** Set the next corner's index to `given` as in the file, on line `line`. */
   void Refer(std::int64_t given, std::int64_t line)
   {
     const auto count = static_cast<std::int64_t>(this->Values.size());
@@ -58,7 +58,7 @@ struct CornerData
     this->BadLine = this->BadLine == 0 ? line : std::min(this->BadLine, line);
   }
 
-  /** Decide whether they can be used; say why not if they are there and cannot. */
+  /** Decide whether they can be used; if they exist but cannot, warn with the reason. */
   void Judge(const FileContent& file, std::vector<std::string>& warnings)
   {
     for (const ForwardReference& reference : this->Forward)
@@ -86,7 +86,7 @@ struct CornerData
   Id At(std::size_t corner) const { return this->Usable ? this->OfCorner[corner] : None; }
 };
 
-/** Which texture coordinates and normal a point has. */
+/** The texture coordinates and the normal of a point. */
 struct Combination
 {
   Id TCoord = None;
@@ -123,14 +123,14 @@ struct HashOfPointWithData
   }
 };
 
-/** Counts the lines of one kind that are passed over. */
+/** Counts the skipped lines of one kind. */
 struct PassedOver
 {
   std::uint64_t Count = 0;
   std::string First; ///< line and word of the first
 };
 
-/** A statement `l`, of which only a file without faces makes use. */
+/** A statement `l`, used only in a file without faces. */
 struct LineStatement
 {
   std::int64_t Line;
@@ -231,7 +231,7 @@ private:
     }
   }
 
-  /** Where there are no faces the lines are what the file means: `1 2 3` or `1/1 2/2`. */
+  /** Without faces, read the lines: `1 2 3` or `1/1 2/2`. */
   void ReadLines()
   {
     if (!this->Surface.Corners.empty() && !this->Lines.empty())
@@ -287,7 +287,7 @@ private:
     return vector;
   }
 
-  /** `v x y z`, then nothing, a weight, a color, or a weight of the color behind it. */
+  /** `v x y z`, then nothing, a weight, a color, or a weight followed by a color. */
   void ReadPoint()
   {
     this->Surface.Points.push_back(this->ReadVector());
@@ -402,7 +402,7 @@ private:
     }
   }
 
-  /** Give every point one combination: copies follow where corners have several. */
+  /** Give every point one combination: points whose corners have several are copied. */
   void SplitPoints()
   {
     if (!this->TCoords.Usable && !this->Normals.Usable)
@@ -481,7 +481,7 @@ private:
     this->Surface.PointAttributes.push_back({ name, static_cast<int>(N), std::move(values) });
   }
 
-  /** Points that no face uses need no color: they get black. */
+  /** Points unused by faces need no color: they get black. */
   void AddColors()
   {
     if (!this->HasColors)
@@ -537,14 +537,15 @@ private:
 
   const FileContent& File;
   TextScanner Scanner;
-  std::int64_t Line = 1; ///< on which the statement begins
+  std::int64_t Line = 1; ///< line on which the statement begins
   PolygonSurface Surface;
   std::vector<ForwardReference> ForwardPoints;
   CornerData<2> TCoords{ "texture coordinates", {}, {}, {} };
   CornerData<3> Normals{ "normals", {}, {}, {} };
   std::vector<Combination> OfPoint;
   bool HasColors = false;
-  std::vector<Point> Colors; ///< parallel to the points if HasColors, NoColor where one has none
+  /// parallel to the points if HasColors, NoColor for points without one
+  std::vector<Point> Colors;
   std::string Object;
   std::string Group;
   NameNumbers Groups;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-// The format: Geomview's manual, "OFF Files". Files in the wild leave out the number of edges, glue
-// the numbers to the first word, or give three colors where the manual asks for four.
+// The format: Geomview's manual, "OFF Files". Real files omit the number of edges, append the
+// numbers to the first word, or give three color components instead of four.
 
 namespace insideout
 {
@@ -27,7 +27,7 @@ bool IsDigit(char c)
   return c >= '0' && c <= '9';
 }
 
-/** Move on behind `prefix` if it comes next. */
+/** Skip `prefix` if it comes next. */
 bool AcceptPrefix(std::string_view word, std::size_t& at, std::string_view prefix)
 {
   const bool accepted = word.substr(at, prefix.size()) == prefix;
@@ -86,7 +86,7 @@ private:
     this->Scanner.SkipToContent();
     if (!this->Header.Found)
     {
-      return; // it may be left out
+      return; // it may be omitted
     }
     if (this->Header.OtherDimension)
     {
@@ -108,9 +108,9 @@ private:
     this->FaceCount = this->Count("faces");
     if (!this->Scanner.AtLineEnd())
     {
-      this->Scanner.Integer(); // edges, which nobody counts
+      this->Scanner.Integer(); // number of edges, ignored
     }
-    constexpr std::uint64_t shortestPoint = 6; // "0 0 0\n", where the last needs no line end
+    constexpr std::uint64_t shortestPoint = 6; // "0 0 0\n"; the last line needs no line end
     constexpr std::uint64_t shortestFace = 2;  // "0\n"
     const std::uint64_t left = this->Scanner.Left() + 1;
     this->CheckAnnounced(this->PointCount, left / shortestPoint, "points");
@@ -182,7 +182,7 @@ private:
     }
   }
 
-  /** The color, whose length nothing tells but the line's, and the texture coordinates. */
+  /** The color, whose length follows only from the line's, and the texture coordinates. */
   void ReadExtrasOfPoint(std::uint64_t point)
   {
     const std::vector<double>& extras = this->RestOfLine();
@@ -313,8 +313,8 @@ private:
   OffHeader Header;
   std::uint64_t PointCount = 0;
   std::uint64_t FaceCount = 0;
-  // The manual lets points run on over line ends, but files with numbers behind them that it knows
-  // nothing of are more frequent: unless lines are too few, each is one element's.
+  // The manual lets points continue over line ends, but files with unknown extra numbers after them
+  // are more frequent. So each line is one element's, unless there are too few lines.
   bool ElementPerLine = true;
   PolygonSurface Surface;
   std::vector<double> Normals;

@@ -9,7 +9,7 @@ namespace insideout
 {
 namespace
 {
-/** Name the statements, elements and lists that have no place in a PolygonSurface. */
+/** Warn of statements, elements and lists that a PolygonSurface cannot hold. */
 void WarnOfUnused(
   const FileContent& file, const PlyHeader& header, std::vector<std::string>& warnings)
 {
@@ -58,7 +58,7 @@ PolygonSurface ReadPly(const FileContent& file, Monitor& monitor)
   PlyElement& vertices = *header.Find("vertex");
   surface.Points = TakePlyPoints(vertices);
   surface.PointAttributes = TakePlyAttributes(vertices);
-  if (header.HasFaces()) // polygons are else of strips
+  if (header.HasFaces()) // otherwise polygons come from strips
   {
     surface.PolygonAttributes = TakePlyAttributes(*header.Find("face"));
   }

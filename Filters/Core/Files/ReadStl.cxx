@@ -10,7 +10,7 @@
 #include <string>
 
 // The format: 3D Systems, StereoLithography Interface Specification (1988). Binary: 80 bytes of
-// title, the number of facets, then 50 bytes each: the normal, three corners, 2 bytes of anything.
+// title, the number of facets, then 50 bytes each: the normal, three corners, 2 arbitrary bytes.
 
 namespace insideout
 {
@@ -22,7 +22,7 @@ constexpr std::uint64_t FacetLength = 50;
 constexpr std::uint64_t NormalLength = 12;
 constexpr std::uint64_t NumbersLength = 48;
 
-/** The number of facets that the file announces, were it binary and long enough. */
+/** The number of facets declared, assuming the file is binary and long enough. */
 std::uint64_t AnnouncedFacets(const FileContent& file)
 {
   return LoadNumber<std::uint32_t>(file.Begin() + TitleLength, ByteOrder::Little);
@@ -33,7 +33,9 @@ bool HasBinaryLength(const FileContent& file)
   return file.Size >= HeadLength && file.Size == HeadLength + FacetLength * AnnouncedFacets(file);
 }
 
-/** Binary files have been seen whose title begins with `solid` and that have bytes at their end. */
+/**
+ * There are binary files whose title begins with `solid` and that have extra bytes at their end.
+ */
 bool IsText(const FileContent& file)
 {
   return !HasBinaryLength(file) && LooksLikeText(file);
@@ -54,7 +56,7 @@ std::array<Point, 3> CornersAt(const char* facet)
   return corners;
 }
 
-/** Whether bytes that no count announces can be facets: numbers, and not all of them 0. */
+/** Whether bytes beyond the declared count can be facets: numbers, and not all of them 0. */
 bool CanBeFacets(const char* begin, std::uint64_t count)
 {
   bool any = false;
@@ -75,7 +77,7 @@ bool CanBeFacets(const char* begin, std::uint64_t count)
   return any;
 }
 
-/** The number of facets to read, once it is known that all of them are there. */
+/** The number of facets to read, after checking that all are complete. */
 std::uint64_t CheckedFacets(const FileContent& file, std::vector<std::string>& warnings)
 {
   if (file.Size < HeadLength)

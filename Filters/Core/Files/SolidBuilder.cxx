@@ -11,11 +11,11 @@ namespace insideout
 {
 namespace
 {
-/** Names of groups are kept in a list as long as the largest number of one. */
+/** Limit of group numbers: names of groups are in a list as long as the largest number. */
 constexpr std::int64_t LargestGroup = 1 << 16;
 
-/** What the numbers of groups in a file become: the same where they can be kept, and that of none
- * the one behind the last; else from 1 on in their order. */
+/** The new numbers of a file's groups: unchanged if possible, with the next number for no group;
+ * else from 1 on in their order. */
 std::vector<SolidGroup> GroupsOf(
   const std::vector<std::int64_t>& present, const std::map<std::int64_t, std::string>& names)
 {
@@ -72,7 +72,7 @@ SolidContent SolidBuilder::Finish()
   }
   this->SortPoints();
   this->Fill(this->Tetrahedra, true, this->Solid.Tetrahedra);
-  // The triangles of a boundary have the midpoints of their cells.
+  // Boundary triangles have the midpoints of their cells.
   this->Fill(this->Triangles, this->Tetrahedra.All.empty(), this->Solid.Triangles);
   return std::move(this->Solid);
 }

@@ -12,21 +12,21 @@
 
 namespace insideout
 {
-/** An element as a file has it. */
+/** An element as in a file. */
 struct FileElement
 {
-  std::int64_t Number; ///< by which the file knows it
+  std::int64_t Number; ///< its number in the file
   std::int64_t Line;
   std::int64_t Group = 0;  ///< 0 for none
-  std::int64_t Entity = 0; ///< the part of a geometry that it lies on, for files without groups
-  std::size_t Begin = 0;   ///< of its nodes, corners first and midpoints in VTK's order
+  std::int64_t Entity = 0; ///< the geometric entity that it lies on, for files without groups
+  std::size_t Begin = 0;   ///< numbers of its nodes, corners first and midpoints in VTK's order
   bool IsQuadratic = false;
 };
 
 /** Elements of one shape. */
 struct FileElements
 {
-  const char* Name; ///< of one
+  const char* Name; ///< nodes per element
   std::size_t Corners;
   std::vector<FileElement> All = {};
   std::vector<std::int64_t> Nodes = {}; ///< the numbers of points, of all elements
@@ -34,8 +34,8 @@ struct FileElements
 };
 
 /**
- * Makes a solid of points and elements that a file knows by numbers. These need no order and may
- * have gaps; an element may come before its points.
+ * Makes a solid of a file's numbered points and elements. Numbers may be in any order and have
+ * gaps; an element may come before its points.
  */
 class SolidBuilder
 {
@@ -45,17 +45,17 @@ public:
   /** @throws Error FileMalformed for coordinates that are not finite */
   void AddPoint(const TextScanner& scanner, std::int64_t number, const Point& point);
 
-  /** The number of an element's nodes tells whether it has midpoints. */
+  /** The number of an element's nodes determines whether it has midpoints. */
   static void AddElement(
     FileElements& elements, const FileElement& element, const std::vector<std::int64_t>& nodes);
 
-  /** Count elements of another shape, by what messages call several. */
+  /** Count elements of another shape, with their plural name for messages. */
   void AddOthers(const std::string& shape, std::int64_t count)
   {
     this->Others[shape] += static_cast<std::uint64_t>(count);
   }
 
-  /** Say what was passed over. */
+  /** Warn of skipped elements. */
   void Warn(const std::string& what);
 
   /** @throws Error FileMalformed: an element refers to no point, a number is there twice, there
@@ -87,7 +87,10 @@ private:
  * @throws Error FileMalformed for one that is there twice */
 void SortByNumber(const FileContent& file, const char* name, std::vector<FileElement>& elements);
 
-/** @throws Error FileMalformed unless `left` bytes can hold `count` things of `shortest` bytes */
+/**
+ * @throws Error FileMalformed unless `left` bytes can hold `count` things of at least `shortest`
+ * bytes
+ */
 void CheckAnnounced(
   const TextScanner& scanner, std::int64_t count, std::uint64_t shortest, const char* things);
 } // namespace insideout

@@ -50,12 +50,12 @@ void CheckIds(Id points, const std::vector<std::array<Id, Size>>& cells)
   }
 }
 
-/** The two faces on a triangle by SortedTriangle::Turned. Cell is None where there is none. */
+/** The two faces on a triangle, indexed by SortedTriangle::Turned. Cell is None for no face. */
 using FacesByCorners = std::unordered_map<Triangle, std::array<CellFace, 2>, HashOfTriangle>;
 
 constexpr std::array<CellFace, 2> NoFaces = { { { None, 0 }, { None, 0 } } };
 
-/** The triangles of pyramids and prisms. @param[in] names of their points in the table */
+/** The triangles of pyramids and prisms. @param[in] names ids of their points in the table */
 FacesByCorners FacesOfLayers(const SolidMesh& solid, const std::vector<Id>& names)
 {
   FacesByCorners faces;
@@ -81,7 +81,7 @@ FacesByCorners FacesOfLayers(const SolidMesh& solid, const std::vector<Id>& name
   return faces;
 }
 
-/** Points in the order of their places, and of their ids where they are in one place. */
+/** Points sorted by place, then by id. */
 std::vector<Id> OrderByPlace(const std::vector<Point>& points)
 {
   std::vector<Id> order(points.size());
@@ -90,7 +90,7 @@ std::vector<Id> OrderByPlace(const std::vector<Point>& points)
   return order;
 }
 
-/** For each point the lowest in its place. */
+/** For each point the lowest at its place. */
 std::vector<Id> LowestInPlaces(const std::vector<Point>& points, const std::vector<Id>& order)
 {
   std::vector<Id> lowest(points.size());
@@ -118,7 +118,7 @@ std::vector<std::array<Id, Size>> Renamed(
 
 using OuterSides = std::vector<std::array<unsigned char, 4>>;
 
-/** Which sides of cells no other cell has. */
+/** The sides of cells that no other cell has. */
 OuterSides FindOuterSides(const SolidMesh& solid)
 {
   OuterSides isOuter(solid.Cells.size());
@@ -132,9 +132,8 @@ OuterSides FindOuterSides(const SolidMesh& solid)
   return isOuter;
 }
 
-/** Of the entries of a face that of the cell which the triangle faces away from, or the first.
- * Where cells overlap there are more than two: those that no other cell shares come before all
- * others. */
+/** Of the entries of a face, that of the cell from which the triangle faces away, else the first.
+ * With overlapping cells there are more than two: those that no other cell shares come first. */
 const FaceEntry& EntryBehind(
   const FaceTable::Range& entries, bool turned, const OuterSides& isOuter)
 {
@@ -147,8 +146,8 @@ const FaceEntry& EntryBehind(
     [&](const FaceEntry& a, const FaceEntry& b) { return rank(a) < rank(b); });
 }
 
-/** The face of the cell that a triangle faces away from, of a tetrahedron before one of layers. If
- * there is none such, that of a cell on its other side; Cell is None without one. */
+/** The face of the cell from which a triangle faces away; tetrahedra come before layer cells. If
+ * there is none, that of a cell on its other side; Cell is None without one. */
 CellFace FaceBehind(const FaceTable::Range& entries, const std::array<CellFace, 2>& ofLayers,
   bool turned, const OuterSides& isOuter)
 {

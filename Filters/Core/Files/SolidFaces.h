@@ -8,7 +8,7 @@
 namespace insideout
 {
 /**
- * Whether there are cells, whose points exist and have finite coordinates.
+ * Check that there are cells, and that their points exist and have finite coordinates.
  *
  * @throws Error InvalidParameter, PointOutOfRange, PointNotFinite
  */
@@ -17,17 +17,19 @@ void CheckCells(const SolidMesh& solid);
 /** The corners of a triangle of a pyramid or prism, counter-clockwise seen from outside. */
 Triangle TriangleOfLayer(const SolidMesh& solid, const CellFace& face);
 
-/** The faces that only one cell has, in the order of the cells.
- * @throws Error of CheckCells, and InvalidParameter where there are pyramids or prisms */
+/** The faces of exactly one cell, in the order of the cells.
+ * @throws Error of CheckCells, and InvalidParameter if there are pyramids or prisms
+ */
 std::vector<CellFace> OuterFaces(const SolidMesh& solid);
 
 /**
- * The face that each triangle of a surface is, found by where its corners are: the surface has
- * points of its own. Between two cells it is the face of the one that the triangle faces away from.
- * Where points stand in one place several times, faces that one cell alone has come first.
+ * Find the face that coincides with each triangle of a surface, by the places of its corners: the
+ * surface has points of its own. Between two cells it is the face of the one from which the
+ * triangle faces away. If there are several points at one place, faces of exactly one cell come
+ * first.
  *
- * @throws Error InvalidParameter that names the first triangle that is no face; PointOutOfRange;
- * what CheckCells throws
+ * @throws Error InvalidParameter that names the first triangle that is not a face; PointOutOfRange;
+ * as CheckCells
  */
 std::vector<CellFace> FacesOfTriangles(
   const SolidMesh& solid, const std::vector<Point>& points, const std::vector<Triangle>& triangles);

@@ -6,8 +6,9 @@
 
 namespace insideout
 {
-/** The readers of the solvers' formats, with ReadSolid's errors; ReadSolid is the way in. Each file
- * has at least one byte. @{ */
+/** The readers of the solvers' formats, with ReadSolid's errors; call them through ReadSolid. Each
+ * file has at least one byte. @{
+ */
 SolidContent ReadMsh(const FileContent& file, Monitor& monitor);
 SolidContent ReadInp(const FileContent& file, Monitor& monitor);
 SolidContent ReadMedit(const FileContent& file, Monitor& monitor);

@@ -5,7 +5,7 @@
 #include "Files/OutputFile.h"
 #include "Files/SolidFile.h"
 
-/** What the writers of the solvers' formats share; WriteSolid is the way in. */
+/** Shared by the writers of the solvers' formats; call them through WriteSolid. */
 namespace insideout
 {
 /** The writers. All ids of the solid are in range, and all coordinates finite. @{ */
@@ -14,7 +14,7 @@ void WriteInp(OutputFile& file, const SolidMesh& solid);
 void WriteMedit(OutputFile& file, const SolidMesh& solid);
 /** @} */
 
-/** The point as its 20 characters per number in .inp are read. */
+/** The point as read back from the 20 characters per number of .inp. */
 Point PointInInp(Point point);
 
 /** The shapes of the cells of a solid. */
@@ -32,7 +32,7 @@ inline CellShape ShapeOfCell(const SolidMesh& solid, std::size_t cell)
                                                         : CellShape::Prism;
 }
 
-/** The points of a cell or a face: corners, and then midpoints if there are any. */
+/** The points of a cell or a face: corners, then midpoints if there are any. */
 struct SolidNodes
 {
   std::array<Id, 10> Ids;
@@ -68,7 +68,7 @@ inline Buckets<Id> ByGroup(std::size_t groups, const std::vector<Id>& groupOf)
     });
 }
 
-/** A blank and the number by which files know each of the points. */
+/** A blank and the file's number for each of the points. */
 inline void WriteNumbers(OutputFile& file, const SolidNodes& nodes)
 {
   for (const Id point : nodes)
@@ -78,7 +78,7 @@ inline void WriteNumbers(OutputFile& file, const SolidNodes& nodes)
   }
 }
 
-/** The coordinates with blanks between. */
+/** The coordinates, separated by blanks. */
 inline void WriteCoordinates(OutputFile& file, const Point& point)
 {
   file.Decimal(point[0]);

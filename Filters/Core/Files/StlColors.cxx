@@ -9,7 +9,7 @@ namespace
 {
 constexpr std::uint16_t HighestBit = 0x8000;
 
-/** Five bits as a byte. */
+/** Five bits scaled to a byte. */
 unsigned char Component(std::uint16_t bits, int place)
 {
   constexpr int most = 31;

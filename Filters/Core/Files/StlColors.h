@@ -20,10 +20,10 @@ class StlColors
 public:
   explicit StlColors(std::string_view title);
 
-  /** The spare bytes of the next facet. */
+  /** Add the spare bytes of the next facet. */
   void Add(std::uint16_t bits);
 
-  /** Give the polygons `Colors` where all have one, and a warning where some have. */
+  /** Give the polygons `Colors` if all have one, and a warning if only some have. */
   void MoveTo(PolygonSurface& surface, const FileContent& file);
 
 private:
@@ -32,6 +32,6 @@ private:
   bool IsMagics = false;
   Color OfTitle{};
   std::uint64_t Facets = 0;
-  std::vector<unsigned char> Values; ///< of the facets that have one
+  std::vector<unsigned char> Values; ///< number of facets with a color
 };
 } // namespace insideout

@@ -25,7 +25,7 @@ bool IsComment(std::string_view word)
   return word.substr(0, 2) == "//" || word.find_first_of("#;!") == 0;
 }
 
-/** What the format does not have: each kind once, with its first line. */
+/** Deviations from the format: each kind once, with its first line. */
 class Oddities
 {
 public:
@@ -114,7 +114,7 @@ public:
   }
 
 private:
-  /** The next word, `end solid` and the like in one and comments aside; empty where none is left.
+  /** The next word; `end solid` and the like are one word, comments are skipped; empty at the end.
    */
   std::string_view Next()
   {
@@ -131,7 +131,7 @@ private:
     return {};
   }
 
-  /** Behind `end`: the tag that it is half of, or `end`. */
+  /** After `end`: the tag that it is half of, or `end`. */
   std::string_view JoinEnd(std::string_view end)
   {
     TextScanner ahead(this->Scanner);
@@ -168,7 +168,7 @@ private:
     }
   }
 
-  /** Pass over what stands behind an end tag, on the same line, and is none of these words. */
+  /** Skip the rest of the line after an end tag, up to any of these words. */
   std::string_view NextBehind(const char* tag, std::initializer_list<const char*> known)
   {
     const std::int64_t line = this->Scanner.GetLine();
@@ -187,7 +187,7 @@ private:
     return word;
   }
 
-  /** Whether a facet begins with the next words of the line. */
+  /** Whether the next words on the line begin a facet. */
   static bool IsAtFacet(TextScanner ahead)
   {
     if (!Is(ahead.Word(), "facet"))
@@ -198,8 +198,7 @@ private:
     return Is(second, "normal") || Is(second, "outer");
   }
 
-  /** The rest of the line, or the words before a facet or the solid's end, if all is on one line.
-   */
+  /** The rest of the line, or the words before a facet or the solid's end if all is on one line. */
   std::string ReadName()
   {
     std::string name;
@@ -216,7 +215,7 @@ private:
     return ToUtf8(name);
   }
 
-  /** Behind `endsolid`: the rest of the line, or of what comes before the next solid on it. */
+  /** After `endsolid`: the rest of the line, up to the next solid on it. */
   void SkipNameAtEnd()
   {
     TextScanner ahead(this->Scanner);
@@ -232,7 +231,7 @@ private:
     }
   }
 
-  /** Read facets from this word on, to the end of the solid. @return the word behind that */
+  /** Read facets from this word on, to the end of the solid. @return the next word */
   std::string_view ReadFacets(std::string_view word, const std::string& name)
   {
     const std::size_t before = this->GroupIds.size();
@@ -283,7 +282,9 @@ private:
     this->GroupIds.push_back(static_cast<std::int32_t>(this->Names.size()));
   }
 
-  /** The corners tell the normal; in files it may be missing, or no number. Ends behind `outer`. */
+  /**
+   * The normal follows from the corners; in files it may be missing or invalid. Ends after `outer`.
+   */
   void SkipNormal()
   {
     std::string_view word = this->NextOfFacet();
@@ -314,14 +315,14 @@ private:
   PolygonSurface Surface;
   Oddities Odd;
   std::vector<std::int32_t> GroupIds;
-  std::vector<std::string> Names; ///< of the solids that have facets
+  std::vector<std::string> Names; ///< names of the solids that have facets
 };
 } // namespace
 
 bool LooksLikeText(const FileContent& file)
 {
   constexpr std::uint64_t looked = 1024; // binary files titled "solid" have other bytes there
-  constexpr char endOfFile = '\x1a';     // that of old systems
+  constexpr char endOfFile = '\x1a';     // line ends of old systems
   const char* const end = file.Begin() + std::min<std::uint64_t>(file.Size, looked);
   return std::none_of(file.Begin(), end,
     [](char c)

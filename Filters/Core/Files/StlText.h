@@ -5,17 +5,16 @@
 
 namespace insideout
 {
-/** Whether nothing but text is at the beginning of the file. */
+/** Whether the file begins with text only. */
 bool LooksLikeText(const FileContent& file);
 
 /** Whether the first word is `solid`, or `facet`, comments aside. */
 bool BeginsAsStlText(const FileContent& file, Monitor& monitor);
 
 /**
- * Read ascii STL. Text that the format does not have, but can be understood, is read with a
- * warning: comments, text outside of solids and behind `endloop` and `endfacet`, `end solid` and
- * the like, facets without `solid`, solids without `endsolid`. Line ends mean nothing but the end
- * of a name.
+ * Read ascii STL. Harmless deviations from the format are accepted with a warning: comments, text
+ * outside of solids and after `endloop` and `endfacet`, `end solid` and the like, facets without
+ * `solid`, solids without `endsolid`. Line ends matter only as the end of a name.
  */
 PolygonSurface ReadStlText(const FileContent& file, Monitor& monitor);
 } // namespace insideout

@@ -21,7 +21,7 @@ namespace insideout
 {
 namespace
 {
-// Of the time, loading takes about this part and understanding the rest.
+// Fraction of the time that loading takes; parsing takes the rest.
 constexpr double LoadingShare = 0.2;
 
 Error Unreadable(const std::string& path, const std::string& reason)
@@ -29,7 +29,7 @@ Error Unreadable(const std::string& path, const std::string& reason)
   return Error(ErrorCode::FileUnreadable, path + ": " + reason);
 }
 
-/** The length of a file that can be loaded. */
+/** The length of a file, if it can be loaded. */
 std::size_t LengthOf(const std::string& path)
 {
   std::error_code error;
@@ -51,7 +51,7 @@ std::size_t LengthOf(const std::string& path)
   return static_cast<std::size_t>(length);
 }
 
-/** Fill `content` in pieces between which the monitor can stop. */
+/** Fill `content` in chunks, between which the monitor may stop. */
 void LoadBytes(const std::string& path, FileContent& content, Monitor& monitor)
 {
   constexpr std::size_t piece = std::size_t(1) << 24;
@@ -74,7 +74,7 @@ void LoadBytes(const std::string& path, FileContent& content, Monitor& monitor)
     }
     if (got < wanted)
     {
-      return; // someone shortened the file meanwhile
+      return; // the file was truncated meanwhile
     }
   }
 }
@@ -95,7 +95,7 @@ struct Format
   PolygonSurface (*Read)(const FileContent& file, Monitor& monitor);
 };
 
-/** Those with the surest marks come first. */
+/** Formats with the most reliable marks come first. */
 constexpr Format Formats[] = {
   { "PLY", ".ply", [](const FileContent& file, Monitor&) { return IsPly(file); }, ReadPly },
   { "OFF", ".off", IsOff, ReadOff },
@@ -103,7 +103,7 @@ constexpr Format Formats[] = {
   { "OBJ", ".obj", IsObj, ReadObj },
 };
 
-/** By its mark, and else by the name's ending. */
+/** The format by its mark, or else by the name's ending. */
 const Format& FormatOf(const FileContent& file, const std::string& ending, Monitor& monitor)
 {
   const std::string_view begin(file.Begin(), std::min<std::size_t>(file.Size, 2));
@@ -137,7 +137,7 @@ const Format& FormatOf(const FileContent& file, const std::string& ending, Monit
   throw Malformed(file, "neither content nor ending is of" + endings);
 }
 
-/** Whether it is the ending of another format that holds surfaces. */
+/** Whether it is the ending of another surface format. */
 bool IsOfAnother(const Format& format, const std::string& ending)
 {
   const auto is = [&](const char* known) { return EqualsIgnoringCase(ending, known); };
@@ -155,7 +155,7 @@ PolygonSurface ReadCompressedOrNot(
   const bool isCalledSo = EqualsIgnoringCase(path.extension().string(), ".gz");
   if (isCompressed)
   {
-    constexpr double shareOfMachine = 0.75; // that a small file may ask for
+    constexpr double shareOfMachine = 0.75; // limit for a small file
     file = Gunzip(file, shareOfMachine * MachineMemory(), monitor);
     CheckNotEmpty(file);
   }

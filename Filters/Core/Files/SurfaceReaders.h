@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/** What the readers of the surface formats share; ReadSurface is the way in. */
+/** Shared by the readers of the surface formats; call them through ReadSurface. */
 namespace insideout
 {
 /** A file in memory. */
@@ -22,14 +22,14 @@ struct FileContent
   const char* Begin() const { return this->Bytes.get(); }
   const char* End() const { return this->Bytes.get() + this->Size; }
 
-  /** The beginning of a text: behind the byte order mark that some editors put first. */
+  /** The beginning of a text, after the byte order mark that some editors insert. */
   const char* TextBegin() const;
 
-  /** Tell the monitor that the file was understood up to `at`. */
+  /** Report progress: the file is parsed up to `at`. */
   void ReportPosition(const char* at, Monitor& monitor) const;
 };
 
-/** A file as it is on the disk, not empty. @throws Error FileUnreadable, FileMalformed, Stopped */
+/** A file as on the disk, not empty. @throws Error FileUnreadable, FileMalformed, Stopped */
 FileContent LoadFile(const std::string& path, Monitor& monitor);
 
 /** Whether the first line is that of a PLY file. */
@@ -38,10 +38,12 @@ bool IsPly(const FileContent& file);
 /** Whether the first word is that of an OFF file. */
 bool IsOff(const FileContent& file, Monitor& monitor);
 
-/** Whether it begins as an ascii STL file does, or is as long as a binary one has to be. */
+/** Whether it begins like an ascii STL file, or has the length of a binary one. */
 bool IsStl(const FileContent& file, Monitor& monitor);
 
-/** Whether a vertex of three numbers comes first, but for what may stand before it in OBJ. */
+/**
+ * Whether a vertex of three numbers comes first, except for statements allowed before it in OBJ.
+ */
 bool IsObj(const FileContent& file, Monitor& monitor);
 
 /** The readers, with ReadSurface's errors. Each file has at least one byte. @{ */
@@ -58,20 +60,20 @@ Error Malformed(const FileContent& file, const std::string& what);
 void CheckCount(const FileContent& file, std::uint64_t count, const char* things);
 
 /**
- * Make the corners behind the last polygon a polygon, or drop them where they are fewer than three.
- * @return whether it became one
+ * Make the corners after the last polygon a polygon, or drop them if they are fewer than three.
+ * @return whether it is a polygon
  * @throws Error TooLarge
  */
 bool ClosePolygon(const FileContent& file, PolygonSurface& surface);
 
-/** Say how many polygons ClosePolygon dropped, if any. */
+/** Warn of the number of polygons that ClosePolygon dropped, if any. */
 void WarnOfDropped(const FileContent& file, std::uint64_t dropped, PolygonSurface& surface);
 
-/** Colors that are given as numbers beside points or polygons, for all of them or not at all. */
+/** Colors given as numbers of points or polygons, for all of them or not at all. */
 class ColorColumn
 {
 public:
-  /** The color of the next point or polygon: 3 or 4 numbers; anything else is none. */
+  /** Add the color of the next point or polygon: 3 or 4 numbers; anything else is no color. */
   void Add(const std::vector<double>& color);
 
   /** Whether any point or polygon had a color, or something else in its place. */
@@ -79,7 +81,7 @@ public:
 
   /**
    * The attribute `Colors`. Numbers are 0 to 1 if the largest in the file is at most 1, else 0 to
-   * 255. Nothing where a color is missing, has another number of components or is beyond 255.
+   * 255. Nothing if a color is missing, has another number of components or is beyond 255.
    */
   std::optional<Attribute> ToAttribute() const;
 
@@ -91,8 +93,8 @@ private:
 };
 
 /**
- * Numbers from 0 to 1, or from 0 to 255 where one is larger than 1, as bytes. Nothing where one is
- * outside or NaN.
+ * Convert numbers from 0 to 1, or from 0 to 255 if one is larger than 1, to bytes. Nothing if one
+ * is outside or NaN.
  */
 std::optional<std::vector<unsigned char>> ToColorBytes(const std::vector<double>& numbers);
 } // namespace insideout

@@ -4,24 +4,23 @@
 #include "Files/OutputFile.h"
 #include "Files/SurfaceFile.h"
 
-/** What the writers of the surface formats share; WriteSurface is the way in. */
+/** Shared by the writers of the surface formats; call them through WriteSurface. */
 namespace insideout
 {
-/** The writers. Offsets and corners of the surface fit each other, and attributes what they belong
- * to. @{ */
+/** The writers. Offsets, corners and attributes of the surface are consistent. @{ */
 void WriteObj(OutputFile& file, const PolygonSurface& surface);
 void WriteOff(OutputFile& file, const PolygonSurface& surface);
 void WritePly(OutputFile& file, const PolygonSurface& surface);
 void WriteStl(OutputFile& file, const PolygonSurface& surface);
 /** @} */
 
-/** @throws Error InvalidParameter where STL cannot hold the surface */
+/** @throws Error InvalidParameter if STL cannot hold the surface */
 void CheckForStl(const PolygonSurface& surface);
 
-/** How many numbers the attribute has. */
+/** The number of values of the attribute. */
 std::size_t LengthOf(const Attribute& attribute);
 
-/** Whether it is what the formats have words for. @{ */
+/** Whether it is an attribute that the formats have words for. @{ */
 bool IsColor(const Attribute& attribute);
 bool IsNormal(const Attribute& attribute);
 bool IsTCoord(const Attribute& attribute);

@@ -9,7 +9,7 @@ namespace insideout
 {
 namespace
 {
-// Asking the monitor costs little, but not as little as a line.
+// Bytes between calls of the monitor: a call costs little, but more than a line.
 constexpr std::int64_t LinesBetweenChecks = 1 << 15;
 
 bool IsBlank(char c)
@@ -23,8 +23,8 @@ bool IsNewline(char c)
 }
 
 /**
- * Whether a decimal number that does not fit a double is too large for it, not too small: the power
- * of ten of its first digit that is not 0 tells.
+ * Whether a decimal number that does not fit a double overflows rather than underflows, by the
+ * power of ten of its first nonzero digit.
  */
 bool IsHuge(const char* at, const char* end)
 {
@@ -47,7 +47,7 @@ bool IsHuge(const char* at, const char* end)
   return exponent > -power;
 }
 
-/** Skip a plus sign, which from_chars does not take; null where another sign follows it. */
+/** Skip a plus sign, which from_chars rejects; null if another sign follows it. */
 const char* SkipPlus(const char* at, const char* end)
 {
   if (at == end || *at != '+')
@@ -58,7 +58,7 @@ const char* SkipPlus(const char* at, const char* end)
   return at != end && *at == '-' ? nullptr : at;
 }
 
-/** The end of the number that begins at `at`, null if none does. */
+/** The end of the number at `at`, null if there is none. */
 const char* ParseDouble(const char* at, const char* end, double& value)
 {
   at = SkipPlus(at, end);

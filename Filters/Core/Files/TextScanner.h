@@ -10,16 +10,16 @@
 namespace insideout
 {
 /**
- * Reads words and numbers from a text that ends anywhere, and knows the line it is on. Lines end
- * with LF, CR LF or CR. Numbers do not depend on the locale and are rounded correctly. Nothing here
- * reads beyond the text, whatever is in it.
+ * Reads words and numbers from a text that may end anywhere, and counts lines. Lines end with LF,
+ * CR LF or CR. Numbers do not depend on the locale and are rounded correctly. Reading never goes
+ * beyond the text.
  */
 class TextScanner
 {
 public:
   struct Syntax
   {
-    bool Comments = false;     ///< a `#` begins a comment, which the end of the line ends
+    bool Comments = false;     ///< a `#` begins a comment, up to the end of the line
     bool Continuation = false; ///< a backslash joins a line with the next
   };
 
@@ -33,43 +33,43 @@ public:
   /** The next byte. */
   const char* Position() const { return this->At; }
 
-  /** The bytes that are left. */
+  /** The number of bytes left. */
   std::uint64_t Left() const { return static_cast<std::uint64_t>(this->End - this->At); }
 
   /** Whether at least `count` lines are left that are neither blank nor a comment. */
   bool HasLines(std::uint64_t count) const;
 
-  /** Skip blanks; true when nothing else is left on the line, comments aside. */
+  /** Skip blanks; true if the rest of the line is empty or a comment. */
   bool AtLineEnd();
 
   /** Go to the beginning of the next line. */
   void SkipLine();
 
-  /** Skip blanks, comments and line ends; false when nothing else is left. */
+  /** Skip blanks, comments and line ends; false at the end of the text. */
   bool SkipToContent();
 
   /** The next word on the line; empty at its end. */
   std::string_view Word();
 
-  /** The words that are left on the line, with single blanks. */
+  /** The remaining words of the line, separated by single blanks. */
   std::string RestOfLine();
 
   /**
-   * The next number on the line. What does not fit a double becomes infinite or 0.
-   * @throws Error FileMalformed when there is none
+   * The next number on the line. Overflow becomes infinite, underflow 0.
+   * @throws Error FileMalformed if there is none
    */
   double Number();
 
-  /** The number that the next word begins with, for numbers that commas part. */
+  /** The number at the beginning of the next word, for numbers separated by commas. */
   double LeadingNumber();
 
   /**
    * The next number on the line, which has to be an integer.
-   * @throws Error FileMalformed when there is none
+   * @throws Error FileMalformed if there is none
    */
   std::int64_t Integer();
 
-  /** The integer that the next word begins with, for words such as 1/2/3; see ExpectWordEnd. */
+  /** The integer at the beginning of the next word, for words such as 1/2/3; see ExpectWordEnd. */
   std::int64_t LeadingInteger();
 
   /** Skip the next byte if it is `c`. */
@@ -99,9 +99,9 @@ private:
   Monitor& Watch;
 };
 
-/** The text in quotes, for messages: shortened, and without what does not print. */
+/** The text in quotes, for messages: shortened, without non-printing characters. */
 std::string Quoted(std::string_view text);
 
-/** Whether two words are the same but for the case of ASCII letters; `lower` is in lower case. */
+/** Whether two words are equal up to the case of ASCII letters; `lower` is in lower case. */
 bool EqualsIgnoringCase(std::string_view word, std::string_view lower);
 } // namespace insideout

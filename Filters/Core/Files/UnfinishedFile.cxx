@@ -44,7 +44,7 @@ UnfinishedFile::UnfinishedFile(const std::string& folder)
   const std::string prefix = folder + "/.insideout-" + std::to_string(getpid()) + "-";
   do
   {
-    // The name may be taken: by another machine's process, or one that was killed.
+    // The name may be taken by a process of another machine, or by a killed one.
     this->Path = prefix + std::to_string(registry.Created++);
     constexpr mode_t lessTheUmask = 0666;
     this->Descriptor =
@@ -70,7 +70,7 @@ UnfinishedFile::~UnfinishedFile()
 
 void UnfinishedFile::Close()
 {
-  // Some file systems have nothing to wait for, and say so.
+  // Some file systems do not support fsync, and report that.
   FailUnless(fsync(this->Descriptor) == 0 || errno == EINVAL || errno == ENOTSUP);
   const int descriptor = this->Descriptor;
   this->Descriptor = -1;

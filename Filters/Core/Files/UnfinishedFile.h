@@ -7,10 +7,10 @@ namespace insideout
 {
 /**
  * @class UnfinishedFile
- * @brief a new file under a temporary name, which ends by becoming another or not at all
+ * @brief a new file under a temporary name, finally renamed or removed
  *
- * The name is `.insideout-`, the process's number and a count. Only a process that is killed leaves
- * such a file behind.
+ * The name is `.insideout-`, the process's number and a count. Only a killed process leaves such a
+ * file behind.
  */
 class UnfinishedFile
 {
@@ -22,21 +22,23 @@ public:
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
-  /** Close it, and remove it unless it became another. */
+  /** Close it, and remove it unless it was renamed. */
   ~UnfinishedFile();
 
   int GetDescriptor() const { return this->Descriptor; }
 
-  /** Close it, with all that was written safely on the disk.
-   * @throws std::system_error */
+  /** Close it, with all data safely on the disk.
+   * @throws std::system_error
+   */
   void Close();
 
-  /** When it is closed, put it in the place of another file in the folder, or of none.
-   * @throws std::system_error, with the other file as it was */
+  /** After closing, rename it to another name in the folder, replacing any file of that name.
+   * @throws std::system_error, with the other file unchanged
+   */
   void Become(const std::string& path);
 
-  /** Remove all that there are in this process, which is about to end: whoever begins or finishes
-   * one from now on waits for that. */
+  /** Remove all unfinished files of this process, which is about to end; calls that begin or finish
+   * one wait from now on. */
   static void RemoveAllForGood();
 
 private:

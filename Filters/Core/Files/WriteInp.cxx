@@ -14,23 +14,26 @@ namespace insideout
 {
 namespace
 {
-/** Both programs read so much of a number, and CalculiX passes over what is behind it. */
+/** Both programs read this many characters of a number; CalculiX ignores the rest. */
 constexpr std::size_t LongestNumber = 20;
 
-/** CalculiX knows sets by 80 characters, Abaqus by as many. Some are left for a user's endings. */
+/**
+ * Both CalculiX and Abaqus limit names of sets to 80 characters. Some are left for a user's
+ * suffixes.
+ */
 constexpr NameRules NamesOfInp = { 64, true, false };
 
 constexpr const char* AllPoints = "Nall";
 constexpr const char* AllCells = "Eall";
 
-/** As many as CalculiX's lines of 132 characters have room for. */
+/** Items per line, limited by CalculiX's lines of 132 characters. */
 constexpr std::size_t NumbersInLine = 10;
 
-/** The number of each face of TetrahedronFaces there: S1 is that of corners 1, 2 and 3, S2 of 1, 2
- * and 4, S3 of 2, 3 and 4, S4 of 1, 3 and 4. */
+/** The numbers of TetrahedronFaces: S1 is that of corners 1, 2 and 3, S2 of 1, 2 and 4, S3 of 2, 3
+ * and 4, S4 of 1, 3 and 4. */
 constexpr std::array<int, 4> NumbersOfFaces = { 2, 3, 4, 1 };
 
-/** The numbers in C3D6 of a prism's triangles, and of a pyramid's. */
+/** The numbers in C3D6 of the triangles of prisms and pyramids. */
 constexpr std::array<int, 2> NumbersOfPrismFaces = { 2, 1 };
 constexpr std::array<int, 4> NumbersOfPyramidFaces = { 2, 5, 1, 3 };
 
@@ -43,8 +46,8 @@ int NumberOfFace(const SolidMesh& solid, const CellFace& face)
                                    : NumbersOfFaces[face.Face];
 }
 
-/** The points of a cell as C3D4, C3D10 and C3D6 have them: the first triangle of these is seen from
- * within, and a pyramid is one whose two triangles share a corner. */
+/** The points of a cell in the order of C3D4, C3D10 and C3D6: the first triangle of a C3D6 is seen
+ * from within, and a pyramid is one whose two triangles share a corner. */
 SolidNodes InpNodesOf(const SolidMesh& solid, std::size_t cell)
 {
   SolidNodes nodes = NodesOf(solid, cell);
@@ -58,11 +61,11 @@ SolidNodes InpNodesOf(const SolidMesh& solid, std::size_t cell)
                                    : SolidNodes{ { { n[4], n[3], n[2], n[4], n[0], n[1] } }, 6 };
 }
 
-/** A number as to_chars writes it, without the zeros that a reader does not need. */
+/** A number by to_chars, without zeros that readers do not need. */
 template <typename... Format>
 std::string Text(double value, Format... format)
 {
-  std::array<char, 400> text; // the smallest double has so many digits, zeros in front
+  std::array<char, 400> text; // digits of the smallest double, including leading zeros
   const std::to_chars_result result =
     std::to_chars(text.data(), text.data() + text.size(), value, format...);
   std::string number(text.data(), result.ptr);
@@ -82,8 +85,8 @@ std::string Text(double value, Format... format)
   return number;
 }
 
-/** The shortest text that is read as the number; where that is too long, the nearest of those that
- * are not. */
+/** The shortest text that reads back as the number; if that is too long, the nearest one that fits.
+ */
 std::string ShortNumber(double value)
 {
   std::string text = Text(value);
@@ -91,7 +94,7 @@ std::string ShortNumber(double value)
   {
     text = Text(value, std::chars_format::fixed);
   }
-  constexpr int mostDigits = 17; // tell each double from all others
+  constexpr int mostDigits = 17; // enough to distinguish all doubles
   for (int digits = mostDigits; text.size() > LongestNumber; --digits)
   {
     const std::string scientific = Text(value, std::chars_format::scientific, digits - 1);
@@ -102,7 +105,7 @@ std::string ShortNumber(double value)
   return text;
 }
 
-/** What a reader makes of the text of a number. */
+/** The number that a reader makes of a text. */
 double ReadBack(const std::string& text)
 {
   double value = 0;
@@ -110,7 +113,7 @@ double ReadBack(const std::string& text)
   return value;
 }
 
-/** Comments that say what the names stand for. */
+/** Comments with the meaning of names. */
 void WriteNames(OutputFile& file, const char* what, const std::vector<SolidGroup>& groups,
   const std::vector<std::string>& names)
 {
@@ -136,7 +139,7 @@ void WriteNodes(OutputFile& file, const SolidMesh& solid)
   }
 }
 
-/** Points as a set, each once. */
+/** Points as a set, without repetition. */
 void WriteSet(OutputFile& file, const std::string& name, std::vector<Id> points)
 {
   file.Text("*NSET, NSET=" + name + "\n");

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <string>
 
-// The format: Frey, MEDIT: An interactive mesh visualization software (2001); of quadratic cells,
-// and the sections that say how their points are ordered, Marechal, libMeshb.
+// The format: Frey, MEDIT: An interactive mesh visualization software (2001); for quadratic cells,
+// and the sections on the order of their points, Marechal, libMeshb.
 
 namespace insideout
 {
 namespace
 {
-/** Comments that say which group a number stands for. */
+/** Comments with the group that each number stands for. */
 void WriteNames(OutputFile& file, const char* what, const std::vector<SolidGroup>& groups)
 {
   for (const SolidGroup& group : groups)
@@ -22,8 +22,8 @@ void WriteNames(OutputFile& file, const char* what, const std::vector<SolidGroup
   }
 }
 
-/** Where the points of an element are: twice their barycentric coordinates, of corners and then of
- * the middles of edges. */
+/** Positions of an element's points, by twice their barycentric coordinates: corners, then
+ * midpoints of edges. */
 template <std::size_t Edges>
 void WriteOrdering(OutputFile& file, const char* section, std::size_t corners,
   const std::array<std::array<int, 2>, Edges>& edges)
@@ -48,7 +48,7 @@ void WriteOrdering(OutputFile& file, const char* section, std::size_t corners,
   }
 }
 
-/** Points, and the number of the group. */
+/** The points, and the number of the group. */
 void WriteElement(OutputFile& file, const SolidNodes& nodes, const SolidGroup& group)
 {
   WriteNumbers(file, nodes);
@@ -60,7 +60,7 @@ void WriteElement(OutputFile& file, const SolidNodes& nodes, const SolidGroup& g
 
 void WriteMedit(OutputFile& file, const SolidMesh& solid)
 {
-  file.Text("MeshVersionFormatted 2\n"); // of doubles
+  file.Text("MeshVersionFormatted 2\n"); // of type double
   file.Text("# Written by InsideOut\n");
   WriteNames(file, "Triangles with reference", solid.Tags);
   WriteNames(file, "Tetrahedra with reference", solid.Regions);
@@ -95,7 +95,7 @@ void WriteMedit(OutputFile& file, const SolidMesh& solid)
     for (std::size_t c = first; c < first + count; ++c)
     {
       SolidNodes nodes = NodesOf(solid, c);
-      if (shape == CellShape::Prism) // whose first triangle is seen from within there
+      if (shape == CellShape::Prism) // the first triangle is seen from within in this format
       {
         std::rotate(nodes.Ids.begin(), nodes.Ids.begin() + 3, nodes.Ids.begin() + 6);
       }

@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-/** What gmsh calls the dimensions of entities, and the types of elements. */
+/** Gmsh's dimensions of entities, and types of elements. */
 constexpr int SurfaceDimension = 2;
 constexpr int VolumeDimension = 3;
 constexpr int TypeOfTriangle = 2;
@@ -23,7 +23,7 @@ constexpr int TypeOfPyramid = 7;
 constexpr int TypeOfQuadraticTriangle = 9;
 constexpr int TypeOfQuadraticTetrahedron = 11;
 
-/** Gmsh reads a line of 127 bytes, and there are a blank and quotes around the name. */
+/** Gmsh reads lines of 127 bytes; a blank and quotes surround the name. */
 constexpr NameRules NamesOfMsh = { 100, false, true };
 
 int TypeOfFaces(const SolidMesh& solid)
@@ -41,8 +41,8 @@ int TypeOfCell(const SolidMesh& solid, std::size_t cell)
   return IsQuadratic(solid) ? TypeOfQuadraticTetrahedron : TypeOfTetrahedron;
 }
 
-/** The points of a cell as gmsh has them: of a tetrahedron's edges 2 3 comes before 1 3, and of a
- * prism's triangles the one that is counter-clockwise seen from within. */
+/** The points of a cell in gmsh's order: a tetrahedron's edge 2 3 comes before 1 3, and the first
+ * triangle of a prism is counter-clockwise seen from within. */
 SolidNodes MshNodesOf(const SolidMesh& solid, std::size_t cell)
 {
   SolidNodes nodes = NodesOf(solid, cell);
@@ -88,7 +88,7 @@ void WriteHead(OutputFile& file, const SolidMesh& solid, const char* version)
   file.Text("$EndPhysicalNames\n");
 }
 
-/** The box around what is put into it. */
+/** The bounding box of added points. */
 struct Bounds
 {
   Point Low = { { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
@@ -115,7 +115,7 @@ void WriteEntity(OutputFile& file, const SolidGroup& group, const Bounds& box)
   file.Decimal(group.Number);
 }
 
-/** For each region which tags bound it: 1 where faces with the tag face out of it, else -1. */
+/** For each region the tags that bound it: 1 if faces with the tag face out of it, else -1. */
 std::vector<std::map<Id, int>> TagsAroundRegions(const SolidMesh& solid)
 {
   std::vector<std::map<Id, int>> around(solid.Regions.size());
@@ -179,7 +179,7 @@ void WriteVolumeEntities(OutputFile& file, const SolidMesh& solid)
   }
 }
 
-/** For each point its entity: first of the tags from 0 on, and behind them of the regions. */
+/** For each point its entity: tags from 0 on, followed by the regions. */
 std::vector<Id> EntitiesOfPoints(const SolidMesh& solid)
 {
   const auto tags = static_cast<Id>(solid.Tags.size());
@@ -199,12 +199,14 @@ std::vector<Id> EntitiesOfPoints(const SolidMesh& solid)
       entities[point] = std::min(entities[point], tags + solid.RegionOfCell[c]);
     }
   }
-  // A point that no cell has must be somewhere.
+  // A point in no cell needs an entity, too.
   std::replace(entities.begin(), entities.end(), all, tags);
   return entities;
 }
 
-/** Gmsh wants the points by the entities that they lie on. Those of several are of the first. */
+/**
+ * Gmsh requires the points by the entities that they lie on. Points of several belong to the first.
+ */
 void WritePointsByEntity(OutputFile& file, const SolidMesh& solid)
 {
   const std::size_t tags = solid.Tags.size();
@@ -340,7 +342,7 @@ void WriteMsh22(OutputFile& file, const SolidMesh& solid)
 void WriteMsh(OutputFile& file, const SolidMesh& solid, MshVersion version)
 {
   version == MshVersion::Msh22 ? WriteMsh22(file, solid) : WriteMsh41(file, solid);
-  // Behind all that programs read which know no comments.
+  // At the end, for programs that do not support comments.
   file.Text("$Comments\nWritten by InsideOut\n$EndComments\n");
 }
 } // namespace insideout

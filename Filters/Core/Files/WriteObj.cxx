@@ -20,7 +20,7 @@ const Attribute* FindPointAttribute(const PolygonSurface& surface, AttributeTest
   return found == surface.PointAttributes.end() ? nullptr : &*found;
 }
 
-/** Numbers `first` to `first + count - 1` of the attribute, a blank before each. */
+/** Values `first` to `first + count - 1` of the attribute, each after a blank. */
 void WriteObjNumbers(
   OutputFile& file, const Attribute& attribute, std::size_t first, std::size_t count)
 {
@@ -29,7 +29,7 @@ void WriteObjNumbers(
     {
       for (std::size_t i = first; i < first + count; ++i)
       {
-        // Colors are the only bytes, and OBJ has them from 0 to 1.
+        // Colors are the only bytes; in OBJ they range from 0 to 1.
         const bool isByte = sizeof(values[i]) == 1;
         file.Text(" ");
         file.Decimal(isByte ? double(values[i]) / 255.0 : double(values[i]));
@@ -69,8 +69,8 @@ void WriteObjData(OutputFile& file, const char* word, const Attribute* data)
     file.Text("\n");
   }
 }
-/** A name as one line of OBJ can hold it: a number sign behind a blank begins a comment there, and
- * a backslash at the end joins the line with the next. */
+/** A name as one line of OBJ can hold it: a number sign after a blank begins a comment, and a
+ * backslash at the end joins the line with the next. */
 std::string ObjName(std::string name)
 {
   char before = ' ';
@@ -86,11 +86,11 @@ std::string ObjName(std::string name)
   return name;
 }
 
-/** A statement of OBJ that says what the next polygons belong to. */
+/** An OBJ statement with the group or material of the next polygons. */
 class ObjGrouping
 {
 public:
-  /** By the first of some attributes of polygons that is there with names. */
+  /** Use the first of some attributes of polygons that exists and has names. */
   ObjGrouping(const char* word, const PolygonSurface& surface,
     std::initializer_list<std::array<const char*, 2>> candidates)
     : Word(word)
@@ -109,7 +109,7 @@ public:
     }
   }
 
-  /** To be called before each polygon. */
+  /** Call before each polygon. */
   void Write(OutputFile& file, std::size_t polygon)
   {
     if (!this->Names || (polygon > 0 && (*this->Numbers)[polygon] == this->Last))

@@ -68,7 +68,7 @@ void WritePlyProperties(
   }
 }
 
-/** A blank before each. */
+/** Each after a blank. */
 void WritePlyValues(OutputFile& file, const std::vector<Attribute>& attributes, std::size_t index)
 {
   for (const Attribute& attribute : attributes)
@@ -87,7 +87,7 @@ void WritePlyValues(OutputFile& file, const std::vector<Attribute>& attributes, 
   }
 }
 
-/** The type of a list's length: a byte is what every reader knows. */
+/** The type of a list's length: every reader supports a byte. */
 const char* PlyCountType(const PolygonSurface& surface)
 {
   constexpr Id mostInAByte = 255;
@@ -102,12 +102,12 @@ const char* PlyCountType(const PolygonSurface& surface)
 }
 } // namespace
 
-// As text, with the list of points before all else that a face has: gmsh reads binary files of
-// floats alone, and meshio none whose faces have more than that list, or have something before it.
+// As text, with the list of points first in a face: gmsh reads only binary files of floats, and
+// meshio only faces with that list, or with it first.
 void WritePly(OutputFile& file, const PolygonSurface& surface)
 {
   const std::size_t polygons = surface.Offsets.size() - 1;
-  // Without points both are the same but for the header, and meshio reads no such text.
+  // Without points both formats differ only in the header, and meshio reads no such text.
   const bool isEmpty = surface.Points.empty();
   file.Text(std::string("ply\nformat ") + (isEmpty ? "binary_little_endian" : "ascii") + " 1.0\n");
   file.Text("comment Written by InsideOut\n");

@@ -46,7 +46,7 @@ void CheckGroups(
   }
 }
 
-/** Writers may trust what passes here. */
+/** Writers rely on these checks. */
 void CheckSolid(const SolidMesh& solid)
 {
   CheckCells(solid);

@@ -22,7 +22,7 @@ std::array<Point, 3> CornersOfTriangle(const PolygonSurface& surface, std::size_
   return corners;
 }
 
-/** The unit normal; 0 where the triangle has none that doubles can tell. */
+/** The unit normal; 0 if the triangle has none in doubles. */
 Point UnitNormal(const std::array<Point, 3>& corners)
 {
   Point normal = NormalOf(corners[0], corners[1], corners[2]);
@@ -64,7 +64,8 @@ void WriteStl(OutputFile& file, const PolygonSurface& surface)
 {
   constexpr std::size_t titleLength = 80;
   std::string title = "Binary STL of InsideOut"; // not "solid", which would look like ascii
-  title.resize(titleLength, '\0');               // by which VTK tells an empty file from ascii
+  // VTK distinguishes an empty file from ascii by this
+  title.resize(titleLength, '\0');
   file.Text(title);
   const std::size_t triangles = surface.Offsets.size() - 1;
   file.Binary(static_cast<std::uint32_t>(triangles));

@@ -30,7 +30,7 @@ void CheckAttributes(const std::vector<Attribute>& attributes, std::size_t count
   }
 }
 
-/** Writers may trust what passes here. */
+/** Writers rely on these checks. */
 void CheckSurface(const PolygonSurface& surface)
 {
   const bool ordered = !surface.Offsets.empty() && surface.Offsets.front() == 0 &&
