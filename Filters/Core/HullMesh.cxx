@@ -44,7 +44,7 @@ double DiagonalOf(const std::vector<Body>& bodies)
   return Distance(box.Low, box.High);
 }
 
-/** The share of each body in the area of all. */
+/** The fraction of each body in the total area. */
 std::vector<double> SharesOf(const std::vector<Body>& bodies)
 {
   if (bodies.size() == 1)
@@ -84,8 +84,8 @@ SurfaceCounts SumOf(const std::vector<CountedBody>& bodies)
 }
 
 /**
- * How the bodies were turned and thickened, each alone: counts are sums, shares those of the area
- * of all. Lists that are as long as the surface are not kept.
+ * The orientation and thickening of all bodies together: counts are summed, fractions are relative
+ * to the total area. Lists as long as the surface are dropped.
  */
 Statistics TakeTurns(const std::vector<double>& shares, std::vector<CountedBody>& bodies)
 {

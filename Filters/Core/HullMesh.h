@@ -15,17 +15,17 @@ struct HullMeshParameters
   ThickenParameters Thicken;
   ConstrainedDelaunayParameters Budgets;
   int QuadratureOrder = 1; ///< see WindingNumberOfCells
-  bool PartsApart = false; ///< a hull for each part (TetrahedralizeApart.h); not of several bodies
-  double TouchTolerance = BodyParameters().TouchTolerance; ///< of several bodies
+  bool PartsApart = false; ///< one hull per part (TetrahedralizeApart.h); not with several bodies
+  double TouchTolerance = BodyParameters().TouchTolerance; ///< for several bodies
 };
 
-/** The convex hull of bodies in tetrahedra, or those of a body's parts, and the winding numbers in
- * each. */
+/** The tetrahedralized convex hull of bodies, or hulls of a body's parts, with the winding numbers
+ * in each cell. */
 struct HullMesh : ResolvedBodies
 {
-  TetrahedralMesh Mesh;  ///< as long as there are no cells, of the surface's points
+  TetrahedralMesh Mesh;  ///< before there are cells, origins of the surface's points
   std::vector<double> W; ///< one per cell: the sum over the bodies
-  std::vector<std::vector<double>> WOfBodies; ///< of each body; a single one has W
+  std::vector<std::vector<double>> WOfBodies; ///< winding numbers of each body; a single body has W
   SurfaceCounts Counts;                       ///< sums over the bodies
   insideout::Statistics Statistics;
 
@@ -36,26 +36,26 @@ struct HullMesh : ResolvedBodies
 };
 
 /**
- * Stages validate and pre: count the facets of each body, turn them the way that is meant, thicken
- * sheets, and resolve the intersections of all (ResolveBodies). There are no cells yet.
+ * Stages validate and pre: count the facets of each body, orient them, thicken sheets, and resolve
+ * the intersections of all (ResolveBodies). There are no cells yet.
  *
- * @throws Error whatever the stages throw
+ * @throws Error of any stage
  */
 HullMesh ResolveHull(
   std::vector<Body> bodies, const HullMeshParameters& parameters, Monitor& monitor);
 
 /**
- * Stages CDT and w, of what is resolved: tetrahedralize the convex hull, and find the winding
+ * Stages CDT and w on the resolved surface: tetrahedralize the convex hull, and find the winding
  * numbers.
  *
- * @throws Error whatever the stages throw
+ * @throws Error of any stage
  */
 void MeshResolvedHull(const HullMeshParameters& parameters, HullMesh& hull, Monitor& monitor);
 
 /** Both: stages validate to w in a row. */
 HullMesh MeshHull(std::vector<Body> bodies, const HullMeshParameters& parameters, Monitor& monitor);
 
-/** The same of a surface given alone. */
+/** The same for a single surface. */
 inline HullMesh MeshHull(TriangleSoup soup, const HullMeshParameters& parameters, Monitor& monitor)
 {
   return MeshHull(OneBody(std::move(soup)), parameters, monitor);

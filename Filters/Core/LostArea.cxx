@@ -12,7 +12,7 @@ namespace insideout
 {
 namespace
 {
-/** A smaller share is what accessories and stray facets usually have. */
+/** A smaller fraction is usual for accessories and stray facets. */
 constexpr double WorthAWarning = 0.1;
 
 /** Share of a shell's area that rounding leaves after all of its pieces are subtracted. */
@@ -27,7 +27,7 @@ double AreaOf(const std::vector<Point>& points, const Triangle& triangle)
   return Length(NormalOf(corners[0], corners[1], corners[2]));
 }
 
-/** For each facet whether one of its input triangles is in an ascending list. */
+/** Per facet, whether one of its input triangles is in an ascending list. */
 std::vector<char> FacetsOf(const FacetComplex& surface, const std::vector<Id>& triangles)
 {
   std::vector<char> marks(surface.Facets.size(), 0);
@@ -42,14 +42,14 @@ std::vector<char> FacetsOf(const FacetComplex& surface, const std::vector<Id>& t
   return marks;
 }
 
-/** "12 % ", and why, if it is that much; else nothing. */
+/** "12 % ", and the reason, if it is at least that much; else nothing. */
 std::string Reason(double share, const std::string& why)
 {
   const long percent = std::lround(100 * share);
   return percent > 0 ? "; " + std::to_string(percent) + " % " + why : std::string();
 }
 
-/** The shells with holes that have no facet on the solid. */
+/** The shells with holes and without a facet on the solid. */
 std::vector<HoledShell> LostShells(
   const HullMesh& hull, const std::vector<OutlierPiece>& outliers, const std::vector<Point>& points)
 {

@@ -9,13 +9,13 @@
 
 namespace insideout
 {
-/** The share of a surface's area that is neither on the solid's boundary nor within it. */
+/** The fraction of a surface's area that is neither on the solid's boundary nor within it. */
 struct LostArea
 {
-  double Share = 0;  ///< of all below
+  double Share = 0;  ///< sum of the following
   double Sheets = 0; ///< encloses nothing
-  double Turned = 0; ///< was turned over, and is no part even so
-  double Unmet = 0;  ///< the mesh does not follow it
+  double Turned = 0; ///< was turned over, and is still not part of the solid
+  double Unmet = 0;  ///< the mesh does not contain it
   double Others =
     0; ///< w is below 1/2 on both sides, the cut smoothed it away, or a region was dropped
 
@@ -24,7 +24,7 @@ struct LostArea
 
 LostArea MeasureLostArea(const HullMesh& hull, const std::vector<OutlierPiece>& outliers);
 
-/** Warn of shells that are lost as a whole, and of a lost area above a tenth: how much, why, and
- * which options to set. */
+/** Warn of shells that are lost as a whole, and of a lost area above a tenth: the amount, the
+ * cause, and the options to set. */
 std::vector<std::string> WarningsAbout(const LostArea& lost);
 } // namespace insideout

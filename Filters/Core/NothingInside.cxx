@@ -23,7 +23,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
     return "The surface is two-sided: its facets cancel in pairs. Give each once, leave one side "
            "out by NonParticipatingArrayName, or set ConstrainFacets to keep thin solids";
   }
-  // Beside sheets w may be anything between -1/2 and 1/2 for each: it tells no orientation.
+  // Near sheets each contributes anything between -1/2 and 1/2 to w, which tells no orientation.
   const bool isAllSheets =
     static_cast<Id>(hull.SheetTriangles.size()) + hull.Counts.DegenerateFacets ==
     hull.Counts.InputTriangles;
@@ -31,7 +31,7 @@ std::string LikelyCause(const HullMesh& hull, double least, double most)
   {
     return "The surface is inside out: set Orientation to Automatic, or to the other way";
   }
-  // Around a closed surface that faces one way w is a whole number.
+  // Around a consistently oriented closed surface w is a whole number.
   const bool isClosed = hull.Counts.OpenEdges == 0;
   const bool smoothedAway = most > 0.5 && !(isClosed && most != std::round(most));
   if (smoothedAway)

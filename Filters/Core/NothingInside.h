@@ -8,9 +8,9 @@
 namespace insideout
 {
 /**
- * Why no cell is inside, in a line for a user: the range of w, the likely cause, and what to set.
- * The surface may be two-sided, not participating, inside out, facing both ways, or too open; or
- * Gamma is too large.
+ * A message why no cell is inside: the range of w, the likely cause, and the option to set. The
+ * surface may be two-sided, not participating, inside out, facing both ways, or too open; or Gamma
+ * is too large.
  */
 std::string NothingInside(const HullMesh& hull);
 } // namespace insideout

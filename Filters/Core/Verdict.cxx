@@ -9,7 +9,7 @@ namespace insideout
 {
 namespace
 {
-/** Statistics by their names; 0 for a missing one. */
+/** Statistics by name; 0 for a missing one. */
 class Figures
 {
 public:
@@ -69,7 +69,7 @@ std::string Sheets(double count)
   return count == 1 ? "a sheet" : Counted(count, "sheet");
 }
 
-/** The volume of the solid if one was made, else the volume that the surface encloses. */
+/** The volume of the solid if it was made, else the volume that the surface encloses. */
 struct ToldVolume
 {
   explicit ToldVolume(const Figures& figures)
@@ -129,7 +129,7 @@ std::string WhatWasTurned(const Figures& figures)
     : std::string();
 }
 
-/** That surfaces may mean more than is told. */
+/** A warning that the surfaces may mean more than the verdict says. */
 std::string IfShared(const Figures& figures)
 {
   const double facets = figures["DoubtfulCopies"];
@@ -201,7 +201,7 @@ std::string VolumeInWords(double volume, double low, double high)
   {
     return Exactly(volume);
   }
-  // The place of the last digit; powers of ten neither overflow nor become 0.
+  // The place value of the last digit; powers of ten neither overflow nor become 0.
   const double place = std::clamp(std::floor(std::log10((high - low) / 2)), -300.0, 300.0);
   const double unit = std::pow(10, std::abs(place));
   const auto rounded = [&](double value, auto round)

@@ -8,12 +8,12 @@
 namespace insideout
 {
 /**
- * Say whether a surface bounds a solid, and of what volume, in one sentence without a period. The
- * statistics are those of FindSurfaceDefects, or of a solid that was made, whose volume is told
- * then; statistics of curves in a plane give the same about areas.
+ * State whether a surface bounds a solid, and its volume, in one sentence without a period. The
+ * statistics are those of FindSurfaceDefects, or of a solid, whose volume is then given; statistics
+ * of planar curves give the same about areas.
  *
- * A volume is exact to the digits printed; or it is `about` one, with bounds that hold it in 95 of
- * 100 cases, and digits no finer than these.
+ * A volume is either exact to the printed digits, or `about` a value, with 95 % bounds, and with no
+ * finer digits than these.
  */
 std::string Verdict(const Statistics& statistics);
 

@@ -11,7 +11,7 @@ namespace
 {
 bool Leave = false;
 
-/** A member function as the platform calls it: the object comes first. */
+/** A member function by the platform's calling convention: the object comes first. */
 using RemoveVertex = int (*)(tetgenmesh*, tetgenmesh::point);
 
 RemoveVertex TetgensOwn()

@@ -2,7 +2,7 @@
 //
 // insideout-tetgen: reads a surface from standard input, lets TetGen make constrained Delaunay
 // tetrahedra of its convex hull, and writes them to standard output (TetgenProtocol.h). TetGen
-// exits, aborts, loops or corrupts memory on some surfaces; here it harms nobody but this process.
+// exits, aborts, loops or corrupts memory on some surfaces; here this affects only this process.
 
 #include "LeaveSteinerPoints.h"
 #include "Tetrahedralize/TetgenProtocol.h"
@@ -29,7 +29,7 @@ using namespace insideout::tetgenprotocol;
 
 namespace
 {
-/** Exit statuses for when there is nobody to tell, or nothing sensible was asked. */
+/** Exit statuses for a missing parent, or an invalid request. */
 constexpr int BadRequest = 2;
 constexpr int NobodyListens = 3;
 
@@ -103,7 +103,9 @@ Request ReadRequest()
   return request;
 }
 
-/** The request as TetGen wants it; each facet its own marker, or coplanar ones would be merged. */
+/**
+ * The request in TetGen's format; each facet has its own marker, or coplanar ones would be merged.
+ */
 void FillInput(const Request& request, tetgenio& input)
 {
   input.numberofpoints = static_cast<int>(request.Points.size() / 3);
@@ -129,11 +131,11 @@ void FillInput(const Request& request, tetgenio& input)
 }
 
 /**
- * TetGen's manual, section 4.2. c: the whole convex hull; J: keep points that no cell uses, so that
- * ids stay; Q: quiet; p: facets are constraints; M: do not merge coplanar facets, nor points; Y: no
- * Steiner points on facets and segments, as far as TetGen can avoid it; Y0: none but to recover
- * them; l: the first Delaunay tetrahedra by flips instead of Bowyer and Watson's cavities; b0:
- * points in the order given.
+ * TetGen's manual, section 4.2. c: the whole convex hull; J: keep unused points, so that ids stay;
+ * Q: quiet; p: facets are constraints; M: merge neither coplanar facets nor points; Y: no Steiner
+ * points on facets and segments, if TetGen can avoid it; Y0: only to recover them; l: the first
+ * Delaunay tetrahedra by flips instead of Bowyer and Watson's cavities; b0: points in the order
+ * given.
  */
 std::string Switches(const Request& request)
 {
@@ -146,10 +148,10 @@ std::string Switches(const Request& request)
 }
 
 /**
- * TetGen's tolerance does two things. It tells flat from solid by inexact arithmetic when it looks
- * for the first cell: with none (T0) the first cell may be flat, and TetGen aborts or loops. And it
- * drops points that are near others: the least double as minedgelength keeps them all. The value is
- * without a reason on record.
+ * TetGen's tolerance has two effects. It distinguishes flat from solid by inexact arithmetic in the
+ * search for the first cell: with no tolerance (T0) the first cell may be flat, and TetGen aborts
+ * or loops. And it drops points near others: the least double as minedgelength keeps them all. No
+ * reason for the value is recorded.
  */
 tetgenbehavior Behavior(const Request& request)
 {
@@ -193,7 +195,7 @@ void WriteFailure(int descriptor, int status, const std::string& message)
 
 void WriteMesh(int descriptor, const tetgenio& mesh)
 {
-  // Markers of facets count from 1; what has another marker is the hull.
+  // Markers of facets count from 1; faces with another marker are on the hull.
   std::vector<std::int32_t> faces;
   std::vector<std::int32_t> facets;
   for (std::size_t face = 0; face < static_cast<std::size_t>(mesh.numberoftrifaces); ++face)
@@ -215,7 +217,7 @@ void WriteMesh(int descriptor, const tetgenio& mesh)
   WriteBytes(descriptor, facets.data(), facets.size() * sizeof(std::int32_t));
 }
 
-/** TetGen prints to standard output: take that away from it. Returns where answers go. */
+/** Redirect standard output, to which TetGen prints. @return the descriptor for answers */
 int TakeStandardOutput()
 {
   const int answers = dup(STDOUT_FILENO);
@@ -228,7 +230,7 @@ int TakeStandardOutput()
   return answers;
 }
 
-/** No core file when TetGen crashes, and no life after the process that asked. */
+/** No core file if TetGen crashes, and no survival of the parent's end. */
 void BindToParent()
 {
   const rlimit none = { 0, 0 };
@@ -238,7 +240,7 @@ void BindToParent()
 #endif
 }
 
-/** Where memory runs out, the kernel is to end this process and not the one that asked. */
+/** If memory runs out, the kernel should end this process and not its parent. */
 void VolunteerToBeEnded()
 {
   const int file = open("/proc/self/oom_score_adj", O_WRONLY);
@@ -249,7 +251,7 @@ void VolunteerToBeEnded()
   }
 }
 
-/** Whether the parent went away before it could be bound to; nothing follows a request. */
+/** Whether the parent ended before this process was bound to it; no request follows then. */
 bool ParentIsGone()
 {
   pollfd input = { STDIN_FILENO, 0, 0 };
@@ -282,7 +284,7 @@ int main()
     }
     tetrahedralize(&behavior, &input, &mesh);
     WriteMesh(answers, mesh);
-    // TetGen may have damaged memory that destructors would trip over: the answer is out.
+    // Exit without destructors: TetGen may have damaged memory, and the answer is written.
     _exit(0);
   }
   catch (int thrown)

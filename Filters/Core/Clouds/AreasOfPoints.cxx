@@ -21,16 +21,17 @@ namespace insideout
 {
 namespace
 {
-// The cell is that of all points as soon as its own neighbors, six on average, are among them.
+// Nearest neighbors considered. A cell is exact as soon as its own neighbors, six on average, are
+// among them.
 constexpr std::size_t NeighboursPerPoint = 20;
 
 using Point2 = Kernel::Point_2;
 
-/** The points of a cloud in one place. */
+/** The points of a cloud at one place. */
 struct Place
 {
   Point Where;
-  Point Normal; ///< the sum of theirs, or that of the first where they cancel
+  Point Normal; ///< the sum of their normals, or the first normal if they cancel
   std::vector<Id> Points;
 };
 
@@ -75,8 +76,7 @@ std::vector<Box> BoxesOf(const std::vector<Place>& places)
   return boxes;
 }
 
-/** Differences from a place to its nearest neighbors that face as it does; of several as near as
- * each other to the lowest. */
+/** Differences from a place to its nearest neighbors that face the same way; ties: the lowest. */
 std::vector<Point> ToNeighbours(const std::vector<Place>& places, const BoxTree& tree, Id place)
 {
   const Place& self = places[place];
@@ -110,7 +110,7 @@ std::vector<Point> ToNeighbours(const std::vector<Place>& places, const BoxTree&
   return differences;
 }
 
-/** In coordinates of the plane across a normal of any length. */
+/** Coordinates in the plane perpendicular to a normal of any length. */
 std::vector<Point2> InTangentPlane(const std::vector<Point>& vectors, const Point& normal)
 {
   int least = 0;
@@ -133,7 +133,7 @@ std::vector<Point2> InTangentPlane(const std::vector<Point>& vectors, const Poin
   return flat;
 }
 
-/** What of a convex polygon is nearer to the origin than to `other`. */
+/** The part of a convex polygon nearer to the origin than to `other`. */
 std::vector<Point2> NearerPart(const std::vector<Point2>& polygon, const Point2& other)
 {
   const double half = (other.x() * other.x() + other.y() * other.y()) / 2;
@@ -170,7 +170,7 @@ double AreaOf(const std::vector<Point2>& polygon)
   return std::max(twice / 2, 0.0);
 }
 
-/** Of the origin among its neighbors, within the convex hull of all of them. */
+/** The area of the origin's Voronoi cell among its neighbors, within the convex hull of all. */
 double AreaOfCell(const std::vector<Point2>& neighbours)
 {
   std::vector<Point2> all = neighbours;

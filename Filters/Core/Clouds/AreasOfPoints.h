@@ -10,15 +10,15 @@
 namespace insideout
 {
 /**
- * How much of a surface each of its points stands for, as Barill, Dickson, Schmidt, Levin and
- * Jacobson (2018) estimate it: the area of the point's Voronoi cell among its nearest neighbors,
- * all seen in the point's tangent plane; here within the neighbors' convex hull, so that on the
- * rim of an open surface nothing beyond it counts. Neighbors are those that face the same way, so
- * that the other side of a thin wall is none. Points in one place share its area.
+ * The area that each point of a surface represents, as estimated by Barill, Dickson, Schmidt, Levin
+ * and Jacobson (2018): the area of the point's Voronoi cell among its nearest neighbors, all
+ * projected to the point's tangent plane. Cells are limited to the neighbors' convex hull, so that
+ * they do not extend beyond the rim of an open surface. Neighbors face the same way, which excludes
+ * the other side of a thin wall. Points at one place share its area.
  *
  * @param[in] points finite
  * @param[in] normals one per point, of length 1
- * @return one area per point, in squared units; 0 where all neighbors are in a line with the point
+ * @return one area per point, in squared units; 0 if all neighbors are in a line with the point
  * @throws Error (Stopped)
  */
 std::vector<double> AreasOfPoints(const std::vector<Point>& points,

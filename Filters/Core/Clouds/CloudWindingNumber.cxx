@@ -15,16 +15,16 @@ namespace insideout
 {
 namespace
 {
-// Far from underflow. A dipole of less is seen from nowhere but the very place.
+// Smaller dipoles, near underflow, are left out: they matter only at their own place.
 constexpr double LeastSquaredRadius = 1e-180;
 
-// How well it is known from where on a part is far: 2^-10 of it.
+// Relative precision of the distance from which a node is far: 2^-10.
 constexpr int Halvings = 10;
 
-constexpr int Terms = 3; // all that FarField has
+constexpr int Terms = 3; // the number of terms of FarField
 
-/** What the first three terms leave out of points within `radius` of a center, at `distance` from
- * it, by the sum of their areas over squared distances. */
+/** A bound of the remainder after three terms, for points within `radius` of a center, at
+ * `distance` from it, relative to the sum of their areas over squared distances. */
 double MostLeftOut(double thirdMoment, double area, double radius, double distance)
 {
   const double t = radius / distance;
@@ -32,7 +32,7 @@ double MostLeftOut(double thirdMoment, double area, double radius, double distan
   return share * (4 - 3 * t) * (1 + t) * (1 + t) / ((1 - t) * (1 - t));
 }
 
-/** From where on that is little: above `least`, which is at least the radius. */
+/** The distance from which that remainder is small: above `least`, which is at least the radius. */
 double ReachOf(double thirdMoment, double area, double radius, double least)
 {
   const auto isFar = [&](double distance)
@@ -55,7 +55,7 @@ double ReachOf(double thirdMoment, double area, double radius, double least)
   return far;
 }
 
-/** So that no coordinate and no area is above 1 once they are scaled: neither overflows in sums. */
+/** Scales coordinates and areas to at most 1, so that sums do not overflow. */
 int ExponentOf(const PointCloud& cloud)
 {
   int exponentOfArea = 0;
@@ -65,7 +65,7 @@ int ExponentOf(const PointCloud& cloud)
 }
 } // namespace
 
-/** In an order in which neighbors stand together. */
+/** Sort points so that neighbors in space are near each other. */
 std::vector<CloudWindingNumber::Dipole> CloudWindingNumber::DipolesOf(
   const PointCloud& cloud, int exponent)
 {
@@ -108,7 +108,7 @@ CloudWindingNumber::CloudWindingNumber(const PointCloud& cloud, bool sums)
     return;
   }
   this->Parts.resize(this->Tree.NumberOfParts());
-  // Every level of the tree has each point once.
+  // Each level of the tree contains each point once.
   const double levels = std::log2(static_cast<double>(this->Parts.size()) + 1);
   const double nanosecondsPerPart = 400 + 100 * levels;
   ParallelLoop(this->Tree.NumberOfParts(), nanosecondsPerPart,
@@ -153,7 +153,7 @@ CloudWindingNumber::Far CloudWindingNumber::FarOf(Id part) const
   return { field, reach * reach };
 }
 
-/** Calls one of them for each part that is far, and for each point that is not in such a part. */
+/** Call one function for each far node, and the other for each point that is not in such a node. */
 template <class VisitFar, class VisitNear>
 void CloudWindingNumber::Visit(
   const Point& scaled, const VisitFar& visitFar, const VisitNear& visitNear) const
@@ -234,7 +234,7 @@ Point CloudWindingNumber::Gradient(const Point& place) const
     [&](const Point& n, const Point& r, double squared, double spread)
     {
       const double inverse3 = 1 / (4 * Pi * spread * std::sqrt(spread));
-      // Within the radius, where the term is linear, its gradient is the same everywhere.
+      // Within the radius the term is linear, and its gradient constant.
       const double along = squared < spread ? 0 : 3 * Dot(n, r) * inverse3 / squared;
       for (int axis = 0; axis < 3; ++axis)
       {

@@ -13,25 +13,24 @@ namespace insideout
  *
  *     w(q) = sum over i of a_i n_i . (p_i - q) / (4 pi |p_i - q|^3).
  *
- * Near a point its term grows beyond all bounds; and between points, nearer to them than they are
- * to each other, w means nothing. So within the radius r_i of a disk of the point's area, pi r_i^2
- * = a_i, the term is a_i n_i . (p_i - q) / (4 pi r_i^3): it falls to 0 at the point itself, is at
- * most 1/4, and has no step. (It is the field of a dipole that is spread evenly over a ball.)
+ * Near a point its term is unbounded; closer to points than their spacing, w is meaningless. So
+ * within the radius r_i of a disk of the point's area, pi r_i^2 = a_i, the term is a_i n_i . (p_i -
+ * q) / (4 pi r_i^3): it is 0 at the point itself, at most 1/4, and continuous. (It is the field of
+ * a dipole spread evenly over a ball.)
  *
- * Sums over all points, or over a tree, in which the points of a part that is far away count as the
- * first three terms of a Taylor series. The n-th term of a point that is d from the part's center
- * is at most n a d^(n - 1) / (4 pi r^(n + 1)), at r from the center. So of a part with points at
- * most R from it, and with t = R / r, what is left out is at most
+ * The sum is over all points, or over a tree in which a far node is replaced by the first three
+ * terms of a Taylor series. The n-th term of a point at distance d from the node's center is at
+ * most n a d^(n - 1) / (4 pi r^(n + 1)), at r from the center. So for a node of radius R, and with
+ * t = R / r, the remainder is at most
  *
  *     (sum of a_i d_i^3) / (4 pi r^5) * (4 - 3 t) / (1 - t)^2.
  *
- * A part is far where this is at most Accuracy times (sum of a_i) / (4 pi (r + R)^2), so that in
- * all
+ * A node is far if this is at most Accuracy times (sum of a_i) / (4 pi (r + R)^2), so that in total
  *
  *     error  <=  Accuracy * sum over i of a_i / (4 pi |p_i - q|^2),
  *
- * the sum without the cosines: some 1 to 3 beside a closed cloud. The terms left out have both
- * signs, and errors are a hundredth of that.
+ * the sum without the cosines: some 1 to 3 near a closed cloud. Remainders have both signs, and
+ * actual errors are a hundredth of the bound.
  */
 class CloudWindingNumber
 {
@@ -39,12 +38,12 @@ public:
   static constexpr double Accuracy = 1e-2;
 
   /**
-   * @param[in] cloud that was checked
+   * @param[in] cloud from CheckedCloud
    * @param[in] sums whether to sum over all points, without the tree
    */
   CloudWindingNumber(const PointCloud& cloud, bool sums);
 
-  /** At one place; NaN where it is not finite. Safe to call from several threads. */
+  /** At one place; NaN if it is not finite. Thread-safe. */
   double At(const Point& place) const;
 
   /**
@@ -55,8 +54,8 @@ public:
   std::vector<double> At(
     const std::vector<Point>& places, Monitor& monitor, const ProgressRange& progress) const;
 
-  /** By how much w rises per unit of length: of the same parts and points, without a bound on its
-   * error; 0 where the place is not finite. Safe to call from several threads. */
+  /** The gradient of w, by the same nodes and points, without an error bound; 0 if the place is not
+   * finite. Thread-safe. */
   Point Gradient(const Point& place) const;
 
 private:
@@ -64,14 +63,14 @@ private:
   {
     Point Where;
     Point VectorArea;
-    double SquaredRadius; ///< of a disk of its area
+    double SquaredRadius; ///< radius of a disk of its area
   };
 
-  /** A part of the tree. */
+  /** A node of the tree. */
   struct Far
   {
     FarField Field;
-    double SquaredReach; ///< from where on it counts as far
+    double SquaredReach; ///< distance from which it counts as far
   };
 
   static std::vector<Dipole> DipolesOf(const PointCloud& cloud, int exponent);
@@ -83,6 +82,6 @@ private:
   int Exponent;
   std::vector<Dipole> Dipoles; ///< scaled, coordinates and areas to at most 1
   BoxTree Tree;
-  std::vector<Far> Parts; ///< one per part of the tree; none where it sums
+  std::vector<Far> Parts; ///< one per node of the tree; none when summing all points
 };
 } // namespace insideout

@@ -13,7 +13,7 @@ namespace insideout
 {
 namespace
 {
-// Scans with holes of moderate size are below it, single views and open sheets above.
+// Scans with holes of moderate size are below this, single views and open sheets above.
 constexpr double MostOfOpenArea = 0.1;
 
 std::string NameOf(std::size_t point)
@@ -21,7 +21,7 @@ std::string NameOf(std::size_t point)
   return "point " + std::to_string(point) + " of the cloud ";
 }
 
-/** Of any length, but that of a zero vector. */
+/** Of any length; zero for a zero vector. */
 Point UnitVector(const Point& normal, std::size_t point)
 {
   if (!IsFinite(normal))

@@ -14,12 +14,11 @@ struct PointCloud
 {
   std::vector<Point> Points;
   std::vector<Point> Normals; ///< one per point, outward
-  std::vector<double> Areas;  ///< what each point stands for; or none, where nobody knows them
+  std::vector<double> Areas;  ///< the area that each point represents; or empty, if unknown
 };
 
 /**
- * A cloud that can be asked: its normals have length 1, and its areas are known, by AreasOfPoints
- * where they were not.
+ * A cloud ready for queries: normals have length 1, and missing areas are set by AreasOfPoints.
  *
  * @throws Error that names the point (EmptySurface, PointNotFinite, InvalidParameter,
  * AllDegenerate), or (Stopped)
@@ -27,10 +26,10 @@ struct PointCloud
 PointCloud CheckedCloud(PointCloud cloud, Monitor& monitor, const ProgressRange& progress);
 
 /**
- * Whether the normals of a cloud seem to point inward: it is nearly closed, so that the vector
- * areas of its points sum to a tenth of their areas at most, and encloses a volume below 0.
+ * Whether the normals of a cloud seem to point inward: it is nearly closed (its points' vector
+ * areas sum to at most a tenth of their areas), and encloses a negative volume.
  *
- * @param[in] cloud that was checked
+ * @param[in] cloud with normals of length 1 and areas
  */
 bool SeemsInsideOut(const PointCloud& cloud);
 } // namespace insideout

@@ -7,7 +7,7 @@
 
 namespace insideout
 {
-/** Add figures to those of the same name; the others come behind. */
+/** Add figures to those of the same name; append the others. */
 inline void AddUp(const Statistics& figures, Statistics& sums)
 {
   for (const auto& figure : figures)

@@ -16,7 +16,7 @@ struct Box
   Point Low;
   Point High;
 
-  /** Holds nothing, until something is added. */
+  /** Empty, until something is added. */
   static Box Empty()
   {
     const double infinity = std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ struct Box
 
   double Extent(int axis) const { return this->High[axis] - this->Low[axis]; }
 
-  /** The axis of the largest extent, of several the first. */
+  /** The axis of the largest extent; on ties the first. */
   int LongestAxis() const
   {
     int longest = 0;
@@ -49,7 +49,7 @@ struct Box
       this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
   }
 
-  /** The box of all that is no farther along any axis. */
+  /** The box from the least to the largest coordinates of both. */
   Box Widened(double by) const
   {
     Box wide = *this;
@@ -77,7 +77,7 @@ struct Box
   }
 };
 
-/** The bounding box of finite points; exact, for it only compares. */
+/** The bounding box of finite points; exact, because it only compares. */
 inline Box BoundingBox(const std::vector<Point>& points)
 {
   Box box = Box::Empty();

@@ -11,21 +11,21 @@ namespace insideout
 {
 namespace
 {
-/** Speed alone: 4 to 32 boxes take equally long. */
+/** Leaf size; for speed only: 4 to 32 boxes take equally long. */
 constexpr Id LeafSize = 4;
 
-/** Subtrees that one thread each builds. The levels above them are built one after the other. */
+/** Subtrees that are built by one thread each. The levels above them are built one by one. */
 constexpr std::size_t ManySubtrees = 64;
 
-/** To build its node, without those below. */
+/** Cost of building a node, without its descendants. */
 constexpr double NanosecondsPerBox = 15;
 
-/** Of the tree over this many boxes: level by level, on each of which there are but two sizes. */
+/** The sizes of nodes of a tree over this many boxes, level by level: each level has only two. */
 std::size_t NumberOfNodes(Id count)
 {
-  Id size = count;         // of the smaller parts of a level
+  Id size = count;         // size of the smaller nodes of a level
   std::size_t smaller = 1; // how many of that size there are
-  std::size_t larger = 0;  // and of one more
+  std::size_t larger = 0;  // number of nodes with one box more
   std::size_t nodes = 1;
   while (size > LeafSize || (size == LeafSize && larger > 0))
   {
@@ -40,15 +40,17 @@ std::size_t NumberOfNodes(Id count)
 }
 } // namespace
 
-/** The center of a box on its way to its place: moved with its number, for centers that are near in
- * memory are looked at much faster. */
+/** The center of a box, moved together with its number: access to centers in contiguous memory is
+ * much faster. */
 struct BoxTree::Centre
 {
   Point At;
   Id Number;
 };
 
-/** Of the order, and where its node stands, which follows from the sizes of those before it. */
+/**
+ * A range of the order, and the position of its node, which follows from the sizes of earlier ones.
+ */
 struct BoxTree::Part
 {
   Id Begin;
@@ -84,7 +86,7 @@ BoxTree::BoxTree(const std::vector<Box>& given)
   this->Nodes.resize(NumberOfNodes(count));
   this->Order.resize(given.size());
   this->Boxes.resize(given.size());
-  std::vector<Part> above; // the parts of the levels that are divided one after the other
+  std::vector<Part> above; // the ranges of the levels that are divided one by one
   std::vector<Part> level = { { 0, count, 0 } };
   const auto forEach = [&](double cost, const auto& body)
   { ParallelLoop(level.size(), cost / static_cast<double>(level.size()), body); };
@@ -132,7 +134,7 @@ std::vector<Id> BoxTree::SetsOfParts(const std::vector<Id>& setOf) const
   return sets;
 }
 
-/** Puts the centers in order of a part's halves, along the axis on which they lie widest apart. */
+/** Partition the centers of a range into halves along the axis of their largest extent. */
 void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
 {
   Box bounds = Box::Empty();
@@ -147,7 +149,7 @@ void BoxTree::Divide(std::vector<Centre>& centres, const Part& part)
     { return a.At[axis] != b.At[axis] ? a.At[axis] < b.At[axis] : a.Number < b.Number; });
 }
 
-/** Builds the subtree over a part. */
+/** Builds the subtree over a range. */
 void BoxTree::Build(std::vector<Centre>& centres, const std::vector<Box>& given, const Part& part)
 {
   if (part.Size() > LeafSize)
@@ -170,7 +172,7 @@ void BoxTree::Build(std::vector<Centre>& centres, const std::vector<Box>& given,
   this->Nodes[part.Node] = { bounds, part.Begin, part.End, part.Node + 1 };
 }
 
-/** Makes the node of a part whose halves have theirs. */
+/** Make the node of a range whose halves have theirs. */
 void BoxTree::Join(const Part& part)
 {
   const auto [first, second] = part.Halves();

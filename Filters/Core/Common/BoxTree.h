@@ -9,20 +9,20 @@
 
 namespace insideout
 {
-/** A binary tree over boxes that finds those which meet. Split at medians. */
+/** A binary tree over boxes that finds intersecting boxes. Split at medians. */
 class BoxTree
 {
 public:
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  /** Calls visit(i) for every box i that meets `box`, in an order that is always the same. */
+  /** Call visit(i) for every box i that meets `box`, in a deterministic order. */
   template <class Visitor>
   void Visit(const Box& box, const Visitor& visit) const
   {
     this->VisitWhere([&](const Box& other) { return other.Meets(box); }, visit);
   }
 
-  /** The same for boxes that `meets` is true for, as it has to be for all boxes around them. */
+  /** The same for boxes with meets(box) true, which must also hold for all boxes around them. */
   template <class Meets, class Visitor>
   void VisitWhere(const Meets& meets, const Visitor& visit) const
   {
@@ -46,8 +46,8 @@ public:
   }
 
   /**
-   * Calls visit(i) for boxes i that distance(box) is at most bound() for, which visit may lower:
-   * those in nearer parts of the tree first. No box may be nearer than one around it.
+   * Call visit(i) for boxes i with distance(box) at most bound(), which visit may lower; nearer
+   * nodes come first. No box may be nearer than a box around it.
    */
   template <class DistanceOf, class Bound, class Visitor>
   void VisitNearestFirst(const DistanceOf& distance, const Bound& bound, const Visitor& visit) const
@@ -60,8 +60,8 @@ public:
   /**
    * The same for distances of any type, such as those of several points at once.
    *
-   * Calls visit(i, distance) for boxes i whose distance, which measure(box, distance) sets, isNear;
-   * of two parts first that which isNearer.
+   * Call visit(i, distance) for boxes i whose distance, set by measure(box, distance), isNear; of
+   * two nodes the one that isNearer comes first.
    */
   template <class Distance, class Measure, class IsNear, class IsNearer, class Visitor>
   void VisitNearFirst(const Measure& measure, const IsNear& isNear, const IsNearer& isNearer,
@@ -72,7 +72,7 @@ public:
       std::size_t Node;
       Distance From;
     };
-    std::array<Waiting, 64> stack; // of fewer than 2^32 boxes each level halves
+    std::array<Waiting, 64> stack; // of fewer than 2^32 boxes; each level halves
     std::size_t size = 0;
     if (!this->Nodes.empty())
     {
@@ -115,7 +115,7 @@ public:
     }
   }
 
-  /** Calls visit(i) for every box i in a part, of which the first holds all. */
+  /** Call visit(i) for every box i of a node; the first node holds all. */
   template <class Visitor>
   void VisitPart(Id part, const Visitor& visit) const
   {
@@ -128,8 +128,8 @@ public:
     }
   }
 
-  /** Calls visit(i) for the boxes of the least parts that opens(part) is true for, as it was for
-   * all parts around them. */
+  /** Call visit(i) for the boxes of the smallest nodes with opens(node) true, as it must be for all
+   * their ancestors. */
   template <class Opens, class Visitor>
   void VisitOpened(const Opens& opens, const Visitor& visit) const
   {
@@ -149,12 +149,12 @@ public:
     }
   }
 
-  /** The number of parts, which VisitPairs and others can be asked for. */
+  /** The number of nodes, as arguments of VisitPairs and others. */
   Id NumberOfParts() const { return static_cast<Id>(this->Nodes.size()); }
 
   /**
-   * Calls visit(i, j) for boxes i and j that meet. All parts together give each pair once, in an
-   * order that is always the same.
+   * Call visit(i, j) for boxes i and j that meet. All nodes together give each pair once, in a
+   * deterministic order.
    */
   template <class Visitor>
   void VisitPairs(Id part, const Visitor& visit) const
@@ -163,14 +163,14 @@ public:
       part, [](std::size_t) { return true; }, visit);
   }
 
-  /** Per part the set that all its boxes are of, or None. @param[in] setOf one per box */
+  /** Per node the common set of its boxes, or None. @param[in] setOf one per box */
   std::vector<Id> SetsOfParts(const std::vector<Id>& setOf) const;
 
   /**
    * The same for pairs of boxes of different sets only.
    *
    * @param[in] setOf one per box, not None
-   * @param[in] setsOfParts what SetsOfParts says of them
+   * @param[in] setsOfParts from SetsOfParts
    */
   template <class Visitor>
   void VisitPairsBetween(Id part, const std::vector<Id>& setOf, const std::vector<Id>& setsOfParts,
@@ -195,10 +195,10 @@ private:
     Box Bounds;
     Id Begin;
     Id End;
-    std::size_t Next; ///< the node to go on with where this one is passed over
+    std::size_t Next; ///< the next node when this one is skipped
   };
 
-  /** Passes over nodes that isWanted(node) is not true for, and all in them. */
+  /** Skip nodes with isWanted(node) false, and their descendants. */
   template <class IsWanted, class Visitor>
   void VisitPairsWith(Id part, const IsWanted& isWanted, const Visitor& visit) const
   {
@@ -207,7 +207,7 @@ private:
     {
       this->VisitLeaf(k, k + 1, leaf.End, visit);
     }
-    // What stands before this leaf has met it already.
+    // Leaves before this one have been paired with it already.
     for (std::size_t node = leaf.Begin < leaf.End ? part + 1 : this->Nodes.size();
          node < this->Nodes.size();)
     {
@@ -247,7 +247,7 @@ private:
   void Join(const Part& part);
 
   std::vector<Id> Order;  ///< of the boxes in the leaves
-  std::vector<Box> Boxes; ///< in that order
+  std::vector<Box> Boxes; ///< indices in that order
   std::vector<Node> Nodes;
 };
 } // namespace insideout

@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** Values by the numbers of their buckets, those of one bucket after those of another. */
+/** Values sorted by buckets, in contiguous memory. */
 template <typename Value>
 class Buckets
 {
@@ -21,14 +21,14 @@ public:
 
   /**
    * @param[in] count of buckets
-   * @param[in] forEach calls visit(bucket, value) for each value. It is called twice, and has to
-   *   say the same both times: within a bucket the values keep the order in which they come
+   * @param[in] forEach calls visit(bucket, value) for each value. It is called twice with the same
+   * result; within a bucket the values keep their order
    */
   template <typename ForEach>
   Buckets(std::size_t count, const ForEach& forEach)
     : Begin(count + 2, 0)
   {
-    // Counted one bucket ahead, so that filling moves each Begin to where it belongs.
+    // Counted one bucket ahead, so that filling moves each Begin to its final position.
     forEach([this](std::size_t bucket, const Value&) { ++this->Begin[bucket + 2]; });
     for (std::size_t bucket = 2; bucket < this->Begin.size(); ++bucket)
     {
@@ -66,7 +66,7 @@ public:
     std::sort(values + this->Begin[bucket], values + this->Begin[bucket + 1], less);
   }
 
-  /** All values, one bucket after the other, of buckets that nobody needs any more. */
+  /** Release all values, bucket by bucket; the buckets are unusable afterwards. */
   std::vector<Value> TakeAll() && { return std::move(this->Values); }
 
 private:

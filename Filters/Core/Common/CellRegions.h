@@ -11,19 +11,18 @@
 
 namespace insideout
 {
-/** Which part of the solid each cell belongs to. */
+/** The region of the solid of each cell. */
 struct SolidRegions
 {
-  std::vector<Id> OfCell; ///< one per cell, None for those outside
+  std::vector<Id> OfCell; ///< one per cell, None outside
   Id Count = 0;
 };
 
 /**
- * The parts of the solid, numbered by their first cell. Sides connect: cells that have less in
- * common belong to one region only if there is a way from one to the other through sides of cells
- * inside.
+ * The components of the solid, numbered by their first cell. Cells are connected through sides
+ * only, not through edges or points.
  *
- * @param[in] neighbors of each cell, by operator[], None where there is none; they have a size()
+ * @param[in] neighbors of each cell, by operator[], None for no neighbor; they have a size()
  * @param[in] inside one value per cell, 0 for outside
  * @throws Error Stopped
  */
@@ -34,7 +33,7 @@ SolidRegions FindRegions(const Neighbors& neighbors, const std::vector<unsigned 
   const LoopProgress visits(monitor, progress, neighbors.size());
   SolidRegions regions;
   regions.OfCell.assign(neighbors.size(), None);
-  std::vector<Id> reached; // cells whose neighbors are still to be looked at
+  std::vector<Id> reached; // cells with unvisited neighbors
   std::size_t visited = 0;
   const auto reach = [&](Id cell)
   {
@@ -63,14 +62,14 @@ SolidRegions FindRegions(const Neighbors& neighbors, const std::vector<unsigned 
   return regions;
 }
 
-/** The parts of the outside. */
+/** The components of the outside. */
 struct OutsideRegions
 {
   SolidRegions Regions;
-  std::vector<unsigned char> IsOpen; ///< per region 1 with a cell on the hull, 0 for a cavity
+  std::vector<unsigned char> IsOpen; ///< per region 1 if it has a cell on the hull, 0 for a cavity
 };
 
-/** The same of the outside, and which of its parts reach beyond the hull. */
+/** The same for the outside, with the regions that reach beyond the hull. */
 template <typename Neighbors>
 OutsideRegions FindOutside(const Neighbors& neighbors, const std::vector<unsigned char>& inside,
   Monitor& monitor, const ProgressRange& progress)

@@ -9,11 +9,11 @@
 namespace insideout
 {
 /**
- * Calls body(i) for every i in [0, count), on as many threads as that is worth. Asks the monitor
- * between chunks of about a tenth of a second, outside any parallel loop, equally often for any
- * number of threads.
+ * Call body(i) for every i in [0, count), on as many threads as pay off. The monitor is asked
+ * between chunks of about a tenth of a second, outside any parallel loop, at the same points for
+ * any number of threads.
  *
- * @param[in] cost of one call of body, in nanoseconds; a guess will do
+ * @param[in] cost estimated nanoseconds of one call of body
  * @throws what a body or the monitor throws
  */
 template <class Body>

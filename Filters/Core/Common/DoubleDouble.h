@@ -7,8 +7,8 @@ namespace insideout
 {
 /**
  * The sum of two doubles, the second of which is at most half a unit in the last place of the
- * first: 106 binary digits (Dekker 1971). The usual operators, in round-to-nearest. Real is double,
- * or a vector of doubles with FusedMultiplyAdd, each of which is then such a number.
+ * first: 106 binary digits (Dekker 1971). The usual operators require round-to-nearest. Real is
+ * double, or a vector of doubles with FusedMultiplyAdd.
  */
 template <typename Real>
 struct DoubleDoubleOf
@@ -32,7 +32,7 @@ struct DoubleDoubleOf
 
 using DoubleDouble = DoubleDoubleOf<double>;
 
-/** Relative error of each of the operations (Joldes, Muller and Popescu 2017), rounded up. */
+/** Relative error of each operation (Joldes, Muller and Popescu 2017), rounded up. */
 constexpr double DoubleDoubleEpsilon = 0x1p-102;
 
 /** a * b + c, rounded once. */

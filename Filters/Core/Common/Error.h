@@ -6,7 +6,7 @@
 
 namespace insideout
 {
-/** What kind of thing went wrong; the message of the Error names the culprit. */
+/** The kind of an error; the message of the Error names the culprit. */
 enum class ErrorCode
 {
   EmptySurface,          ///< no facet was given
@@ -17,14 +17,14 @@ enum class ErrorCode
   TooLarge,              ///< more points, facets or cells than Id can count
   InvalidParameter,      ///< an option outside its range
   FileUnreadable,        ///< the file is missing or cannot be opened
-  FileMalformed,         ///< the file's content is not what its format asks for
+  FileMalformed,         ///< the file's content violates its format
   FileUnwritable,        ///< the file cannot be created or written
-  SelfIntersecting,      ///< facets cross in a stage that needs them resolved
+  SelfIntersecting,      ///< facets cross in a stage that requires them resolved
   TetrahedralizerDied,   ///< the helper program crashed, could not be started or sent garbage
-  TetrahedralizerFailed, ///< the helper program ran and reported that it cannot do it
+  TetrahedralizerFailed, ///< the helper program ran and reported failure
   Inconsistent,          ///< a result failed its own check: a bug worth reporting
-  Forked,                ///< this process was forked in the middle of a loop, without its threads
-  Stopped                ///< the monitor asked to stop
+  Forked,                ///< this process was forked during a loop, without its threads
+  Stopped                ///< the monitor requested a stop
 };
 
 /** Thrown by every stage. what() is one line a user can act on. */

@@ -13,7 +13,7 @@
 
 namespace insideout
 {
-/** Face of a cell: the two higher ids of its three points, whose it is, how it is turned. */
+/** A face of a cell: the two higher ids of its three points, its cell, and its orientation. */
 struct FaceEntry
 {
   std::uint64_t Key; ///< the middle id above the highest
@@ -35,7 +35,7 @@ struct FaceEntry
   }
 };
 
-/** Every face of every cell, in buckets by lowest point and sorted in each. */
+/** All faces of all cells, in buckets by lowest point, each sorted. */
 class FaceTable
 {
 public:
@@ -61,14 +61,14 @@ public:
 
   using Range = Buckets<FaceEntry>::Range;
 
-  /** The one or two entries of a face, none if it is not one or has the point None. */
+  /** The one or two entries of a face; none if it is not a face or has the point None. */
   Range Find(const SortedTriangle& face) const
   {
     if (face.Points[0] == None)
     {
       return { nullptr, nullptr };
     }
-    // Any cell comes behind None.
+    // Sorts before all cells.
     const FaceEntry wanted = { FaceEntry::KeyOf(face), None, 0, false };
     const Range all = this->Entries[face.Points[0]];
     const FaceEntry* const first = std::lower_bound(all.First, all.Last, wanted);
@@ -76,8 +76,8 @@ public:
   }
 
   /**
-   * Call visit(range, lowest point) for each face once, on several threads. It may throw: what is
-   * thrown on is what it throws for the first such face, for which it is called twice then.
+   * Call visit(range, lowest point) for each face once, on several threads. If it throws, the
+   * exception for the first such face is rethrown; visit is then called twice for that face.
    */
   template <typename Visit>
   void ForEach(const Visit& visit) const
@@ -107,10 +107,10 @@ public:
   }
 
 private:
-  /** Nanoseconds to sort or to visit the faces of a point. */
+  /** Nanoseconds for sorting or visiting the faces of a point. */
   static constexpr double CostOfPoint = 500;
 
-  /** Behind the last of the entries from `first` on that are of the same face as `wanted`. */
+  /** The end of the entries from `first` on that are of the same face as `wanted`. */
   static const FaceEntry* EndOfFace(
     const FaceEntry* first, const FaceEntry* end, const FaceEntry& wanted)
   {

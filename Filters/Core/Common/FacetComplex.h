@@ -7,24 +7,23 @@
 
 namespace insideout
 {
-/** A surface as it was given: points and triangles, nothing checked. */
+/** A surface as given: points and triangles, unchecked. */
 struct TriangleSoup
 {
   std::vector<Point> Points;
   std::vector<Triangle> Triangles;
 
-  /** How often each triangle counts, where that is known (a resolved surface); else empty. */
+  /** The count of each triangle, if known (a resolved surface); else empty. */
   std::vector<std::int16_t> Multiplicity = {};
 
-  /** Not 0 for triangles that shape the mesh but do not count; empty where every triangle does. */
+  /** Not 0 for triangles that shape the mesh but do not count; empty if all count. */
   std::vector<unsigned char> NonParticipating = {};
 };
 
 /**
- * Where a point comes from: the input points it interpolates and their weights (which sum to 1). An
- * input point is {i, i, i} with weights {1, 0, 0}, and no other point is, though one that is near
- * to i may have these weights, rounded; a Steiner point in the volume comes from nowhere: {None,
- * None, None}.
+ * The origin of a point: the input points it interpolates, with weights that sum to 1. An input
+ * point, and no other, is {i, i, i} with weights {1, 0, 0}; points near i may have these weights,
+ * rounded, with other ids. A Steiner point in the volume has no origin: {None, None, None}.
  */
 struct PointOrigin
 {
@@ -43,7 +42,9 @@ struct PointOrigin
   }
 };
 
-/** An input triangle that a facet is a piece of, and whether the facet runs the other way. */
+/**
+ * An input triangle that a facet is a piece of, and whether the facet is oriented the other way.
+ */
 struct FacetSource
 {
   Id Triangle;
@@ -51,12 +52,12 @@ struct FacetSource
 };
 
 /**
- * Facets with what they count: the surface between the stages. After validation no two facets have
- * the same three points and none is degenerate; after resolving, no two constraints meet except in
+ * Facets with their counts: the surface between the stages. After validation no two facets have the
+ * same three points and none is degenerate; after resolving, no two constraints meet except in
  * shared points and edges, and no point lies within a constraint or an edge of one.
  *
  * Facet f is made of the input triangles Sources[SourceOffsets[f]] to Sources[SourceOffsets[f +
- * 1]], one as often as pieces of it lie there. Multiplicity[f] is their signed count along the
+ * 1]], repeated for each of its pieces there. Multiplicity[f] is their signed count along the
  * facet's own orientation by the rules of the counted chain (CountedChain.h), which may be 0.
  */
 struct FacetComplex
@@ -66,7 +67,10 @@ struct FacetComplex
   std::vector<Triangle> Facets;
   std::vector<std::int16_t> Multiplicity; ///< one per facet
 
-  /** After validation, one per facet: how many pairs of opposite copies cancel; else empty. */
+  /**
+   * After validation, one per facet: the number of pairs of opposite copies that cancel; else
+   * empty.
+   */
   std::vector<std::int16_t> Opposed = {};
 
   std::vector<Id> SourceOffsets = { 0 }; ///< one per facet, and the end
@@ -77,8 +81,8 @@ struct FacetComplex
   std::vector<Id> SourceSurfaces = {};
 
   /**
-   * Facets from here on could not be resolved: they are no constraints (they may cross others), but
-   * still count in the winding number. At most Facets.size(), and equal to it nearly always.
+   * Facets from here on could not be resolved: they are not constraints (they may cross others),
+   * but still count in the winding number. At most Facets.size(), and nearly always equal to it.
    */
   Id NumberOfConstraints = 0;
 
@@ -86,8 +90,8 @@ struct FacetComplex
 };
 
 /**
- * The lowest input triangle that a facet is a piece of: of those whose normal is on `side` (+1 the
- * facet's own, -1 the other) if there is one.
+ * The lowest input triangle that a facet is a piece of, preferring those whose normal is on `side`
+ * (+1 the facet's own, -1 the other).
  */
 inline Id SourceOfFacet(const FacetComplex& surface, Id facet, int side)
 {

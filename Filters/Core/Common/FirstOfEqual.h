@@ -7,12 +7,12 @@
 
 namespace insideout
 {
-/** Finds for each of many values, which are numbered, the first that is equal: a hash table without
- * links, several times as fast as sorting. */
+/** Finds for each of many numbered values the first equal one: an open-addressing hash table,
+ * several times as fast as sorting. */
 class FirstOfEqual
 {
 public:
-  /** @param[in] count that at most will be put in */
+  /** @param[in] count limit of insertions */
   explicit FirstOfEqual(std::size_t count)
   {
     std::size_t places = 2;
@@ -24,10 +24,10 @@ public:
   }
 
   /**
-   * The first value put in that is equal to this one; itself where there is none, and it is in
-   * then.
+   * The first inserted value equal to this one; if there is none, this one is inserted and
+   * returned.
    *
-   * @param[in] hash the same for values that are equal, different in its lower bits for most others
+   * @param[in] hash equal for equal values, with different lower bits for most others
    * @param[in] isEqual whether a value is equal to this one
    */
   template <typename IsEqual>
@@ -47,6 +47,6 @@ public:
   }
 
 private:
-  std::vector<Id> Places; ///< a power of two of them, half of which at least stay None
+  std::vector<Id> Places; ///< a power of two of slots, at least half of which stay None
 };
 } // namespace insideout

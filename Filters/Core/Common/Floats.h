@@ -6,8 +6,8 @@
 
 namespace insideout
 {
-/** The nearest float; infinite beyond the largest. GCC 12 leaves the conversion out where it
- * vectorizes: hence volatile. */
+/** The nearest float; infinite beyond the largest. Volatile, because GCC 12 omits the conversion
+ * when it vectorizes. */
 inline double InFloat(double x)
 {
   const volatile auto single = static_cast<float>(x);

@@ -8,8 +8,8 @@
 namespace insideout
 {
 /**
- * A mutex that a forked process finds free. An ordinary one that another thread holds while its
- * process is forked stays locked in the copy, which has no such thread to unlock it.
+ * A mutex that is free in a forked process. An ordinary one that another thread holds during the
+ * fork stays locked in the copy, which has no such thread to unlock it.
  */
 class ForkableMutex
 {
@@ -24,7 +24,7 @@ public:
     OfProcess* mutex = this->Current.load();
     while (mutex->Process != getpid())
     {
-      // What was the parent's is never freed: nobody knows whether it is locked.
+      // The parent's mutex is never freed: its state is unknown.
       auto* own = new OfProcess;
       if (this->Current.compare_exchange_strong(mutex, own))
       {
@@ -38,7 +38,7 @@ public:
     mutex->Mutex.lock();
   }
 
-  /** By the thread that has locked it. */
+  /** Called by the thread that holds the lock. */
   void unlock() { this->Current.load()->Mutex.unlock(); }
 
 private:

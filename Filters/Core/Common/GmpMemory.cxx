@@ -5,7 +5,7 @@
 #include <gmp.h>
 #include <new>
 
-// What GMP allocates with unless it is told otherwise; no header of its declares it.
+// GMP's default allocation function; its headers do not declare it.
 extern "C" void* __gmp_default_allocate(std::size_t);
 
 namespace insideout

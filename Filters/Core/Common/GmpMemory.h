@@ -4,14 +4,13 @@
 namespace insideout
 {
 /**
- * From now on GMP, with which exact numbers are made, throws std::bad_alloc where it gets no
- * memory. By itself it ends the program. Where somebody has given GMP functions of their own for
- * memory, nothing changes.
+ * Make GMP, which exact numbers use, throw std::bad_alloc when it gets no memory, instead of ending
+ * the program. If someone has set allocation functions of GMP, nothing changes.
  *
  * @return whether GMP throws
  */
 bool ThrowWhereGmpGetsNoMemory();
 
-/** Whoever includes this, above all by way of exact numbers, may count on it. */
+/** Ensures that for every file that includes this header, above all through exact numbers. */
 inline const bool GmpThrows = ThrowWhereGmpGetsNoMemory();
 } // namespace insideout

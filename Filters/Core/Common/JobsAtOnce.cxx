@@ -20,10 +20,10 @@ namespace insideout
 {
 namespace
 {
-/** Progress is counted in whole numbers, which several threads add to without a lock. */
+/** Progress is counted in integers, which threads add to without a lock. */
 constexpr double WholeProgress = 1 << 30;
 
-/** What the jobs know of each other. They are called by their place in the order of work. */
+/** The shared state of the jobs, which are identified by their position in the order of work. */
 class JobsTogether
 {
 public:
@@ -36,7 +36,7 @@ public:
   {
   }
 
-  /** Whether a job is to go on. The calling thread tells its monitor how far all are. */
+  /** Whether a job may continue. The calling thread reports the progress of all to its monitor. */
   bool Continue(std::size_t place)
   {
     const double part = std::min(static_cast<double>(this->Progress) / WholeProgress, 1.0);
@@ -64,8 +64,8 @@ public:
     this->Changed.notify_all();
   }
 
-  /** The caller, who has nothing left to do, listens while others work; but not in a process that
-   * was forked meanwhile, where there are no others. */
+  /** The caller, with no jobs left, waits for the others; but not in a process that was forked
+   * meanwhile and has no others. */
   void Wait()
   {
     constexpr std::chrono::milliseconds Silence(50);
@@ -125,7 +125,7 @@ public:
     return this->All.Continue(this->Place);
   }
 
-  /** So much is done; nothing where more was already. */
+  /** Report progress; ignored if it is not above that reported before. */
   void Reach(double fraction)
   {
     const auto progress = static_cast<std::int64_t>(this->Share * std::min(fraction, 1.0));

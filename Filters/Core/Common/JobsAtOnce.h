@@ -10,19 +10,19 @@
 namespace insideout
 {
 /**
- * Does jobs that have nothing to do with each other, each on one thread, several at once. The
- * largest begin first, so that threads end at about the same time.
+ * Run independent jobs, each on one thread, several at once. The largest start first, so that
+ * threads end at about the same time.
  *
- * The calling thread is one of them, and the only one that asks `monitor`; when no job is left for
- * it, it listens while others work. A job that fails ends those that begin after it.
+ * The calling thread is one of the threads, and the only one that asks `monitor`; with no jobs
+ * left, it waits for the others. If a job fails, jobs after it are ended.
  *
- * @param[in] sizes one per job: how much there is to do, in any unit
- * @param[in] threads how many at most; no more than may work, and one within a team
- * @param[in] stage whose progress the jobs' is: of what they report of other stages only the
- *            question whether to stop is passed on
+ * @param[in] sizes one per job: the amount of work, in any unit
+ * @param[in] threads limit of threads; at most AllowedThreads are used, and one within a team
+ * @param[in] stage the stage whose progress is the jobs'; from reports on other stages only the
+ * check for a stop is passed on
  * @param[in] work is called with the job's number and its own monitor
- * @throws Error Stopped; else what the first job that failed threw, in the order in which they
- *         begin: the same for any number of threads
+ * @throws Error Stopped; else the exception of the first failed job, in the order in which they
+ * start: the same for any number of threads
  */
 void JobsAtOnce(const std::vector<double>& sizes, int threads, const char* stage,
   const std::function<void(std::size_t, Monitor&)>& work, Monitor& monitor);

@@ -8,11 +8,10 @@
 
 #include <vector>
 
-/** CGAL's geometry. Whoever wants only a sign takes PointPredicates.h, which compiles sooner. */
+/** CGAL's geometry. For signs only, PointPredicates.h compiles faster. */
 namespace insideout
 {
-/** Predicates are exact: filtered, so fast where nothing is near degenerate. Its constructions are
- * rounded. */
+/** Predicates are exact, and filtered: fast unless nearly degenerate. Constructions are rounded. */
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using FilteredPoint = Kernel::Point_3;
 using FilteredTriangle = std::array<FilteredPoint, 3>;

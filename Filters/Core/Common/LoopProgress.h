@@ -8,13 +8,13 @@
 
 namespace insideout
 {
-/** The progress of a loop on one thread, whose turns are short: the monitor is asked in few. */
+/** Progress of a loop on one thread with short iterations: the monitor is asked in few of them. */
 class LoopProgress
 {
 public:
   static constexpr std::size_t TurnsPerCheck = 4096; ///< ten questions a second, or more
 
-  /** @param[in] turns how many there will be; a guess will do */
+  /** @param[in] turns estimated number of iterations */
   LoopProgress(Monitor& monitor, const ProgressRange& range, std::size_t turns)
     : Watch(monitor)
     , Range(range)
@@ -23,7 +23,7 @@ public:
   }
 
   /**
-   * To be called in each turn, the first of which is 0.
+   * Call in each iteration, starting with 0.
    * @throws Error Stopped
    */
   void Check(std::size_t turn) const
@@ -34,7 +34,7 @@ public:
     }
   }
 
-  /** The same at once, for a turn that may be a long one. */
+  /** The same without skipping, for an iteration that may be long. */
   void CheckNow(std::size_t turn) const
   {
     const double part = std::min(static_cast<double>(turn) / std::max(this->Turns, 1.0), 1.0);

@@ -15,7 +15,7 @@ LooseOctree::LooseOctree(const Box& space)
   }
 }
 
-/** Calls change(node) on the way to a box's node. @return the boxes there */
+/** Call change(node) for each node down to that of a box. @return the boxes there */
 template <class Change>
 std::vector<LooseOctree::Entry>& LooseOctree::Descend(const Box& box, const Change& change)
 {

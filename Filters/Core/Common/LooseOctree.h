@@ -9,23 +9,23 @@
 namespace insideout
 {
 /**
- * Boxes that come and go, and which of them meet a box: each is in the smallest cube of an octree
- * that holds its center and is as wide (Ulrich 2000, Loose Octrees). BoxTree is faster for boxes
- * that stay.
+ * A dynamic set of boxes with intersection queries: each box is in the smallest cube of an octree
+ * that contains its center and is at least as wide (Ulrich 2000, Loose Octrees). BoxTree is faster
+ * for a fixed set.
  */
 class LooseOctree
 {
 public:
-  /** @param[in] space about which the boxes are; others may be farther away, at the cost of time */
+  /** @param[in] space approximate extent of the boxes; boxes farther away cost time */
   explicit LooseOctree(const Box& space);
 
   void Insert(Id item, const Box& box);
 
-  /** @param[in] box as it was inserted */
+  /** @param[in] box as inserted */
   void Remove(Id item, const Box& box);
 
-  /** Calls visit(item) for every box that meets this one, in an order that depends on what was
-   * inserted and removed before. */
+  /** Call visit(item) for every box that meets this one; the order depends on earlier insertions
+   * and removals. */
   template <class Visitor>
   void Visit(const Box& box, const Visitor& visit) const
   {
@@ -64,8 +64,8 @@ private:
   struct Node
   {
     std::array<Id, 8> Children = { { None, None, None, None, None, None, None, None } };
-    Box Bounds = Box::Empty(); ///< of all that ever were in it or below
-    Id Count = 0;              ///< of those that are
+    Box Bounds = Box::Empty(); ///< box of all items that ever were in it or below
+    Id Count = 0;              ///< number of those that are
     std::vector<Entry> Entries;
   };
 

@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** The bytes of memory that the machine has, whoever holds them. */
+/** The machine's memory in bytes, used or not. */
 inline double MachineMemory()
 {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));

@@ -9,9 +9,9 @@
 namespace insideout
 {
 /**
- * The stages' one line to whoever called them: how far they are, and whether to stop. Derive from
- * it to show progress or to cancel; the base class does neither. Called only from the thread that
- * called the stage.
+ * Progress reports and stop requests between the stages and their caller. Derive from it to show
+ * progress or to cancel; the base class does neither. Called only from the thread that called the
+ * stage.
  */
 class Monitor
 {
@@ -20,7 +20,7 @@ public:
 
   /**
    * Report that `fraction` (0 to 1) of the stage called `stage` is done.
-   * @throws Error (Stopped) when the user wants to stop.
+   * @throws Error (Stopped) if the user requests a stop.
    */
   void Check(const char* stage, double fraction)
   {
@@ -30,14 +30,14 @@ public:
     }
   }
 
-  /** The same where `part` (0 to 1) of a step of a stage is done. */
+  /** The same for `part` (0 to 1) of a step of a stage. */
   void Check(const ProgressRange& step, double part) { this->Check(step.Stage, step.At(part)); }
 
-  /** The same without exception, for loops that have to tidy up first: true to go on. */
+  /** The same without exception, for loops with cleanup: true to continue. */
   virtual bool Continue(const char* /*stage*/, double /*fraction*/) { return true; }
 };
 
-/** Passes on what is reported, but no step back: for work that may begin anew. */
+/** Passes on reports, but never decreasing progress: for work that may restart. */
 class ForwardMonitor : public Monitor
 {
 public:

@@ -10,8 +10,8 @@ namespace insideout
 {
 namespace
 {
-// Of a needle doubles do not know the normal well: one whose squared sine at a corner is below
-// this is looked at in long doubles.
+// Doubles do not determine a needle's normal well: triangles with a squared sine at a corner below
+// this are handled in long doubles.
 constexpr double LeastSquaredSine = 0x1p-16;
 
 template <typename Number>
@@ -23,7 +23,7 @@ Vector<Number> NearestPointOfSegment(const Vector<Number>& a, const Vector<Numbe
   return { a[0] + t * along[0], a[1] + t * along[1], a[2] + t * along[2] };
 }
 
-/** The point nearest to 0 on the outline. */
+/** The point of the outline nearest to 0. */
 template <typename Number>
 Vector<Number> NearestPointOfOutline(const std::array<Vector<Number>, 3>& triangle)
 {
@@ -42,7 +42,7 @@ Vector<Number> NearestPointOfOutline(const std::array<Vector<Number>, 3>& triang
   return nearest;
 }
 
-/** The point nearest to 0; `isNeedle` may be set instead of it. */
+/** The point nearest to 0; or sets `isNeedle` instead. */
 template <typename Number>
 Vector<Number> NearestPointTo0(const std::array<Vector<Number>, 3>& triangle, bool* isNeedle)
 {
@@ -58,7 +58,7 @@ Vector<Number> NearestPointTo0(const std::array<Vector<Number>, 3>& triangle, bo
   }
   if (squared > 0)
   {
-    // Barycentric coordinates of the foot of the perpendicular, times `squared`.
+    // Barycentric coordinates of 0's projection, times `squared`.
     const Number ofC = Dot(Cross(a, ab), normal);
     const Number ofB = Dot(Cross(ac, a), normal);
     if (ofB >= 0 && ofC >= 0 && ofB + ofC <= squared)

@@ -6,13 +6,13 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 
-/** Numbers that tell more than a double does; a cheap one more is in DoubleDouble.h. */
+/** Numbers with more precision than a double; a faster one is in DoubleDouble.h. */
 namespace insideout
 {
-/** A whole number times a power of two: sums, differences and products of doubles, exactly. */
+/** An integer times a power of two: exact sums, differences and products of doubles. */
 using DyadicNumber = CGAL::Mpzf;
 
-/** Bounds of a number. They hold only while an IntervalRounding lives. */
+/** Interval bounds of a number. They hold only while an IntervalRounding lives. */
 using Interval = CGAL::Interval_nt<false>;
 using IntervalRounding = CGAL::Protect_FPU_rounding<true>;
 } // namespace insideout

@@ -15,8 +15,8 @@
 namespace insideout
 {
 /**
- * How many calls a thread takes at once: for about 20 microseconds, so that what it costs to take
- * them does not count, and few enough that the threads end at about the same time.
+ * Calls per chunk of a thread: about 20 microseconds, so that scheduling is negligible and threads
+ * end at about the same time.
  */
 inline std::int64_t CallsPerTurn(double count, double cost, int threads)
 {
@@ -27,11 +27,11 @@ inline std::int64_t CallsPerTurn(double count, double cost, int threads)
 }
 
 /**
- * Calls body(i) for every i in [0, count), on as many threads as that is worth. The monitor is
- * asked from the calling thread only. The first exception that a body or the monitor throws ends
- * the loop and is thrown on to the caller.
+ * Call body(i) for every i in [0, count), on as many threads as pay off. The monitor is asked from
+ * the calling thread only. The first exception of a body or the monitor ends the loop and is
+ * rethrown.
  *
- * @param[in] cost of one call of body, in nanoseconds; a guess will do
+ * @param[in] cost estimated nanoseconds of one call of body
  */
 template <class Index, class Body>
 void ParallelLoop(
@@ -42,7 +42,7 @@ void ParallelLoop(
     TeamSize(static_cast<double>(count) * cost), 1, std::max<std::int64_t>(end, 1)));
   const std::int64_t perTurn = CallsPerTurn(static_cast<double>(count), cost, threads);
   std::atomic<std::int64_t> next{ 0 };
-  std::mutex mutex; // of the error
+  std::mutex mutex; // index of the call that failed
   std::exception_ptr error;
   const std::thread::id caller = std::this_thread::get_id();
   const auto takeTurns = [&]
@@ -79,7 +79,7 @@ void ParallelLoop(
   }
 }
 
-/** The same of what is too short to be stopped. */
+/** The same without a monitor, for short loops. */
 template <class Index, class Body>
 void ParallelLoop(Index count, double cost, const Body& body)
 {

@@ -5,7 +5,7 @@
 
 namespace insideout
 {
-/** Passes on what is reported of one of several parts of a stage. */
+/** Passes on the reports of one of several parts of a stage. */
 class PartMonitor : public Monitor
 {
 public:

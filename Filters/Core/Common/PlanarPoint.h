@@ -10,9 +10,9 @@ namespace insideout
 using PlanarPoint = std::array<double, 2>;
 
 /**
- * How long and how far apart in angle things are whose two coordinates are not along perpendicular
- * axes: the map of coordinates (x, y) to perpendicular ones of unit length, (XX x + XY y, YY y),
- * with XX and YY above 0. Lines of equal y stay such lines, and keep their direction.
+ * Lengths and angles for coordinates along oblique axes: the map of coordinates (x, y) to
+ * orthonormal ones, (XX x + XY y, YY y), with XX and YY above 0. It keeps lines of equal y, and
+ * their direction.
  */
 struct PlanarMetric
 {
@@ -32,7 +32,7 @@ struct PlanarMetric
   bool IsPerpendicular() const { return this->XX == 1 && this->XY == 0 && this->YY == 1; }
 };
 
-/** The area of a triangle, positive where a, b, c run counter-clockwise. */
+/** The signed area of a triangle, positive if a, b, c run counter-clockwise. */
 inline double AreaOf(
   const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, const PlanarMetric& metric)
 {

@@ -11,7 +11,7 @@ namespace insideout
 {
 namespace
 {
-/** The sign of the volume where the errors of doubles leave no doubt. */
+/** The sign of the volume, if certain in doubles. */
 inline int OrientInDoubles(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   std::array<Point, 3> m;
@@ -39,7 +39,7 @@ inline int OrientInDoubles(const Point& a, const Point& b, const Point& c, const
   return !isInRange ? Undecided : determinant > bound ? 1 : determinant < -bound ? -1 : Undecided;
 }
 
-/** The same in double-doubles, which have all digits of the differences. */
+/** The same in double-doubles, which represent the differences exactly. */
 int OrientInDoubleDoubles(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   Rows<DoubleDouble> rows;
@@ -54,8 +54,8 @@ int OrientInDoubleDoubles(const Point& a, const Point& b, const Point& c, const 
 }
 
 /**
- * Whether the points are no more than two when looked at along one of the axes: a rectangle of
- * something extruded. Then they lie in a plane, and most points do of which only all digits tell.
+ * Whether the points project to at most two along one of the axes, as in a rectangle of an extruded
+ * shape. Then they are coplanar; these are most of the points for which filters fail.
  */
 bool AreInPlaneAlongAnAxis(const std::array<const Point*, 4>& points)
 {

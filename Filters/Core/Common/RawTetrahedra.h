@@ -7,12 +7,12 @@
 
 namespace insideout
 {
-/** The result of any tetrahedralizer. Ids are in range; what else holds it says. */
+/** The output of any tetrahedralizer. Ids are in range; nothing else is guaranteed. */
 struct RawTetrahedra
 {
-  std::vector<Point> Points; ///< those given, bit by bit, and then Steiner points
+  std::vector<Point> Points; ///< the given ones, bit for bit, then Steiner points
   std::vector<Tetrahedron> Cells;
-  std::vector<Triangle> Faces;  ///< faces of cells that facets are made of
+  std::vector<Triangle> Faces;  ///< faces of cells that are pieces of facets
   std::vector<Id> FacetOfFaces; ///< one per face
 };
 } // namespace insideout

@@ -27,7 +27,8 @@ int LargestExponent(const std::vector<Point>& points)
 
 PowerOfTwo::PowerOfTwo(int exponent)
 {
-  // Upwards in two steps, for the factor itself may overflow; downwards in one, for each may round.
+  // Upwards in two steps, because the factor may overflow; downwards in one, because each step may
+  // round.
   const int second = std::max(exponent, 0) / 2;
   this->Factors[0] = std::ldexp(1.0, exponent - second);
   this->Factors[1] = std::ldexp(1.0, second);
@@ -35,7 +36,7 @@ PowerOfTwo::PowerOfTwo(int exponent)
 
 bool IsNear(const Point& scaled)
 {
-  constexpr double Afar = 0x1p50; // in sizes of the surface: beyond, w is below 2^-90
+  constexpr double Afar = 0x1p50; // relative to the surface's size: beyond, w is below 2^-90
   return std::abs(scaled[0]) <= Afar && std::abs(scaled[1]) <= Afar && std::abs(scaled[2]) <= Afar;
 }
 

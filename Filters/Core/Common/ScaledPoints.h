@@ -5,17 +5,16 @@
 
 #include <vector>
 
-/** Sizes by powers of two: scaling so rounds nothing, and products neither over- nor underflow. */
+/** Scaling by powers of two: it rounds nothing, and keeps products from over- and underflow. */
 namespace insideout
 {
 /** The largest absolute value of a coordinate; 0 for no points. */
 double LargestCoordinate(const std::vector<Point>& points);
 
-/** The exponent e such that the absolute value of every coordinate is below 2^e; 0 where all are 0.
- */
+/** The least exponent e with the absolute values of all coordinates below 2^e; 0 if all are 0. */
 int LargestExponent(const std::vector<Point>& points);
 
-/** Multiplies by 2^exponent, which is from -1074 to 2046: as std::ldexp does, quickly. */
+/** Multiplies by 2^exponent, from -1074 to 2046, like std::ldexp but fast. */
 class PowerOfTwo
 {
 public:
@@ -27,8 +26,8 @@ private:
   double Factors[2];
 };
 
-/** From 2^50 times its size away all of a surface is one place, and its w is below 2^-90: whether a
- * point is nearer, where the surface's size is scaled to 1. False where it is not finite, too. */
+/** Whether a point is nearer than 2^50 sizes of a surface of size 1: beyond, the surface is like
+ * one point, and its w below 2^-90. False also if the point is not finite. */
 bool IsNear(const Point& scaled);
 
 /** The points times a power of two. */

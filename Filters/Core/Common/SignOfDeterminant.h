@@ -9,7 +9,7 @@
 
 namespace insideout
 {
-/** Three vectors, and how far off each component is at most: the same for all three. */
+/** Three vectors, and the common error bound of their components. */
 template <typename Number>
 struct Rows
 {
@@ -20,14 +20,14 @@ struct Rows
 /** Relative error of a sum or product of doubles. */
 constexpr double DoubleEpsilon = 0x1p-53;
 
-/** Sizes between which products of three neither over- nor underflow. */
+/** Sizes at which products of three neither over- nor underflow. */
 constexpr double SmallestSize = 1e-90;
 constexpr double LargestSize = 1e90;
 
-/** What SignOfDeterminant says where it does not know. */
+/** SignOfDeterminant's result if uncertain. */
 constexpr int Undecided = 2;
 
-/** The sign of the vectors' determinant, if errors leave no doubt. */
+/** The sign of the vectors' determinant, if certain. */
 template <typename Number>
 int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
 {
@@ -46,7 +46,7 @@ int SignOfDeterminant(const Rows<Number>& rows, double epsilon)
   const double determinant = static_cast<double>(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
     m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
-  // Six products, each off by an error in one of its factors and by some 16 roundings.
+  // Six products, each with an error in one of its factors and of some 16 roundings.
   const double bound = 7 *
       (rows.Errors[0] * sizes[1] * sizes[2] + sizes[0] * rows.Errors[1] * sizes[2] +
         sizes[0] * sizes[1] * rows.Errors[2]) +

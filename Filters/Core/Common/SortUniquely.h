@@ -8,7 +8,7 @@
 
 namespace insideout
 {
-/** Sort the values and keep one of equal ones. */
+/** Sort the values and remove duplicates. */
 template <typename Value>
 void SortUniquely(std::vector<Value>& values)
 {
@@ -16,7 +16,7 @@ void SortUniquely(std::vector<Value>& values)
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/** Where a value stands among sorted ones. */
+/** The index of a value among sorted ones. */
 template <typename Value>
 Id IndexIn(const std::vector<Value>& sorted, const Value& value)
 {

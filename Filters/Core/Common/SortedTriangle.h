@@ -8,14 +8,14 @@
 
 namespace insideout
 {
-/** A triangle's points in ascending order, and whether that order turned it over. */
+/** A triangle's points in ascending order, and whether sorting reversed it. */
 struct SortedTriangle
 {
   explicit SortedTriangle(const Triangle& t)
     : Points{ { std::min({ t[0], t[1], t[2] }), 0, std::max({ t[0], t[1], t[2] }) } }
     , Turned((t[0] > t[1]) ^ (t[1] > t[2]) ^ (t[0] > t[2]))
   {
-    // Without branches, for it is sorted as chance has it.
+    // Branchless, because the order is unpredictable.
     this->Points[1] = t[0] ^ t[1] ^ t[2] ^ this->Points[0] ^ this->Points[2];
   }
 

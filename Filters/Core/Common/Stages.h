@@ -2,8 +2,7 @@
 #pragma once
 
 /**
- * What the stages call themselves when they report to a Monitor, in words for a user. A filter
- * lists those that it runs.
+ * The names of stages in reports to a Monitor, for users. A filter lists the stages that it runs.
  */
 namespace insideout::Stages
 {

@@ -8,13 +8,13 @@
 
 namespace insideout
 {
-/** Figures about a run, each under the name that the filters' field data and the report give it. */
+/** Figures about a run by name, as in the filters' field data and the report. */
 using Statistics = std::vector<std::pair<std::string, double>>;
 
-/** The most memory this process has held so far, in MiB. */
+/** The peak memory of this process so far, in MiB. */
 double PeakMemory();
 
-/** Wall-clock seconds since it was made, or since the last lap. */
+/** Wall-clock seconds since construction, or since the last lap. */
 class Stopwatch
 {
 public:

@@ -19,8 +19,8 @@ namespace insideout
 {
 namespace
 {
-/** Another thread costs 10,000 to ask and begins 50,000 later, and how much there is to do is a
- * guess. */
+/** Nanoseconds: another thread costs 10,000 to request and starts 50,000 later. The amount of work
+ * is only an estimate. */
 constexpr double NanosecondsPerThread = 250000;
 
 /** More gain nothing and take memory: 30,000 threads once stalled a machine. */
@@ -42,7 +42,7 @@ int ThreadsAskedFor()
   return limit > 0 ? std::min(limit, omp_get_max_threads()) : omp_get_max_threads();
 }
 
-/** Whether a thread is in a team. No thread-local variable, for with it came all of CGAL's. */
+/** Whether a thread is in a team. A thread-local variable would bring along all of CGAL's. */
 class MembershipKey
 {
 public:
@@ -63,10 +63,9 @@ private:
 MembershipKey IsInTeam;
 
 /**
- * Held while a thread is made, and while this process is forked. The C library gives a new thread
- * the stack of one that has ended, and frees what that one's thread-local variables had. A process
- * that is forked in between has the stack as it was, and frees the same again (glibc 2.36,
- * get_cached_stack).
+ * Held while a thread is created, and while this process is forked. The C library gives a new
+ * thread the stack of an ended one, and frees that one's thread-local variables. A process forked
+ * in between has the same stack, and frees the same variables again (glibc 2.36, get_cached_stack).
  */
 std::mutex MakesThreadOrForks;
 
@@ -82,7 +81,7 @@ extern "C" void LetIn()
 
 const bool ForksBetweenThreads = pthread_atfork(LockOut, LetIn, LetIn) == 0;
 
-/** Sets IsInTeam, for a while. */
+/** Sets IsInTeam for its lifetime. */
 class Membership
 {
 public:
@@ -94,18 +93,18 @@ public:
   const bool HasBegun = IsInTeam.Set(true);
 };
 
-/** What a team knows of itself; its threads share it, for some may come when the others are gone.
- */
+/** The shared state of a team; owned by its threads, because some may start when the others have
+ * ended. */
 class Roll
 {
 public:
-  /** @param[in] wanted how many have to come before any of them begins */
+  /** @param[in] wanted number of threads that have to arrive before any of them starts work */
   explicit Roll(int wanted)
     : Wanted(wanted)
   {
   }
 
-  /** @return false where it is too late */
+  /** @return false if it is too late */
   bool Come()
   {
     std::unique_lock<std::mutex> lock(this->Mutex);
@@ -120,7 +119,7 @@ public:
     return true;
   }
 
-  /** Comes so far as to be waited for no longer, but not to work. */
+  /** Arrive, so as not to be waited for, without working. */
   void Miss()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -143,12 +142,12 @@ public:
   }
 
   /**
-   * Whether this process is a copy of the one that the team works in. It has no other threads, and
-   * any of them may have held the mutex.
+   * Whether this process was forked from that of the team. It has no other threads, and any of them
+   * may have held the mutex.
    */
   bool IsCopy() const { return getpid() != this->Process; }
 
-  /** Waits for those that came; nobody else may. */
+  /** Wait for the threads that arrived; no more are admitted. */
   void End()
   {
     std::unique_lock<std::mutex> lock(this->Mutex);
@@ -166,7 +165,7 @@ private:
   bool IsOver = false;
 };
 
-/** @return how many threads could be asked to come */
+/** @return the number of threads that could be requested */
 int AskOthers(int others, const std::shared_ptr<Roll>& roll, const std::function<void()>& work)
 {
   for (int i = 0; i < others; ++i)
@@ -192,7 +191,7 @@ int AskOthers(int others, const std::shared_ptr<Roll>& roll, const std::function
     }
     catch (const std::exception&)
     {
-      return i; // no more threads, or no memory for one: those that were asked must be waited for
+      return i; // no more threads, or no memory for one: wait for those that were requested
     }
   }
   return others;

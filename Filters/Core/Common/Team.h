@@ -6,48 +6,48 @@
 
 namespace insideout
 {
-/** Four for each of the machine's processors: more would only take memory from each other. */
+/** Four for each of the machine's processors: more would only take memory. */
 int MostThreads();
 
-/** As many as OpenMP would take (OMP_NUM_THREADS, omp_set_num_threads), but at most MostThreads and
- * at most the host's limit. */
+/** OpenMP's number of threads (OMP_NUM_THREADS, omp_set_num_threads), limited by MostThreads and
+ * the host's limit. */
 int AllowedThreads();
 
 /**
- * From now on AllowedThreads asks this function, on the thread that gathers a team, for the limit
- * that the program around has for its threads.
+ * Set the function that AllowedThreads asks, on the thread that gathers a team, for the host
+ * program's limit of threads.
  *
  * @param[in] limit returns 0 for none
  */
 void SetHostLimit(int (*limit)());
 
-/** That more threads are asked for than MostThreads, in words; empty where it is not so. */
+/** A message that more threads are requested than MostThreads; empty if that is not so. */
 std::string TooManyThreads();
 
 /**
- * The number of threads that pays for work of this many nanoseconds of one thread. At
- * most AllowedThreads; one within a team.
+ * The number of threads that pays off for work of this many nanoseconds on one thread. At most
+ * AllowedThreads; one within a team.
  */
 int TeamSize(double nanoseconds);
 
 /**
- * Calls work() on this thread and on up to threads - 1 others, and returns when all is done. Work
- * takes what is to do piece by piece, and must not throw.
+ * Call work() on this thread and on up to threads - 1 others, and return when all is done. The
+ * calls share the work, chunk by chunk, and must not throw.
  *
- * A thread that comes when nothing is left is not waited for, and nobody spins. OpenMP's teams do
- * both: beside two busy processes on two processors, a loop of 0.05 ms took 13 ms with them, and
- * 0.06 ms like this. To ask another thread to come costs 0.01 ms, busy or not.
+ * Threads that start when no work is left are not waited for, and no thread spins. OpenMP's teams
+ * do both: next to two busy processes on two processors, a loop of 0.05 ms took 13 ms with OpenMP
+ * and 0.06 ms with this. Requesting a thread costs 0.01 ms, busy or not.
  *
- * Where the system gives no more threads, or no memory for them, those that there are do the work.
- * Threads live as long as the work, so that a process that is forked between two works lacks none.
+ * If the system provides no more threads, or no memory for them, the existing ones do the work.
+ * Threads end with the work, so that a process forked between two calls lacks none.
  *
- * @throws Error Forked in a process that was forked by the work itself
+ * @throws Error Forked in a process forked during the work
  */
 void WorkAsTeam(int threads, const std::function<void()>& work);
 
 /**
- * While it lives, all work is worth all threads, and none of them begins before all have come: for
- * tests, to which small surfaces are to show what large ones would. Not while something works.
+ * For tests: while it lives, all work is done on all threads, and none of them starts before all
+ * have arrived, so that small surfaces behave like large ones. Not to be created during work.
  */
 class WholeTeams
 {

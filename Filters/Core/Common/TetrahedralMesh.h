@@ -16,29 +16,28 @@ struct TetrahedralMesh
   std::vector<PointOrigin> Origins; ///< one per point
   std::vector<Tetrahedron> Cells;
 
-  /** Cell across face k (TetrahedronFaces), None beyond the hull. */
+  /** Cell across face k (TetrahedronFaces), None outside the hull. */
   std::vector<std::array<Id, 4>> Neighbors;
 
-  /** Facet of the complex that face k lies on, None for none. */
+  /** Facet of the complex on face k, None for none. */
   std::vector<std::array<Id, 4>> Facets;
 
-  /** +1 where that facet's normal leaves the cell through face k, -1 where it enters, 0 for no
-   * facet. */
+  /** +1 if that facet's normal leaves the cell through face k, -1 if it enters, 0 for no facet. */
   std::vector<std::array<std::int8_t, 4>> FacetSides;
 
   /** Constraints of the complex that are not a union of faces. Empty unless the tetrahedralizer
-   * erred. */
+   * failed on them. */
   std::vector<Id> LostFacets;
 
   Id NumberOfSteinerPoints = 0;
-  Id NumberOfSurfaceSteinerPoints = 0; ///< of these, the ones on facets or their edges
+  Id NumberOfSurfaceSteinerPoints = 0; ///< number of these on facets or their edges
 
   Id NumberOfCells() const { return static_cast<Id>(this->Cells.size()); }
 };
 
 /**
- * By how much the winding number rises when one enters cell `cell` through its face `face`: the
- * multiplicity of the facet there, seen along the cell's outward normal; 0 where there is none.
+ * The jump of the winding number on entering cell `cell` through its face `face`: the multiplicity
+ * of the facet there, along the cell's outward normal; 0 without a facet.
  */
 inline int MultiplicityOnEntering(
   const FacetComplex& surface, const TetrahedralMesh& mesh, Id cell, int face)

@@ -14,14 +14,14 @@ namespace insideout
 {
 namespace
 {
-/** Those of this library take 64 KiB of a thread, and all others far less.
- * Without them allocated early the program would end where memory does. */
+/** This library's thread-local variables take 64 KiB of a thread, all others far less. If not
+ * allocated early, the program would end when memory runs out. */
 constexpr std::size_t BytesOfThreadLocals = std::size_t(128) << 10;
 
 thread_local volatile bool IsOfThisLibrary = false;
 
 /** OpenMP's threads end by pthread_exit, for which glibc loads an unwinder once; without memory for
- * it the program would end. backtrace() takes the same one. */
+ * it the program would end. backtrace() loads the same one. */
 void LoadUnwinder()
 {
 #ifdef __GLIBC__
@@ -38,19 +38,19 @@ void AllocateThreadLocals()
     throw std::bad_alloc();
   }
   LoadUnwinder();
-  IsOfThisLibrary = true; // and with it come all others
+  IsOfThisLibrary = true; // and all others with it
 }
 
 bool AllocateThreadLocalsOfTeam()
 {
-  // Not by operator new: it throws, if only to itself, and to throw takes a thread-local variable.
+  // Not by operator new: it throws internally, and throwing takes a thread-local variable.
   void* volatile memory = std::malloc(BytesOfThreadLocals);
   std::free(memory);
   if (!memory)
   {
     return false;
   }
-  // The C++ library's, for exceptions, and MPFR's.
+  // For the C++ library's exceptions, and for MPFR.
   [[maybe_unused]] const volatile auto touched = std::uncaught_exceptions() + mpfr_get_emin();
   return true;
 }

@@ -3,11 +3,12 @@
 
 /**
  * Thread-local variables of a library get memory when a thread first touches one, and the C library
- * ends the program where there is none. So they are touched early, when it can still be said.
+ * ends the program if there is none. So they are touched early, when the error can still be
+ * reported.
  */
 namespace insideout
 {
-/** For whoever calls the stages: all, CGAL's above all. @throws std::bad_alloc */
+/** For callers of stages: all variables, above all CGAL's. @throws std::bad_alloc */
 void AllocateThreadLocals();
 
 /** For a thread of a team, which touches none of CGAL's. @return false without memory for them */

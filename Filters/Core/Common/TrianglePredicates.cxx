@@ -8,7 +8,7 @@ namespace insideout
 {
 namespace
 {
-/** Whether a line along an edge of `a` has all of `b` on its outer side or on itself. */
+/** Whether the line through an edge of `a` has all of `b` on its outer side or on itself. */
 bool EdgeSeparates(const ProjectedTriangle& a, const ProjectedTriangle& b)
 {
   const CGAL::Orientation inside = CGAL::orientation(a[0], a[1], a[2]);

@@ -4,16 +4,16 @@
 #include "Common/Kernel.h"
 #include "Common/PointPredicates.h"
 
-/** Exact answers about triangles with double coordinates: filtered, so fast where nothing is near
- * degenerate. The triangles themselves must not be degenerate. */
+/** Exact predicates of triangles with double coordinates, filtered: fast unless nearly degenerate.
+ * The triangles themselves must not be degenerate. */
 namespace insideout
 {
-/** On which sides of the plane of `triangle` the corners of `other` lie: 1, 0 or -1 each. */
+/** The sides of the plane of `triangle` on which the corners of `other` lie: 1, 0 or -1 each. */
 std::array<int, 3> SidesOfPlane(const FilteredTriangle& triangle, const FilteredTriangle& other);
 
 /**
- * An axis along which the triangle can be projected: its image in the other two has an area. The
- * axis along which the normal is longest as far as doubles tell.
+ * An axis along which the triangle can be projected: its image in the other two has an area.
+ * Preferably the normal's longest component, as far as doubles tell.
  */
 int ProjectionAxis(const FilteredTriangle& triangle);
 
@@ -24,7 +24,7 @@ using ProjectedTriangle = std::array<ProjectedPoint, 3>;
 ProjectedPoint Project(const FilteredPoint& point, int axis);
 ProjectedTriangle Project(const FilteredTriangle& triangle, int axis);
 
-/** Whether two triangles of one plane have an area in common. */
+/** Whether two coplanar triangles overlap in an area. */
 bool OverlapInPlane(const FilteredTriangle& a, const FilteredTriangle& b);
 
 /** Whether a point of the triangle's plane lies in the triangle, boundary included. */

@@ -5,15 +5,15 @@
 #include <cstdint>
 
 /**
- * The algorithms of InsideOut, without VTK: plain structs in, plain structs out. A file here is a
- * stage or a part of one; README.md beside this file lists them.
+ * The algorithms of InsideOut, without VTK, on plain structs. Each file is a stage or a part of
+ * one; see README.md.
  */
 namespace insideout
 {
-/** Index of a point, facet or cell. TetGen counts in int, so 32 bits lose nothing. */
+/** Index of a point, facet or cell. TetGen's indices are int, so 32 bits lose nothing. */
 using Id = std::int32_t;
 
-/** The id of what is not there: no facet on a face, no cell beyond the hull. */
+/** The id for none: no facet on a face, no cell outside the hull. */
 constexpr Id None = -1;
 
 using Point = std::array<double, 3>;
@@ -27,8 +27,8 @@ using Tetrahedron = std::array<Id, 4>;
 constexpr std::array<std::array<int, 3>, 4> TetrahedronFaces = { { { { 0, 1, 3 } }, { { 1, 2, 3 } },
   { { 2, 0, 3 } }, { { 0, 2, 1 } } } };
 
-/** Corners of the edges of a tetrahedron, as vtkTetra numbers them: the order of the mid-edge nodes
- * of a vtkQuadraticTetra. */
+/** Corners of the edges of a tetrahedron, as vtkTetra numbers them; the order of
+ * vtkQuadraticTetra's mid-edge nodes. */
 constexpr std::array<std::array<int, 2>, 6> TetrahedronEdges = { { { { 0, 1 } }, { { 1, 2 } },
   { { 2, 0 } }, { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } } };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-/** Vectors of three numbers of any kind. A Point is one of doubles. */
+/** Vectors of three numbers of any type. A Point is one of doubles. */
 namespace insideout
 {
 template <typename Number>
@@ -36,7 +36,7 @@ Number Determinant(const Vector<Number>& a, const Vector<Number>& b, const Vecto
   return Dot(a, Cross(b, c));
 }
 
-/** Also where its square over- or underflows. */
+/** Safe if the square over- or underflows. */
 inline double Length(const Point& a)
 {
   return std::hypot(a[0], a[1], a[2]);
@@ -47,14 +47,14 @@ inline double Distance(const Point& a, const Point& b)
   return Length(Difference(a, b));
 }
 
-/** Halfway between two points, as near as doubles get; the same in both directions. */
+/** The midpoint of two points, rounded; symmetric. */
 inline Point Midpoint(const Point& a, const Point& b)
 {
   // Halves are exact, and their sum does not overflow.
   return { { a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2 } };
 }
 
-/** A normal of the triangle, as long as twice its area. */
+/** A normal of the triangle, with twice its area as length. */
 inline Point NormalOf(const Point& a, const Point& b, const Point& c)
 {
   return Cross(Difference(b, a), Difference(c, a));
@@ -65,7 +65,7 @@ inline bool IsFinite(const Point& a)
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
 
-/** The points that a triangle or cell has by their ids. */
+/** The points of a triangle or cell by its ids. */
 template <std::size_t Size>
 std::array<Point, Size> CornersOf(
   const std::vector<Point>& points, const std::array<Id, Size>& corners)

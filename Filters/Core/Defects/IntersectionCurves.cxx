@@ -12,15 +12,15 @@ namespace insideout
 {
 namespace
 {
-/** Pairs or points that a thread takes at once. */
+/** Pairs or points per task of a thread. */
 constexpr Id BlockSize = 256;
 
-constexpr double NanosecondsPerPair = 600; // to find what they share
-constexpr double NanosecondsPerEnd = 1000; // to construct and round it
+constexpr double NanosecondsPerPair = 600; // nanoseconds to intersect two facets
+constexpr double NanosecondsPerEnd = 1000; // nanoseconds to construct and round a point
 
 using CurveSegment = std::array<ConstructedPoint, 2>;
 
-/** Adds the segments, or a point twice, that two facets have in common. */
+/** Adds the common segments of two facets, or a point twice. */
 void Trace(
   const FacetList& surface, const std::array<Id, 2>& pair, std::vector<CurveSegment>& segments)
 {
@@ -37,7 +37,7 @@ void Trace(
   }
 }
 
-/** Calls body(i) for every i in [0, count), in blocks. */
+/** Call body(i) for every i in [0, count), in blocks. */
 template <class Body>
 void InBlocks(
   std::size_t count, double cost, Monitor& monitor, double begin, double end, const Body& body)

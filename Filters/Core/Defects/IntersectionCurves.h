@@ -8,21 +8,21 @@
 
 namespace insideout
 {
-/** Where facets meet: segments between points. */
+/** Intersections of facets: segments between points. */
 struct IntersectionCurves
 {
-  std::vector<Point> Points; ///< no two equal; those in no segment are where facets only touch
+  std::vector<Point> Points; ///< no two equal; points in no segment are where facets only touch
   std::vector<std::array<Id, 2>> Segments; ///< lower id first; sorted, no two equal
 };
 
 /**
- * What facets have in common: of two that cross or touch, a segment or a point; of two that overlap
- * in their plane, the boundary of the overlap. Found exactly, each coordinate then rounded to the
- * nearest double. A segment whose ends round to one point becomes that point.
+ * Intersect facets: a segment or a point for two that cross or touch, the boundary of the overlap
+ * for two coplanar ones. Computed exactly, with each coordinate then rounded to the nearest double.
+ * A segment whose ends round to one point becomes that point.
  *
  * @param[in] points finite
  * @param[in] facets none degenerate
- * @param[in] pairs facets that meet, as FindIntersections gives them
+ * @param[in] pairs facets that meet, from FindIntersections
  * @throws Error (Stopped)
  */
 IntersectionCurves TraceIntersections(const std::vector<Point>& points,

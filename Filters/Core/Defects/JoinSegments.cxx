@@ -20,7 +20,7 @@ std::size_t NumberOfPointsOf(const std::vector<std::array<Id, 2>>& segments)
   return static_cast<std::size_t>(highest + 1);
 }
 
-/** The segments by their ends; each is walked along once. */
+/** The segments by their ends; each is traced once. */
 class SegmentWalk
 {
 public:
@@ -43,7 +43,7 @@ public:
 
   bool GoesOnThrough(Id p) const { return this->AtPoints[p].Size() == 2; }
 
-  /** One polyline for every segment at the point that is not done yet. */
+  /** Trace one polyline for every untraced segment at the point. */
   void WalkFrom(Id start, std::vector<std::vector<Id>>& lines)
   {
     for (Id segment = this->Next(start); segment != None; segment = this->Next(start))
@@ -79,7 +79,7 @@ std::vector<std::vector<Id>> JoinSegments(const std::vector<std::array<Id, 2>>& 
 {
   SegmentWalk walk(segments);
   std::vector<std::vector<Id>> lines;
-  for (const bool onLoops : { false, true }) // what is left after the first round are loops
+  for (const bool onLoops : { false, true }) // after the first round only loops remain
   {
     for (Id p = 0; p < walk.NumberOfPoints(); ++p)
     {

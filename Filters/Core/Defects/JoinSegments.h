@@ -8,10 +8,9 @@
 namespace insideout
 {
 /**
- * Polylines out of segments, as long as they get: each segment is a part of one polyline, and a
- * polyline goes on through every point where exactly two segments end. A closed one repeats its
- * first point at its end. Which way they run depends on the ids alone: from the lower end, and
- * around a loop from its lowest point along the segment given first.
+ * Join segments to maximal polylines. A polyline continues through each point where exactly two
+ * segments end. A closed one repeats its first point at its end. The direction depends on the ids
+ * only: from the lower end, and around a loop from its lowest point along the segment given first.
  *
  * @param[in] segments pairs of different points, ids from 0 on
  */

@@ -19,7 +19,10 @@ namespace
  * and meshing 20 us per facet, so that cutting takes at most a tenth of the time of meshing. */
 constexpr std::size_t FacetsPerPair = 50;
 
-/** Pairs that are cut whatever the number of facets, in some hundredths of a second. */
+/**
+ * Pairs that are always cut, regardless of the number of facets: it takes some hundredths of a
+ * second.
+ */
 constexpr std::size_t FewPairs = 256;
 
 using Pairs = std::vector<std::array<Id, 2>>;

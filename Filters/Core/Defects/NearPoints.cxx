@@ -58,8 +58,8 @@ private:
   using Cube = std::array<std::int64_t, 3>;
   using Entry = std::pair<Cube, Id>;
 
-  /** Wide enough that most points look into few cubes, and small enough that a cube in which
-   * nothing is near holds few points. */
+  /** Cube size: large enough that most points search few cubes, and small enough that most cubes
+   * hold few points. */
   static constexpr double CubesPerRadius = 0.25;
 
   Cube CubeOf(const Point& p, double offset) const
@@ -91,7 +91,7 @@ NearPoints FindNearPoints(const std::vector<Point>& points, double fraction)
   const std::vector<Point> scaled = ScaledPoints(points, -exponent);
   const Box box = BoundingBox(scaled);
   const double radius = fraction * Distance(box.Low, box.High);
-  if (radius > 0) // 0 where the points differ by less than numbers near 0 can tell
+  if (radius > 0) // 0 if the difference underflows
   {
     const Grid grid(scaled, box.Low, radius);
     for (Id p = 0; p < static_cast<Id>(scaled.size()); ++p)

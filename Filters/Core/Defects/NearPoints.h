@@ -7,16 +7,16 @@
 
 namespace insideout
 {
-/** Points that may be meant to be one. */
+/** Points that may be meant to coincide. */
 struct NearPoints
 {
-  Id Count = 0;        ///< points that have another one nearer than Distance
+  Id Count = 0;        ///< number of points with another one nearer than Distance
   double Distance = 0; ///< in units of the surface
 };
 
 /**
  * Count the points that lie nearer to another one than `fraction` of the diagonal of their bounding
- * box. Up to rounding: these numbers advise, they decide nothing.
+ * box. Subject to rounding: the result is only advice.
  *
  * @param[in] points finite, no two equal
  * @param[in] fraction above 0, at least 1e-9

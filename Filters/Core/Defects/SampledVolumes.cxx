@@ -199,8 +199,8 @@ private:
       this->Length(2, place / this->Size(0) / this->Size(1));
   }
 
-  /** Mark the points at which `begins` holds for w, and all that neighbors for which `goesOn` holds
-   * connect with them without a facet between. */
+  /** Mark the points at which `begins` holds for w, and all points connected with them through
+   * neighbors for which `goesOn` holds, without a facet between. */
   template <typename Begins, typename GoesOn>
   std::vector<char> Reached(const Begins& begins, const GoesOn& goesOn) const
   {

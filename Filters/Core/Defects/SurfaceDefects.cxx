@@ -17,13 +17,13 @@ namespace insideout
 {
 namespace
 {
-/** Points nearer than this fraction of the surface's size are hardly meant to be two: it is some
- * ten spacings of floats. */
+/** Points nearer than this fraction of the surface's size are probably meant to coincide: it is
+ * some ten float spacings. */
 constexpr double NearFraction = 1e-6;
 
 using Segments = std::vector<std::array<Id, 2>>;
 
-/** How often an edge is run along from its lower to its higher point, less the other way. */
+/** The signed count of an edge from its lower to its higher point. */
 int SignedSum(const FacetEdge* first, const FacetEdge* last, const FacetComplex& surface)
 {
   int sum = 0;
@@ -40,7 +40,7 @@ bool RunTheSameWay(const FacetEdge& a, const FacetEdge& b, const FacetComplex& s
     0;
 }
 
-/** The edges that are wrong, by their ends; and what the facets know of it. */
+/** The defective edges, by their ends, and the facets' flags. */
 struct EdgeDefects
 {
   Segments Open;
@@ -76,7 +76,7 @@ EdgeDefects FindEdgeDefects(const FacetComplex& surface, const std::vector<Facet
   return defects;
 }
 
-/** For each component whether it is given in both orientations everywhere, before the rule for
+/** Per component, whether it is given in both orientations everywhere, before the rule for
  * two-sided solids. */
 std::vector<char> FindTwoSided(
   const TriangleSoup& soup, const FacetComplex& surface, const FacetComponents& components)
@@ -94,7 +94,7 @@ std::vector<char> FindTwoSided(
   return twoSided;
 }
 
-/** Lines between points of the surface, of which only those in use are kept. */
+/** Lines between points of the surface, of which only the used ones are kept. */
 class LineCollector
 {
 public:

@@ -12,16 +12,17 @@ namespace insideout
  * Duplicate only. */
 struct TriangleDefects
 {
-  Id Component = None;      ///< joined through edges, numbered by first triangle; degenerate: None
-  Id Shell = None;          ///< that faces one way together (Shells.h); None where it counts 0
-  Id SelfIntersections = 0; ///< how many facets it meets beyond shared corners and edges
+  /// component of facets joined through edges, numbered by first triangle; degenerate: None
+  Id Component = None;
+  Id Shell = None;          ///< shell (Shells.h); None if it counts 0
+  Id SelfIntersections = 0; ///< number of facets that it meets beyond shared corners and edges
   bool Degenerate = false;
   bool Duplicate = false;    ///< an earlier triangle has the same three points
   bool Inconsistent = false; ///< has an edge of DefectType::InconsistentEdge
-  bool TwoSided = false;     ///< of a component that is given in both orientations everywhere
+  bool TwoSided = false;     ///< belongs to a component given in both orientations everywhere
   bool Turned = false;       ///< to be turned over (OrientFacets.h)
-  bool Sheet = false;        ///< of what encloses nothing (OrientFacets.h)
-  bool Membrane = false;     ///< of a sheet within the solid or across it (Membranes.h)
+  bool Sheet = false;        ///< belongs to a shell that encloses nothing (OrientFacets.h)
+  bool Membrane = false;     ///< belongs to a sheet within the solid or across it (Membranes.h)
 };
 
 enum class DefectType
@@ -44,28 +45,28 @@ struct SurfaceDefects
   std::vector<TriangleDefects> Triangles; ///< one per input triangle
 
   std::vector<Point> Points;     ///< of the lines
-  std::vector<Id> InputPoints;   ///< for each of them the input point it is, None for a new one
-  std::vector<DefectLine> Lines; ///< by type
+  std::vector<Id> InputPoints;   ///< the input point of each, None for a new one
+  std::vector<DefectLine> Lines; ///< number by type
 
   SurfaceCounts Counts;
-  FacetTurns Turns;       ///< those that the orientation asks for
-  SampledVolumes Volumes; ///< after these turns; 0 if all facets lie in one plane
+  FacetTurns Turns;       ///< triangles to be turned over by the orientation
+  SampledVolumes Volumes; ///< volume after these turns; 0 if all facets lie in one plane
   Id IntersectingPairs = 0;
-  Id IntersectingFacets = 0; ///< facets in at least one pair
+  Id IntersectingFacets = 0; ///< number of facets in at least one pair
   Id InconsistentEdges = 0;
-  Id UnbalancedEdges = 0;  ///< on which the counted facets' signed sum is not 0; none: it is closed
+  Id UnbalancedEdges = 0;  ///< edges at which the counted facets' signed sum is not 0; none: closed
   bool Planar = false;     ///< all facets lie in one plane
-  Id NearPoints = 0;       ///< that lie nearer to another than NearDistance, after merging
+  Id NearPoints = 0;       ///< points nearer to another than NearDistance, after merging
   double NearDistance = 0; ///< a millionth of the diagonal of the bounding box
 
-  std::vector<std::string> Warnings; ///< what to do about it; not what the counts say
+  std::vector<std::string> Warnings; ///< advice, apart from the counts
 };
 
 /**
- * The defects of a surface: the columns of the thesis's table 8.1, and where its figure 8.22
- * draws them. Facets and edges are those of the counted chain, before anything is cut or turned.
- * Edges are judged in the direction in which a facet counts: one that is given both ways, and so
- * counts 0, agrees with any neighbor.
+ * Find the defects of a surface: the columns of the thesis's table 8.1, at the places drawn in its
+ * figure 8.22. Facets and edges are those of the counted chain, before anything is cut or turned.
+ * Edges are judged by the facets' counts: a facet given in both orientations counts 0, and agrees
+ * with any neighbor.
  *
  * @param[in] mergeTolerance as in CountedChainParameters
  * @throws Error as CountFacets does
@@ -73,6 +74,6 @@ struct SurfaceDefects
 SurfaceDefects FindSurfaceDefects(
   const TriangleSoup& soup, double mergeTolerance, Orientation orientation, Monitor& monitor);
 
-/** The counts under their names, for `statistics`. */
+/** The counts by name, for `statistics`. */
 void AddDefects(const SurfaceDefects& defects, Statistics& statistics);
 } // namespace insideout

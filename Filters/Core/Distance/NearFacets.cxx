@@ -12,14 +12,14 @@ namespace
 {
 constexpr int Lanes = PointBlock::Lanes;
 
-// Doubles do not know the normal of a needle well: facets whose squared sine at a corner is below
-// this are left to the exact distance, and so are those whose squared normal may have lost digits.
+// Doubles do not determine a needle's normal well. Facets with a squared sine at a corner below
+// this, or a squared normal that may have lost digits, are left to the exact distance.
 constexpr double LeastSquaredSine = 0x1p-15;
 constexpr double LeastSquaredNormal = 0x1p-960;
 
-// The distance d of all others is wrong by less than e = 2^-38 L, with L the root of the summed
-// squares of the lengths that it is calculated of. With t = 2^-20, (d - e)^2 is at least
-// d^2 (1 - t) - e^2 / t, and (d + e)^2 at most d^2 (1 + t) + 2 e^2 / t.
+// The error of any other facet's distance d is below e = 2^-38 L, with L the root of the summed
+// squares of the lengths in its computation. With t = 2^-20, (d - e)^2 is at least d^2 (1 - t) -
+// e^2 / t, and (d + e)^2 at most d^2 (1 + t) + 2 e^2 / t.
 constexpr double RelativeError = 0x1p-20;
 constexpr double SquaredError = 0x1p-55;
 
@@ -67,11 +67,11 @@ INSIDEOUT_ALWAYS_INLINE double ClampedToUnit(double t)
   return t < 1 ? t : 1;
 }
 
-/** What each lane's distance from a facet is calculated of. */
+/** The facet's data for each lane's distance. */
 struct FacetFrame
 {
   std::array<Point, 3> Edges;   ///< edge k leads from corner k to the next
-  std::array<Point, 3> Outward; ///< in the facet's plane, from its edges
+  std::array<Point, 3> Outward; ///< in the facet's plane, perpendicular to its edges
   Point Normal;
   double SquaredEdges[3];
   double SquaredNormal;
@@ -101,7 +101,7 @@ struct FacetFrame
   }
 };
 
-/** Raise least squared distances to those from the facet, and lower the bounds to it. */
+/** Update the least squared distances by the facet, and lower the bounds to it. */
 INSIDEOUT_ALWAYS_INLINE void MeasureFacet(
   const std::array<Point, 3>& corners, PointBlock& block, double (&least)[Lanes])
 {
@@ -119,7 +119,7 @@ INSIDEOUT_ALWAYS_INLINE void MeasureFacet(
 #pragma omp simd
   for (int lane = 0; lane < Lanes; ++lane)
   {
-    double side = 0; // above 0 where the foot of the perpendicular is beyond an edge
+    double side = 0; // above 0 if the projection is beyond an edge
     double outline = 0;
     double seen = 0;
     double height = 0;
@@ -156,11 +156,11 @@ INSIDEOUT_ALWAYS_INLINE void MeasureFacet(
 }
 } // namespace
 
-// What it calls becomes part of it, to be compiled for the same processor.
+// Functions that it calls are inlined, to be compiled for the same processor.
 INSIDEOUT_VECTOR_CLONES __attribute__((flatten)) void FindNearFacets(const BoxTree& tree,
   const std::vector<std::array<Point, 3>>& facets, PointBlock& block, std::vector<NearFacet>& found)
 {
-  PointBlock local = block; // which nothing else can refer to
+  PointBlock local = block; // local, so that nothing aliases it
   found.clear();
   tree.VisitNearFirst<LaneDistances>([&](const Box& box, LaneDistances& distances)
     { MeasureBox(box, local, distances); },

@@ -11,15 +11,16 @@ namespace insideout
 {
 namespace
 {
-// A tetrahedron in a gap lies over some tens of facets. Milliseconds, should one never be decided.
+// Limit of pieces. A tetrahedron in a gap lies over some tens of facets. It takes milliseconds if
+// undecided.
 constexpr int MostPieces = 4096;
 
-// Corners that are nearer to a wall than this part of the distance asked for are in it: to cut off
-// less takes pieces, and brings the corners no nearer to the facet than by its square.
+// Corners nearer to a wall than this fraction of the limit count as on it: cutting off less costs
+// pieces, and brings the corners nearer to the facet only by its square.
 constexpr double InWall = 0x1p-10;
 
-// Every so many cuts of a piece one is in the middle of its longest edge: pieces become smaller,
-// also where walls are those of needles.
+// After this many cuts of a piece, one is at the midpoint of its longest edge: pieces become
+// smaller even between walls of needles.
 constexpr int CutsPerHalving = 8;
 
 using Piece = std::array<Point, 4>;
@@ -29,7 +30,7 @@ struct CutPiece
   int Cuts;
 };
 
-/** Where an edge of a piece is cut: so far from one corner to the other. */
+/** The position of a cut on a piece's edge, as a fraction from one corner to the other. */
 struct EdgeCut
 {
   int From = 0;
@@ -63,8 +64,8 @@ EdgeCut CutInTheMiddle(const Piece& piece)
   return cut;
 }
 
-/** Where a wall on an edge of the facet parts corners the farthest; in the middle where none does.
- */
+/** The cut at a wall on an edge of the facet that separates corners farthest; at the midpoint if
+ * none does. */
 EdgeCut CutAtWall(const Piece& piece, const std::array<Point, 3>& facet, double inWall)
 {
   EdgeCut cut = CutInTheMiddle(piece);

@@ -16,19 +16,20 @@ namespace insideout
 {
 namespace
 {
-// Boxes are passed over that are farther than the nearest facet so far by more than rounding, so
-// that no facet is passed over which another order would find. The nearest place on a facet is off
-// by less than e = 2^-50 of the coordinates, by which a facet seems nearer than its box; with
-// t = 2^-41, (d + e)^2 is less than d^2 (1 + t) + 2 e^2 / t.
+// Boxes are skipped if they are farther than the nearest facet so far by more than rounding, so
+// that the result does not depend on the order. The nearest place on a facet is off by less than e
+// = 2^-50 of the coordinates, by which a facet seems nearer than its box; with t = 2^-41, (d + e)^2
+// is less than d^2 (1 + t) + 2 e^2 / t.
 constexpr double RoundedUp = 1 + 0x1p-40;
 constexpr double SquaredRounding = 0x1p-58;
 
-// Neighbors on a curve through space share a search where there are more places: scattered ones
-// share too little. Of 2,000 in the box of a model sharing takes 0.8 of the time, of 100 1.6 times.
+// Number of places from which neighbors on a space-filling curve share a search: scattered ones
+// share too little. For 2,000 places in the box of a model sharing takes 0.8 of the time, for 100
+// it takes 1.6 times as long.
 constexpr Id FewPlaces = 1024;
 constexpr Id PlacesPerCall = 256;
 
-/** What the square of a bound has above that of a distance from a scaled place. */
+/** The margin of a squared bound above the squared distance from a scaled place. */
 double RoomAt(const Point& scaled)
 {
   return SquaredRounding * (1 + Dot(scaled, scaled));
@@ -97,7 +98,7 @@ SurfaceDistance::Nearest SurfaceDistance::Unscaled(const Nearest& found, const P
     { up.Times(there[0]), up.Times(there[1]), up.Times(there[2]) }, found.Facet, found.Squared };
 }
 
-/** Of a place that is not finite, or so far away that all facets are as near. */
+/** The result for a place that is not finite, or so far away that all facets are equally near. */
 SurfaceDistance::Nearest SurfaceDistance::FromAfar(const Point& place) const
 {
   if (!IsFinite(place))
@@ -109,7 +110,7 @@ SurfaceDistance::Nearest SurfaceDistance::FromAfar(const Point& place) const
   return { Distance(place, there), there, 0, 0 };
 }
 
-/** Look whether a facet is nearer to a scaled place than what is nearest so far. */
+/** Check whether a facet is nearer to a scaled place than the nearest so far. */
 void SurfaceDistance::Look(Id facet, const Point& scaled, Nearest& best) const
 {
   const Point there = NearestPointOf(this->Facets[facet], scaled);
@@ -121,7 +122,7 @@ void SurfaceDistance::Look(Id facet, const Point& scaled, Nearest& best) const
   }
 }
 
-/** @param[in] hint a facet that is likely near, which saves time */
+/** @param[in] hint a probably near facet, to save time */
 SurfaceDistance::Nearest SurfaceDistance::NearestTo(const Point& place, Id hint) const
 {
   Point scaled;
@@ -183,7 +184,7 @@ void SurfaceDistance::AtMany(const std::vector<Point>& places, const Id* first, 
     }
     for (int lane = 0; used > 0 && lane < lanes; ++lane)
     {
-      scaled[lane] = scaled[std::min(lane, used - 1)]; // some more of the last, for all are asked
+      scaled[lane] = scaled[std::min(lane, used - 1)]; // the last place fills the block
       best[lane] = Nothing;
       this->Look(hint, scaled[lane], best[lane]);
       block.Room[lane] = RoomAt(scaled[lane]);

@@ -7,27 +7,28 @@
 
 namespace insideout
 {
-/** How far places are from a surface, without sign: which side they are on w tells. */
+/** Unsigned distances of places from a surface; w tells the side. */
 class SurfaceDistance
 {
 public:
-  /** @param[in] facets at least one; points of none are no part of the surface */
+  /** @param[in] facets at least one; points in no facet are not part of the surface */
   SurfaceDistance(const std::vector<Point>& points, const std::vector<Triangle>& facets);
 
-  /** The same of a part of a surface, whose points have coordinates below 2^exponent. */
+  /** The same for a part of a surface, with coordinates below 2^exponent. */
   SurfaceDistance(
     const std::vector<Point>& points, const std::vector<Triangle>& facets, int exponent);
 
   /** The nearest point of the surface. */
   struct Nearest
   {
-    double Distance; ///< in units of the surface; NaN where the place is not finite
+    double Distance; ///< in the surface's units; NaN if the place is not finite
     Point Place;     ///< on the surface
-    Id Facet; ///< of several the lowest, as far as rounding tells; None where it is not finite
-    double Squared; ///< the distance's square, scaled; 0 from afar, where all facets are as near
+    Id Facet;        ///< on ties the lowest, up to rounding; None if the place is not finite
+    /// squared distance, scaled; 0 for far places, where all facets are equally near
+    double Squared;
 
-    /** Whether this is the nearest point of two parts together, scaled alike; facets have their
-     * numbers in the whole. */
+    /** Whether this is the nearest point of two parts of a surface, scaled alike; facets are
+     * numbered in the whole. */
     bool IsNearerThan(const Nearest& other) const
     {
       return this->Squared < other.Squared ||
@@ -35,7 +36,7 @@ public:
     }
   };
 
-  /** Right to rounding of coordinates. Safe to call from several threads. */
+  /** Right up to rounding of coordinates. Thread-safe. */
   Nearest At(const Point& place) const;
 
   /**

@@ -31,7 +31,7 @@ bool Has(const Triangle& triangle, Id point)
   return std::find(triangle.begin(), triangle.end(), point) != triangle.end();
 }
 
-/** The float that is `steps` beyond x: -1, 0 or 1. */
+/** The float `steps` floats after x: -1, 0 or 1. */
 double Neighbor(double x, int steps)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -119,7 +119,7 @@ bool MoveCorners::MeetsAnother(Id triangle, Id other) const
     MeetBeyondSharedCorners(this->Places, this->Corners[triangle], this->Corners[other]);
 }
 
-/** The pairs of triangles that meet, of which one at least is of the star. None is degenerate. */
+/** The pairs of triangles that meet, at least one of them in the star. None is degenerate. */
 int MoveCorners::CrossingsAround(const std::vector<Id>& star) const
 {
   int crossings = 0;
@@ -136,7 +136,7 @@ int MoveCorners::CrossingsAround(const std::vector<Id>& star) const
   return crossings;
 }
 
-/** Whether the edge's points have no neighbors in common but across the triangles between them. */
+/** Whether the edge's points have no common neighbors except across its triangles. */
 bool MoveCorners::IsLinkSound(Id gone, Id kept, std::vector<Id>& between) const
 {
   std::vector<Id> across;

@@ -10,8 +10,8 @@
 namespace insideout
 {
 /**
- * Triangles whose corners can be moved a little, and edges that can be contracted, where that makes
- * no crossing more. Exact.
+ * Triangles whose corners can be moved slightly, and whose edges can be contracted, unless this
+ * adds crossings. Exact.
  */
 class MoveCorners
 {
@@ -19,27 +19,27 @@ public:
   /**
    * @param[in] points at different places
    * @param[in] triangles none degenerate, no two with the same three points
-   * @param[in] reach how far a point may go from where it is now, along any axis
+   * @param[in] reach limit of a point's movement from its present place, along any axis
    */
   MoveCorners(std::vector<Point> points, std::vector<Triangle> triangles, double reach);
 
   const std::vector<Point>& Points() const { return this->Places; }
   const std::vector<Triangle>& Triangles() const { return this->Corners; }
 
-  /** Whether the triangle was not contracted. */
+  /** Whether the triangle still exists after contractions. */
   bool IsThere(Id triangle) const { return this->Alive[triangle] != 0; }
 
   /**
-   * Contract the edge between two points, so that they are where `kept` is. Nothing changes if
-   * there is no such edge, if more than the triangles beside it would merge, or if a triangle would
-   * become degenerate or a crossing be added.
+   * Contract the edge between two points to the place of `kept`. Nothing changes if there is no
+   * such edge, if more than the triangles beside it would merge, or if a triangle would become
+   * degenerate or a crossing be added.
    */
   bool Contract(Id gone, Id kept);
 
-  /** Move a point to the best of the floats around it, if there are fewer crossings then. */
+  /** Move a point to the best of the floats around it, if that reduces crossings. */
   bool MoveToNeighbor(Id point);
 
-  /** The corner in whose place the point is, after contractions. */
+  /** The corner that replaces the point after contractions. */
   Id CornerOf(Id point) const;
 
 private:
@@ -53,12 +53,12 @@ private:
 
   std::vector<Point> Places;
   std::vector<Triangle> Corners;
-  const std::vector<Point> Begin; ///< where the points were
+  const std::vector<Point> Begin; ///< original places of the points
   const double Reach;
   std::vector<char> Alive;
-  std::vector<Id> Into;                 ///< per point itself, or what it was contracted into
-  std::vector<std::vector<Id>> AtPoint; ///< the triangles, with some that are gone
-  std::set<Point> Taken;                ///< the places of the points
-  BoxTree Tree;                         ///< of the triangles, widened by reach
+  std::vector<Id> Into;                 ///< per point itself, or the point it was contracted into
+  std::vector<std::vector<Id>> AtPoint; ///< the triangles, including removed ones
+  std::set<Point> Taken;                ///< current places of the points
+  BoxTree Tree;                         ///< boxes of the triangles, widened by reach
 };
 } // namespace insideout

@@ -25,13 +25,13 @@ namespace insideout
 {
 namespace
 {
-/** What Defects/SurfaceDefects counts as near: some ten spacings of floats. */
+/** Distance that counts as near, as in Defects/SurfaceDefects: some ten float spacings. */
 constexpr double NearFraction = 1e-6;
 
-/** How far points may go, in these units; a contraction goes by 1 at most. */
+/** Limit of movement, in these units; a contraction moves by 1 at most. */
 constexpr double Reach = 2.0;
 
-/** A pass over all that crosses helps the next one; few are needed. */
+/** Limit of passes over all crossings: a pass may enable further moves; few are needed. */
 constexpr int MaximumPasses = 4;
 
 std::vector<Point> InFloats(std::vector<Point> points)
@@ -103,7 +103,7 @@ public:
 private:
   using Pairs = std::vector<std::array<Id, 2>>;
 
-  /** Give each triangle the values of the given one that it is a part of. */
+  /** Set each triangle's attributes to those of the given triangle that contains it. */
   void TakeFromSources(Attribute& attribute) const
   {
     std::visit(
@@ -167,7 +167,7 @@ private:
     this->Keep(isKept);
   }
 
-  /** The triangles of each place, those of one behind those of another. */
+  /** The triangles at each place, grouped by place. */
   std::vector<Id> ByPlace() const
   {
     std::vector<Id> order(this->Triangles.size());
@@ -181,7 +181,7 @@ private:
     return order;
   }
 
-  /** Pairs of triangles that rounding brought into one place, one the reverse of the other. */
+  /** Pairs of triangles that rounding moved to one place, one the reverse of the other. */
   void DropReversed()
   {
     const std::vector<Id> order = this->ByPlace();
@@ -205,7 +205,7 @@ private:
     this->Keep(isKept);
   }
 
-  /** Triangles whose corners came to lie on a line. No point moves. */
+  /** Triangles whose corners became collinear. No point moves. */
   void CollapseCollinear()
   {
     std::vector<Id> candidates = this->Collinear();
@@ -243,7 +243,7 @@ private:
     return collinear;
   }
 
-  /** The first triangle of each place. */
+  /** The first triangle at each place. */
   std::vector<Id> FirstOfPlaces() const
   {
     std::vector<Id> order = this->ByPlace();
@@ -265,7 +265,7 @@ private:
     return triangles;
   }
 
-  /** Pairs that meet, and did not in doubles. */
+  /** Pairs that meet, but did not in doubles. */
   Pairs NewCrossings()
   {
     const std::vector<Id> first = this->FirstOfPlaces();
@@ -295,7 +295,7 @@ private:
     return used;
   }
 
-  /** Edges shorter than `length`, the shortest first. */
+  /** Edges shorter than `length`, shortest first. */
   std::vector<Edge> ShortEdges(double length) const
   {
     std::vector<std::pair<double, Edge>> edges;
@@ -381,12 +381,12 @@ private:
     this->DropReversed();
   }
 
-  ForwardMonitor Watch; ///< what is searched is searched several times
+  ForwardMonitor Watch; ///< found several times
   const std::vector<Point> Given;
-  const std::vector<Triangle> GivenCorners; ///< of Given, where equal points are one
-  std::vector<Point> Points;                ///< in floats; those in use are at different places
+  const std::vector<Triangle> GivenCorners; ///< triangles of Given, with equal points merged
+  std::vector<Point> Points;                ///< in floats; used points are at different places
   std::vector<Triangle> Triangles;
-  std::vector<Id> Sources; ///< per triangle the given one that it is, or is a part of
+  std::vector<Id> Sources; ///< per triangle the given one that contains it
 };
 
 bool IsOfFiniteTriangles(const PolygonSurface& surface)
