@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * VTK's points, cells and arrays of plain ones; and plain points of VTK's.
- */
+/** @file Conversions between VTK's points, cells and arrays and plain ones. */
 #pragma once
 
 #include "Common/Types.h"
@@ -23,7 +20,7 @@ class vtkStringArray;
 namespace vtkInsideOut
 {
 /**
- * The points of a data set that the stages can count.
+ * The number of points of a data set, checked to fit Id.
  *
  * @param[in] name what the data set is, for the error
  * @throws insideout::Error TooLarge, also for its cells
@@ -31,8 +28,8 @@ namespace vtkInsideOut
 std::vector<insideout::Point> ReadPoints(vtkDataSet* input, const std::string& name);
 
 /**
- * Before VTK's arrays take memory: they end the program where there is none, if VTK was built with
- * assertions, as Debian's is.
+ * To be called before VTK's arrays allocate: without memory they end the program, if VTK was built
+ * with assertions, as Debian's is.
  *
  * @throws std::bad_alloc if this number of bytes, and some more, are not free
  */

@@ -37,7 +37,7 @@ void WarnOnce(const std::string& warning, Warnings& warnings)
 }
 
 /**
- * A shallow copy of the input's data in which every array has `size` tuples and none has one of the
+ * A shallow copy of the input's data, with only the arrays that have `size` tuples and none of the
  * names that the output adds: see RenameArrays.
  */
 template <typename Data>
@@ -68,7 +68,7 @@ bool IsReal(vtkDataArray* array)
   return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
 }
 
-/** Set tuple `id` of every array of integers to 0: between ids there is nothing. */
+/** Set tuple `id` of every integer array to 0: ids are not interpolated. */
 void SetIntegersToZero(vtkDataSetAttributes* data, vtkIdType id)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -113,7 +113,7 @@ void NormalizeNormal(vtkDataSetAttributes* data, vtkIdType id)
   }
 }
 
-/** Make room for `size` tuples in every array, so that none is left without a value. */
+/** Make room for `size` tuples in every array, so that all have values. */
 void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -122,7 +122,7 @@ void SetNumberOfTuples(vtkDataSetAttributes* data, vtkIdType size)
   }
 }
 
-/** Before `size` tuples of every array are made. */
+/** Call before `size` tuples of every array are made. */
 void RequireTuples(vtkDataSetAttributes* data, vtkIdType size)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -342,7 +342,7 @@ std::vector<insideout::Id> Attributes::AlikePoints(
   }
   const auto values = [&](insideout::Id p)
   {
-    std::vector<std::uint64_t> bits; // which compare NaNs as well
+    std::vector<std::uint64_t> bits; // bytewise, so that NaNs compare equal
     for (vtkDataArray* array : arrays)
     {
       for (int k = 0; k < array->GetNumberOfComponents(); ++k)
@@ -372,7 +372,7 @@ std::vector<insideout::Id> Attributes::AlikePoints(
 
 namespace
 {
-/** An array of the type that holds both, with room for `size` tuples that have no value. */
+/** An array of the common type of both, with room for `size` uninitialized tuples. */
 vtkSmartPointer<vtkAbstractArray> MakeAlike(
   const std::vector<vtkAbstractArray*>& arrays, vtkIdType size)
 {
@@ -408,7 +408,7 @@ vtkSmartPointer<vtkAbstractArray> MakeAlike(
   return result;
 }
 
-/** Whether two arrays of a name can be one. */
+/** Whether two arrays of one name can be joined. */
 bool FitTogether(vtkAbstractArray* a, vtkAbstractArray* b)
 {
   const bool areNumbers = vtkDataArray::SafeDownCast(a) && vtkDataArray::SafeDownCast(b);
@@ -436,7 +436,7 @@ std::vector<std::string> NamesOfArrays(const DataOfInputs& inputs)
   return names;
 }
 
-/** Call an array otherwise that may be active, and stays so. */
+/** Rename an array; if it is active it stays so. */
 std::string RenameActive(vtkDataSetAttributes* data, const std::string& from, const std::string& to)
 {
   std::vector<int> activeAs;
@@ -455,7 +455,7 @@ std::string RenameActive(vtkDataSetAttributes* data, const std::string& from, co
   return renamed;
 }
 
-/** Give arrays of one name that are no one array the names of their inputs, too. */
+/** Rename arrays of one name that cannot be joined: prefix the names of their inputs. */
 void KeepApart(
   const DataOfInputs& inputs, const std::vector<std::string>& inputNames, Warnings& warnings)
 {
@@ -482,7 +482,10 @@ void KeepApart(
   }
 }
 
-/** The first input with tuples that is not among the owners, which ascend; else their number. */
+/**
+ * The first input with tuples that is not among the owners, which are ascending; if there is none,
+ * their number.
+ */
 std::size_t FirstWithout(
   const std::vector<std::size_t>& owners, const std::vector<vtkIdType>& first)
 {

@@ -24,22 +24,22 @@ namespace vtkInsideOut
 {
 namespace Attributes
 {
-/** Whether a data set is an output of this module's filters, by its field data: its arrays with
- * names that such an output adds are then theirs, and not a user's. */
+/** Whether a data set is an output of this module's filters, by its field data. Arrays with names
+ * that such an output adds are then the filter's, not a user's. */
 bool AreMadeHere(vtkDataSet* data);
 
 /**
- * Call an array otherwise: by a copy, for others may have it, too.
+ * Rename an array, as a copy, because others may share it.
  *
- * @return the name that it has now, with a number from 2 on behind it where another has that name
+ * @return its new name, with a number from 2 on appended if the name was taken
  */
 std::string RenameArray(vtkFieldData* data, const std::string& from, const std::string& to);
 
 /**
- * Make way for arrays that an output adds: those of their names are removed where they were made
- * here, and else get another name, Input_NAME.
+ * Free the names of arrays that an output adds: arrays of these names made by this module are
+ * removed, others are renamed Input_NAME.
  *
- * @param[in,out] warnings gains a line per array that gets another name
+ * @param[in,out] warnings gains a line per renamed array
  */
 void RenameArrays(vtkFieldData* data, bool areMadeHere, std::initializer_list<const char*> names,
   std::vector<std::string>& warnings);
@@ -49,8 +49,8 @@ void RenameArrays(vtkFieldData* data, bool areMadeHere, std::initializer_list<co
  * volume NaN (0 in integer arrays). Interpolated active normals are normalized. Adds
  * vtkOriginalPointIds: the input point, -1 for a new one.
  *
- * @param[in,out] warnings gains a line per input array that had to be renamed, or that is left out
- *                because it has not one tuple per point
+ * @param[in,out] warnings gains a line per input array that is renamed, or left out because it
+ * lacks one tuple per point
  */
 void PassPointData(vtkDataSet* input, const std::vector<insideout::PointOrigin>& origins,
   vtkPointData* output, std::vector<std::string>& warnings);
@@ -68,18 +68,18 @@ void PassCellData(vtkDataSet* input, const std::vector<vtkIdType>& cells,
 void CopyCellData(vtkDataSet* input, const std::vector<insideout::Id>& cells, vtkCellData* output,
   std::vector<std::string>& warnings);
 
-/** The sources of a point of a refined grid: points of the input. */
+/** The origin of a point of a refined grid: points of the input. */
 struct Mixture
 {
   std::array<insideout::Id, 4> Points;
   std::array<double, 4> Weights;
-  bool IsNew; ///< else it is the first of them
+  bool IsNew; ///< otherwise it is the first of them
 };
 
 /**
  * Point data of points that are kept, copied, and of new ones, interpolated (0 in integer arrays)
- * with active normals normalized; then of points amid edges between these. Adds
- * vtkOriginalPointIds: where the input has it its value, else the input point; -1 for a new one.
+ * with active normals normalized; then of mid-edge nodes between these. Adds vtkOriginalPointIds:
+ * its value if the input has it, else the input point; -1 for a new one.
  */
 void MixPointData(vtkDataSet* input, const std::vector<Mixture>& mixtures,
   const std::vector<insideout::Edge>& edges, vtkPointData* output,
@@ -94,25 +94,25 @@ void PassAll(vtkDataSet* input, std::initializer_list<const char*> added, vtkDat
   std::vector<std::string>& warnings);
 
 /**
- * Per input point the lowest one that was merged into the same and has the same active texture
- * coordinates and normals, to the bit but for the sign of 0.
+ * Per input point the lowest one that was merged into the same and has bitwise equal active texture
+ * coordinates and normals, up to the sign of 0.
  *
- * @param[in] mergedInto per point the one that it became, or itself
+ * @param[in] mergedInto per point the point that it was merged with, or itself
  */
 std::vector<insideout::Id> AlikePoints(
   vtkDataSet* input, const std::vector<insideout::Id>& mergedInto);
 
 /**
- * The data of several data sets, one behind the other. An array that one of them has not is NaN
- * there (0 in integer arrays, empty in others), except for active normals, which are left out
- * with a warning; numbers of different types become doubles. Arrays of one name that are of strings
- * and numbers, or have different numbers of components, stay apart as DATA/ARRAY. An array that is
- * active in the first that has it is active.
+ * The concatenated data of several data sets. A missing array is NaN there (0 in integer arrays,
+ * empty in others), except for active normals, which are left out with a warning; numbers of
+ * different types become doubles. Arrays of one name that mix strings and numbers, or have
+ * different numbers of components, stay separate as DATA/ARRAY. An array that is active in the
+ * first that has it is active.
  *
  * @param[in] names of the data sets
  * @param[in] first the first tuple of each, and the end
- * @param[in,out] warnings gains a line per array that is called otherwise or left out: it has not
- * one tuple per point or cell
+ * @param[in,out] warnings gains a line per array that is renamed or left out, because it lacks one
+ * tuple per point or cell
  */
 void Append(const std::vector<vtkDataSetAttributes*>& inputs, const std::vector<std::string>& names,
   const std::vector<vtkIdType>& first, vtkDataSetAttributes* output,

@@ -8,7 +8,7 @@ class vtkFieldData;
 
 namespace vtkInsideOut
 {
-/** Names by number, as an array of field data has them: strings, or the names of its components, as
- * in .vtu files (ForPython/DataForXml.h). */
+/** Names by number from an array of field data: strings, or the names of its components, as in .vtu
+ * files (ForPython/DataForXml.h). */
 std::vector<std::string> NamesByNumber(vtkFieldData* data, const char* array);
 } // namespace vtkInsideOut

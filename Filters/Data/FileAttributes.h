@@ -16,19 +16,18 @@ class vtkFieldData;
 
 namespace vtkInsideOut
 {
-/** Add an attribute as an array, and as VTK's normals, texture coordinates or colors if it is
- * these. */
+/** Add an attribute as an array; normals, texture coordinates and colors also as VTK's active ones.
+ */
 void AddAttribute(const insideout::Attribute& attribute, vtkDataSetAttributes* data);
 
 /**
  * The numeric arrays of the points or cells with these ids. VTK's normals, texture coordinates and
- * colors (scalars of 3 or 4 unsigned char) are called Normals, TCoords and Colors, whatever their
- * name; other arrays keep theirs. Integers of other types become int, or double where they do not
- * fit.
+ * colors (scalars of 3 or 4 unsigned char) are named Normals, TCoords and Colors; other arrays keep
+ * their names. Integers of other types become int, or double if they do not fit.
  */
 std::vector<insideout::Attribute> ReadAttributes(
   vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids);
 
-/** The arrays of strings, one for each number: the names of what attributes number. */
+/** The string arrays with one string per number: the names of an attribute's numbers. */
 std::vector<insideout::AttributeNames> ReadNames(vtkFieldData* data);
 } // namespace vtkInsideOut

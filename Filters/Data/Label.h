@@ -7,8 +7,7 @@ class vtkObject;
 
 namespace vtkInsideOut
 {
-/** The begin of each message of an object: the name that it was given, as the plugin gives
- * ParaView's filters their labels, since ParaView's window leaves out class and address. Empty
- * without one. */
+/** The prefix of an object's messages: its name. The plugin sets labels as names of ParaView's
+ * filters, because ParaView's window omits class and address. Empty without one. */
 std::string Label(vtkObject* object);
 } // namespace vtkInsideOut

@@ -22,7 +22,7 @@ namespace
 constexpr char StatisticsName[] = "Statistics";
 constexpr char NamesOfStatistics[] = "StatisticsNames";
 
-/** Each name once, with the last value of the first that have it. */
+/** Each name once, at its first position with its last value. */
 insideout::Statistics Joined(
   const insideout::Statistics& first, const insideout::Statistics& others)
 {

@@ -8,16 +8,16 @@ class vtkFieldData;
 
 namespace vtkInsideOut
 {
-/** The statistics that field data has. */
+/** The statistics in field data. */
 insideout::Statistics StatisticsOf(vtkFieldData* fields);
 
 /**
- * Put figures into the data's field data, beside those of other names that are there: the array
- * Statistics with their names in StatisticsNames. They come first: ParaView's Information panel
- * shows no field data whose first array is empty. The last of several with one name counts.
+ * Add figures to the data's field data: the array Statistics, with names in StatisticsNames. These
+ * arrays come first: ParaView's Information panel shows no field data whose first array is empty.
+ * Of several figures of one name the last counts.
  */
 void AddStatistics(const insideout::Statistics& statistics, vtkDataObject* output);
 
-/** Put the statistics that the input came with behind those of the output that has its own. */
+/** Append the input's statistics to the output's own. */
 void KeepStatistics(vtkFieldData* input, vtkDataObject* output);
 } // namespace vtkInsideOut

@@ -17,13 +17,14 @@ namespace vtkInsideOut
 {
 namespace
 {
-/** As the value of an attribute. VTK's reader looks for numbers behind the first `>`. */
+/** Encode for the value of an attribute. VTK's reader searches for numbers after the first `>`. */
 std::string EncodedForXml(const std::string& name)
 {
   std::string encoded;
   for (const char c : name)
   {
-    const bool isControl = static_cast<unsigned char>(c) < ' '; // most of which XML cannot have
+    // XML cannot represent most of these
+    const bool isControl = static_cast<unsigned char>(c) < ' ';
     switch (isControl ? ' ' : c)
     {
       case '&':
@@ -45,7 +46,7 @@ std::string EncodedForXml(const std::string& name)
   return encoded;
 }
 
-/** Encode the names of components, in arrays that stand in for those of the data. */
+/** Encode names of components, in arrays that replace those of the data. */
 void EncodeComponentNames(vtkFieldData* data)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -60,7 +61,7 @@ void EncodeComponentNames(vtkFieldData* data)
         const char* name = array->GetComponentName(k);
         encoded->SetComponentName(k, EncodedForXml(name ? name : "").c_str());
       }
-      data->AddArray(encoded); // in the place of the one that has its name
+      data->AddArray(encoded); // replaces the array of the same name
     }
   }
 }

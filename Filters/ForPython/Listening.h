@@ -11,7 +11,7 @@
 
 namespace vtkInsideOut
 {
-/** Tells a listener of the progress, and stops when it says so. */
+/** Reports the progress to a listener, and stops on request. */
 class ListeningMonitor : public insideout::Monitor
 {
 public:
@@ -29,8 +29,8 @@ private:
   vtkInsideOutListener Listener;
 };
 
-/** Do some work, and tell a listener of what fails: Core's errors have all the words, other
- * messages begin with `culprit`. */
+/** Do some work, and report errors to a listener: Core's errors are complete, other messages are
+ * prefixed with `culprit`. */
 template <typename Work>
 void TellWhatFails(vtkInsideOutListener listener, const std::string& culprit,
   const char* withoutMemory, const Work& work)

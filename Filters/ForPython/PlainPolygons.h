@@ -15,7 +15,7 @@ extern "C"
    *
    * @param surface, plain addresses of vtkPolyData as vtkObjectBase, to read and to fill
    * @param inFloats whether to round the points to floats (RoundToFloats), which loses the points'
-   * attributes; a warning tells the listener of what that makes worse
+   * attributes; the listener gets a warning of new defects
    */
   VTKFILTERSINSIDEOUT_EXPORT void vtkInsideOutPlainPolygons(
     void* surface, void* plain, int inFloats, vtkInsideOutListener listener);

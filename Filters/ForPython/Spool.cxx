@@ -81,7 +81,7 @@ void Spool::GoTo(std::size_t position)
   {
     this->Complete = false;
   }
-  // Without memory the rest goes into the first piece, for nobody will ask for it.
+  // Without memory the rest overwrites the first chunk, which is not needed any more.
   Piece& piece = *this->Pieces[this->Complete ? this->Current : 0];
   this->setp(piece.data(), piece.data() + piece.size());
   this->pbump(static_cast<int>(position % PieceLength));

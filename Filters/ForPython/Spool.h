@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   Spool
- * @brief   keeps in memory what a stream writes, and never fails meanwhile
+ * @brief an in-memory stream buffer whose writes never fail
  *
- * VTK's XML writers go back to what they wrote, and crash when their stream fails. Here they cannot
- * see it fail: when there is no memory left the rest is thrown away, and MoveTo says so.
+ * VTK's XML writers seek back, and crash when their stream fails. This buffer hides failures from
+ * them: without memory the rest is discarded, and MoveTo reports it.
  */
 #pragma once
 
@@ -28,8 +28,8 @@ public:
   ~Spool() override;
 
   /**
-   * Write it to a file. Bytes that are written leave the memory.
-   * @throws std::bad_alloc if it is not all there; Error of the file
+   * Write it to a file, freeing the memory of written bytes.
+   * @throws std::bad_alloc if it is incomplete; Error of the file
    */
   void MoveTo(insideout::OutputFile& file);
 
@@ -45,9 +45,9 @@ private:
   std::size_t Position() const;
   void GoTo(std::size_t position);
 
-  std::vector<std::unique_ptr<Piece>> Pieces; ///< the first is always there
-  std::size_t Current = 0;                    ///< the piece that is written to
-  std::size_t Length = 0;                     ///< of all, but for what was written since GoTo
+  std::vector<std::unique_ptr<Piece>> Pieces; ///< the first always exists
+  std::size_t Current = 0;                    ///< the chunk being written to
+  std::size_t Length = 0;                     ///< total size, without bytes written since GoTo
   bool Complete = true;
 };
 } // namespace vtkInsideOut

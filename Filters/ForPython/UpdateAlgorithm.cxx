@@ -10,7 +10,7 @@
 
 namespace
 {
-/** Tells the listener of the events of an algorithm and its executive as long as it lives. */
+/** Reports the events of an algorithm and its executive to the listener during its lifetime. */
 class Observation : public vtkCommand
 {
 public:

@@ -18,14 +18,14 @@ namespace vtkInsideOut
 {
 namespace
 {
-/** Of an input: the composite data set whose blocks it becomes in turn. */
+/** Key in an input's information: the composite data set whose blocks replace it in turn. */
 vtkInformationDataObjectKey* BlocksKey()
 {
   static auto* const key = vtkInformationDataObjectKey::MakeKey("BLOCKS", "vtkInsideOut");
   return key;
 }
 
-/** One of two or more needs a number where it has no name. */
+/** An unnamed block needs a number if there are two or more. */
 std::string Part(vtkInformation* metaData, unsigned int index, unsigned int numberOfChildren)
 {
   const char* name = metaData ? metaData->Get(vtkCompositeDataSet::NAME()) : nullptr;
@@ -38,7 +38,7 @@ bool IsPartition(vtkDataObject* data, vtkDataObject* block)
   return std::find(partitions.begin(), partitions.end(), data) != partitions.end();
 }
 
-/** Visit what has no blocks of its own as (data, path). */
+/** Visit the leaves as (data, path). */
 template <typename Visit>
 void VisitLeaves(vtkDataObject* data, const std::string& path, const Visit& visit)
 {
@@ -70,7 +70,10 @@ void VisitLeaves(vtkDataObject* data, const std::string& path, const Visit& visi
   }
 }
 
-/** The blocks, of which one is or has the data; none is where it is not among them. */
+/**
+ * The blocks, with the one that is or contains the data as the current one; none if it is not among
+ * them.
+ */
 Blocks FindBlock(vtkDataObject* data, vtkDataObject* blocks)
 {
   Blocks found;
@@ -86,7 +89,7 @@ Blocks FindBlock(vtkDataObject* data, vtkDataObject* blocks)
   return found;
 }
 
-/** The first one on a port, or nothing. */
+/** The first input of a port, or null. */
 vtkInformation* InputOf(vtkAlgorithm* algorithm, int port)
 {
   return algorithm->GetNumberOfInputPorts() > port &&
@@ -95,7 +98,7 @@ vtkInformation* InputOf(vtkAlgorithm* algorithm, int port)
     : nullptr;
 }
 
-/** The blocks that an input of an algorithm has, and which of them it works on. */
+/** The blocks of an algorithm's input, with the current one. */
 Blocks BlocksOf(vtkAlgorithm* algorithm, int port)
 {
   vtkInformation* input = InputOf(algorithm, port);

@@ -35,7 +35,7 @@ bool HasPolygons(vtkPolyData* surface)
   return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
 }
 
-/** The body that each seed names: None for none. */
+/** The body named by each seed: None for none. */
 std::vector<Id> BodiesOfSeeds(vtkPointSet* points, const std::vector<std::string>& names)
 {
   std::vector<Id> bodies(points->GetNumberOfPoints(), None);
@@ -61,7 +61,7 @@ std::vector<Id> BodiesOfSeeds(vtkPointSet* points, const std::vector<std::string
   return bodies;
 }
 
-/** Keep the triangles that have different labels on their sides. @return these labels */
+/** Keep the triangles with different labels on their sides. @return these labels */
 std::vector<Sides> KeepInterfaces(Surface& surface, const Tags& sides, const std::string& arrayName)
 {
   std::vector<Sides> kept;
@@ -104,7 +104,7 @@ std::vector<Sides> KeepInterfaces(Surface& surface, const Tags& sides, const std
   return kept;
 }
 
-/** Replace each triangle between two bodies by one for each. @return the body of each triangle */
+/** Replace each triangle between two bodies by one per body. @return the body of each triangle */
 std::vector<Id> GiveToBothSides(Surface& surface, const std::vector<Sides>& sides)
 {
   const TriangleSoup given = surface.Soup;
@@ -139,7 +139,7 @@ std::vector<Id> GiveToBothSides(Surface& surface, const std::vector<Sides>& side
   return ofTriangle;
 }
 
-/** An array of a component per body, which have the bodies' names. */
+/** An array with one component per body, named after the bodies. */
 template <typename Array, typename Value>
 vtkSmartPointer<Array> ArrayOfBodies(const char* name,
   const std::vector<std::vector<Value>>& values, const std::vector<std::string>& names)
@@ -157,7 +157,7 @@ vtkSmartPointer<Array> ArrayOfBodies(const char* name,
   return array;
 }
 
-/** Of each body whether regions are of it. */
+/** Per body, whether regions belong to it. */
 std::vector<std::vector<unsigned char>> RegionsOfBodies(
   const std::vector<std::vector<Id>>& bodiesOfRegions, std::size_t bodies)
 {
@@ -191,7 +191,8 @@ vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::
       }
       auto copy = vtkSmartPointer<vtkPolyData>::New();
       copy->ShallowCopy(surface);
-      CheckPolygons(surface, label); // ids that are out of range are not when surfaces are joined
+      // Check before surfaces are joined, which can hide ids out of range.
+      CheckPolygons(surface, label);
       std::vector<std::string> ofBody;
       if (!HasPolygons(surface))
       {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Several bodies in one input: which triangles are whose, and the arrays that tell of them.
+ * @file Several bodies in one input: the assignment of triangles to bodies, and the arrays for it.
  */
 #pragma once
 
@@ -18,10 +17,10 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** The bodies of a surface; it is a single one without a name where there are none. */
+/** The bodies of a surface; without names it is a single one. */
 struct Bodies
 {
-  std::vector<insideout::Id> OfTriangle; ///< one per triangle, by the names
+  std::vector<insideout::Id> OfTriangle; ///< one per triangle, indices in the names
   std::vector<std::string> Names;
 
   bool AreNamed() const { return !this->Names.empty(); }
@@ -31,70 +30,70 @@ struct Bodies
 constexpr const char* BodyIds = "BodyIds";
 
 /**
- * All blocks of a composite data set as one surface, in their order, with the data that all of them
- * have; the cell array BodyIds numbers the blocks, and the field array BodyNames has what they are
- * called, by what leads to them (Block).
+ * Join all blocks of a composite data set to one surface, in their order, with their common data.
+ * The cell array BodyIds numbers the blocks, and the field array BodyNames has their names as paths
+ * (Block).
  *
  * @param[in,out] warnings gains a line per block without polygons, and per array that is renamed
  * @throws insideout::Error InvalidParameter that names a block which is no vtkPolyData;
- *   EmptySurface where none has polygons
+ *   EmptySurface if none has polygons
  */
 vtkSmartPointer<vtkPolyData> JoinBlocks(vtkDataObject* blocks, std::vector<std::string>& warnings);
 
-/** The names of the bodies by a cell array; none where its name is empty. */
+/** The names of the bodies of a cell array; none if its name is empty. */
 std::vector<std::string> NamesOfBodies(vtkPolyData* surface, const std::string& arrayName);
 
 /**
- * The bodies by a cell array, as ReadTags or ReadSides reads it; none where its name is empty.
+ * The bodies by a cell array, as ReadTags or ReadSides reads it; none if its name is empty.
  *
- * @param[in,out] surface by sides each triangle between two bodies is there twice then, a copy for
- *   each, turned outward; what lies in one body on both sides, or in none, is left out with a
- *   warning
+ * @param[in,out] surface with two labels per triangle, each triangle between two bodies becomes one
+ * copy per body, turned outward; triangles with one body, or none, on both sides are left out with
+ * a warning
  */
 Bodies ReadBodies(Surface& surface, const std::string& arrayName);
 
-/** Names that are parted by commas; what follows a backslash is part of a name. */
+/** Names separated by commas; a backslash escapes the next character. */
 std::vector<std::string> SplitNames(const std::string& names);
 
 /**
- * The seeds of each body: those whose array Body has its name; and those outside that name none.
+ * The seeds of each body: those with its name in their array Body, and outside seeds without a
+ * name.
  *
- * @param[in] points that the seeds were read from
- * @throws insideout::Error InvalidParameter for a name that is no body's, for a seed inside that
- * names none, and for an array that has not one value per point
+ * @param[in] points from which the seeds were read
+ * @throws insideout::Error InvalidParameter for the name of no body, for an inside seed without a
+ * name, and for an array without one value per point
  */
 std::vector<std::vector<insideout::Seed>> SeedsOfBodies(const std::vector<insideout::Seed>& seeds,
   vtkPointSet* points, const std::vector<std::string>& names);
 
 /**
- * The pieces of each body's facets, of those that are chosen.
+ * The selected pieces of each body's facets.
  *
  * @param[in] chosen one per facet; empty for all
  */
 std::vector<std::vector<insideout::FacetPiece>> PiecesOfBodies(
   const insideout::HullMesh& hull, const Bodies& bodies, const std::vector<unsigned char>& chosen);
 
-/** Whether a facet's own bodies have a cell: what keeps it from being an outlier. */
+/** Whether a cell is in one of a facet's own bodies: such a facet is not an outlier. */
 std::function<bool(insideout::Id, insideout::Id)> IsInOwnBody(const insideout::HullMesh& hull,
   const Bodies& bodies, const std::vector<std::vector<unsigned char>>& inside);
 
-/** The winding number of each body on a grid of all cells: its cell array BodyW. */
+/** The winding number of each body, as the cell array BodyW of a grid of all cells. */
 void AddBodyW(const insideout::HullMesh& hull, const std::vector<std::string>& names,
   vtkUnstructuredGrid* grid);
 
-/** Where bodies are, on a grid of all cells, as its cell array InBody, and the field arrays
+/** The extent of each body, as the cell array InBody of a grid of all cells, with the field arrays
  * BodyNames, BodyVolume, RegionNames and RegionBodies. */
 void AddBodies(const Bodies& bodies, const std::vector<std::vector<unsigned char>>& inside,
   const insideout::BodyRegions& regions, const insideout::TetrahedralMesh& mesh,
   vtkUnstructuredGrid* grid);
 
-/** Add the regions behind and before each triangle of a boundary of regions: the cell array
- * RegionIds. */
+/** Add the regions behind and in front of each boundary triangle: the cell array RegionIds. */
 void AddRegionIds(const insideout::RegionBoundaries& boundaries, vtkPolyData* boundary);
 
 /**
  * Tag the triangles of a boundary of regions by the two regions: the cell array BoundaryTag.
- * Triangles without a region beyond have the tags of the surface, if these are given.
+ * Triangles with the outside beyond have the tags of the surface, if given.
  *
  * @param[in] tags of the surface, or nullptr
  */

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkAbstractArray> ValuesOfCorners(vtkPolyData* surface, const st
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
     surface->GetCellPoints(cell, corners);
-    // A cell without corners has the value of point 0, so that it makes no tag of its own.
+    // A cell without corners gets the value of point 0, so that it adds no tag.
     const vtkIdType first = corners->GetNumberOfIds() > 0 ? corners->GetId(0) : 0;
     for (const vtkIdType corner : *corners)
     {

@@ -82,8 +82,9 @@ void UniteTimes(vtkAlgorithm* algorithm)
   }
 }
 
-/** VTK marks what was made with the time of the first input's data, which is not what was asked for
- * where another one moves, too. The executive has passed that on to all inputs. */
+/** VTK marks outputs with the time of the first input's data, which differs from the requested one
+ * if another input is time-dependent. The executive has passed the requested time on to all inputs.
+ */
 void MarkWithTime(vtkAlgorithm* algorithm)
 {
   const std::vector<vtkInformation*> inputs = InputsOf(algorithm);
@@ -101,7 +102,7 @@ void MarkWithTime(vtkAlgorithm* algorithm)
   }
 }
 
-/** Comes before the executive looks at the time of what was made. */
+/** Called before the executive reads the time of the outputs. */
 class AfterExecution : public vtkCommand
 {
 public:

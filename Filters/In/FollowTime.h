@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * The time of filters that have several inputs. VTK takes an output's time from the first input
- * alone: where another one moves, nothing downstream would ask for its time steps, and the filter
- * would not run again.
+ * @file The time of filters that have several inputs. VTK takes an output's time from the first
+ * input only: if another input is time-dependent, downstream would not request its time steps, and
+ * the filter would not run again.
  */
 #pragma once
 
@@ -12,12 +11,12 @@ class vtkAlgorithm;
 namespace vtkInsideOut
 {
 /**
- * Give the outputs the time steps, and the range of time, of all inputs together: from
- * RequestInformation. Each execution gives them once more, for VTK takes those of the first input
- * again when it has gone through the blocks of one. The output is marked with the time that was
- * asked for where other inputs than the first move.
+ * Set the outputs' time steps and time range to those of all inputs together; called from
+ * RequestInformation. Each execution repeats this, because VTK resets them to those of the first
+ * input after the blocks of a composite one. If other inputs than the first are time-dependent, the
+ * output is marked with the requested time.
  *
- * @return 1, as RequestInformation has to
+ * @return 1, for RequestInformation
  */
 int FollowTime(vtkAlgorithm* algorithm);
 } // namespace vtkInsideOut

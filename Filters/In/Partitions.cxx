@@ -52,8 +52,8 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<Labelled>& surfaces)
   return append->GetOutput();
 }
 
-/** By their numbers the partitions of a block that are not empty, or else the first; none where one
- * is of another type. */
+/** The non-empty partitions of a block in order, or else the first; none if one has another type.
+ */
 template <typename Data>
 std::map<std::size_t, Data*> FilledPartitions(vtkDataObject* block)
 {
@@ -172,7 +172,7 @@ vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks, const std::strin
   vtkNew<vtkAppendFilter> append;
   append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   bool isThere = false;
-  std::string without; // the first block that lacks the array
+  std::string without; // the first block without the array
   int number = 0;
   const auto add = [&](vtkDataObject* block, const std::string& name)
   {

@@ -4,9 +4,9 @@
  * Several data sets as one: the partitions of a partitioned data set, which are one surface or one
  * grid, and the blocks of a second input: a surface to probe, seeds, a background or a solid.
  *
- * Points and cells are numbered one data set after the other; of surfaces first the vertices of
- * all, then the lines, the polygons and the strips, as vtkPolyData numbers cells. There are the
- * arrays that all have, the field data of the first, and no ghost cells.
+ * Points and cells are numbered data set by data set; for surfaces first all vertices, then all
+ * lines, polygons and strips, as vtkPolyData numbers cells. The result has the common arrays, the
+ * field data of the first, and no ghost cells.
  */
 #pragma once
 
@@ -25,39 +25,41 @@ namespace vtkInsideOut
 /**
  * The surface of a block: itself, or its partitions.
  *
- * @param[in] label what messages begin with
- * @return null where it, or a partition, is none
- * @throws insideout::Error that names the partition, and the cell or point at fault, for to join
- * surfaces hides that one refers to points that it does not have
+ * @param[in] label prefix of messages
+ * @return null if it, or a partition, is not a surface
+ * @throws insideout::Error that names the partition, and the invalid cell or point: joining
+ * surfaces would hide a reference to missing points
  */
 vtkSmartPointer<vtkPolyData> JoinPartitions(
   vtkDataObject* block, const std::string& label = std::string());
 
 ///@{
 /** The same of the block that an algorithm works on as its first input, or of any.
- * @throws insideout::Error InvalidParameter where it is no surface, too */
+ * @throws insideout::Error also InvalidParameter if it is not a surface
+ */
 vtkSmartPointer<vtkPolyData> InputSurface(vtkAlgorithm* algorithm);
 vtkSmartPointer<vtkPolyData> SurfaceOfBlock(
   vtkDataObject* block, const std::string& label = std::string());
 ///@}
 
-/** The grid that an algorithm's first input is; partitions share the points that they have in
- * common. @throws insideout::Error InvalidParameter where it is no grid */
+/** The grid of an algorithm's first input, with common points of partitions merged. @throws
+ * insideout::Error InvalidParameter if it is not a grid
+ */
 vtkSmartPointer<vtkUnstructuredGrid> InputGrid(vtkAlgorithm* algorithm);
 
 /**
- * All blocks of a composite data set as one surface; what is not composite is the only one.
+ * All blocks of a composite data set as one surface; other data are their only block.
  *
- * @throws insideout::Error that names the block at fault
+ * @throws insideout::Error that names the invalid block
  */
 vtkSmartPointer<vtkPolyData> JoinSurfaces(vtkDataObject* blocks);
 
 /**
- * Join data sets of any type into a grid; one that is no block is returned as it is. Null if there
- * is none.
+ * Join blocks of any type to a grid; a data set that is not composite is returned unchanged. Null
+ * without blocks.
  *
- * @param[in] array of points or cells that all blocks need if one has it; others stay if all have
- * them
+ * @param[in] array of points or cells that all blocks need if one has it; other arrays are kept if
+ * all blocks have them
  * @throws insideout::Error InvalidParameter that names a block without the array
  */
 vtkSmartPointer<vtkDataSet> JoinDataSets(vtkDataObject* blocks, const std::string& array);

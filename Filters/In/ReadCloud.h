@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Reads the points of a vtkPolyData as those of a surface without polygons, with their normals.
+ * @file Reads the points of a vtkPolyData without polygons, with their normals, as a point cloud.
  */
 #pragma once
 
@@ -14,19 +13,18 @@ class vtkPolyData;
 
 namespace vtkInsideOut
 {
-/** Whether an input is points without polygons and lines; vertices do not matter. */
+/** Whether an input has points but no polygons and lines; vertices are ignored. */
 bool IsCloud(vtkPolyData* input);
 
-/** The points' normals, or an array of three components that is called Normals; nullptr where there
- * is none. */
+/** The points' normals, or an array of three components named Normals; nullptr if there is none. */
 vtkDataArray* FindNormals(vtkPolyData* input);
 
 /**
- * All points of a cloud, in no vertex too, as they are.
+ * All points of a cloud, unchanged, including those in no vertex.
  *
- * @param[in] areas the name of a point array of one number; where there is none of this name there
- * are no areas
- * @throws insideout::Error that says what is missing
+ * @param[in] areas the name of a point array of one number; without such an array there are no
+ * areas
+ * @throws insideout::Error that names the missing array
  */
 insideout::PointCloud ReadCloud(vtkPolyData* input, const std::string& areas);
 } // namespace vtkInsideOut

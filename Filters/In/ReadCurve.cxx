@@ -46,8 +46,8 @@ void VisitCells(vtkCellArray* cells, const Visit& visit)
   }
 }
 
-/** Visit the outlines of polygons and of the triangles of strips, or the lines where there are
- * neither, as (cell, points). */
+/** Visit the outlines of polygons and of triangles of strips, or the lines if there are neither, as
+ * (cell, points). */
 template <typename Visit>
 void VisitOutlines(vtkPolyData* input, const Visit& visit)
 {
@@ -88,7 +88,7 @@ void VisitOutlines(vtkPolyData* input, const Visit& visit)
     });
 }
 
-/** The points that outlines use. @throws Error PointOutOfRange, PointNotFinite */
+/** The points used by outlines. @throws Error PointOutOfRange, PointNotFinite */
 std::vector<Point> PointsInUse(vtkPolyData* input, const std::vector<Point>& points)
 {
   std::vector<char> isUsed(points.size(), 0);
@@ -146,10 +146,14 @@ std::vector<Point> SomePoints(vtkPolyData* input)
   return points;
 }
 
-/** Whether points are farther from any plane than rounding explains; most surfaces' few are. */
+/**
+ * Whether points are farther from any plane than rounding explains; for most surfaces a few
+ * suffice.
+ */
 bool AreSurelyNotFlat(const std::vector<Point>& points)
 {
-  constexpr double surely = 16; // the plane of few points is not quite that of all
+  // tolerance, because the plane of a few points is not exactly that of all
+  constexpr double surely = 16;
   if (!std::all_of(points.begin(), points.end(), insideout::IsFinite))
   {
     return true;
@@ -160,11 +164,11 @@ bool AreSurelyNotFlat(const std::vector<Point>& points)
   }
   catch (const Error&)
   {
-    return false; // on a line
+    return false; // collinear
   }
 }
 
-/** Twice the area of an outline, negative for one that runs clockwise. */
+/** Twice the signed area of an outline, negative if clockwise. */
 double TwiceAreaOf(const std::vector<Point>& points, const std::vector<Id>& ids, const Plane& plane)
 {
   double area = 0;
@@ -196,7 +200,7 @@ void ReadLines(Curve& curve)
     });
 }
 
-/** How often lines count that are the resolved lines of vtkRobustTriangulate. */
+/** The count of each line, for resolved lines of vtkRobustTriangulate. */
 void ReadMultiplicity(Curve& curve)
 {
   vtkDataArray* multiplicity = FindCellArray(curve.Input, "FacetMultiplicity");
@@ -210,7 +214,7 @@ void ReadMultiplicity(Curve& curve)
   }
 }
 
-/** The edges of polygons, each counted, for polygons that face where the orientation wants them. */
+/** The edges of polygons, each counted, with polygons oriented as the orientation requires. */
 void ReadPolygons(Curve& curve, insideout::Orientation orientation)
 {
   const std::vector<Point>& points = curve.Soup.Points;
@@ -281,7 +285,7 @@ void ReadParticipation(const std::string& name, Curve& curve)
   }
 }
 
-/** A line that says how far points are from a plane. */
+/** A message with the distance of points from a plane. */
 std::string NotFlat(const Plane& plane)
 {
   char distance[32];
@@ -309,7 +313,7 @@ bool IsInAPlane(vtkPolyData* input)
   }
   catch (const Error&)
   {
-    return false; // where it is refused with its own words
+    return false; // it is then refused with a message of its own
   }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Reads what lies in a plane of a vtkPolyData: its lines, or the edges of its polygons, as segments
- * for the stages.
+ * @file Reads planar curves from a vtkPolyData: its lines, or the edges of its polygons, as
+ * segments for the stages.
  */
 #pragma once
 
@@ -20,42 +19,43 @@ class vtkPolyData;
 
 namespace vtkInsideOut
 {
-/** The segments of a curve, and where they came from. */
+/** The segments of a curve, and their input cells. */
 struct Curve
 {
   vtkSmartPointer<vtkPolyData> Input;
-  insideout::Plane Plane;                 ///< for polygons seen from where most face
+  insideout::Plane Plane;                 ///< seen from the side that most polygons face
   insideout::SegmentSoup Soup;            ///< points have the input's ids
   std::vector<vtkIdType> CellOfSegment;   ///< the input cell that each segment is a part of
   std::vector<vtkIdType> TurnedCells;     ///< polygons that face the other way; ascending
-  bool ArePolygons = false;               ///< or else lines
-  std::vector<std::string> Warnings = {}; ///< what was passed over or turned, one line each
+  bool ArePolygons = false;               ///< otherwise they are lines
+  std::vector<std::string> Warnings = {}; ///< warnings of skipped or reversed cells, one line each
 };
 
 /** Whether an input is lines without polygons. */
 bool AreLines(vtkPolyData* input);
 
-/** Whether an input is for vtkRobustTriangulate: lines without polygons, or polygons in one plane
- * exactly or but for rounding in double precision. */
+/** Whether an input is for vtkRobustTriangulate: lines without polygons, or coplanar polygons,
+ * exactly or up to rounding in double precision. */
 bool IsInAPlane(vtkPolyData* input);
 
 ///@{
-/** For what takes surfaces. @throws insideout::Error that names vtkRobustTriangulate where the
- * input is lines; and, where it takes no polygons in a plane, that they are. */
+/** Checks for filters of surfaces. @throws insideout::Error that names vtkRobustTriangulate if the
+ * input is lines, or coplanar polygons that the filter does not accept
+ */
 void RefuseLines(vtkPolyData* input);
 void RefusePlane(vtkPolyData* input, bool thickens = false);
 ///@}
 
 /**
- * The segments of the lines, polylines too, by the cell array FacetMultiplicity as often as it
- * says; or, where there are polygons or strips, of their edges, which all count: those of two
- * polygons side by side cancel, and shape the mesh only. Polygons are turned so that all face one
- * way, unless the orientation says otherwise.
+ * The segments of lines and polylines, with counts from the cell array FacetMultiplicity. If there
+ * are polygons or strips, their edges instead, all counted: those of two adjacent polygons cancel,
+ * and only shape the mesh. Polygons are turned to face one way, unless the orientation says
+ * otherwise.
  *
- * @param[in] nonParticipating a cell array of one number per cell, which is not 0 for cells that do
- * not count in w; none where the name is empty
- * @throws insideout::Error that names the cell, point or array at fault, or how far points are from
- * a plane
+ * @param[in] nonParticipating a cell array of one number per cell, not 0 for cells that do not
+ * count in w; none if the name is empty
+ * @throws insideout::Error that names the invalid cell, point or array, or the distance of points
+ * from a plane
  */
 Curve ReadCurve(
   vtkPolyData* input, insideout::Orientation orientation, const std::string& nonParticipating);

@@ -21,7 +21,7 @@ using namespace insideout;
 
 namespace
 {
-/** A cell array of one tuple of so many components per cell; nullptr where there is none. */
+/** A cell array with this number of components and one tuple per cell; nullptr if there is none. */
 vtkDataArray* FindArray(vtkUnstructuredGrid* grid, const char* name, int components)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(name);
@@ -59,7 +59,7 @@ Tetrahedron CornersOf(vtkIdType cell, vtkIdList* ids, std::size_t points)
   return corners;
 }
 
-/** The points between these, checked; None for a cell of first order. */
+/** The checked mid-edge nodes; None for a cell of first order. */
 std::array<Id, 6> MidpointsOf(vtkIdType cell, int type, vtkIdList* ids, std::size_t points)
 {
   std::array<Id, 6> midpoints;
@@ -89,7 +89,7 @@ void CheckCell(vtkIdType id, vtkCell* cell, int dimension)
 
 std::string CellName(int type)
 {
-  // vtkCellTypes would say it, too, but VTK 9.6 deprecates that.
+  // vtkCellTypes provides these names, too, but VTK 9.6 deprecates it.
   const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
   return cell ? cell->GetClassName() : "UnknownClass";
 }
@@ -202,7 +202,7 @@ CellParts ReadSides(vtkUnstructuredGrid* grid)
     {
       vtkCell* side = dimension == 3 ? cell->GetFace(k) : cell->GetEdge(k);
       std::vector<vtkIdType> corners(side->GetPointIds()->begin(), side->GetPointIds()->end());
-      if (side->GetCellType() == VTK_PIXEL) // whose corners do not run around it
+      if (side->GetCellType() == VTK_PIXEL) // corners that do not run around it
       {
         std::swap(corners[2], corners[3]);
       }
@@ -214,7 +214,7 @@ CellParts ReadSides(vtkUnstructuredGrid* grid)
 
 std::vector<double> ReadSizes(vtkUnstructuredGrid* grid)
 {
-  // Each simplex has points of its own: not all cells of VTK tell their ids.
+  // Each simplex has its own points, because not all of VTK's cells provide their ids.
   std::vector<Point> points;
   CellParts simplices;
   vtkNew<vtkGenericCell> cell;

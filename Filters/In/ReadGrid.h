@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Reads a vtkUnstructuredGrid: tetrahedra as they are; for the graph cut with their neighbors, or
- * cells of any type by their parts.
+ * @file Reads a vtkUnstructuredGrid: tetrahedra unchanged; for the graph cut with their neighbors,
+ * or cells of any type by their parts.
  */
 #pragma once
 
@@ -19,10 +18,10 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** The first cell that is no tetrahedron, -1 if all are. */
+/** The first cell that is not a tetrahedron, -1 if all are. */
 vtkIdType FindOtherCell(vtkUnstructuredGrid* grid);
 
-/** What VTK calls cells of a type: vtkHexahedron, say. */
+/** VTK's name of a cell type, for example vtkHexahedron. */
 std::string CellName(int type);
 
 /** The tetrahedra of a grid. */
@@ -31,32 +30,32 @@ struct GridTetrahedra
   std::vector<insideout::Point> Points; ///< all of the grid
   std::vector<insideout::Tetrahedron> Cells;
 
-  /** The points between each cell's corners, None for a cell of first order. */
+  /** The mid-edge nodes of each cell, None for a cell of first order. */
   std::vector<std::array<insideout::Id, 6>> Midpoints;
 
   std::vector<vtkIdType> CellIds; ///< of the grid
 };
 
 /**
- * The points of tetrahedra of first and second order (vtkTetra, vtkQuadraticTetra), in their
- * order. Cells of fewer dimensions, as the triangles of a boundary, are passed over.
+ * The points of tetrahedra of first and second order (vtkTetra, vtkQuadraticTetra), in their order.
+ * Cells of lower dimension, such as the triangles of a boundary, are skipped.
  *
  * @throws insideout::Error that names another cell of three dimensions, one without four different
  *         points, or a point that is not finite; TooLarge
  */
 GridTetrahedra ReadTetrahedraOfAnyOrder(vtkUnstructuredGrid* grid);
 
-/** @throws insideout::Error when there is no cell array w of one value per cell */
+/** @throws insideout::Error without a cell array w of one value per cell */
 std::vector<double> ReadWindingNumbers(vtkUnstructuredGrid* grid);
 
-/** Whether a cell array FacetIds tells which faces are on facets. */
+/** Whether a cell array FacetIds marks the faces on facets. */
 bool HasFacetIds(vtkUnstructuredGrid* grid);
 
 /**
- * Tetrahedra with their neighbors. A face is on a facet where FacetIds is not negative; without
- * the array, none is.
+ * Tetrahedra with their neighbors. A face is on a facet if FacetIds is not negative; without the
+ * array, none is.
  *
- * @throws insideout::Error TooLarge, and when the grid does not conform
+ * @throws insideout::Error TooLarge, or if the grid is not conforming
  */
 insideout::TetrahedralMesh ReadTetrahedra(vtkUnstructuredGrid* grid);
 
@@ -73,6 +72,6 @@ std::vector<double> ReadSizes(vtkUnstructuredGrid* grid);
 /** Whether an array has integers for each cell. */
 bool HasIntegers(vtkDataArray* array, vtkUnstructuredGrid* grid);
 
-/** Numbers from 0 in the order of values, none of which is NaN. */
+/** Numbers from 0 in the order of values, which are not NaN. */
 std::vector<insideout::Id> NumberedAnew(const std::vector<double>& values);
 } // namespace vtkInsideOut

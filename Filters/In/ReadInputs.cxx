@@ -58,7 +58,7 @@ std::string NameOf(const NamedSurface& surface, std::size_t index)
   return index < 26 ? std::string(1, static_cast<char>('A' + index)) : std::to_string(index + 1);
 }
 
-/** Its triangles; none where there are no polygons. */
+/** Its triangles; none without polygons. */
 Surface ReadBody(vtkPolyData* data, const std::string& name)
 {
   try
@@ -95,8 +95,8 @@ void Append(const Surface& body, Inputs& bodies)
 }
 
 /**
- * A surface with the same data but for arrays that the result has of its own. Those of an earlier
- * result tell of bodies that are not here; those of a user get another name.
+ * A surface with the same data, without arrays that the result adds. Those of an earlier result
+ * describe other bodies and are dropped; a user's are renamed.
  */
 vtkSmartPointer<vtkPolyData> CopyOwnData(vtkPolyData* surface, std::vector<std::string>& warnings)
 {
@@ -121,8 +121,8 @@ vtkSmartPointer<vtkPolyData> CopyOwnData(vtkPolyData* surface, std::vector<std::
   return copy;
 }
 
-/** A data set of the bodies' point and cell data, with as many points and cells, but no geometry.
- */
+/** A data set with the bodies' point and cell data, with as many points and cells, but without
+ * geometry. */
 vtkSmartPointer<vtkPolyData> DataOf(const std::vector<NamedSurface>& surfaces, Inputs& bodies)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();

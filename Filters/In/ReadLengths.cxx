@@ -23,7 +23,7 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/** @param[in] owner what the data set is, for the error */
+/** @param[in] owner name of the data set, for the error */
 std::vector<double> ReadLengths(vtkDataSet* data, const std::string& name, const std::string& owner)
 {
   vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
@@ -51,7 +51,7 @@ std::vector<double> ReadLengths(vtkDataSet* data, const std::string& name, const
   return lengths;
 }
 
-/** Values at places in a data set. */
+/** Interpolates values at places in a data set. */
 class Background
 {
 public:
@@ -84,7 +84,10 @@ public:
   }
 
 private:
-  /** Of a place that rounding put between cells: how far it may be from one, in diagonals. */
+  /**
+   * Limit of the distance between a cell and a place that rounding put between cells, in cell
+   * diagonals.
+   */
   static constexpr double ReachOfRounding = 1e-9;
 
   bool FindBeside(const Point& place)

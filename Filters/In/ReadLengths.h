@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * The edge lengths that arrays of data sets ask for.
- */
+/** @file The edge lengths given by arrays of data sets. */
 #pragma once
 
 #include "Common/Types.h"
@@ -16,19 +13,18 @@ class vtkDataSet;
 namespace vtkInsideOut
 {
 /**
- * The lengths at the points of a grid, infinite where the array has NaN. Empty where it has no
- * point array of this name.
+ * The lengths at the points of a grid, infinite where the array has NaN. Empty without a point
+ * array of this name.
  *
- * @throws insideout::Error that names what is wrong with the array
+ * @throws insideout::Error with the defect of the array
  */
 std::vector<double> ReadLengths(vtkDataSet* grid, const std::string& name);
 
 /**
- * The length anywhere in a background, linear between its points; infinite outside and where it is
- * NaN. For one thread.
+ * The length anywhere in a background, linear between its points; infinite outside and for NaN. Not
+ * thread-safe.
  *
- * @throws insideout::Error where the background has no such point array, or a length is not
- *   positive
+ * @throws insideout::Error if the background has no such point array, or a length is not positive
  */
 std::function<double(const insideout::Point&)> LengthsWithin(
   vtkDataSet* background, const std::string& name);

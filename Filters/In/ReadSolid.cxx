@@ -42,7 +42,7 @@ struct Parts
   vtkPolyData* Boundary = nullptr;
 };
 
-/** The solid, and the boundary if there is one, among the blocks that have cells. */
+/** The solid, and the boundary if there is one, among the blocks with cells. */
 Parts PartsOfBlocks(vtkCompositeDataSet* blocks)
 {
   Parts parts;
@@ -75,7 +75,7 @@ Parts PartsOfBlocks(vtkCompositeDataSet* blocks)
   return parts;
 }
 
-/** The same of an input that may be the solid alone. */
+/** The same for an input that may be only the solid. */
 Parts PartsOf(vtkDataObject* input)
 {
   auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
@@ -83,7 +83,7 @@ Parts PartsOf(vtkDataObject* input)
                 : Parts{ vtkUnstructuredGrid::SafeDownCast(input), nullptr };
 }
 
-/** Points of a cell by ids that may be anything. */
+/** Points of a cell by unchecked ids. */
 template <std::size_t Size>
 void CopyIds(const vtkIdType* ids, vtkIdType cell, vtkIdType points, std::array<Id, Size>& corners)
 {
@@ -151,7 +151,7 @@ std::vector<vtkIdType> ReadLayers(vtkUnstructuredGrid* grid, SolidMesh& solid)
   return all;
 }
 
-/** Corners and midpoints of the cells, which are all of one kind. */
+/** Corners and midpoints of the cells, which are all of one order. */
 void ReadCells(vtkUnstructuredGrid* grid, SolidMesh& solid)
 {
   const vtkIdType cells = grid->GetNumberOfCells();
@@ -176,7 +176,7 @@ void ReadCells(vtkUnstructuredGrid* grid, SolidMesh& solid)
   }
 }
 
-/** The numbers that a cell array has, all 0 without it. */
+/** The numbers of a cell array, all 0 without it. */
 std::vector<Id> ReadNumbers(vtkDataSet* data, const char* name, Id least)
 {
   std::vector<Id> numbers(data->GetNumberOfCells(), 0);
@@ -203,14 +203,14 @@ std::vector<Id> ReadNumbers(vtkDataSet* data, const char* name, Id least)
   return numbers;
 }
 
-/** The groups of the numbers that there are, ascending, and which of these each element has. Files
- * count from 1, and -1 comes last there. */
+/** The groups of the occurring numbers, ascending, and each element's index in these. In files
+ * numbers count from 1, and -1 becomes the last. */
 template <typename NameOf>
 std::vector<SolidGroup> MakeGroups(std::vector<Id>& numbers, const NameOf& nameOf)
 {
   std::vector<Id> present = numbers;
   SortUniquely(present);
-  const bool isAlone = !present.empty() && present.back() == 0; // but for what is outside
+  const bool isAlone = !present.empty() && present.back() == 0; // except the outside's
   std::vector<SolidGroup> groups;
   for (const Id number : present)
   {

@@ -17,12 +17,12 @@ namespace vtkInsideOut
  * The solid with its regions and tags, as vtkSolidWriter describes them.
  *
  * @param[in] input a vtkUnstructuredGrid; or a composite data set with one, and at most one surface
- * @param[in] boundary what to take for the boundary; nullptr for that of the composite data set,
- * and where there is none for the faces of one cell
- * @throws insideout::Error that names the cell, triangle or array at fault
+ * @param[in] boundary the boundary to use; nullptr for that of the composite data set, or else the
+ * faces of one cell
+ * @throws insideout::Error that names the invalid cell, triangle or array
  */
 insideout::SolidMesh ReadSolid(vtkDataObject* input, vtkPolyData* boundary);
 
-/** What has been done for the cells of such an input, by its statistics. */
+/** The number of completed cells of such an input, from its statistics. */
 insideout::CellTreatment TreatmentOf(vtkDataObject* input);
 } // namespace vtkInsideOut

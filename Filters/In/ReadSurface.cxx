@@ -31,8 +31,8 @@ namespace
  * Visit each polygon of at least three points, then each triangle of the strips, as (cell, number
  * of corners, corners).
  *
- * @param[in] checkPoint is called for each corner that is a point of the input
- * @return how many polygons have fewer points
+ * @param[in] checkPoint called for each corner that is a point of the input
+ * @return the number of polygons with fewer points
  * @throws Error PointOutOfRange
  */
 template <typename CheckPoint, typename Visit>
@@ -127,7 +127,7 @@ void ReadMultiplicity(Surface& surface)
   if (!multiplicity || multiplicity->GetDataType() == VTK_DOUBLE ||
     multiplicity->GetDataType() == VTK_FLOAT)
   {
-    return; // not what vtkResolveSelfIntersections makes
+    return; // of another type than vtkResolveSelfIntersections makes
   }
   for (const vtkIdType cell : surface.CellOfTriangle)
   {

@@ -19,14 +19,14 @@ namespace vtkInsideOut
 /** FillInputPortInformation of such a filter, whose first input is of this type. */
 int FillPort(int port, vtkInformation* info, const char* firstType);
 
-/** The points of the second input; null if there are none. */
+/** The points of the second input; null if there is none. */
 vtkSmartPointer<vtkPointSet> FindSeeds(vtkInformationVector** inputVector);
 
 /**
- * Read points as seeds, by their array Inside: 0 is outside, everything else inside. Without points
- * there are no seeds.
+ * Read points as seeds, by their array Inside: 0 is outside, all else inside. Without points there
+ * are no seeds.
  *
- * @throws insideout::Error when there are points, but no such array
+ * @throws insideout::Error if there are points, but no such array
  */
 std::vector<insideout::Seed> ReadSeeds(vtkPointSet* points);
 } // namespace vtkInsideOut

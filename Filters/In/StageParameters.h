@@ -53,17 +53,17 @@ insideout::Orientation OrientationOf(Filter* filter)
 }
 
 ///@{
-/** The options of a stage's filter, which defines it. */
+/** Options of a filter that the stage's filter defines. */
 insideout::HullMeshParameters HullParametersOf(vtkGeneralizedWindingNumber* filter);
 insideout::SegmentMeshParameters SegmentParametersOf(vtkGraphCutSegmentation* filter);
 insideout::RefinementParameters RefinementParametersOf(vtkRefineTetrahedra* filter);
 ///@}
 
-/** Whether SurfaceTreatment is automatic and EdgeLength is given, so that a surface in space is
- * remeshed. */
+/** Whether a surface in space is remeshed because SurfaceTreatment is automatic and EdgeLength is
+ * given. */
 bool FollowsLengths(vtkRefineTetrahedra* filter);
 
-/** Give a filter another stage, whose options it goes by from now on; null is no stage. */
+/** Set another stage as the source of a filter's options; null for none. */
 template <typename Filter, typename Stage>
 void SetStage(Filter* filter, Stage* stage, vtkSmartPointer<Stage>& held)
 {

@@ -28,13 +28,13 @@ using insideout::ErrorCode;
 
 namespace
 {
-/** Arrays that tell what a cell belongs to, where the user names none. The last is that of VTK's
- * STL reader; its OBJ reader has GroupIds and MaterialIds, too. */
+/** Arrays that tag cells, if the user names none. The last is that of VTK's STL reader; its OBJ
+ * reader has GroupIds and MaterialIds, too. */
 constexpr const char* KnownArrays[] = { BoundaryTag, "GroupIds", "MaterialIds",
   "STLSolidLabeling" };
 
-/** Numbers names in the order in which they come. They may be in any encoding: VTK's readers take
- * them as they are. */
+/** Numbers names in the order of first use. They may be in any encoding: VTK's readers do not
+ * convert them. */
 class TagNumbers
 {
 public:
@@ -56,7 +56,7 @@ private:
   std::map<std::string, int> Numbers;
 };
 
-/** A cell array with a number of values per cell; nullptr where there is none of this name. */
+/** A cell array with this number of values per cell; nullptr without one of this name. */
 vtkAbstractArray* FindArray(vtkPolyData* input, const std::string& name, int components = 1)
 {
   vtkAbstractArray* array = input->GetCellData()->GetAbstractArray(name.c_str());
@@ -65,14 +65,14 @@ vtkAbstractArray* FindArray(vtkPolyData* input, const std::string& name, int com
   return fits ? array : nullptr;
 }
 
-/** The field array of the names of what an array numbers; nullptr where there is none. */
+/** The field array with the names of an array's numbers; nullptr if there is none. */
 vtkStringArray* FindNames(vtkPolyData* input, const std::string& name)
 {
   return vtkStringArray::SafeDownCast(
     input->GetFieldData()->GetAbstractArray(NameOfNames(name).c_str()));
 }
 
-/** The whole number that a value is, also where it is stored as a float, as VTK's readers do. */
+/** The value as an integer, also if stored as a float, as VTK's readers do. */
 std::optional<long long> WholeNumber(const vtkVariant& value)
 {
   constexpr double Beyond = 9223372036854775808.0; // 2^63
@@ -92,10 +92,10 @@ std::optional<long long> NumberAt(vtkDataArray* array, vtkIdType value)
   const int components = array->GetNumberOfComponents();
   return WholeNumber(array->GetDataType() == VTK_BIT
       ? vtkVariant(array->GetComponent(value / components, static_cast<int>(value % components)))
-      : array->GetVariantValue(value)); // vtkBitArray knows no variants
+      : array->GetVariantValue(value)); // vtkBitArray does not support variants
 }
 
-/** What a number is called. */
+/** The name of a number. */
 std::string NameOf(vtkStringArray* names, long long number)
 {
   const bool isNamed =
@@ -105,7 +105,7 @@ std::string NameOf(vtkStringArray* names, long long number)
 
 using Cells = std::vector<vtkIdType>;
 
-/** The whole number at a place among an array's values. */
+/** The integer at an index among the array's values. */
 long long TagNumberAt(vtkDataArray* array, vtkIdType value)
 {
   const std::optional<long long> number = NumberAt(array, value);
@@ -170,7 +170,7 @@ Tags TagsOf(vtkPolyData* input, const std::string& name, const Cells& cells)
     "the surface has no cell array " + name + " of one integer or string per cell, for its tags");
 }
 
-/** The tag of a block among those of all, so that they can be put together. */
+/** A block's tag numbered among those of all, so that the blocks can be joined. */
 Tags TagsOfBlock(vtkPolyData* input, const Blocks& blocks)
 {
   TagNumbers numbers;
@@ -200,7 +200,7 @@ Tags AutomaticTags(vtkPolyData* input, const Blocks& blocks, const Cells& cells)
     }
     catch (const Error&)
     {
-      continue; // not there, or something else that is called so
+      continue; // missing, or another array of that name
     }
   }
   const bool isNamed = blocks.AreThere() && !blocks.Names.front().empty();
@@ -211,11 +211,11 @@ Tags AutomaticTags(vtkPolyData* input, const Blocks& blocks, const Cells& cells)
   return first ? *first : Tags{ std::vector<int>(input->GetNumberOfCells(), 0), { NoTag } };
 }
 
-/** Those that are tagged: polygons and strips, or lines where there are none. */
+/** The tagged cells: polygons and strips, or lines if there are none. */
 Cells TaggedCells(vtkPolyData* surface)
 {
   const bool arePolygons = surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
-  const vtkIdType lines = surface->GetNumberOfVerts(); // what is flat may be lines alone
+  const vtkIdType lines = surface->GetNumberOfVerts(); // planar input may consist of lines only
   const vtkIdType polygons = lines + surface->GetNumberOfLines();
   const vtkIdType first = arePolygons ? polygons : lines;
   Cells cells((arePolygons ? surface->GetNumberOfCells() : polygons) - first);
@@ -278,7 +278,7 @@ std::vector<std::string> FindTagArrays(vtkPolyData* surface)
     }
     catch (const Error&)
     {
-      continue; // something else that is called so
+      continue; // another array of that name
     }
   }
   return found;
@@ -327,7 +327,7 @@ bool AreEqual(vtkStringArray* a, vtkStringArray* b)
   return areEqual;
 }
 
-/** The cell arrays of numbers that have names in a piece. */
+/** The cell arrays of numbers with names in a block. */
 std::vector<std::string> NamedArrays(vtkPolyData* piece)
 {
   std::vector<std::string> named;
@@ -342,7 +342,7 @@ std::vector<std::string> NamedArrays(vtkPolyData* piece)
   return named;
 }
 
-/** An array as numbers of names; nullptr where it has something else than integers. */
+/** An array as indices of names; nullptr if it is not of integers. */
 vtkSmartPointer<vtkIntArray> Renumber(vtkPolyData* piece, const std::string& name, TagNumbers& all)
 {
   auto* array = vtkDataArray::SafeDownCast(FindArray(piece, name));
@@ -360,7 +360,7 @@ vtkSmartPointer<vtkIntArray> Renumber(vtkPolyData* piece, const std::string& nam
   return array ? MakeArray<vtkIntArray>(name.c_str(), numbers) : nullptr;
 }
 
-/** Give the pieces the same names for what one of their arrays numbers. */
+/** Renumber one array in all blocks by common names. */
 void ShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const std::string& name)
 {
   std::string nameOfNames;
@@ -378,11 +378,11 @@ void ShareNames(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const s
   }
   if (std::find(renumbered.begin(), renumbered.end(), nullptr) != renumbered.end())
   {
-    return; // no array of all pieces
+    return; // not an array of all blocks
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    vtkNew<vtkFieldData> fields; // the piece's own may be others' too
+    vtkNew<vtkFieldData> fields; // the block's array may be shared
     fields->ShallowCopy(pieces[i]->GetFieldData());
     fields->AddArray(MakeStrings(nameOfNames.c_str(), all.Names));
     pieces[i]->SetFieldData(fields);

@@ -95,7 +95,7 @@ std::vector<Tags> ReadAll(const ArrayOfBodies& array, std::vector<std::string>& 
   return tags;
 }
 
-/** Whether all bodies have the array, and its values tell apart what they are to. */
+/** Whether all bodies have the array, and its values distinguish bodies as required. */
 bool MayStay(const ArrayOfBodies& array, const std::vector<Tags>& tags)
 {
   std::vector<std::string> values;
@@ -120,7 +120,7 @@ bool MayStay(const ArrayOfBodies& array, const std::vector<Tags>& tags)
   return bodies == 1 || (areBare && areApart);
 }
 
-/** Give each tag of each body a name that no other has. */
+/** Give each tag of each body a unique name. */
 void NameApart(const std::vector<std::string>& bodyNames, std::vector<Tags>& tags)
 {
   std::map<std::string, int> uses;
@@ -152,7 +152,7 @@ void NameApart(const std::vector<std::string>& bodyNames, std::vector<Tags>& tag
   }
 }
 
-/** Whether all that is said is said in strings. */
+/** Whether all values are strings. */
 bool AreStrings(const ArrayOfBodies& array)
 {
   bool areStrings = false;
@@ -168,7 +168,7 @@ bool AreStrings(const ArrayOfBodies& array)
   return areStrings;
 }
 
-/** Put the tags on the bodies, numbered one body after the other. */
+/** Store the tags on the bodies, numbered body by body. */
 SharedTags Write(const ArrayOfBodies& array, const std::vector<Tags>& tags)
 {
   const char* name = array.Name.c_str();
@@ -199,7 +199,7 @@ SharedTags Write(const ArrayOfBodies& array, const std::vector<Tags>& tags)
   return { array.Name, areStrings ? nullptr : MakeStrings(NameOfNames(array.Name).c_str(), all) };
 }
 
-/** The names of an array that stays: those of the first body that has it. */
+/** The names of an unchanged array: those of the first body that has it. */
 vtkSmartPointer<vtkStringArray> FirstNames(const ArrayOfBodies& array)
 {
   for (std::size_t b = 0; b < array.Bodies.size(); ++b)
@@ -216,7 +216,8 @@ vtkSmartPointer<vtkStringArray> FirstNames(const ArrayOfBodies& array)
 std::vector<SharedTags> ShareTags(const std::vector<std::string>& names,
   const std::vector<vtkSmartPointer<vtkPolyData>>& bodies, std::vector<std::string>& warnings)
 {
-  std::vector<std::string> arrays = { BoundaryTag }; // first: it goes by the others as they are
+  // first, because it depends on the unchanged others
+  std::vector<std::string> arrays = { BoundaryTag };
   for (vtkPolyData* body : bodies)
   {
     for (const std::string& array : FindTagArrays(body))

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * Tags of several bodies on one surface: what one body calls a group is no group of another.
- */
+/** @file Tags of several bodies on one surface: groups of different bodies are different tags. */
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -15,29 +12,29 @@ class vtkStringArray;
 
 namespace vtkInsideOut
 {
-/** An array of tags that all bodies have now. */
+/** An array of tags of all bodies. */
 struct SharedTags
 {
   std::string Array;
-  vtkSmartPointer<vtkStringArray> Names; ///< of integers; null where strings or bare numbers tag
+  vtkSmartPointer<vtkStringArray> Names; ///< of integers; null if strings or unnamed numbers tag
 };
 
 /**
- * Number the tags of all bodies as one, each array of tags (FindTagArrays) and BoundaryTag by
- * itself. A tag keeps its name. A name that several bodies use has the body's before it, as in
- * cut/floor, and a body without the array has one tag, its own name. BoundaryTag is what each body
- * says first of all, as ReadTags finds it. Numbers stay where there is nothing to tell apart: of a
- * single body, and of integers without names that no two bodies share.
+ * Number the tags of all bodies together, separately for each array of tags (FindTagArrays) and
+ * BoundaryTag. A tag keeps its name, but a name of several bodies is prefixed with the body's, as
+ * in cut/floor. A body without the array has one tag, its own name. BoundaryTag is each body's
+ * preferred array, as found by ReadTags. Numbers stay for a single body, and for unnamed integers
+ * that no two bodies share.
  *
  * @param[in] names of the bodies
- * @param[in,out] bodies get the arrays: surfaces that nobody else has
- * @param[in,out] warnings gains a line per array that has something else than tags in one body: it
- *   is called BODY/ARRAY there
+ * @param[in,out] bodies unshared surfaces that get the arrays
+ * @param[in,out] warnings gains a line per array that does not tag in one body: it is renamed
+ * BODY/ARRAY there
  */
 std::vector<SharedTags> ShareTags(const std::vector<std::string>& names,
   const std::vector<vtkSmartPointer<vtkPolyData>>& bodies, std::vector<std::string>& warnings);
 
-/** Tag the cells of a boundary that lie on no cell of a body (vtkOriginalCellIds -1): they close a
- * hole, and are called hole in all arrays of tags. */
+/** Tag the boundary's triangles on no cell of a body (vtkOriginalCellIds -1): they close a hole,
+ * and are tagged hole in all arrays. */
 void TagHoles(const std::vector<SharedTags>& shared, vtkPolyData* boundary);
 } // namespace vtkInsideOut

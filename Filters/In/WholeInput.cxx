@@ -24,7 +24,7 @@ vtkInformationIntegerKey* PartsAreWhole()
   return key;
 }
 
-/** Of an algorithm's input, or nothing. */
+/** The data of an algorithm's input, or null. */
 vtkInformation* FirstInput(vtkExecutive* executive)
 {
   vtkAlgorithm* algorithm = executive ? executive->GetAlgorithm() : nullptr;
@@ -34,7 +34,7 @@ vtkInformation* FirstInput(vtkExecutive* executive)
     : nullptr;
 }
 
-/** Whether an input consists of parts that somebody upstream has spread. */
+/** Whether an input consists of parts that were distributed upstream. */
 bool AreSpreadParts(vtkInformation* input)
 {
   bool areWhole = false;
@@ -78,7 +78,7 @@ void RefuseSpreadParts(vtkAlgorithm* algorithm)
   for (int i = 0; i < algorithm->GetNumberOfInputConnections(0); ++i)
   {
     vtkInformation* input = algorithm->GetExecutive()->GetInputInformation(0, i);
-    // A process that works alone has asked for everything, and has all parts.
+    // A process that works alone has requested everything, and has all parts.
     if (input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1 && AreSpreadParts(input))
     {
       throw insideout::Error(insideout::ErrorCode::InvalidParameter,
@@ -101,7 +101,7 @@ void RequestWhole(
       areParts = areParts || (port == 0 && AreSpreadParts(input));
       if (areParts && port == 0)
       {
-        continue; // each process asks for its own
+        continue; // each process requests its own
       }
       const bool isIdle = IsFurtherPiece(outputVector) && !areParts;
       input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);

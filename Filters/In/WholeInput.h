@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * @file
- * What filters share that need all of their input in one place.
+ * @file For filters that need all of their input in one process.
  *
- * A surface means one solid. Among several processes (MPI) the first asks for the whole and makes
- * the one result. The others ask for nothing and have none; a solid of each piece would be wrong.
+ * A surface is one solid. Among several processes (MPI) the first requests the whole surface and
+ * makes the result. The others request nothing and have an empty result; one solid per MPI piece
+ * would be wrong.
  */
 #pragma once
 
@@ -16,27 +16,26 @@ class vtkInformationVector;
 namespace vtkInsideOut
 {
 /**
- * Say of an output whether each of its blocks is whole in one process: filters that follow, and
- * those that follow them, then work on the blocks that their own process has, and each is a surface
- * of its own.
+ * Mark an output whose blocks are each whole in one process: downstream filters then work on the
+ * blocks of their own process, each a separate surface.
  */
 void SayWhetherPartsAreWhole(vtkInformation* output, bool areWhole);
 
 /**
- * For what takes all blocks of its inputs on the first port together.
+ * For filters that combine all blocks of their inputs on the first port.
  *
- * @throws insideout::Error InvalidParameter where they are whole in one process each
+ * @throws insideout::Error InvalidParameter if these are distributed over processes
  */
 void RefuseSpreadParts(vtkAlgorithm* algorithm);
 
-/** Ask all inputs for the whole where the first piece of the output is wanted, else for nothing. */
+/** Request all of the inputs if the first piece of the output is requested, else nothing. */
 void RequestWhole(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector, int numberOfPorts = 1);
 
-/** Whether a piece other than the first is wanted of an output. */
+/** Whether a piece other than the first is requested of an output. */
 bool IsFurtherPiece(vtkInformationVector* outputVector);
 
-/** Whether an algorithm has nothing to do: the first process does it all, or the block that it is
- * shown a partition of was done with the first of these. */
+/** Whether an algorithm has nothing to do: the first process does all, or the block of the present
+ * partition was done with the first partition. */
 bool IsIdle(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
 } // namespace vtkInsideOut

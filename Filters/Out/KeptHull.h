@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * The hull of an input, and what decides about it: vtkRobustTetrahedralize keeps it for as long as
- * only later stages change.
+ * @file The hull of an input, and its cache key: vtkRobustTetrahedralize keeps it while only
+ * parameters of later stages change.
  */
 #pragma once
 
@@ -19,9 +18,9 @@
 
 namespace vtkInsideOut
 {
-/** What of an input decides about the hull: the names of arrays; of blocks that are bodies their
- * names; and when the last block or partition was modified, which a composite data set does not
- * tell. */
+/** The input's part of the cache key: the names of arrays; the names of blocks that are bodies; and
+ * the modification time of the last block or partition, which a composite data set does not
+ * provide. */
 struct HullArrays
 {
   std::string NonParticipating;
@@ -30,8 +29,8 @@ struct HullArrays
   vtkMTimeType BlocksTime = 0;
 };
 
-/** What decides about the hull, to be compared. Does not compile once a parameter is added: it may
- * not be missing here. */
+/** The cache key of the hull. Does not compile once a parameter is added, as a reminder to extend
+ * it. */
 inline auto AsTuple(const insideout::HullMeshParameters& parameters, const HullArrays& names)
 {
   const auto& [chain, orientation, thicken, budgets, quadratureOrder, partsApart, touchTolerance] =
@@ -51,22 +50,23 @@ struct KeptHull
   /** Reads the surface. @throws insideout::Error */
   KeptHull(vtkPolyData* input, const HullArrays& names);
 
-  /** Stages validate and pre, without touching anything of VTK's. @throws insideout::Error */
+  /** Stages validate and pre, without access to VTK objects. @throws insideout::Error */
   void Resolve(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
 
-  /** The other stages, unless they are done, without touching anything of VTK's.
-   * @throws insideout::Error; all is then as it was before */
+  /** The other stages, unless done, without access to VTK objects.
+   * @throws insideout::Error; nothing is changed then
+   */
   void Fill(const insideout::HullMeshParameters& parameters, insideout::Monitor& monitor);
 
-  /** Makes Grid of what is filled, unless it is there. */
+  /** Make Grid, unless it exists. */
   void MakeGrid();
 
   vtkInsideOut::Surface Surface;
   vtkInsideOut::Bodies Bodies;
-  MakeOutputs Outputs; ///< to be copied: each run has warnings of its own
+  MakeOutputs Outputs; ///< to be copied: each run adds its own warnings
   insideout::HullMesh Hull;
   bool IsFilled = false;
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< null until made
-  std::exception_ptr Failure;                ///< what went wrong where it was meshed ahead
+  std::exception_ptr Failure;                ///< the error, if meshed ahead
 };
 } // namespace vtkInsideOut

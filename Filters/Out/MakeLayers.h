@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * Makes boundary layers in a grid of tetrahedra and carries its data over.
- */
+/** @file Makes boundary layers in a grid of tetrahedra and transfers its data. */
 #pragma once
 
 #include "Common/Monitor.h"
@@ -18,7 +15,7 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** A grid with layers, and what is to be said about it. */
+/** A grid with layers, and its warnings and statistics. */
 struct Layering
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;

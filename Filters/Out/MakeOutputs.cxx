@@ -34,7 +34,7 @@ using insideout::FacetComplex;
 using insideout::Id;
 using insideout::TetrahedralMesh;
 
-/** Cell arrays that are added to the boundary of a solid. */
+/** Cell arrays added to the boundary of a solid. */
 constexpr std::initializer_list<const char*> AddedToBoundary = { "Turned", "BoundaryTag" };
 
 MakeOutputs::MakeOutputs(const vtkInsideOut::Surface& surface)
@@ -226,7 +226,7 @@ Id MakeOutputs::CountSeamPoints(const insideout::HullMesh& hull) const
 vtkSmartPointer<vtkPolyData> MakeOutputs::MakeOutliers(
   const insideout::HullMesh& hull, const std::vector<insideout::OutlierPiece>& pieces)
 {
-  // The corners of degenerate triangles may be no points of the mesh: they come behind.
+  // The corners of degenerate triangles may not be points of the mesh: they are appended.
   std::vector<insideout::Point> points = hull.Mesh.Points;
   std::vector<insideout::PointOrigin> origins = hull.Mesh.Origins;
   std::vector<insideout::Triangle> triangles;
@@ -386,7 +386,8 @@ vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects)
   {
     corners += line.Points.size() + 1;
   }
-  // Arrays that grow are twice as large as what they hold, and there for a while beside the new.
+  // Growing arrays take twice the memory of their content, and for a while coexist with their
+  // copies.
   RequireMemory(static_cast<vtkIdType>(4 * corners * sizeof(vtkIdType)));
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
@@ -410,7 +411,7 @@ vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects)
 
 namespace
 {
-/** What a VTK filter's own reports are passed on to. They do not tell how far it is. */
+/** Receives a VTK filter's own reports, whose progress is ignored. */
 struct Watch
 {
   insideout::Monitor& Monitor;

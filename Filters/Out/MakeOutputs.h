@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * Makes VTK's data sets of what the stages give.
- */
+/** @file Makes VTK's data sets from the results of the stages. */
 #pragma once
 
 #include "Defects/SurfaceDefects.h"
@@ -20,18 +17,18 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** Makes data sets that carry the point and cell data of the surface that they come from. */
+/** Makes data sets with the point and cell data of the surface from which they were made. */
 class MakeOutputs
 {
 public:
   /** @param[in] surface must live on */
   explicit MakeOutputs(const Surface& surface);
 
-  /** The surface's, and those of making. */
+  /** Warnings of reading the surface and of making data sets. */
   std::vector<std::string> Warnings;
 
-  /** The surface with its cells and data as they are, but for cell arrays of the names that the
-   * output adds: those are renamed. */
+  /** The surface with its cells and data; cell arrays with names that the output adds are renamed.
+   */
   vtkSmartPointer<vtkPolyData> CopySurface(std::initializer_list<const char*> added);
 
   /** Facets as a surface with FacetMultiplicity, vtkOriginalCellIds and vtkOriginalPointIds. */
@@ -42,19 +39,19 @@ public:
    * Triangles of the boundary with vtkOriginalCellIds (-1 where a hole was closed), Turned and
    * vtkOriginalPointIds; merged points have the lowest id's data.
    *
-   * @param[in] mesh whose points are the boundary's: the hull's, or one that was made of that
+   * @param[in] mesh with the boundary's points: the hull's, or derived from that
    */
   vtkSmartPointer<vtkPolyData> MakeBoundary(const insideout::HullMesh& hull,
     const insideout::TetrahedralMesh& mesh,
     const std::vector<insideout::BoundaryTriangle>& boundary);
 
-  /** The same with several points in a place where one would be no manifold. */
+  /** The same with several points at one place where one would not be manifold. */
   vtkSmartPointer<vtkPolyData> MakeManifoldBoundary(const insideout::HullMesh& hull,
     const insideout::TetrahedralMesh& mesh, const insideout::ManifoldSurface& manifold,
     const std::vector<insideout::BoundaryTriangle>& boundary);
 
   /**
-   * The same of triangles by points that have origins.
+   * The same for triangles of points with origins.
    *
    * @param[in] turned the input triangles that were turned over, ascending
    * @param[in] added names of cell arrays that the output will have, Turned too: the input's are
@@ -65,14 +62,13 @@ public:
     const std::vector<insideout::BoundaryTriangle>& boundary,
     const std::vector<insideout::Id>& turned, std::initializer_list<const char*> added);
 
-  /** The same with several points in a place where the input's triangles differ in texture
-   * coordinates or normals, or where triangles cross that have point data at all. Can be stopped.
-   */
+  /** The same with several points at one place where the input's triangles differ in texture
+   * coordinates or normals, or where triangles with point data cross. Can be stopped. */
   vtkSmartPointer<vtkPolyData> MakeSeamedBoundary(const insideout::HullMesh& hull,
     const std::vector<insideout::BoundaryTriangle>& boundary, insideout::Monitor& monitor,
     const insideout::ProgressRange& progress);
 
-  /** How many input points were merged with one that has other texture coordinates or normals. */
+  /** The number of input points merged with one that has other texture coordinates or normals. */
   insideout::Id CountSeamPoints(const insideout::HullMesh& hull) const;
 
   /** Pieces of facets and the input's degenerate triangles, with OutlierReason, FacetMultiplicity,
@@ -90,11 +86,14 @@ public:
    */
   vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(const insideout::HullMesh& hull);
 
-  /** Name the input cells that were turned over in the field array TurnedCellIds of an output. */
+  /**
+   * Store the ids of input cells that were turned over in the field array TurnedCellIds of an
+   * output.
+   */
   void AddTurnedCells(const insideout::HullMesh& hull, vtkDataSet* output) const;
 
-  /** Name the input cells of facets that could not be resolved in the field array LeftOutCellIds of
-   * an output: ascending, each once. */
+  /** Store the ids of input cells with facets that could not be resolved in the field array
+   * LeftOutCellIds of an output: ascending, each once. */
   void AddLeftOutCells(const insideout::FacetComplex& surface, vtkDataSet* output) const;
 
 private:
@@ -104,7 +103,7 @@ private:
     const std::vector<insideout::Triangle>& triangles,
     const std::vector<insideout::BoundaryTriangle>& boundary,
     const std::vector<insideout::Id>& turned, std::initializer_list<const char*> added);
-  /** A field array of the input cells that facets are pieces of, each once, ascending. */
+  /** A field array of the input cells that contain facets, each once, ascending. */
   void AddCellsOfFacets(const char* name, const insideout::FacetComplex& surface,
     const std::vector<insideout::Id>& facets, vtkDataSet* output) const;
   vtkSmartPointer<vtkPolyData> MakeSurface(const std::vector<insideout::Point>& points,
@@ -115,21 +114,21 @@ private:
   const vtkInsideOut::Surface* Surface;
 };
 
-/** The polygons of a file, with their attributes, and the names of these as field arrays. */
+/** The polygons of a file, with their attributes, and the attributes' names as field arrays. */
 vtkSmartPointer<vtkPolyData> MakePolygons(const insideout::PolygonSurface& surface);
 
-/** The lines of a surface's defects with vtkOriginalPointIds: those of one point become vertices,
+/** The lines of a surface's defects with vtkOriginalPointIds: lines of one point become vertices,
  * which VTK numbers before the polylines. */
 vtkSmartPointer<vtkPolyData> MakeLines(const insideout::SurfaceDefects& defects);
 
-/** Put the labels on the grid as its cell array Inside. */
+/** Store the labels as the cell array Inside of the grid. */
 void AddInside(const std::vector<unsigned char>& inside, vtkUnstructuredGrid* grid);
 
-/** Put the cells' regions on the grid as its cell array RegionId, -1 for those outside. */
+/** Store the cells' regions as the cell array RegionId of the grid, -1 outside. */
 void AddRegions(const insideout::SolidRegions& regions, vtkUnstructuredGrid* grid);
 
-/** What each region weighs as the field arrays RegionVolume, RegionCenterOfMass and RegionInertia,
- * with a tuple for each. */
+/** Store the regions' mass properties as the field arrays RegionVolume, RegionCenterOfMass and
+ * RegionInertia, with a tuple for each region. */
 void AddMasses(const std::vector<insideout::MassProperties>& masses, vtkDataSet* output);
 
 /** The cells whose array Inside is 1, with the points they use. Can be stopped. */

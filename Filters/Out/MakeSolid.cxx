@@ -18,13 +18,13 @@ using namespace insideout;
 
 namespace
 {
-/** How groups become numbers and names. */
+/** The numbers and names of groups. */
 struct GroupWords
 {
   const char* Array;
   const char* Names;
-  const char* Prefix; ///< of the names of those that have none, where others have one
-  bool HasOutside;    ///< whether the last group is -1 where it is called so
+  const char* Prefix; ///< name of unnamed groups, if others have names
+  bool HasOutside;    ///< whether a last group of that name is -1
 };
 
 constexpr GroupWords Regions = { "RegionId", "RegionNames", "region_", true };
@@ -44,7 +44,7 @@ void AddGroups(const std::vector<Id>& groupOf, const std::vector<SolidGroup>& gr
   std::vector<std::string> names;
   for (const SolidGroup& group : groups)
   {
-    // vtkSolidWriter numbers what is outside behind all regions.
+    // vtkSolidWriter numbers the outside after all regions.
     const bool isOutside = words.HasOutside && group.Number == last && group.Name == "outside";
     numbers.push_back(isOutside ? None : group.Number - 1);
     if (!isOutside)
@@ -64,7 +64,7 @@ void AddGroups(const std::vector<Id>& groupOf, const std::vector<SolidGroup>& gr
   }
 }
 
-/** Corners, and midpoints behind these. */
+/** Corners, then midpoints. */
 template <std::size_t Corners, std::size_t Edges>
 std::vector<std::array<Id, Corners + Edges>> QuadraticCells(
   const SolidElements<Corners, Edges>& elements)

@@ -14,11 +14,10 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** The tetrahedra of a file with RegionId and RegionNames, or its triangles where there are none.
- */
+/** The tetrahedra of a file with RegionId and RegionNames, or its triangles if there are none. */
 vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(const insideout::SolidContent& solid);
 
-/** The triangles beside tetrahedra with BoundaryTag and BoundaryTagNames, and the points that they
- * have; nothing where triangles are the solid. */
+/** The triangles besides tetrahedra with BoundaryTag and BoundaryTagNames, and their points; empty
+ * if the triangles are the solid. */
 vtkSmartPointer<vtkPolyData> MakeSolidBoundary(const insideout::SolidContent& solid);
 } // namespace vtkInsideOut

@@ -31,7 +31,7 @@ void CountOutliers(
   statistics.emplace_back("OutliersDegenerate", hull.DegenerateTriangles.size());
 }
 
-/** Triangles of the boundary with what is asked of them, but for a manifold. */
+/** Triangles of the boundary with the requested data, manifoldness aside. */
 vtkSmartPointer<vtkPolyData> MakeBoundary(const KeptHull& kept,
   const std::vector<BoundaryTriangle>& boundary, bool splitSeams, MakeOutputs& outputs,
   Monitor& monitor)
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const KeptHull& kept,
     : outputs.MakeBoundary(kept.Hull, kept.Hull.Mesh, boundary);
 }
 
-/** The same triangles, or those of the input that they are pieces of. */
+/** The same triangles, or the input triangles that they are pieces of. */
 std::vector<BoundaryTriangle> MergedIfAsked(const KeptHull& kept,
   std::vector<BoundaryTriangle> boundary, const BoundaryOptions& options, Monitor& monitor)
 {
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkPolyData> MakeBoundary(const KeptHull& kept,
 }
 
 /** The boundary of the solid and the interfaces between its regions, tagged by the surface, or by
- * the bodies that regions are of. */
+ * the regions' bodies. */
 vtkSmartPointer<vtkPolyData> MakeBoundaryOfRegions(const KeptHull& kept, const BodyRegions& regions,
   bool tagBodies, const Tags& tags, MakeOutputs& outputs, Monitor& monitor)
 {
@@ -106,7 +106,7 @@ vtkSmartPointer<vtkPolyData> MakeBoundaryOfRegions(const KeptHull& kept, const B
   return boundary;
 }
 
-/** Output 2, what is lost, and which points lie on seams. */
+/** Output 2 and lost areas, and the points on seams. */
 void AddOutliers(const HullMesh& hull, const std::vector<OutlierPiece>& outliers,
   MakeOutputs& outputs, Monitor& monitor, SolidSurfaces& surfaces)
 {

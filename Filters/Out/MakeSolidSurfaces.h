@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Outputs 1 and 2 of vtkRobustTetrahedralize: the solid's boundary, and the input's facets that are
- * no part of it.
+ * @file Outputs 1 and 2 of vtkRobustTetrahedralize: the solid's boundary, and facets of the input
+ * that are not part of it.
  */
 #pragma once
 
@@ -15,16 +14,16 @@
 
 namespace vtkInsideOut
 {
-/** The points and triangles that the boundary is to have. */
+/** Requirements of the boundary's points and triangles. */
 struct BoundaryOptions
 {
   bool MergePieces = false; ///< of input triangles
   bool SplitSeams = false;
   bool IsManifold = false; ///< of a parted solid
-  bool TagBodies = false;  ///< the boundary of bodies by the surface's tags, too
+  bool TagBodies = false;  ///< tags of the surface on the boundary of bodies, too
 };
 
-/** Both, and what is to be told of them. */
+/** Both outputs, with warnings and statistics. */
 struct SolidSurfaces
 {
   vtkSmartPointer<vtkPolyData> Boundary;
@@ -34,9 +33,9 @@ struct SolidSurfaces
 };
 
 /**
- * Both of a hull.
+ * Both outputs of a hull.
  *
- * @param[in] parted the solid that was parted from the hull, or null; not of named bodies
+ * @param[in] parted the separated solid, or null; not with named bodies
  * @param[in,out] outputs gains warnings
  * @throws insideout::Error Stopped
  */
@@ -44,7 +43,7 @@ SolidSurfaces MakeSolidSurfaces(const KeptHull& kept, const SegmentedHull& segme
   const Parting* parted, const BoundaryOptions& options, const Tags& tags, MakeOutputs& outputs,
   insideout::Monitor& monitor);
 
-/** Both of a closed surface whose boundary is known without tetrahedra. */
+/** Both outputs of a closed surface whose boundary is known without tetrahedra. */
 SolidSurfaces MakeRepairedSurfaces(const KeptHull& kept,
   const insideout::ExpressionSurface& repaired, const BoundaryOptions& options, const Tags& tags,
   MakeOutputs& outputs, insideout::Monitor& monitor);

@@ -18,7 +18,7 @@ using namespace insideout;
 
 namespace
 {
-/** The solid with copies of cells where it overlaps itself, and of points where it touches itself.
+/** The solid, with copies of cells where it overlaps itself, and of points where it touches itself.
  */
 Parting Part(const HullMesh& hull, const std::vector<unsigned char>& inside, bool separateOverlaps,
   bool splitPoints, Monitor& monitor)
@@ -36,7 +36,7 @@ Parting Part(const HullMesh& hull, const std::vector<unsigned char>& inside, boo
   return parting;
 }
 
-/** The volume of the solid where w is above 3/2: it overlaps itself there. */
+/** The volume of the solid with w above 3/2, where it overlaps itself. */
 double OverlapOf(const HullMesh& hull, const std::vector<unsigned char>& inside)
 {
   std::vector<unsigned char> overlaps(inside.size(), 0);
@@ -53,7 +53,7 @@ void AddLabels(
   AddRegions(regions, grid);
 }
 
-/** All cells with their labels, and where bodies are. */
+/** All cells with their labels, and the extent of bodies. */
 vtkSmartPointer<vtkUnstructuredGrid> LabelHull(const KeptHull& kept, const SegmentedHull& segmented)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelHull(const KeptHull& kept, const Segme
   return grid;
 }
 
-/** The solid's cells with their regions, and what it and each of these weigh. */
+/** The solid's cells with their regions, and mass properties of the solid and each region. */
 struct Solid
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
@@ -230,7 +230,7 @@ Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<Seed>& seeds, 
   {
     Append(warnings, made.Warnings);
   }
-  // A warning of the segmentation tells of dropped regions: do not name their shells again.
+  // The segmentation already warns of dropped regions: do not name their shells again.
   if (DropsRegions(segmentation.Statistics))
   {
     surfaces.Lost.Shells.clear();

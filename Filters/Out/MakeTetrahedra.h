@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * From the hull of a surface to data sets: what vtkRobustTetrahedralize does in three dimensions.
+ * @file From the hull of a surface to data sets: the three-dimensional part of
+ * vtkRobustTetrahedralize.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace vtkInsideOut
 {
-/** The options that matter after the hull. */
+/** The options of stages after the hull. */
 struct SolidOptions
 {
   SegmentOptions Segment;
@@ -26,7 +26,7 @@ struct SolidOptions
   bool QuadraticCells = false;
 };
 
-/** Outputs, and what is to be told of them. */
+/** Outputs, with warnings and statistics. */
 struct Tetrahedra
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< with all statistics
@@ -37,9 +37,9 @@ struct Tetrahedra
 };
 
 /**
- * Where a surface is closed and nothing that is asked for takes tetrahedra: its boundary without
- * them. The grid has no cells. Else nothing, and where nothing is inside, for the tetrahedra tell
- * why.
+ * The boundary of a closed surface without tetrahedra, if no requested output needs them. The grid
+ * then has no cells. Returns nothing otherwise, and if nothing is inside, because finding the cause
+ * needs tetrahedra.
  *
  * @param[in] hasSeeds whether there are seeds
  * @throws insideout::Error Stopped
@@ -48,9 +48,9 @@ std::optional<Tetrahedra> MakeSurfaceOnly(const KeptHull& kept, bool hasSeeds, c
   const SolidOptions& options, insideout::Monitor& monitor);
 
 /**
- * The stages after w, of a hull that is filled.
+ * The stages after w on a filled hull.
  *
- * @param[in] points that the seeds were read from, or null
+ * @param[in] points from which the seeds were read, or null
  * @throws insideout::Error that names the culprit; Stopped
  */
 Tetrahedra MakeTetrahedra(const KeptHull& kept, const std::vector<insideout::Seed>& seeds,

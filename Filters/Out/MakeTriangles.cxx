@@ -56,7 +56,7 @@ std::vector<Value> ChosenOf(const std::vector<Value>& values, const std::vector<
   return result;
 }
 
-/** What is refined of a hull: it has other points, which are made of those of a grid. */
+/** The refined part of a hull: its points are interpolated between those of a grid. */
 struct RefinedHull
 {
   PlanarHull Hull; ///< of the inside cells
@@ -64,7 +64,7 @@ struct RefinedHull
   vtkSmartPointer<vtkUnstructuredGrid> Before;
 };
 
-/** Makes data sets that carry the input's point and cell data. */
+/** Makes data sets with the input's point and cell data. */
 class Maker
 {
 public:
@@ -124,7 +124,7 @@ private:
   const RefinedHull* Refined = nullptr;
 };
 
-/** Of some of the points. */
+/** The origins of some of the points. */
 void Maker::AddPointData(const std::vector<Id>& points, vtkDataSet* output)
 {
   if (!this->Refined)
@@ -169,7 +169,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Maker::MakeGrid()
   return grid;
 }
 
-/** Lines of segments, each with the data of an input cell, with the points that they use. */
+/** Lines of segments, each with the data of an input cell, and the points that they use. */
 vtkSmartPointer<vtkPolyData> Maker::MakeLines(const std::vector<Segment>& segments,
   const std::vector<std::vector<Id>>& lines, const std::vector<vtkIdType>& cells,
   std::initializer_list<const char*> added)
@@ -321,7 +321,7 @@ void Maker::AddLeftOutCells(vtkDataSet* output) const
   output->GetFieldData()->AddArray(MakeArray<vtkIdTypeArray>("LeftOutCellIds", cells));
 }
 
-/** For each segment 1 where it is a piece of a cell whose value in an array is not 0. */
+/** For each segment 1 if it is a piece of a cell with a nonzero value in an array. */
 std::vector<unsigned char> ChosenSegments(
   const Curve& curve, const PlanarHull& hull, const std::string& name)
 {
@@ -349,7 +349,7 @@ std::vector<unsigned char> ChosenSegments(
   return chosen;
 }
 
-/** What the regions weigh together, as figures. */
+/** The total mass properties of the regions, as statistics. */
 void AddArea(
   const std::vector<insideout::AreaProperties>& regions, insideout::Statistics& statistics)
 {
@@ -371,7 +371,7 @@ void AddArea(
   }
 }
 
-/** Put what each region weighs, and all that is to be told, into a grid's field data. */
+/** Store the regions' mass properties, warnings and statistics in a grid's field data. */
 void AddFieldData(const std::vector<insideout::AreaProperties>& regions,
   const insideout::Statistics& statistics, const Maker& maker, vtkUnstructuredGrid* grid)
 {
@@ -399,7 +399,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeLabelledGrid(
   return grid;
 }
 
-/** The weights of a triangle's corners at a place in it: none is negative, however thin it is. */
+/** The weights of a triangle's corners at a place in it, all at least 0, however thin it is. */
 Attributes::Mixture MixtureOf(
   const PlanarHull& hull, const insideout::Triangle& cell, const insideout::PlanarPoint& place)
 {
@@ -419,7 +419,7 @@ Attributes::Mixture MixtureOf(
   return mixture;
 }
 
-/** The inside cells, refined, and whatever is known of these. */
+/** The refined inside cells with their properties. */
 RefinedHull HullOf(
   const insideout::RefinedTriangles& refined, const PlanarHull& hull, vtkUnstructuredGrid* grid)
 {
@@ -566,7 +566,7 @@ Triangles MakeTriangles(const KeptPlanarHull& kept, const std::vector<insideout:
     made.Warnings.insert(made.Warnings.end(), warnings.begin(), warnings.end());
   }
   if (regions.Count == 0 &&
-    !insideout::DropsRegions(segmentation.Statistics)) // else a warning says so
+    !insideout::DropsRegions(segmentation.Statistics)) // otherwise a warning reports it
   {
     made.Warnings.push_back(NothingInside(hull));
   }

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * From a curve in a plane to data sets: what vtkRobustTriangulate does.
- */
+/** @file From a curve in a plane to data sets: the work of vtkRobustTriangulate. */
 #pragma once
 
 #include "GraphCut/SegmentMesh.h"
@@ -28,7 +25,7 @@ struct KeptPlanarHull
   insideout::PlanarHull Hull;
 };
 
-/** What decides about the hull, to be compared. Does not compile once a parameter is added. */
+/** The cache key of the hull. Does not compile once a parameter is added. */
 inline auto AsTuple(
   const insideout::PlanarHullParameters& parameters, const std::string& nonParticipating)
 {
@@ -37,25 +34,25 @@ inline auto AsTuple(
   return std::make_tuple(mergeTolerance, countDuplicates, orientation, nonParticipating);
 }
 
-/** The options that matter after the hull. */
+/** The options of stages after the hull. */
 struct PlanarOptions
 {
   insideout::SegmentMeshParameters Segment;
-  std::string ConstrainedArray; ///< the cell array that chooses which segments are kept
+  std::string ConstrainedArray; ///< cell array that selects the segments to keep
   bool SplitPoints = false;     ///< where the solid touches itself
   bool GenerateHull = false;    ///< Triangles::Hull and Resolved, too
   bool Refine = false;
   insideout::RefinementParameters Refinement;
 };
 
-/** Outputs, and what is to be told of them. */
+/** Outputs, with warnings and statistics. */
 struct Triangles
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< with all statistics
   vtkSmartPointer<vtkPolyData> Boundary;     ///< polylines with the inside on their left
   vtkSmartPointer<vtkPolyData> Outliers;     ///< polylines
   vtkSmartPointer<vtkUnstructuredGrid> Hull; ///< all triangles, with all statistics; or null
-  vtkSmartPointer<vtkPolyData> Resolved;     ///< polylines that meet in shared points; or null
+  vtkSmartPointer<vtkPolyData> Resolved;     ///< polylines that meet only in shared points; or null
   std::vector<std::string> Warnings;
 };
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * The defects of lines as data sets: what vtkSurfaceDefects does in two dimensions.
- */
+/** @file The defects of lines as data sets: the two-dimensional part of vtkSurfaceDefects. */
 #pragma once
 
 #include "Common/Monitor.h"
@@ -14,11 +11,11 @@ namespace vtkInsideOut
 /** vtkSurfaceDefects's number of the first CurveDefect: lines of surfaces have those before it. */
 constexpr int FirstPointType = 4;
 
-/** Outputs, and what is to be told of them. */
+/** Outputs, with warnings and statistics. */
 struct MarkedCurve
 {
   vtkSmartPointer<vtkPolyData> Curve;  ///< the input with marks
-  vtkSmartPointer<vtkPolyData> Points; ///< vertices where something is wrong
+  vtkSmartPointer<vtkPolyData> Points; ///< vertices at defects
   std::vector<std::string> Warnings;
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * Hulls of several surfaces at once, each by a thread of its own: VTK comes to the blocks of a
- * composite data set one after the other, and finds them made.
+ * @file Hulls of several surfaces in parallel, one thread each: VTK processes the blocks of a
+ * composite data set one by one, and finds their hulls ready.
  */
 #pragma once
 
@@ -16,12 +15,12 @@ namespace vtkInsideOut
 struct KeptHull;
 
 /**
- * Meshes hulls that were read. Each is the same as if it were made alone; what goes wrong with one
- * is its Failure.
+ * Mesh hulls that were read. Each result is the same as if made alone; an error of one is its
+ * Failure.
  *
  * @param[in] fill whether to make tetrahedra, or to resolve the surfaces only
- * @param[in] threads how many at most; no more than may work
- * @param[in,out] monitor is told on the calling thread which part of them is done
+ * @param[in] threads limit of threads; AllowedThreads is another
+ * @param[in,out] monitor gets the total progress, on the calling thread
  * @throws insideout::Error Stopped
  */
 void MeshAhead(const std::vector<std::shared_ptr<KeptHull>>& hulls,

@@ -12,7 +12,7 @@ using namespace insideout;
 
 namespace
 {
-/** The weights of a cell's corners at a place in it: none is negative, however thin the cell. */
+/** The weights of a cell's corners at a place in it, all at least 0, however thin the cell. */
 std::array<double, 4> WeightsAt(
   const std::vector<Point>& points, const Tetrahedron& cell, const Point& place)
 {

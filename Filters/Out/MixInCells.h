@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * The points of the input that points in its cells are made of.
- */
+/** @file Interpolation of points within the input's cells. */
 #pragma once
 
 #include "Common/TetrahedralMesh.h"
@@ -13,11 +10,10 @@
 namespace vtkInsideOut
 {
 /**
- * A mixture per point: the corners of a cell that holds it, or is near it, by barycentric weights,
- * none of which is negative.
+ * The origin of each point: the corners of a cell that contains it, or is near it, with nonnegative
+ * barycentric weights.
  *
- * @param[in] originals the point of the mesh that each is, which it is made of then; None for a new
- *   one
+ * @param[in] originals the point of the mesh that each is, then its only origin; None for a new one
  * @param[in] cells of the mesh that hold them
  */
 std::vector<Attributes::Mixture> MixInCells(const insideout::TetrahedralMesh& mesh,

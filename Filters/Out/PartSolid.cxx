@@ -64,7 +64,7 @@ void TellOfSharedPoints(
 
 namespace
 {
-/** The solid's cells with their corners in the order that the grid's have. */
+/** The solid's cells with their corners in the grid's order. */
 std::vector<Tetrahedron> CellsInOrderOf(vtkUnstructuredGrid* grid, const PartedSolid& solid)
 {
   std::vector<Tetrahedron> cells = solid.Mesh.Cells;
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePartedGrid(
   {
     copies.push_back({ { { place, 0, 0, 0 } }, { { 1, 0, 0, 0 } }, false });
   }
-  std::vector<std::string> told; // all of it was told when the grid was made
+  std::vector<std::string> told; // reported when the grid was made
   auto parted = vtkSmartPointer<vtkUnstructuredGrid>::New();
   parted->SetPoints(MakePoints(solid.Mesh.Points));
   parted->SetCells(VTK_TETRA, MakeCells(CellsInOrderOf(grid, solid)));

@@ -16,7 +16,7 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** A solid that has been parted, and what is to be told of that. */
+/** A separated solid, with warnings and statistics. */
 struct Parting
 {
   insideout::PartedSolid Solid;
@@ -24,24 +24,24 @@ struct Parting
   std::vector<std::string> Warnings;
 };
 
-/** Give layers that overlap cells of their own. @throws insideout::Error Stopped */
+/** Give overlapping layers their own cells. @throws insideout::Error Stopped */
 void SeparateOverlaps(const insideout::HullMesh& hull, Parting& parting,
   insideout::Monitor& monitor, const insideout::ProgressRange& progress);
 
-/** Copy points in which the solid touches itself. @throws insideout::Error Stopped */
+/** Copy points at which the solid touches itself. @throws insideout::Error Stopped */
 void SplitPoints(
   Parting& parting, insideout::Monitor& monitor, const insideout::ProgressRange& progress);
 
 /**
- * Count and warn of what a boundary has several times, and cells once.
+ * Count and warn of repeated points of a boundary that cells have once.
  *
  * @param[in,out] statistics gains SharedPoints and NonManifoldEdges
  */
 void TellOfSharedPoints(const insideout::ManifoldSurface& boundary,
   insideout::Statistics& statistics, std::vector<std::string>& warnings);
 
-/** The grid that the solid was made of with the solid's points and cells: copies have the data of
- * what they are copies of, and its vtkOriginalPointIds. */
+/** The grid from which the solid was made, with the solid's points and cells: copies have the data
+ * of their originals, including vtkOriginalPointIds. */
 vtkSmartPointer<vtkUnstructuredGrid> MakePartedGrid(
   vtkUnstructuredGrid* grid, const Parting& parting);
 } // namespace vtkInsideOut

@@ -21,11 +21,13 @@ using namespace insideout;
 
 namespace
 {
-/** A face of a cell, 4 * cell + face, and the same one from behind: None where that is outside. */
+/**
+ * A face of a cell, 4 * cell + face, and the same face of the other cell: None if that is outside.
+ */
 using BothSides = std::array<Id, 2>;
 
-/** The faces on the boundary, then those between regions from the side of the lower one: in the
- * order in which a boundary has them. */
+/** The faces on the boundary, then those between regions from the lower one's side: in the order of
+ * a boundary. */
 std::vector<BothSides> FacesOnBoundary(const TetrahedralMesh& mesh, const std::vector<Id>& regions)
 {
   std::vector<BothSides> faces;
@@ -59,7 +61,7 @@ std::array<Id, 3> CornersOfCell(vtkPolyData* surface, vtkIdType cell)
     static_cast<Id>(corners->GetId(2)) } };
 }
 
-/** Mixes the point data of a surface's triangles for places on it or near it. */
+/** Interpolates point data of a surface's triangles at places on it or near it. */
 class SurfaceMixer
 {
 public:

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * The boundary of a refined grid, as a surface with the data of the one before.
- */
+/** @file The boundary of a refined grid, with the data of the original boundary. */
 #pragma once
 
 #include "Refine/RefineTetrahedra.h"
@@ -17,14 +14,14 @@ class vtkPolyData;
 
 namespace vtkInsideOut
 {
-/** The weights of a triangle's corners at a place in it or near it, and 0: none is negative. */
+/** The weights of a triangle's corners at a place in it or near it, and 0: all at least 0. */
 std::array<double, 4> WeightsIn(
   const std::array<insideout::Point, 3>& triangle, const insideout::Point& place);
 
 /**
  * The tags of the faces of cells that are on the boundary, or between regions.
  *
- * @param[in] regions one per cell; empty where there is but one
+ * @param[in] regions one per cell; empty if there is one
  * @param[in] boundary a triangle for each of these faces, in the order of FindRegionBoundaries, and
  *   its tag in the cell array BoundaryTag
  */
@@ -32,8 +29,8 @@ std::vector<std::array<insideout::Id, 4>> LabelsOf(const insideout::TetrahedralM
   const std::vector<insideout::Id>& regions, vtkPolyData* boundary);
 
 /**
- * The boundary of a refined mesh. Each triangle has the cell data of the one that it is a piece of,
- * or nearest to; point data are interpolated in the nearest triangle.
+ * The boundary of a refined mesh. Each triangle has the cell data of the original triangle that
+ * contains it, or is nearest to it; point data are interpolated in the nearest triangle.
  *
  * @param[in] mesh, regions before
  * @param[in] before its boundary, as above

@@ -37,7 +37,7 @@ using namespace insideout;
 
 namespace
 {
-/** What would lead a stage astray: VTK checks none of it. */
+/** Input errors that would break a stage: VTK does not check them. */
 void CheckGrid(vtkUnstructuredGrid* grid)
 {
   if (grid->GetNumberOfCells() == 0)
@@ -74,7 +74,7 @@ void CheckGrid(vtkUnstructuredGrid* grid)
   }
 }
 
-/** The cells' RegionId, numbered anew; empty where there is none. */
+/** The cells' RegionId, renumbered; empty without one. */
 std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray("RegionId");
@@ -94,8 +94,8 @@ std::vector<Id> ReadRegions(vtkUnstructuredGrid* grid)
   return NumberedAnew(values);
 }
 
-/** Regions whose cells are each in the same bodies, too, by InBody as vtkRobustTetrahedralize has
- * it: bodies within a region stay apart. Other arrays of that name are not looked at. */
+/** Regions subdivided by bodies, by InBody of vtkRobustTetrahedralize: bodies within a region stay
+ * separate. Other arrays of that name are ignored. */
 std::vector<Id> SplitByBodies(std::vector<Id> regions, vtkUnstructuredGrid* grid)
 {
   vtkDataArray* bodies = grid->GetCellData()->GetArray("InBody");
@@ -113,8 +113,7 @@ std::vector<Id> SplitByBodies(std::vector<Id> regions, vtkUnstructuredGrid* grid
   return regions;
 }
 
-/** The face of a cell of the grid that is face k of the mesh's: one that is inside out was turned.
- */
+/** The face of a cell of the grid for face k of the mesh's cell: inverted cells were turned. */
 int FaceInGrid(vtkUnstructuredGrid* grid, const TetrahedralMesh& mesh, Id cell, int k)
 {
   vtkNew<vtkIdList> given;
@@ -124,7 +123,9 @@ int FaceInGrid(vtkUnstructuredGrid* grid, const TetrahedralMesh& mesh, Id cell, 
   return turned && (k == 0 || k == 3) ? 3 - k : k;
 }
 
-/** Arrays of four values per cell, one per face: those of facets stay, others are `otherwise`. */
+/**
+ * Arrays of four values per cell, one per face: those of facets are kept, others are `otherwise`.
+ */
 void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const char* name,
   double otherwise, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
 {
@@ -147,8 +148,8 @@ void CarryFaces(const TetrahedralMesh& mesh, const RefinedMesh& refined, const c
 }
 
 /**
- * On the boundary and between regions points are mixtures of a face's corners, not of a cell's: one
- * of these may be a point in the volume, which has no data.
+ * On the boundary and between regions, points are interpolated between a face's corners, not a
+ * cell's: one of these may be a point in the volume, without data.
  */
 void MixOnFaces(const TetrahedralMesh& mesh, const std::vector<Id>& regions,
   const RefinedMesh& refined, std::vector<Attributes::Mixture>& mixtures)
@@ -195,7 +196,7 @@ std::vector<Attributes::Mixture> MixturesOf(
   return mixtures;
 }
 
-/** Points and cells of a result, where wanted with points amid the edges. */
+/** Points and cells of a result, with mid-edge nodes if wanted. */
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
   const RefinedMesh& refined, const QuadraticCells* quadratic)
 {
@@ -225,7 +226,7 @@ std::string TooLargeCells(double count, std::size_t cells, double maximumVolume)
   return words.str();
 }
 /**
- * Measures a solid that is no longer quite the same.
+ * Measures a solid whose surface changed.
  *
  * @param[in] ownRegions whether RegionId is this library's, from 0, so that each region is measured
  */
@@ -283,10 +284,10 @@ std::vector<double> SurfaceEdges(const RefinedMesh& refined)
   return lengths;
 }
 
-/** How the surface's edges differ from those asked for, in words; empty if they do not. */
+/** A message on how the surface's edges differ from the wanted lengths; empty if they do not. */
 std::string OtherEdgesThanAsked(const RefinedMesh& refined, const RefinementParameters& parameters)
 {
-  // A surface that obeys has some longer edges, too, by less; most are at least half as long.
+  // Edges of a suitable surface may be slightly longer; most are at least half as long.
   constexpr double MostTimes = 2;
   const double asked = parameters.Sizes.EdgeLength;
   std::vector<double> lengths = asked > 0 ? SurfaceEdges(refined) : std::vector<double>();

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * Refines a grid of tetrahedra and carries its data over, for the filters that do.
- */
+/** @file Refines a grid of tetrahedra and transfers its data, for filters. */
 #pragma once
 
 #include "Common/Monitor.h"
@@ -20,23 +17,24 @@ class vtkUnstructuredGrid;
 
 namespace vtkInsideOut
 {
-/** A refined grid, and what is to be said about it. */
+/** A refined grid, with warnings and statistics. */
 struct Refinement
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
-  vtkSmartPointer<vtkPolyData> Boundary;         ///< where one is given
-  std::vector<insideout::MassProperties> Masses; ///< of the regions, where the surface is remeshed
+  vtkSmartPointer<vtkPolyData> Boundary;         ///< if one is given
+  std::vector<insideout::MassProperties> Masses; ///< of the regions, if the surface is remeshed
   insideout::MassProperties Mass;                ///< of all, there
   insideout::Statistics Statistics;
   std::vector<std::string> Warnings;
 };
 
 /**
- * What vtkRefineTetrahedra describes: the grid with its data, and with its field data as it is.
+ * Refine as vtkRefineTetrahedra describes: the grid with its data, and with its field data
+ * unchanged.
  *
- * @param[in] boundary of the grid, a triangle for each of its faces in their order (but where the
- *   surface is kept), with their data; edges between different values of its cell array BoundaryTag
- *   stay. Null: none.
+ * @param[in] boundary of the grid, a triangle for each of its faces in their order (not needed if
+ * the surface is kept), with their data; edges between different values of its cell array
+ * BoundaryTag stay. Null: none.
  * @throws insideout::Error that names the culprit; Stopped
  */
 Refinement RefineGrid(vtkUnstructuredGrid* grid, vtkPolyData* boundary,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * The cells of a hull that are inside, and their regions: of one body, or of several that each have
- * a cut.
+ * @file The inside cells of a hull, and their regions, for one body, or for several with a cut
+ * each.
  */
 #pragma once
 
@@ -14,31 +13,31 @@ class vtkPointSet;
 
 namespace vtkInsideOut
 {
-/** What the cut goes by. */
+/** The parameters of the cut. */
 struct SegmentOptions
 {
   insideout::SegmentMeshParameters Parameters;
-  std::string ConstrainedArray; ///< the cell array that chooses which facets are kept
-  insideout::RegionRule Rule;   ///< of several bodies, as all below
+  std::string ConstrainedArray; ///< cell array that selects the facets to keep
+  insideout::RegionRule Rule;   ///< for several bodies, like all below
   std::string Priority;
-  double MergeTolerance;         ///< narrower gaps between them are filled
-  bool MembranesSeparateRegions; ///< of one body
+  double MergeTolerance;         ///< narrower gaps between bodies are filled
+  bool MembranesSeparateRegions; ///< for one body
 };
 
 /** The cells inside, and their regions. */
 struct SegmentedHull
 {
   insideout::MeshSegmentation All;                  ///< inside any body
-  std::vector<std::vector<unsigned char>> InBodies; ///< where bodies are named
+  std::vector<std::vector<unsigned char>> InBodies; ///< if bodies are named
   insideout::BodyRegions Regions;
-  bool HasInterfaces; ///< whether regions may have faces in common
+  bool HasInterfaces; ///< whether regions may share faces
 };
 
 /**
  * Stage cut.
  *
- * @param[in] points that the seeds were read from, or null
- * @throws insideout::Error that names the seed or array at fault; Stopped
+ * @param[in] points from which the seeds were read, or null
+ * @throws insideout::Error that names the invalid seed or array; Stopped
  */
 SegmentedHull SegmentHull(const KeptHull& kept, const std::vector<insideout::Seed>& given,
   vtkPointSet* points, const SegmentOptions& options, insideout::Monitor& monitor);

@@ -20,14 +20,14 @@ namespace vtkInsideOut
 {
 namespace
 {
-// A line each. The first statistic is always shown, and the others where they are not 0.
+// One line each. The first statistic is always shown, the others if they are not 0.
 const std::vector<std::vector<std::string>> Lines = { { "InputTriangles", "Components" },
   { "IntersectingPairs", "NonManifoldEdges", "InconsistentEdges", "DuplicateFacets",
     "DegenerateFacets", "TurnedFacets" },
   { "OpenEdges", "HoledShells" }, { "InsideCells", "RefinedCells", "Regions" },
   { "OutlierFacets", "OutliersLost", "OutliersLeftOut", "OutliersDegenerate" } };
 
-/** "Open Edges" of "OpenEdges", as panels have the names of options. */
+/** "Open Edges" for "OpenEdges", like panels' labels of options. */
 std::string Words(const std::string& name)
 {
   std::string words;

@@ -7,8 +7,8 @@ class vtkDataObject;
 
 namespace vtkInsideOut
 {
-/** Six lines by the statistics in the field data of a solid: the input, its defects, its holes, the
- * cells, the outliers and the verdict (Core/Verdict.h). Blocks are added up. Empty without
+/** Six lines from the statistics in the field data of a solid: the input, its defects, its holes,
+ * the cells, the outliers and the verdict (Core/Verdict.h). Blocks are added up. Empty without
  * statistics. */
 std::string Summarize(vtkDataObject* solid);
 } // namespace vtkInsideOut

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * Makes the winding number of a raw vtkPolyData, for the classes that need no mesh.
- */
+/** @file The winding number of a raw vtkPolyData, for the classes without a mesh. */
 #pragma once
 
 #include "Clouds/CloudWindingNumber.h"
@@ -26,24 +23,24 @@ struct SurfaceOptions
   insideout::CountedChainParameters Chain;
   insideout::Orientation Orientation;
   insideout::WindingNumberParameters WindingNumber;
-  std::string NonParticipating; ///< cell array, not 0 where a cell does not count
-  std::string Areas = "Area";   ///< point array of a cloud; where there is none they are estimated
-  bool Distance = false;        ///< whether that is asked for, too
+  std::string NonParticipating; ///< cell array, not 0 for cells that do not count
+  std::string Areas = "Area";   ///< point array of a cloud; without it areas are estimated
+  bool Distance = false;        ///< whether the distance is wanted, too
 };
 
-/** The point of a surface nearest to a place. Facets have their numbers in the whole surface. */
+/** The point of a surface nearest to a place. Facets are numbered in the whole surface. */
 struct NearestPoint : insideout::SurfaceDistance::Nearest
 {
-  vtkIdType Cell; ///< of the input; -1 where the place is not finite
+  vtkIdType Cell; ///< cell of the input; -1 if the place is not finite
 };
 
-/** A piece of a surface. */
+/** A chunk of a surface. */
 struct SurfaceChunk : insideout::CountedPiece
 {
-  std::vector<vtkIdType> Cells; ///< of the input, for each facet; none where no distance is asked
+  std::vector<vtkIdType> Cells; ///< input cell per facet; empty if no distance is wanted
 };
 
-/** The options that those classes have in common. */
+/** The common options of those classes. */
 template <typename Class>
 SurfaceOptions ReadSurfaceOptions(Class* object)
 {
@@ -54,7 +51,7 @@ SurfaceOptions ReadSurfaceOptions(Class* object)
   return options;
 }
 
-/** The facets that count of a polygonal surface, as they are meant to face. */
+/** The facets of a polygonal surface that count, oriented. */
 struct Facets
 {
   insideout::FacetComplex Surface;
@@ -65,25 +62,25 @@ struct Facets
     std::vector<std::string>& warnings);
 };
 
-/** The winding number of a surface; of lines without polygons that of the curve in their plane, at
- * the places above and below it too; of points without both that of the cloud. */
+/** The winding number of a surface; for lines without polygons that of the planar curve, projected
+ * to its plane; for points without both that of the cloud. */
 class InputWindingNumber
 {
 public:
   /**
-   * The winding number of the facets that count in a surface, which is neither resolved nor meshed.
+   * The winding number of a surface's facets that count, without resolving or meshing.
    *
-   * @param[in,out] warnings gains what was passed over or looks wrong
-   * @throws insideout::Error that names the cell or point at fault
+   * @param[in,out] warnings gains skipped or suspicious cells
+   * @throws insideout::Error that names the invalid cell or point
    */
   InputWindingNumber(vtkPolyData* input, const SurfaceOptions& options, insideout::Monitor& monitor,
     std::vector<std::string>& warnings);
 
-  /** For a piece; without its distance. */
+  /** For a chunk, without its distance. */
   InputWindingNumber(
     const SurfaceChunk& piece, const SurfaceOptions& options, insideout::Monitor& monitor);
 
-  /** The distance of a piece alone. @param exponent that of the whole surface's points */
+  /** The distance of a chunk only. @param exponent that of the whole surface's points */
   InputWindingNumber(const SurfaceChunk& piece, int exponent);
 
   /** As of SurfaceWindingNumber. */
@@ -92,13 +89,13 @@ public:
     const insideout::ProgressRange& progress = { insideout::Stages::WindingNumbers, 0, 1 }) const;
   insideout::Point Gradient(const insideout::Point& p) const;
 
-  /** As of SurfaceWindingNumber. False, and nothing done, for a curve or cloud. */
+  /** As of SurfaceWindingNumber. Returns false, without effect, for a curve or cloud. */
   bool InGrid(const insideout::GridPlaces& grid, std::optional<double> sideOf,
     const insideout::SliceVisitor& visit, insideout::Monitor& monitor,
     const insideout::ProgressRange& progress) const;
 
   ///@{
-  /** As of SurfaceDistance; only where the options ask for it. */
+  /** As of SurfaceDistance; only if the options request it. */
   NearestPoint NearestTo(const insideout::Point& p) const;
   std::vector<NearestPoint> NearestTo(const std::vector<insideout::Point>& points,
     insideout::Monitor& monitor, const insideout::ProgressRange& progress) const;
@@ -115,7 +112,7 @@ private:
   std::unique_ptr<const insideout::CurveWindingNumber> Curve;
   std::unique_ptr<const insideout::CloudWindingNumber> Cloud;
   std::unique_ptr<const insideout::SurfaceDistance> Distance;
-  std::vector<insideout::Id> WholeFacets; ///< of a piece: those that the distance knows
-  std::vector<vtkIdType> CellOfFacet;     ///< of those that the distance knows
+  std::vector<insideout::Id> WholeFacets; ///< of a chunk: facets known to the distance
+  std::vector<vtkIdType> CellOfFacet;     ///< of facets known to the distance
 };
 } // namespace vtkInsideOut

@@ -18,9 +18,9 @@ using namespace insideout;
 
 namespace
 {
-// Few enough for the processor's cache, and for memory to matter little; enough for many threads.
+// Places per block: few enough for the cache and for little memory, enough for many threads.
 constexpr vtkIdType PlacesAtOnce = 1 << 16;
-// As many of a grid, in a box.
+// Places per box of a grid.
 constexpr Id BoxOfPlaces[3] = { 64, 32, 32 };
 
 void GetPoints(vtkDataSet* input, vtkIdType first, std::vector<Point>& points)
@@ -49,13 +49,13 @@ void GetCentres(vtkDataSet* input, vtkIdType first, std::vector<Point>& centres)
   }
 }
 
-/** From `first` on, as many as there are in `places`; NaN for empty cells. */
+/** The next places from `first` on, as many as fit in `places`; NaN for empty cells. */
 void ReadPlaces(vtkDataSet* input, bool atPoints, vtkIdType first, std::vector<Point>& places)
 {
   (atPoints ? GetPoints : GetCentres)(input, first, places);
 }
 
-/** The numbers of points of an image or grid whose axes are those of space; false for any other. */
+/** The numbers of points of an image or grid with axes along those of space; false for others. */
 bool GetDimensions(vtkDataSet* input, int dimensions[3])
 {
   if (auto* image = vtkImageData::SafeDownCast(input))
@@ -89,7 +89,7 @@ bool ReadAxes(vtkDataSet* input, bool atPoints, GridPlaces& grid)
   for (int axis = 0; axis < 3; ++axis)
   {
     const int size = atPoints ? dimensions[axis] : std::max(dimensions[axis] - 1, 1);
-    // One by one, so that they are what GetPoints and GetCentres say, bit by bit.
+    // One by one, so that they equal the results of GetPoints and GetCentres bit for bit.
     std::vector<Point> place(1);
     for (int i = 0; i < size; ++i)
     {
@@ -103,7 +103,7 @@ bool ReadAxes(vtkDataSet* input, bool atPoints, GridPlaces& grid)
 
 namespace
 {
-/** Call work(first, places, progress) for some places after the other. */
+/** Call work(first, places, progress) for one block of places after the other. */
 template <typename Work>
 void ForEachPart(vtkDataSet* input, bool atPoints, const ProgressRange& progress, const Work& work)
 {
@@ -170,8 +170,8 @@ void ReadBox(const GridPlaces& grid, const Index& low, std::vector<vtkIdType>& n
   }
 }
 
-/** Call work(numbers, places, progress) for one box of a grid after the other, for neighbors share
- * what is searched for. */
+/** Call work(numbers, places, progress) for one box of a grid after the other: neighbors share
+ * searches. */
 template <typename Work>
 void ForEachBox(const GridPlaces& grid, const ProgressRange& progress, const Work& work)
 {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * @file
- * The places where a data set is asked something: its points, or the centers of its cells.
- */
+/** @file The query points of a data set: its points, or the centers of its cells. */
 #pragma once
 
 #include "Probe/InputWindingNumber.h"
@@ -14,19 +11,18 @@ class vtkDataSet;
 
 namespace vtkInsideOut
 {
-/** How many places there are. */
+/** The number of query points. */
 vtkIdType NumberOfPlaces(vtkDataSet* input, bool atPoints);
 
-/** Read the places as those of an image or rectilinear grid, if they are. @return whether they are
- */
+/** Read the query points as an image or rectilinear grid, if possible. @return whether it is */
 bool ReadAxes(vtkDataSet* input, bool atPoints, insideout::GridPlaces& grid);
 
 /**
- * Call visit(first, values) with the winding numbers at all places, part by part: those of images
- * and rectilinear grids slice by slice, by several threads at once; but for a surface of lines, and
- * all other data sets, in parts of any size.
+ * Call visit(first, values) with the winding numbers at all places, block by block: slice by slice
+ * for images and rectilinear grids, concurrently; in blocks of any size for lines and for other
+ * data sets.
  *
- * @param sideOf where given, values only tell on which side of it the winding number is
+ * @param sideOf if given, values only tell on which side of it the winding number is
  * @throws insideout::Error (Stopped)
  */
 void VisitPlaces(vtkDataSet* input, bool atPoints, const InputWindingNumber& windingNumber,
@@ -34,8 +30,8 @@ void VisitPlaces(vtkDataSet* input, bool atPoints, const InputWindingNumber& win
   const insideout::ProgressRange& progress,
   const std::function<void(vtkIdType first, const std::vector<double>& values)>& visit);
 
-/** Call visit(place, nearest) with what of the surface is nearest to each place, one after the
- * other: those of images and rectilinear grids box by box.
+/** Call visit(place, nearest) with the nearest point of the surface to each place, one by one; for
+ * images and rectilinear grids box by box.
  *
  * @throws insideout::Error (Stopped)
  */

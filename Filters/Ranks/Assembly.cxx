@@ -31,7 +31,7 @@ namespace vtkInsideOut
 {
 namespace
 {
-/** Whether it has parts, and is not a part in pieces. */
+/** Whether it has parts, and is not a partitioned part. */
 bool IsAssembly(vtkDataObject* data)
 {
   return vtkDataObjectTree::SafeDownCast(data) && !vtkPartitionedDataSet::SafeDownCast(data);
@@ -46,7 +46,7 @@ vtkSmartPointer<vtkDataObjectTreeIterator> ChildrenOf(vtkDataObjectTree* tree)
   return child;
 }
 
-/** Visit the places of parts as (tree, iterator). */
+/** Visit the positions of parts as (tree, iterator). */
 template <typename Visit>
 void VisitParts(vtkDataObjectTree* tree, const Visit& visit)
 {
@@ -59,7 +59,7 @@ void VisitParts(vtkDataObjectTree* tree, const Visit& visit)
   }
 }
 
-/** Types and names of what a tree consists of, down to the parts. */
+/** Types and names of a tree's nodes, down to the parts. */
 void Describe(vtkDataObjectTree* tree, vtkMultiProcessStream& words)
 {
   const auto child = ChildrenOf(tree);
@@ -85,7 +85,7 @@ void Describe(vtkDataObjectTree* tree, vtkMultiProcessStream& words)
   }
 }
 
-/** Puts something into a place of a tree, and gives it a name. */
+/** Put data at a position of a tree, with a name. */
 void SetChild(vtkDataObjectTree* tree, unsigned int place, vtkDataObject* data, const char* name)
 {
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree);
@@ -128,7 +128,7 @@ void Build(vtkMultiProcessStream& words, vtkDataObjectTree* tree)
   }
 }
 
-/** Say which arrays of a piece are not among those of the whole. */
+/** Warn of the arrays of an MPI piece that the whole lacks. */
 void WarnOfLost(vtkFieldData* piece, vtkFieldData* whole, std::set<std::string>& warnings)
 {
   for (int i = 0; i < piece->GetNumberOfArrays(); ++i)
@@ -253,7 +253,8 @@ std::vector<vtkSmartPointer<vtkPolyData>> MoveParts(const Assembly& parts,
   std::vector<vtkSmartPointer<vtkPolyData>> moved(owners.size());
   for (int rank = 0; rank < controller->GetNumberOfProcesses(); ++rank)
   {
-    // What goes to one rank is one message: a block for each of its parts. What it has stays.
+    // All data for one rank are one message: one block for each of its parts. Its own parts are not
+    // sent.
     std::vector<std::size_t> ids;
     vtkNew<vtkMultiBlockDataSet> message;
     for (std::size_t part = 0; part < owners.size(); ++part)

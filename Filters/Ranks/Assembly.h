@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * The parts of an assembly, of which each of several processes (ranks) holds pieces, and how they
- * come together. All functions that take a controller have to be called by all ranks.
+ * @file The parts of an assembly, of which each of several processes (ranks) holds MPI pieces, and
+ * their collection. All functions with a controller have to be called by all ranks.
  */
 #pragma once
 
@@ -18,7 +17,7 @@ class vtkPolyData;
 
 namespace vtkInsideOut
 {
-/** What this rank holds of each part: blocks, or partitioned data sets, in order. */
+/** This rank's piece of each part: blocks, or partitioned data sets, in order. */
 struct Assembly
 {
   explicit Assembly(vtkDataObjectTree* assembly);
@@ -26,31 +25,31 @@ struct Assembly
   std::vector<std::vector<vtkSmartPointer<vtkPolyData>>>
     Pieces; ///< without ghost cells and empty ones
   vtkSmartPointer<vtkDataObjectTree> Structure;
-  vtkIdType Others = 0; ///< how many blocks are no vtkPolyData
+  vtkIdType Others = 0; ///< number of blocks other than vtkPolyData
 };
 
 /**
- * Gives the output all ranks' structure, and ranks that have no parts at all as many as others.
+ * Give the output all ranks' structure, and ranks without parts as many as others.
  *
- * @return what ranks disagree on; nothing, or the same on all of them
+ * @return a description of ranks' disagreement, equal on all ranks; empty if there is none
  */
 std::string Agree(
   Assembly& parts, vtkDataObjectTree* output, vtkMultiProcessController* controller);
 
-/** For each part, on all ranks together. */
+/** For each part, summed over all ranks. */
 std::vector<vtkIdType> CountCells(const Assembly& parts, vtkMultiProcessController* controller);
 
 /**
- * Sends each part to the rank that owns it.
+ * Send each part to the rank that owns it.
  *
- * @param[in,out] warnings gains a line per array that not all pieces of a part have
- * @return the parts of this rank, of the pieces of all, in their order; none where it is another's
- * or empty
+ * @param[in,out] warnings gains a line per array that some MPI pieces of a part lack
+ * @return the parts of this rank, from all ranks' pieces, in their order; null if it is another
+ * rank's or empty
  */
 std::vector<vtkSmartPointer<vtkPolyData>> MoveParts(const Assembly& parts,
   const std::vector<int>& owners, vtkMultiProcessController* controller,
   std::vector<std::string>& warnings);
 
-/** Puts parts in their places. */
+/** Put parts into their positions. */
 void SetParts(const std::vector<vtkSmartPointer<vtkPolyData>>& parts, vtkDataObjectTree* assembly);
 } // namespace vtkInsideOut

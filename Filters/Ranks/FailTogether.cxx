@@ -45,7 +45,7 @@ bool Forward(vtkAlgorithm* algorithm, vtkInformation* request)
   return isDone;
 }
 
-/** VTK does not go on without data of a type that the algorithm takes. */
+/** VTK stops without data of a type that the algorithm accepts. */
 void GiveDataObjects(vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
@@ -65,7 +65,7 @@ void GiveDataObjects(vtkAlgorithm* algorithm)
   }
 }
 
-/** VTK does not go on without an extent of what may be structured. */
+/** VTK stops without an extent if the data may be structured. */
 void GiveExtents(vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
@@ -145,7 +145,7 @@ int FailTogether::ModifyRequest(
     if (!isDone)
     {
       this->Held = request->GetRequest();
-      request->Remove(this->Held); // VTK would ask again, and give up
+      request->Remove(this->Held); // VTK would request again, and give up
     }
   }
   else if (this->Held)

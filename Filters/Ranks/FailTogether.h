@@ -2,15 +2,14 @@
 
 /**
  * @class   FailTogether
- * @brief   makes all processes (ranks) fail where the input of one of them fails
+ * @brief makes all processes (ranks) fail if the input of one of them fails
  *
- * VTK runs no filter whose input fails. Where the filters of all ranks talk to each other, the
- * others would wait for that one for ever. So what a filter asks of its inputs is asked here, and
- * ranks tell each other how that went before any of them goes on. While inputs are asked for data
- * objects and information it is not known yet whether all ranks work: that it failed is kept back
- * until they are asked for data. An input without a data object, as of a reader that learns from
- * its file of which type it is, has an empty one until then. (VTK goes on where requests for
- * extents fail.)
+ * VTK does not run a filter whose input fails. If the filters of all ranks communicate, the others
+ * would wait for it for ever. So a filter's requests to its inputs are made here, and ranks
+ * exchange the results before any of them continues. During requests for data objects and
+ * information it is not known yet whether all ranks work: a failure is held back until data are
+ * requested. An input without a data object, such as a reader that learns its type from the file,
+ * has an empty one until then. (VTK continues if requests for extents fail.)
  */
 #pragma once
 
@@ -34,8 +33,8 @@ private:
   bool AskForData(
     vtkAlgorithm* algorithm, vtkMultiProcessController* controller, vtkInformation* request);
 
-  vtkInformationRequestKey* Held = nullptr; ///< what VTK is not to ask again
-  bool HasDataObjects = true;               ///< whether all inputs had, when they were asked last
+  vtkInformationRequestKey* Held = nullptr; ///< VTK must not repeat the request
+  bool HasDataObjects = true;               ///< whether all inputs had data at the last request
   bool HasInformation = true;
 };
 } // namespace vtkInsideOut

@@ -19,7 +19,7 @@ namespace vtkInsideOut
 {
 namespace
 {
-constexpr int PieceTag = 4826; // of messages, unlike those of others
+constexpr int PieceTag = 4826; // MPI tag of messages, unlike those of others
 
 vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece,
   const std::vector<std::string>& arrays, const std::vector<std::string>& cloudArrays)
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece,
   }
   if (IsCloud(own))
   {
-    // Messages name what has no name, and only what is called the same is appended.
+    // Unnamed arrays get names in messages, because only arrays of one name are appended.
     vtkDataArray* found = FindNormals(own);
     const auto normals = vtk::TakeSmartPointer(found->NewInstance());
     normals->ShallowCopy(found);
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> Gather(vtkPolyData* piece, const std::vector<std::s
 {
   vtkSmartPointer<vtkPolyData> own;
   DoTogether(controller, [&] { own = WithoutGhosts(piece, arrays, cloudArrays); });
-  // One after the other: to gather all at once MPI would count their bytes together, in 32 bits.
+  // One by one: gathering all at once, MPI would count their bytes together in 32 bits.
   vtkNew<vtkAppendPolyData> all;
   const bool isFirst = controller->GetLocalProcessId() == 0;
   if (isFirst)

@@ -23,10 +23,10 @@ using insideout::Monitor;
 
 namespace
 {
-// Winding numbers of pieces are right to 1e-14 or so, and sums of many no worse than this.
+// Winding numbers of chunks are right to 1e-14 or so, and sums of many to no less than this.
 constexpr double RoundingOfSums = 1e-12;
 
-// MPI counts bytes of one broadcast in 32 bits.
+// Limit of a broadcast: MPI counts its bytes in 32 bits.
 constexpr std::size_t MostBytesAtOnce = std::size_t(1) << 30;
 
 template <typename Value>
@@ -117,7 +117,7 @@ void SurfaceChunks::Cut(
   this->NumberOfPieces = static_cast<int>(this->Pieces.size());
 }
 
-/** From the first rank to all. */
+/** Broadcast from the first rank to all. */
 void SurfaceChunks::Broadcast(SurfaceChunk& piece) const
 {
   insideout::FacetComplex& surface = piece.Surface;

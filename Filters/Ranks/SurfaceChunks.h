@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * The surface that several processes (ranks) ask about: whole on each of them, or in pieces that
+ * @file The surface queried by several processes (ranks): whole on each of them, or in chunks that
  * all of them have in turn.
  *
  * A large surface would fill the memory of every rank. So the first rank, which has gathered it,
- * counts and turns its facets as a whole, cuts it into pieces (SurfacePieces.h), and broadcasts one
- * after the other. All ranks add up what the pieces say in the same order, so that it does not
- * matter how many they are. The others hold no more than a piece.
+ * counts and turns its facets as a whole, cuts it into chunks (SurfacePieces.h), and broadcasts
+ * these one by one. All ranks add up the chunks' results in the same order, so results do not
+ * depend on the number of ranks. The other ranks hold at most one chunk.
  */
 #pragma once
 
@@ -26,7 +25,7 @@ namespace vtkInsideOut
 class SurfaceChunks
 {
 public:
-  /** A surface that this process has. As the constructor of InputWindingNumber. */
+  /** A surface of this process only. For parameters see InputWindingNumber's constructor. */
   SurfaceChunks(vtkPolyData* surface, const SurfaceOptions& options, insideout::Monitor& monitor,
     std::vector<std::string>& warnings);
 
@@ -34,27 +33,27 @@ public:
    * A surface of which each rank has a piece; all ranks have to call it.
    *
    * @param together the ranks
-   * @param facetsAtOnce lines, points and surfaces of no more polygons than this are whole on all
-   * ranks; no piece of another has more facets
-   * @throws insideout::Error as there, on all ranks where on one
+   * @param facetsAtOnce lines, points and surfaces of at most this many polygons are whole on all
+   * ranks; chunks of others have at most this many facets
+   * @throws insideout::Error as there, on all ranks if on one
    */
   SurfaceChunks(vtkPolyData* piece, const SurfaceOptions& options, insideout::Id facetsAtOnce,
     vtkMultiProcessController* together, insideout::Monitor& monitor,
     std::vector<std::string>& warnings);
 
-  /** How many there are; a whole surface is one piece. */
+  /** The number of chunks; a whole surface is one. */
   int Size() const { return this->NumberOfPieces; }
 
-  /** Do what may throw before all pieces are visited. All ranks have to call it.
+  /** Do something that may throw before chunks are visited. All ranks have to call it.
    *
-   * @throws insideout::Error what it throws, on all ranks where on one
+   * @throws insideout::Error its error, on all ranks if on one
    */
   void DoTogether(const std::function<void()>& work) const;
 
-  /** The surface, where it is whole here; else nullptr. */
+  /** The surface, if it is whole here; else nullptr. */
   const InputWindingNumber* Whole() const { return this->WholeSurface.get(); }
 
-  /** A piece and its turn. */
+  /** A chunk and its index. */
   struct Turn
   {
     const InputWindingNumber& Piece;
@@ -66,18 +65,18 @@ public:
 
   ///@{
   /**
-   * Visit all pieces, for their winding numbers or their distances. All ranks have to call it.
+   * Visit all chunks, for their winding numbers or their distances. All ranks have to call it.
    *
-   * @throws insideout::Error what visitors throw, on all ranks where on one
+   * @throws insideout::Error of visitors, on all ranks if on one
    */
   void TakeTurns(insideout::Monitor& monitor, const Visitor& visit);
   void TakeTurnsForDistances(const Visitor& visit);
   ///@}
 
   /**
-   * What the winding numbers of all pieces add up to. Those of a closed surface are whole numbers
-   * off it and halves on its facets: so they are here where rounding, at the edges that pieces have
-   * and the whole has not, has left them beside.
+   * Correct the sum of the winding numbers of all chunks. For a closed surface it is a whole number
+   * off the surface and a half on its facets, up to rounding at the additional edges of chunks,
+   * which is removed here.
    */
   double Rounded(double sum) const;
 
@@ -95,7 +94,7 @@ private:
   std::unique_ptr<const InputWindingNumber> WholeSurface;
   std::vector<SurfaceChunk> Pieces; ///< on the first rank
   int NumberOfPieces = 1;
-  int Exponent = 0; ///< coordinates of the whole surface are below 2 to the power of this
-  int IsClosed = 0; ///< not 0 where the whole surface is
+  int Exponent = 0; ///< coordinates of the whole surface are below 2 to this power
+  int IsClosed = 0; ///< not 0 if the whole surface is
 };
 } // namespace vtkInsideOut

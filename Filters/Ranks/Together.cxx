@@ -18,7 +18,7 @@ namespace
 {
 constexpr int NoError = -1;
 
-/** What each rank says; all ranks have to call it. */
+/** Gather the value of each rank; all ranks have to call it. */
 std::vector<int> AllSay(int own, vtkMultiProcessController* controller)
 {
   std::vector<int> all(controller->GetNumberOfProcesses());
@@ -26,7 +26,7 @@ std::vector<int> AllSay(int own, vtkMultiProcessController* controller)
   return all;
 }
 
-/** The ranks that say something that `means` what is meant. */
+/** The ranks whose value satisfies `means`. */
 template <typename Meaning>
 std::string RanksThat(const std::vector<int>& all, const Meaning& means)
 {
@@ -75,7 +75,7 @@ void DoTogether(vtkMultiProcessController* controller, const std::function<void(
   {
     std::rethrow_exception(thrown);
   }
-  // Who was stopped says nothing; where another fails, that is what all say.
+  // A stopped rank reports nothing; if another fails, all report that.
   const int stopped = static_cast<int>(ErrorCode::Stopped);
   const auto fails = [&](int said) { return said != NoError && said != stopped; };
   const auto failed = std::find_if(codes.begin(), codes.end(), fails);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * @file
- * What several processes (ranks) do together: where it fails on one it fails on all, for the others
- * would wait for that one for ever.
+ * @file Work of several processes (ranks) together: if it fails on one it fails on all, because the
+ * others would wait for ever.
  */
 #pragma once
 
@@ -13,14 +12,15 @@ class vtkMultiProcessController;
 
 namespace vtkInsideOut
 {
-/** The ranks that say so, as words: "0, 2". All ranks have to call it. */
+/** The ranks with a true value, as words: "0, 2". All ranks have to call it. */
 std::string RanksThat(bool say, vtkMultiProcessController* controller);
 
 /**
- * Do what may throw, on each rank. All ranks have to call it. Without a controller it is just done.
+ * Do something that may throw, on each rank. All ranks have to call it. Without a controller it is
+ * simply done.
  *
- * @throws whatever it throws here; else, where it throws on another rank, insideout::Error of the
- * same code, which says on which
+ * @throws its exception, if it throws here; else, if it throws on another rank, insideout::Error of
+ * the same code, naming the rank
  */
 void DoTogether(vtkMultiProcessController* controller, const std::function<void()>& work);
 } // namespace vtkInsideOut

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   AlgorithmMonitor
- * @brief   shows the progress of the stages as a VTK algorithm's, and passes on its abort flag
+ * @brief reports the stages' progress as a VTK algorithm's, and passes on its abort flag
  */
 #pragma once
 
@@ -20,20 +20,19 @@ class AlgorithmMonitor : public insideout::Monitor
 public:
   /**
    * @param stages the names of the stages (Common/Stages.h) that the algorithm runs, in order. Each
-   * takes an equal share of the progress, so that an observer can tell the stage's own progress
-   * from it. Observers hear of it at least five times a second as long as the stage asks that
-   * often, also where there is none: they may want to stop it. A stage that reports and is not
-   * among them gives a warning event, which tests listen to; the work goes on.
+   * takes an equal share of the progress, so that an observer can derive the stage's own progress.
+   * Observers are called at least five times a second if the stage asks as frequently, also without
+   * progress: they may want to stop it. A report of an unlisted stage causes a warning event, which
+   * tests check; the work continues.
    */
   AlgorithmMonitor(vtkAlgorithm* algorithm, std::vector<std::string> stages);
 
-  /** Clears the progress text, lest the last stage's name stand at the beginning of the next run.
-   */
+  /** Clears the progress text, so that the next run does not begin with the last stage's name. */
   ~AlgorithmMonitor() override;
 
   bool Continue(const char* stage, double fraction) override;
 
-  /** Whether somebody wants the algorithm to stop. */
+  /** Whether the algorithm was asked to stop. */
   static bool ShouldAbort(vtkAlgorithm* algorithm);
 
 private:

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   Cache
- * @brief   keeps what a filter made of each of its inputs, for when only later stages change
+ * @brief caches a filter's intermediate result for each of its inputs, for changes of later stages
+ * only
  *
- * A filter that works on the blocks of a composite input one by one has a result for each. One is
- * forgotten when its input was deleted or modified, or is asked for with other parameters.
+ * A filter that works on the blocks of a composite input one by one has a result for each. A result
+ * is dropped when its input was deleted or modified, or is requested with other parameters.
  */
 #pragma once
 
@@ -18,12 +19,12 @@
 
 namespace vtkInsideOut
 {
-/** `Parameters` is whatever decides about the result beside the input; it is compared with ==. */
+/** `Parameters` is the rest of the cache key besides the input; compared with ==. */
 template <typename Parameters, typename Result>
 class Cache
 {
 public:
-  /** The result for an input: the one that is remembered, or else what `make` makes. */
+  /** The result for an input: the cached one, or else that of `make`. */
   template <typename Make>
   std::shared_ptr<Result> Get(vtkDataObject* input, const Parameters& parameters, const Make& make)
   {
@@ -36,7 +37,7 @@ public:
     return made;
   }
 
-  /** The one that is remembered, or nothing. */
+  /** The cached result, or null. */
   std::shared_ptr<Result> Find(vtkDataObject* input, const Parameters& parameters)
   {
     const auto isStale = [&](const Entry& entry)
@@ -56,7 +57,7 @@ public:
     this->Entries.push_back({ input, input->GetMTime(), parameters, std::move(made) });
   }
 
-  /** That of one input. */
+  /** The entry of one input. */
   void Forget(vtkDataObject* input)
   {
     this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),

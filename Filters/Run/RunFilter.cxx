@@ -36,10 +36,10 @@ namespace vtkInsideOut
 namespace
 {
 /**
- * The least of what vtkSMPTools was told (Initialize, LocalScope) and VTK_SMP_MAX_THREADS, which
- * VTK's own backends take only where nothing was told; 0 for neither. A sequential backend is no
- * limit: it is the default of many builds. VTK's public functions tell of the backend only; the
- * internal one is the same from 9.1 to 9.7.
+ * The smaller limit of vtkSMPTools (Initialize, LocalScope) and VTK_SMP_MAX_THREADS, which VTK's
+ * own backends use only without the former; 0 for neither. A sequential backend is no limit: it is
+ * the default of many builds. VTK's public functions report the backend only; the internal one is
+ * the same from 9.1 to 9.7.
  */
 int ThreadLimitOfVtk()
 {
@@ -54,7 +54,7 @@ const bool IsLimitFollowed = (insideout::SetHostLimit(ThreadLimitOfVtk), true);
 
 using FieldData = std::vector<vtkSmartPointer<vtkFieldData>>;
 
-/** The outputs that there are: of some types VTK makes none for a block of a composite data set. */
+/** The existing outputs: of some types VTK makes none for a block of a composite data set. */
 std::vector<vtkDataObject*> OutputsOf(vtkInformationVector* outputs)
 {
   std::vector<vtkDataObject*> all;
@@ -68,7 +68,7 @@ std::vector<vtkDataObject*> OutputsOf(vtkInformationVector* outputs)
   return all;
 }
 
-/** VTK has put the input's field data on each output by now; whatever the work does keeps them. */
+/** VTK has put the input's field data on each output by now; the work keeps them. */
 FieldData FieldDataOf(vtkInformationVector* outputs)
 {
   FieldData fields;
@@ -98,7 +98,7 @@ void AddFieldData(const FieldData& fields, vtkInformationVector* outputs)
   }
 }
 
-/** VTK's XML writers crash on a grid that has no cell array at all. */
+/** VTK's XML writers crash on a grid without cell arrays. */
 void MakeEmpty(vtkInformationVector* outputs)
 {
   for (vtkDataObject* output : OutputsOf(outputs))
@@ -116,8 +116,8 @@ void MakeEmpty(vtkInformationVector* outputs)
 }
 
 /**
- * VTK looks at what type an input is, but not at the blocks of a composite data set, which become
- * the input one after the other.
+ * VTK checks the type of an input, but not of the blocks of a composite data set, which become the
+ * input one by one.
  *
  * @throws insideout::Error InvalidParameter
  */
@@ -147,7 +147,7 @@ void CheckTypesOfInputs(vtkAlgorithm* algorithm)
   }
 }
 
-/** Before the work. @throws insideout::Error Stopped, InvalidParameter */
+/** Checks before the work. @throws insideout::Error Stopped, InvalidParameter */
 void Begin(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
 {
   MakeEmpty(outputs);

@@ -17,26 +17,27 @@ class vtkMultiProcessController;
 namespace vtkInsideOut
 {
 /**
- * Do a filter's work. What it throws becomes the algorithm's error event, with its one line; a stop
- * is no error. Either way the outputs are then empty, but complete, so that every writer copes. An
- * input of a type that the filter does not take, as a block may be, is an error before the work.
+ * Do a filter's work. An exception becomes the algorithm's error event, with its one line; a stop
+ * is no error. In both cases the outputs are empty, but complete, so that every writer can write
+ * them. An input of a type that the filter does not accept, as a block may be, is an error before
+ * the work.
  *
  * @param outputs RequestData's, or nullptr for a writer, which has none
- * @param together where several processes do the work together: whether they begin it is decided
- * for all of them
- * @return what RequestData has to: 1 when the work was done or stopped, 0 when it failed
+ * @param together for work of several processes together: whether to begin is decided for all of
+ * them
+ * @return the value for RequestData: 1 if the work was done or stopped, 0 if it failed
  */
 int Run(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work,
   vtkMultiProcessController* together = nullptr);
 
-/** The same for a filter that needs all of its input: further pieces of its output are empty. */
+/** The same for a filter that needs all of its input: other pieces of its output are empty. */
 int RunOnWhole(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::function<void()>& work);
 
-/** What went wrong, in one line. */
+/** The error in one line. */
 std::string WordsOf(const std::exception& error);
 
-/** A warning event where more threads are asked for than work. */
+/** A warning event if more threads are requested than work. */
 void WarnOfThreads(vtkAlgorithm* algorithm);
 
 /** A warning event of the algorithm for each line. */
